@@ -1,0 +1,13 @@
+# `cmake --install` puts the program, the libraries and what find_package(rastertrace) needs in place.
+include(CMakePackageConfigHelpers)
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/rastertrace)
+
+install(TARGETS rastertrace_core rastertrace_trace EXPORT rastertrace-targets FILE_SET HEADERS)
+install(TARGETS rastertrace_program)
+install(EXPORT rastertrace-targets NAMESPACE rastertrace:: DESTINATION ${package_dir})
+write_basic_package_version_file(rastertrace-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES
+    ${CMAKE_CURRENT_LIST_DIR}/rastertrace-config.cmake
+    ${CMAKE_CURRENT_LIST_DIR}/FindGMP.cmake
+    ${CMAKE_CURRENT_BINARY_DIR}/rastertrace-config-version.cmake
+  DESTINATION ${package_dir})

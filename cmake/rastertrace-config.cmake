@@ -1,0 +1,8 @@
+# find_package(rastertrace) gives rastertrace::core (headers) and rastertrace::trace (a library).
+include(CMakeFindDependencyMacro)
+list(APPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
+find_dependency(glm CONFIG)
+find_dependency(GMP)
+find_dependency(fmt CONFIG)
+list(POP_BACK CMAKE_MODULE_PATH)
+include(${CMAKE_CURRENT_LIST_DIR}/rastertrace-targets.cmake)

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Where pixels are: the one page that says which way y points and what a pixel stands for.
+//
+// A pixel is named by the integer point (x, y) of the scene's own coordinates. With `sample:
+// integer` (the convention of the textbooks, and of every algorithm in this folder so far) the
+// pixel *is* that point: whether it is drawn is decided at exactly (x, y).
+//
+// The canvas says which integer points exist and which way y points:
+//
+//     Canvas canvas{.width = 17, .height = 14};  // origin in the centre: x -8..8, y 7..-6, y up
+//
+// Whatever the origin, pixels are visited from the top row of the picture to the bottom row, and
+// from left to right in a row.
+
+#include <cstddef>
+#include <cstdint>
+
+namespace rastertrace {
+
+/// A pixel's column or row before it is known to lie on a canvas. Every value that a rounding rule
+/// returns lies within +-`farthest_index`, and every value within it is a whole double and a whole
+/// number to every JSON reader.
+using Index = std::int64_t;
+
+/// The largest index, 2^53 - 1: a coordinate farther out is given this index (it is off every
+/// canvas).
+inline constexpr Index farthest_index = 9'007'199'254'740'991;
+
+/// A pixel on a canvas, by its integer point in the scene's coordinates.
+struct Pixel {
+    int x = 0;
+    int y = 0;
+
+    friend bool operator==(const Pixel&, const Pixel&) = default;
+};
+
+/// Where (0, 0) lies on the canvas, and which way y points.
+enum class Origin {
+    center,      ///< y up; column = floor(width/2 + x), row = floor(height/2 - y)
+    bottom_left, ///< y up; column = x, row = height - 1 - y
+    top_left,    ///< y down; column = x, row = y
+};
+
+/// The largest width or height, and the largest number of pixels, of a canvas.
+inline constexpr int largest_canvas_side = 16'384;
+inline constexpr int largest_canvas_area = 1 << 26;
+
+/// The grid of pixels that a scene is drawn on. Rows count from the top of the picture, from 0.
+struct Canvas {
+    int width = 0;  ///< columns, 1 or more
+    int height = 0; ///< rows, 1 or more
+    Origin origin = Origin::center;
+
+    /// The x of the leftmost and of the rightmost column.
+    int left() const { return origin == Origin::center ? -(width / 2) : 0; }
+    int right() const { return left() + width - 1; }
+
+    /// The step in y from one row to the row below it: +1 where y points down, -1 where it points
+    /// up.
+    int down() const { return origin == Origin::top_left ? 1 : -1; }
+
+    /// The y of the topmost and of the bottommost row.
+    int top() const {
+        switch (origin) {
+        case Origin::center:
+            return height / 2;
+        case Origin::bottom_left:
+            return height - 1;
+        case Origin::top_left:
+            break;
+        }
+        return 0;
+    }
+    int bottom() const { return top() + down() * (height - 1); }
+
+    /// How many rows `y` lies below the top row; negative above the canvas. `y` may lie anywhere.
+    Index row_of(Index y) const { return (y - top()) * down(); }
+
+    /// The y of the row that lies `row` rows below the top row.
+    int y_of(int row) const { return top() + down() * row; }
+
+    /// True when the canvas has this pixel: left() <= x <= right(), and the same for y.
+    bool contains(Index x, Index y) const {
+        const Index row = row_of(y);
+        return left() <= x && x <= right() && 0 <= row && row < height;
+    }
+
+    /// The place of a pixel of the canvas in row-major order, top row first.
+    std::size_t offset_of(Pixel pixel) const {
+        return static_cast<std::size_t>(row_of(pixel.y)) * static_cast<std::size_t>(width) +
+               static_cast<std::size_t>(pixel.x - left());
+    }
+
+    friend bool operator==(const Canvas&, const Canvas&) = default;
+};
+
+} // namespace rastertrace

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Exact fractions on machine integers that are never reduced: adding and multiplying two of them is
+// a handful of integer instructions, as cheap as double. The price is that the caller must know
+// that the numbers fit; plan.h works that out from the scene before drawing.
+//
+//     Fraction<std::int64_t> half{1, 2};
+//     half + half  // 2/2, equal to 1
+
+#include <compare>
+#include <concepts>
+#include <cstdint>
+#include <numeric>
+
+namespace rastertrace {
+
+__extension__ using Int128 = __int128;
+__extension__ using UInt128 = unsigned __int128;
+
+/// numerator / denominator, not in lowest terms; the denominator is positive. Two fractions over
+/// the same denominator stay over it when added or subtracted, and lose it when divided. No
+/// operation checks for overflow.
+template <typename Integer> struct Fraction {
+    Integer numerator = 0;
+    Integer denominator = 1;
+
+    constexpr Fraction() = default;
+    constexpr explicit Fraction(Integer whole) : numerator(whole) {}
+    constexpr Fraction(Integer above, Integer below) : numerator(above), denominator(below) {}
+
+    friend constexpr Fraction operator+(const Fraction& a, const Fraction& b) {
+        if (a.denominator == b.denominator)
+            return {a.numerator + b.numerator, a.denominator};
+        return {a.numerator * b.denominator + b.numerator * a.denominator,
+                a.denominator * b.denominator};
+    }
+
+    friend constexpr Fraction operator-(const Fraction& a) { return {-a.numerator, a.denominator}; }
+
+    friend constexpr Fraction operator-(const Fraction& a, const Fraction& b) { return a + -b; }
+
+    friend constexpr Fraction operator*(const Fraction& a, const Fraction& b) {
+        return {a.numerator * b.numerator, a.denominator * b.denominator};
+    }
+
+    /// b must not be 0.
+    friend constexpr Fraction operator/(const Fraction& a, const Fraction& b) {
+        const Integer sign = b.numerator < 0 ? -1 : 1;
+        if (a.denominator == b.denominator)
+            return {sign * a.numerator, sign * b.numerator};
+        return {sign * a.numerator * b.denominator, sign * a.denominator * b.numerator};
+    }
+
+    constexpr Fraction& operator+=(const Fraction& b) { return *this = *this + b; }
+
+    friend constexpr bool operator==(const Fraction& a, const Fraction& b) {
+        return (a <=> b) == std::strong_ordering::equal;
+    }
+
+    friend constexpr std::strong_ordering operator<=>(const Fraction& a, const Fraction& b) {
+        if (a.denominator == b.denominator)
+            return a.numerator <=> b.numerator;
+        return a.numerator * b.denominator <=> b.numerator * a.denominator;
+    }
+};
+
+} // namespace rastertrace

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A number exactly as the author of a scene typed it: a decimal or a fraction. It becomes a Scalar
+// only when drawing starts, so that 0.1 is 1/10 in exact arithmetic and the nearest double in
+// double.
+//
+//     const auto slope = parse_number("25/8");   // a Number, or what is wrong with the text
+//     std::get<Number>(slope).nearest_double();  // 3.125
+
+#include <gmpxx.h>
+
+#include <algorithm>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <variant>
+
+namespace rastertrace {
+
+/// 10^exponent, for 0 <= exponent <= 18.
+constexpr std::int64_t power_of_ten(int exponent) {
+    std::int64_t power = 1;
+    for (int i = 0; i < exponent; ++i)
+        power *= 10;
+    return power;
+}
+
+/// The double nearest to an exact value; ties go to the even significand, as in IEEE 754.
+/// The value must not be larger in magnitude than the largest double.
+inline double nearest_double(const mpq_class& value) {
+    // mpq_get_d rounds toward zero, so the nearest double is this one or its neighbor away from
+    // zero.
+    const double inner = value.get_d();
+    const double outer = std::nextafter(
+        inner, std::copysign(std::numeric_limits<double>::infinity(), sgn(value) < 0 ? -1.0 : 1.0));
+    if (!std::isfinite(outer))
+        return inner;
+    const mpq_class to_inner = abs(value - mpq_class(inner));
+    const mpq_class to_outer = abs(mpq_class(outer) - value);
+    const int nearer = cmp(to_inner, to_outer);
+    if (nearer != 0)
+        return nearer < 0 ? inner : outer;
+    // Neighbors differ by one in the last bit of the significand, the lowest bit of their encoding.
+    return std::bit_cast<std::uint64_t>(inner) % 2 == 0 ? inner : outer;
+}
+
+/// A decimal of up to 18 digits is held in place, as digits x 10^exponent; any other number as a
+/// fraction in lowest terms on the heap. Every Number is finite and lies in the range of double.
+class Number {
+public:
+    /// A whole number.
+    Number(std::int64_t whole = 0) : digits_(whole) {} // NOLINT: numbers are written as numbers
+
+    /// digits x 10^exponent.
+    static Number decimal(std::int64_t digits, int exponent) {
+        Number number(digits);
+        number.exponent_ = digits == 0 ? 0 : exponent;
+        return number;
+    }
+
+    /// A fraction; its denominator must be positive and it must be in lowest terms.
+    static Number fraction(mpq_class value) {
+        Number number;
+        number.fraction_ = std::make_shared<const mpq_class>(std::move(value));
+        return number;
+    }
+
+    /// The value, exactly.
+    mpq_class exact() const {
+        if (fraction_)
+            return *fraction_;
+        mpz_class power;
+        mpz_ui_pow_ui(power.get_mpz_t(), 10, static_cast<unsigned long>(std::abs(exponent_)));
+        mpq_class value = mpz_class(static_cast<long>(digits_));
+        if (exponent_ >= 0)
+            value *= power;
+        else
+            value /= power;
+        return value;
+    }
+
+    /// The nearest double, ties to even.
+    double nearest_double() const {
+        if (fraction_)
+            return rastertrace::nearest_double(*fraction_);
+        // Digits below 2^53 and powers of ten up to 10^22 are doubles, so one operation on them
+        // rounds once (Clinger 1990). Everything else is left to from_chars, which rounds
+        // correctly.
+        constexpr std::int64_t exact_digits = std::int64_t{1} << 53;
+        if (-exact_digits <= digits_ && digits_ <= exact_digits && -18 <= exponent_ &&
+            exponent_ <= 18) {
+            const auto digits = static_cast<double>(digits_);
+            const auto power = static_cast<double>(power_of_ten(std::abs(exponent_)));
+            return exponent_ < 0 ? digits / power : digits * power;
+        }
+        const std::string text = std::to_string(digits_) + "e" + std::to_string(exponent_);
+        double value = 0;
+        std::from_chars(text.data(), text.data() + text.size(), value);
+        return value;
+    }
+
+    /// A denominator that the value can be written over (not the least one), or nothing if it
+    /// does not fit: 10^3 for 0.250.
+    std::optional<std::int64_t> denominator() const {
+        if (fraction_) {
+            if (!fraction_->get_den().fits_slong_p())
+                return std::nullopt;
+            return fraction_->get_den().get_si();
+        }
+        if (exponent_ < -18)
+            return std::nullopt;
+        return exponent_ >= 0 ? 1 : power_of_ten(-exponent_);
+    }
+
+    /// value * denominator, if that is a whole number that fits.
+    std::optional<std::int64_t> numerator_over(std::int64_t denominator) const {
+        std::int64_t numerator = 0;
+        if (!fraction_) {
+            const auto own = this->denominator();
+            if (!own || denominator % *own != 0 || exponent_ > 18)
+                return std::nullopt;
+            const std::int64_t factor =
+                exponent_ >= 0 ? power_of_ten(exponent_) : denominator / *own;
+            if (__builtin_mul_overflow(digits_, factor, &numerator))
+                return std::nullopt;
+            if (exponent_ >= 0 && __builtin_mul_overflow(numerator, denominator, &numerator))
+                return std::nullopt;
+            return numerator;
+        }
+        const mpq_class scaled = *fraction_ * mpz_class(static_cast<long>(denominator));
+        if (scaled.get_den() != 1 || !scaled.get_num().fits_slong_p())
+            return std::nullopt;
+        return scaled.get_num().get_si();
+    }
+
+private:
+    std::int64_t digits_ = 0;
+    std::int32_t exponent_ = 0;
+    std::shared_ptr<const mpq_class> fraction_;
+};
+
+/// What can be wrong with the text of a number.
+enum class NumberFault {
+    malformed,        ///< neither a decimal nor a fraction
+    zero_denominator, ///< "1/0"
+    too_large,        ///< beyond the largest double, 1.797...e308
+    too_small,        ///< not 0, and nearer to 0 than the smallest double, 4.94...e-324
+};
+
+namespace number_text {
+
+inline bool is_digit(char c) {
+    return '0' <= c && c <= '9';
+}
+
+/// Takes the digits at the front off `text`.
+inline std::string_view take_digits(std::string_view& text) {
+    const auto end = std::find_if_not(text.begin(), text.end(), is_digit);
+    const auto digits = text.substr(0, static_cast<std::size_t>(end - text.begin()));
+    text.remove_prefix(digits.size());
+    return digits;
+}
+
+inline bool take(std::string_view& text, char c) {
+    if (text.empty() || text.front() != c)
+        return false;
+    text.remove_prefix(1);
+    return true;
+}
+
+/// A value that is known to have the form of a number: in the range of double?
+inline std::optional<NumberFault> fault_of_size(const mpq_class& value) {
+    static const mpq_class largest(std::numeric_limits<double>::max());
+    static const mpq_class smallest(std::numeric_limits<double>::denorm_min());
+    if (abs(value) > largest)
+        return NumberFault::too_large;
+    if (sgn(value) != 0 && abs(value) < smallest)
+        return NumberFault::too_small;
+    return std::nullopt;
+}
+
+} // namespace number_text
+
+/// Reads a decimal (`-4`, `0.25`, `1e-3`) or a fraction of whole numbers (`25/8`, `-1/4`).
+/// The whole of `text` must be the number: no space, no `+` in front.
+inline std::variant<Number, NumberFault> parse_number(std::string_view text) {
+    using namespace number_text;
+
+    // The sign and the digits before the point or the bar.
+    std::string_view rest = text;
+    const bool negative = take(rest, '-');
+    const std::string_view whole = take_digits(rest);
+    if (whole.empty())
+        return NumberFault::malformed;
+
+    // A fraction: numerator/denominator, brought to lowest terms.
+    if (take(rest, '/')) {
+        const std::string_view below = take_digits(rest);
+        if (below.empty() || !rest.empty())
+            return NumberFault::malformed;
+        const mpz_class denominator(std::string(below), 10);
+        if (denominator == 0)
+            return NumberFault::zero_denominator;
+        mpq_class value(mpz_class(std::string(whole), 10), denominator);
+        value.canonicalize();
+        if (negative)
+            value = -value;
+        if (const auto fault = fault_of_size(value))
+            return *fault;
+        if (value.get_den() == 1 && value.get_num().fits_slong_p())
+            return Number(value.get_num().get_si());
+        return Number::fraction(std::move(value));
+    }
+
+    // A decimal: whole.fraction e exponent.
+    std::string_view fraction;
+    if (take(rest, '.')) {
+        fraction = take_digits(rest);
+        if (fraction.empty())
+            return NumberFault::malformed;
+    }
+    bool negative_exponent = false;
+    std::string_view exponent_digits;
+    if (take(rest, 'e') || take(rest, 'E')) {
+        negative_exponent = take(rest, '-');
+        if (!negative_exponent)
+            take(rest, '+');
+        exponent_digits = take_digits(rest);
+        if (exponent_digits.empty())
+            return NumberFault::malformed;
+    }
+    if (!rest.empty())
+        return NumberFault::malformed;
+
+    // Only the significant digits count: 0007.50 is 75 x 10^-1.
+    std::string digits = std::string(whole) + std::string(fraction);
+    std::int64_t exponent = 0;
+    const auto read = std::from_chars(exponent_digits.data(),
+                                      exponent_digits.data() + exponent_digits.size(), exponent);
+    if (read.ec == std::errc::result_out_of_range)
+        exponent = std::numeric_limits<std::int32_t>::max();
+    exponent =
+        (negative_exponent ? -exponent : exponent) - static_cast<std::int64_t>(fraction.size());
+    const std::size_t first = digits.find_first_not_of('0');
+    if (first == std::string::npos)
+        return Number(0);
+    const std::size_t last = digits.find_last_not_of('0');
+    exponent += static_cast<std::int64_t>(digits.size() - 1 - last);
+    digits = digits.substr(first, last + 1 - first);
+
+    // The decimal point of 1.797e308 stands 309 places from the right of its first digit. Beyond
+    // that, and below 1e-324, the size is clear without writing the power of ten out.
+    const std::int64_t places = exponent + static_cast<std::int64_t>(digits.size());
+    if (places > 309)
+        return NumberFault::too_large;
+    if (places < -323)
+        return NumberFault::too_small;
+
+    if (digits.size() <= 18 && -307 <= places && places <= 308) {
+        std::int64_t value = 0;
+        std::from_chars(digits.data(), digits.data() + digits.size(), value);
+        return Number::decimal(negative ? -value : value, static_cast<int>(exponent));
+    }
+    mpz_class power;
+    mpz_ui_pow_ui(power.get_mpz_t(), 10, static_cast<unsigned long>(std::abs(exponent)));
+    mpq_class value(mpz_class(digits, 10));
+    if (exponent >= 0)
+        value *= power;
+    else
+        value /= power;
+    if (negative)
+        value = -value;
+    if (const auto fault = fault_of_size(value))
+        return *fault;
+    return Number::fraction(std::move(value));
+}
+
+} // namespace rastertrace

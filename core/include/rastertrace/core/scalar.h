@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What the algorithms ask of a number, for each kind of number they run on: double, fractions on 64
+// and on 128 bits, and GMP rationals. An algorithm that needs more than + - * / and < finds it
+// here.
+//
+//     floor_index(2.75)                              // 2
+//     floor_index(Fraction<std::int64_t>{-1, 4})     // -1
+
+#include <rastertrace/core/canvas.h>
+#include <rastertrace/core/fraction.h>
+#include <rastertrace/core/number.h>
+
+#include <gmpxx.h>
+
+#include <algorithm>
+#include <cassert>
+#include <concepts>
+#include <cstdint>
+
+namespace rastertrace {
+
+using Fraction64 = Fraction<std::int64_t>;
+using Fraction128 = Fraction<Int128>;
+using Rational = mpq_class;
+
+/// The largest whole number not above `x`, kept within +-farthest_index. `x` must not be NaN.
+inline Index floor_index(double x) {
+    constexpr auto farthest = static_cast<double>(farthest_index);
+    // The cast drops the fraction, which rounds a negative number up.
+    const double near = std::clamp(x, -farthest, farthest);
+    const auto toward_zero = static_cast<Index>(near);
+    return static_cast<double>(toward_zero) > near ? toward_zero - 1 : toward_zero;
+}
+
+template <typename Integer> Index floor_index(const Fraction<Integer>& x) {
+    // C++ division drops the fraction, which rounds a negative quotient up.
+    Integer quotient = x.numerator / x.denominator;
+    if (x.numerator % x.denominator < 0)
+        --quotient;
+    return static_cast<Index>(
+        std::clamp(quotient, Integer{-farthest_index}, Integer{farthest_index}));
+}
+
+inline Index floor_index(const Rational& x) {
+    mpz_class quotient;
+    mpz_fdiv_q(quotient.get_mpz_t(), x.get_num_mpz_t(), x.get_den_mpz_t());
+    if (!quotient.fits_slong_p())
+        return sgn(quotient) < 0 ? -farthest_index : farthest_index;
+    return std::clamp<Index>(quotient.get_si(), -farthest_index, farthest_index);
+}
+
+/// The smallest whole number not below `x`, kept within +-farthest_index.
+template <typename Scalar> Index ceil_index(const Scalar& x) {
+    return -floor_index(Scalar(-x));
+}
+
+/// A whole number as a Scalar.
+template <typename Scalar> Scalar scalar_from(Index whole) {
+    if constexpr (std::same_as<Scalar, Rational>)
+        return Rational(static_cast<long>(whole));
+    else
+        return static_cast<Scalar>(whole);
+}
+
+/// A number of the scene as a Scalar: the nearest double, or exactly. Fractions on machine integers
+/// are written over `denominator`, which must suit the number (plan.h finds one that suits them
+/// all).
+template <typename Scalar> Scalar scalar_from(const Number& number, std::int64_t denominator) {
+    if constexpr (std::floating_point<Scalar>) {
+        return number.nearest_double();
+    } else if constexpr (std::same_as<Scalar, Rational>) {
+        return number.exact();
+    } else {
+        const auto numerator = number.numerator_over(denominator);
+        assert(numerator && "the plan's denominator suits every number of the scene");
+        return Scalar{*numerator, denominator};
+    }
+}
+
+/// Writes two numbers over one denominator, so that adding the second to the first again and again
+/// does not make the fraction grow. Other scalars need no such care.
+template <typename Scalar> void share_denominator(Scalar&, Scalar&) {}
+
+template <typename Integer> void share_denominator(Fraction<Integer>& a, Fraction<Integer>& b) {
+    if (a.denominator == b.denominator)
+        return;
+    const Integer common = a.denominator * b.denominator;
+    const Integer a_over_common = a.numerator * b.denominator;
+    const Integer b_over_common = b.numerator * a.denominator;
+    a = {a_over_common, common};
+    b = {b_over_common, common};
+}
+
+} // namespace rastertrace
