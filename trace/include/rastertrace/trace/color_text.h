@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Colors as scenes and traces write them: "#ff8000", "#ff800080", or a CSS basic name.
+
+#include <rastertrace/core/image.h>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rastertrace {
+
+/// The color that `text` names: #rrggbb, #rrggbbaa, or one of the sixteen CSS basic names.
+std::optional<Color> parse_color(std::string_view text);
+
+/// #rrggbb, or #rrggbbaa where alpha is not 255.
+std::string to_text(Color color);
+
+/// The sixteen names.
+std::vector<std::string_view> color_names();
+
+} // namespace rastertrace

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The words of a scene's "method": which keys there are, which values each takes. The scene reader,
+// the trace's header and the program's options all read this one table.
+
+#include <rastertrace/core/method.h>
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace rastertrace {
+
+/// One choice that a method makes.
+struct MethodKey {
+    std::string_view name;                ///< as in a scene, and as an option: `--name`
+    std::string_view meaning;             ///< one line for people
+    std::vector<std::string_view> values; ///< the default is the one that Method{} has
+    std::string_view (*get)(const Method&);
+    bool (*set)(Method&, std::string_view); ///< false if there is no such value
+    bool (*in_force)(const Method&);        ///< false if the picture cannot depend on it
+};
+
+/// Every key, in the order in which a trace's header writes them.
+std::span<const MethodKey> method_keys();
+
+/// The key of that name, or nullptr.
+const MethodKey* find_method_key(std::string_view name);
+
+/// Choices made on the command line instead of in the scene: key and value.
+using MethodOverrides = std::vector<std::pair<std::string, std::string>>;
+
+} // namespace rastertrace

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Scene files: JSON to Scene. docs/scene-format.md describes them.
+//
+//     const Result<Scene> scene = read_scene({"first.json", text});
+
+#include <rastertrace/core/scene.h>
+#include <rastertrace/trace/method_names.h>
+#include <rastertrace/trace/problem.h>
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace rastertrace {
+
+/// Reads a scene. `overrides` take the place of what its "method" says. The scene that comes back
+/// can be drawn: every name is known, every number is finite, and no step can overflow.
+Result<Scene> read_scene(const Source& source, const MethodOverrides& overrides = {});
+
+/// What stands between names that are written as one: nothing if each is one letter, "-" otherwise.
+std::string_view name_separator(std::span<const std::string_view> names);
+
+/// Names written as one: "ABC", or "P1-P2-P3".
+std::string joined_names(std::span<const std::string_view> names);
+
+} // namespace rastertrace

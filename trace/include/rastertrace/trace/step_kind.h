@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The kinds of step that a trace file knows by name.
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace rastertrace {
+
+/// In the order in which a picture meets them; the end record counts them in this order.
+enum class StepKind { primitive, edge, scanline, pixel, reject, skip };
+
+inline constexpr std::size_t step_kinds = 6;
+
+/// The value of "step": primitive, edge, ...
+std::string_view name_of(StepKind kind);
+
+/// The kind of that name, if we know it. A trace may hold kinds that we do not know.
+std::optional<StepKind> step_kind_named(std::string_view name);
+
+/// All names.
+std::vector<std::string_view> step_kind_names();
+
+} // namespace rastertrace

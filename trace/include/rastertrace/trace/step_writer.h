@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A sink that writes each step as one line of JSON. docs/trace-format.md describes the lines.
+//
+//     std::string text;
+//     StringOutput out(text);
+//     StepWriter writer(out, TraceLayout::json, {});
+//     draw<double>(scene, plan, writer);
+//
+// A line is put together in a buffer from literals and numbers, and the buffer goes to the output
+// when it is full: memory does not grow with the number of steps. A step that the filter leaves out
+// is never formatted.
+
+#include <rastertrace/core/steps.h>
+#include <rastertrace/trace/format_number.h>
+#include <rastertrace/trace/output.h>
+#include <rastertrace/trace/step_kind.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rastertrace {
+
+/// How the lines of a trace hang together.
+enum class TraceLayout {
+    json,  ///< one JSON document, one step per line
+    jsonl, ///< one JSON value per line
+};
+
+/// A rectangle of pixels, borders included.
+struct Region {
+    int x0 = 0;
+    int y0 = 0;
+    int x1 = 0;
+    int y1 = 0;
+
+    bool has_row(Index y) const { return y0 <= y && y <= y1; }
+    bool meets(Index from, Index to) const { return from <= x1 && x0 <= to; }
+};
+
+/// Which steps are written.
+struct StepFilter {
+    std::optional<std::vector<StepKind>> only; ///< these kinds; all, if not said
+    std::optional<Region> region; ///< of the steps that name pixels or rows, those that meet it
+};
+
+/// `text` as a JSON string, quotes included. Characters that could harm a terminal are escaped.
+std::string json_quoted(std::string_view text);
+
+class StepWriter {
+public:
+    StepWriter(Output& output, TraceLayout layout, const StepFilter& filter);
+    StepWriter(const StepWriter&) = delete;
+    StepWriter& operator=(const StepWriter&) = delete;
+
+    template <typename Scalar> void operator()(const PrimitiveBegan<Scalar>& step) {
+        remember(step.vertices, step.color);
+        if (!wants(StepKind::primitive))
+            return;
+        begin_primitive_line(step.kind, step.name, step.vertices);
+        for (std::size_t i = 0; i < step.positions.size(); ++i)
+            put(i == 0 ? std::string_view("[") : std::string_view(",["), step.positions[i].x, ",",
+                step.positions[i].y, "]");
+        end_primitive_line(step.color);
+    }
+
+    template <typename Scalar> void operator()(const EdgeSetUp<Scalar>& step) {
+        if (!wants(StepKind::edge))
+            return;
+        begin_line(StepKind::edge);
+        put(R"({"step":"edge","edge":)", label(step.edge), R"(,"dx_dy":)");
+        if (step.dx_dy)
+            put(*step.dx_dy, "}");
+        else
+            put("null}");
+    }
+
+    template <typename Scalar> void operator()(const ScanlineSpanned<Scalar>& step) {
+        if (!wants(StepKind::scanline) || !is_in_region(step.y, step.from, step.to))
+            return;
+        begin_line(StepKind::scanline);
+        put(R"({"step":"scanline","y":)", step.y, R"(,"left":)", step.left, R"(,"right":)",
+            step.right, R"(,"from":)", step.from, R"(,"to":)", step.to, R"(,"left_edge":)",
+            label(step.left_edge), R"(,"right_edge":)", label(step.right_edge), "}");
+    }
+
+    void operator()(const PixelPlotted& step) {
+        if (!wants(StepKind::pixel) || !is_in_region(step.pixel.y, step.pixel.x, step.pixel.x))
+            return;
+        begin_line(StepKind::pixel);
+        if (step.color == color_)
+            put(R"({"step":"pixel","x":)", step.pixel.x, R"(,"y":)", step.pixel.y, "}");
+        else
+            put_colored_pixel(step);
+    }
+
+    void operator()(const PixelsRejected& step);
+    void operator()(const RowsRejected& step);
+    void operator()(const PrimitiveSkipped& step);
+
+    /// Writes text as it is: for what stands before the first step and behind the last one.
+    void put_text(std::string_view text) { put(text); }
+
+    /// Starts a line for a step of this kind and counts it.
+    void begin_line(StepKind kind) {
+        ++counts_[static_cast<std::size_t>(kind)];
+        put(separator_);
+        separator_ = next_separator_;
+    }
+
+    /// Puts literals, strings and numbers one behind the other.
+    template <typename... Pieces> void put(const Pieces&... pieces) {
+        char* out = room((size_of(pieces) + ...));
+        ((out = append(out, pieces)), ...);
+        used_ = static_cast<std::size_t>(out - buffer_.data());
+    }
+
+    /// Hands everything written so far to the output.
+    void flush();
+
+    /// How many steps of a kind have been written.
+    std::uint64_t count(StepKind kind) const { return counts_[static_cast<std::size_t>(kind)]; }
+
+private:
+    bool wants(StepKind kind) const { return wanted_[static_cast<std::size_t>(kind)]; }
+
+    bool is_in_region(Index y, Index from, Index to) const {
+        return !region_ || (region_->has_row(y) && region_->meets(from, to));
+    }
+
+    void remember(std::span<const std::string_view> vertices, Color color);
+    void begin_primitive_line(PrimitiveKind kind, std::string_view name,
+                              std::span<const std::string_view> vertices);
+    void end_primitive_line(Color color);
+    void put_colored_pixel(const PixelPlotted& step);
+
+    /// The quoted name of an edge of the current primitive.
+    std::string_view label(EdgeName edge) const {
+        return labels_[edge.from * most_vertices + edge.to];
+    }
+
+    /// A place in the buffer with room for `size` bytes.
+    char* room(std::size_t size) {
+        if (buffer_.size() - used_ < size)
+            make_room(size);
+        return buffer_.data() + used_;
+    }
+    void make_room(std::size_t size);
+
+    template <std::size_t size> static constexpr std::size_t size_of(const char (&)[size]) {
+        return size - 1;
+    }
+    static std::size_t size_of(std::string_view text) { return text.size(); }
+    template <typename Number> static std::size_t size_of(const Number& number) {
+        return room_for(number);
+    }
+
+    template <std::size_t size> static char* append(char* out, const char (&literal)[size]) {
+        std::memcpy(out, literal, size - 1);
+        return out + (size - 1);
+    }
+    static char* append(char* out, std::string_view text) {
+        std::memcpy(out, text.data(), text.size());
+        return out + text.size();
+    }
+    template <typename Number> static char* append(char* out, const Number& number) {
+        return format_number(out, number);
+    }
+
+    static constexpr std::size_t most_vertices = 3;
+
+    Output& output_;
+    std::vector<char> buffer_;
+    std::size_t used_ = 0;
+    std::string_view separator_ = "\n"; ///< before the next line
+    std::string_view next_separator_;
+    std::array<bool, step_kinds> wanted_{};
+    std::optional<Region> region_;
+    std::array<std::uint64_t, step_kinds> counts_{};
+    Color color_;                                                   ///< of the current primitive
+    std::array<std::string, most_vertices * most_vertices> labels_; ///< of its edges
+};
+
+} // namespace rastertrace

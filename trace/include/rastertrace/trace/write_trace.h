@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Draws a scene and writes its trace, as a stream: header, one line per step, end record.
+//
+//     std::string text;
+//     StringOutput out(text);
+//     write_trace(scene, {}, out);
+
+#include <rastertrace/core/image.h>
+#include <rastertrace/core/scene.h>
+#include <rastertrace/trace/output.h>
+#include <rastertrace/trace/step_writer.h>
+
+#include <cstdint>
+#include <string>
+
+namespace rastertrace {
+
+/// The version of the trace format that is written, and the newest that is read.
+inline constexpr int trace_version = 1;
+
+struct TraceOptions {
+    TraceLayout layout = TraceLayout::json;
+    StepFilter filter;
+};
+
+/// Draws the scene and writes its trace. The same scene and options give the same bytes on every
+/// machine. Throws the Problem that the output throws.
+void write_trace(const Scene& scene, const TraceOptions& options, Output& output);
+
+/// The name that a trace gives to a final picture: FNV-1a (64 bit, sixteen hexadecimal digits) over
+/// the red, green, blue and alpha byte of every pixel, row by row from the top; a pixel that
+/// nothing has drawn is four zero bytes.
+std::string frame_name(const Image& image);
+
+} // namespace rastertrace

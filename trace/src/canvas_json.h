@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The "canvas" of scenes and of trace headers.
+
+#include "json_document.h"
+
+#include <rastertrace/core/canvas.h>
+#include <rastertrace/trace/problem.h>
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace rastertrace {
+
+/// A canvas as it was written: a size may be missing.
+struct CanvasJson {
+    int width = 0;
+    int height = 0;
+    Origin origin = Origin::center;
+    bool has_width = false;
+    bool has_height = false;
+};
+
+/// Reads {"width", "height", "origin"}; every key may be left out, no other is allowed.
+Result<CanvasJson> read_canvas_json(const Source& source, const JsonValue& value);
+
+/// Why a canvas of this size is refused, if it is.
+std::optional<std::string> fault_of_size(const Canvas& canvas);
+
+/// center, bottom-left or top-left.
+std::string_view name_of(Origin origin);
+
+} // namespace rastertrace

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include <rastertrace/trace/problem.h>
+#include <rastertrace/trace/text.h>
+
+#include <fmt/format.h>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <system_error>
+
+namespace rastertrace {
+
+namespace {
+
+/// How many characters of a line are shown before and after the place that is meant.
+constexpr std::size_t shown_before = 60;
+constexpr std::size_t shown_after = 40;
+
+/// `text` made safe to print, tabs as blanks.
+std::string excerpt_of(std::string_view text) {
+    std::string line(text);
+    std::replace(line.begin(), line.end(), '\t', ' ');
+    return printable(line);
+}
+
+/// The last `count` characters of `text`.
+std::string_view last_characters(std::string_view text, std::size_t count) {
+    const std::size_t all = characters_in(text);
+    return text.substr(first_characters(text, all - std::min(all, count)).size());
+}
+
+} // namespace
+
+Problem problem_of(std::string file, std::string message, std::string hint) {
+    Problem problem;
+    problem.file = std::move(file);
+    problem.message = std::move(message);
+    problem.hint = std::move(hint);
+    return problem;
+}
+
+Problem problem_at(const Source& source, std::size_t offset, std::string message,
+                   std::string hint) {
+    Problem problem = problem_of(source.name, std::move(message), std::move(hint));
+
+    // The line that holds the place, and what of it stands before and after.
+    const std::string_view text = source.text;
+    offset = std::min(offset, text.size());
+    const std::string_view before_place = text.substr(0, offset);
+    const std::size_t newline = before_place.rfind('\n');
+    const std::string_view before =
+        before_place.substr(newline == std::string_view::npos ? 0 : newline + 1);
+    const std::string_view rest = text.substr(offset);
+    const std::string_view after = rest.substr(0, rest.find_first_of("\r\n"));
+    problem.line =
+        1 + static_cast<std::size_t>(std::count(before_place.begin(), before_place.end(), '\n'));
+    problem.column = characters_in(before) + 1;
+
+    // A window of the line around the place; a tab counts as one blank.
+    std::string shown = excerpt_of(last_characters(before, shown_before));
+    if (characters_in(before) > shown_before)
+        shown.insert(0, "...");
+    problem.caret = characters_in(shown);
+    shown += excerpt_of(first_characters(after, shown_after));
+    if (characters_in(after) > shown_after)
+        shown += "...";
+    problem.excerpt = std::move(shown);
+    return problem;
+}
+
+std::string to_text(const Problem& problem) {
+    std::string text;
+    if (!problem.file.empty())
+        text += printable(problem.file) + ":";
+    if (problem.line > 0)
+        text += fmt::format("{}:{}:", problem.line, problem.column);
+    if (!text.empty())
+        text += " ";
+    text += printable(problem.message);
+    if (!problem.excerpt.empty())
+        text += "\n" + problem.excerpt + "\n" + std::string(problem.caret, ' ') + "^";
+    if (!problem.hint.empty())
+        text += "\nhint: " + printable(problem.hint);
+    return text;
+}
+
+Result<Source> read_source(const std::string& path) {
+    Source source{.name = path == "-" ? "standard input" : path, .text = {}};
+    const auto failure = [&source](Problem::Cause cause, const std::string& why) {
+        Problem problem = problem_of(source.name, why);
+        problem.cause = cause;
+        return problem;
+    };
+
+    // A file that cannot be opened was asked for wrongly; one that cannot be read on is broken.
+    const int descriptor = path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0)
+        return failure(Problem::Cause::input,
+                       fmt::format("expected a file that can be read, found: {}",
+                                   std::generic_category().message(errno)));
+    struct stat status {};
+    const bool is_folder = ::fstat(descriptor, &status) == 0 && S_ISDIR(status.st_mode);
+
+    int error = 0;
+    if (!is_folder) {
+        if (S_ISREG(status.st_mode))
+            source.text.reserve(static_cast<std::size_t>(status.st_size) + 1);
+        std::array<char, 1 << 16> buffer;
+        ssize_t count = 0;
+        while ((count = ::read(descriptor, buffer.data(), buffer.size())) != 0) {
+            if (count > 0)
+                source.text.append(buffer.data(), static_cast<std::size_t>(count));
+            else if (errno != EINTR) {
+                error = errno;
+                break;
+            }
+        }
+    }
+    if (path != "-")
+        ::close(descriptor);
+    if (is_folder)
+        return failure(Problem::Cause::input, "expected a file, found a folder");
+    if (error != 0)
+        return failure(Problem::Cause::system,
+                       "could not be read: " + std::generic_category().message(error));
+    return source;
+}
+
+} // namespace rastertrace

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include <rastertrace/trace/text.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+namespace rastertrace {
+
+CodePoint first_code_point(std::string_view text) {
+    // The lead byte says how many bytes follow, and the smallest character that needs so many.
+    struct Form {
+        unsigned char lead_mask;
+        unsigned char lead;
+        std::size_t length;
+        char32_t smallest;
+    };
+    static constexpr std::array<Form, 4> forms{{{0x80, 0x00, 1, 0x0},
+                                                {0xE0, 0xC0, 2, 0x80},
+                                                {0xF0, 0xE0, 3, 0x800},
+                                                {0xF8, 0xF0, 4, 0x10000}}};
+    const auto lead = static_cast<unsigned char>(text.front());
+    for (const Form& form : forms) {
+        if ((lead & form.lead_mask) != form.lead || text.size() < form.length)
+            continue;
+        char32_t value = static_cast<unsigned char>(lead & ~form.lead_mask);
+        bool continues = true;
+        for (std::size_t i = 1; i < form.length; ++i) {
+            const auto byte = static_cast<unsigned char>(text[i]);
+            continues = continues && (byte & 0xC0) == 0x80;
+            value = value << 6 | (byte & 0x3F);
+        }
+        const bool is_surrogate = 0xD800 <= value && value <= 0xDFFF;
+        if (continues && form.smallest <= value && value <= 0x10FFFF && !is_surrogate)
+            return {value, form.length};
+    }
+    return {not_a_character, 1};
+}
+
+bool is_unsafe(char32_t c) {
+    const auto between = [c](char32_t first, char32_t last) { return first <= c && c <= last; };
+    return between(0x00, 0x1F) || between(0x7F, 0x9F) || c == 0x061C || between(0x200E, 0x200F) ||
+           between(0x2028, 0x202E) || between(0x2066, 0x2069) || c == 0xFEFF;
+}
+
+std::string printable(std::string_view text) {
+    std::string out;
+    out.reserve(text.size());
+    while (!text.empty()) {
+        const CodePoint character = first_code_point(text);
+        if (character.value == not_a_character)
+            out += fmt::format("<0x{:02X}>", static_cast<unsigned char>(text.front()));
+        else if (is_unsafe(character.value))
+            out += fmt::format("<U+{:04X}>", static_cast<unsigned>(character.value));
+        else
+            out += text.substr(0, character.length);
+        text.remove_prefix(character.length);
+    }
+    return out;
+}
+
+std::size_t characters_in(std::string_view text) {
+    std::size_t count = 0;
+    for (; !text.empty(); ++count)
+        text.remove_prefix(first_code_point(text).length);
+    return count;
+}
+
+std::string_view first_characters(std::string_view text, std::size_t count) {
+    std::string_view rest = text;
+    for (; count > 0 && !rest.empty(); --count)
+        rest.remove_prefix(first_code_point(rest).length);
+    return text.substr(0, text.size() - rest.size());
+}
+
+std::string shortened(std::string_view text, std::size_t width) {
+    const std::string_view head = first_characters(text, width);
+    if (head.size() == text.size())
+        return std::string(text);
+    return std::string(first_characters(text, width - std::min<std::size_t>(width, 3))) + "...";
+}
+
+namespace {
+
+/// How many letters must be added, removed or changed to make one word of the other (Levenshtein).
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        std::size_t diagonal = row[0];
+        row[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const std::size_t changed = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+            diagonal = row[j];
+            row[j] = std::min({changed, row[j] + 1, row[j - 1] + 1});
+        }
+    }
+    return row.back();
+}
+
+} // namespace
+
+std::string_view nearest_word(std::string_view word, const std::vector<std::string_view>& known) {
+    // A slip of the pen: at most a third of the letters, two at the most. Long text is no slip.
+    std::string_view nearest;
+    std::size_t smallest = std::min<std::size_t>(2, word.size() / 3 + 1) + 1;
+    if (word.size() > 40)
+        return nearest;
+    for (const std::string_view candidate : known) {
+        const std::size_t distance = edit_distance(word, candidate);
+        if (distance < smallest && distance < candidate.size()) {
+            smallest = distance;
+            nearest = candidate;
+        }
+    }
+    return nearest;
+}
+
+} // namespace rastertrace

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include <rastertrace/trace/write_trace.h>
+
+#include "canvas_json.h"
+
+#include <rastertrace/core/draw.h>
+#include <rastertrace/core/plan.h>
+#include <rastertrace/trace/method_names.h>
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+namespace rastertrace {
+
+namespace {
+
+/// The members of the header, without the braces around them.
+std::string header_members(const Scene& scene, const StepFilter& filter) {
+    std::string text;
+    const auto out = std::back_inserter(text);
+    fmt::format_to(
+        out, R"("rastertrace":{},"title":{},"canvas":{{"width":{},"height":{},"origin":"{}"}})",
+        trace_version, json_quoted(scene.title), scene.canvas.width, scene.canvas.height,
+        name_of(scene.canvas.origin));
+
+    text += R"(,"method":{)";
+    std::string_view separator;
+    for (const MethodKey& key : method_keys())
+        if (key.in_force(scene.method)) {
+            fmt::format_to(out, R"({}"{}":"{}")", separator, key.name, key.get(scene.method));
+            separator = ",";
+        }
+    text += '}';
+
+    if (filter.only) {
+        text += R"(,"only":[)";
+        separator = "";
+        for (const StepKind kind : *filter.only) {
+            fmt::format_to(out, R"({}"{}")", separator, name_of(kind));
+            separator = ",";
+        }
+        text += ']';
+    }
+    if (filter.region)
+        fmt::format_to(out, R"(,"region":[{},{},{},{}])", filter.region->x0, filter.region->y0,
+                       filter.region->x1, filter.region->y1);
+    return text;
+}
+
+/// The end record: what was written, and what came of it.
+std::string end_record(const StepWriter& writer, const Image& image) {
+    std::uint64_t steps = 0;
+    std::string counts;
+    for (std::size_t i = 0; i < step_kinds; ++i) {
+        const auto kind = static_cast<StepKind>(i);
+        const std::uint64_t count = writer.count(kind);
+        if (count > 0)
+            counts += fmt::format(R"({}"{}":{})", counts.empty() ? "" : ",", name_of(kind), count);
+        steps += count;
+    }
+    return fmt::format(R"("end":{{"steps":{},"count":{{{}}},"pixels":{},"frame":"{}"}})", steps,
+                       counts, image.drawn(), frame_name(image));
+}
+
+} // namespace
+
+std::string frame_name(const Image& image) {
+    std::uint64_t hash = 0xCBF29CE484222325; // FNV-1a's offset basis and prime for 64 bits
+    const auto mix = [&hash](std::uint8_t byte) { hash = (hash ^ byte) * 0x100000001B3; };
+    for (const Color& color : image.colors()) {
+        mix(color.red);
+        mix(color.green);
+        mix(color.blue);
+        mix(color.alpha);
+    }
+    return fmt::format("{:016x}", hash);
+}
+
+void write_trace(const Scene& scene, const TraceOptions& options, Output& output) {
+    const bool is_document = options.layout == TraceLayout::json;
+    StepWriter writer(output, options.layout, options.filter);
+
+    writer.put_text("{" + header_members(scene, options.filter) +
+                    (is_document ? R"(,"steps":[)" : "}"));
+
+    const Plan plan = plan_for(scene);
+    const Image image =
+        with_scalar(plan, [&]<typename Scalar>() { return draw<Scalar>(scene, plan, writer); });
+
+    const std::string end = end_record(writer, image);
+    writer.put_text(is_document ? "\n],\n" + end + "}\n" : "\n{" + end + "}\n");
+    writer.flush();
+}
+
+} // namespace rastertrace
