@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A trace that was read back: its header, its steps, its end record.
+//
+//     const Result<Trace> trace = read_trace(std::move(source));
+//     trace.value().size();                  // how many steps
+//     trace.value().step(1).kind_name();     // "primitive"
+//
+// Steps stay the text that they were; a step is looked into when someone asks. Steps and fields of
+// unknown names are kept.
+
+#include <rastertrace/core/canvas.h>
+#include <rastertrace/trace/problem.h>
+#include <rastertrace/trace/step_kind.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace rastertrace {
+
+/// One step: a view of its JSON object, valid as long as its trace.
+class StepView {
+public:
+    explicit StepView(std::string_view json) : json_(json) {}
+
+    /// The whole object as it stands in the file.
+    std::string_view json() const { return json_; }
+
+    /// The value of "step": primitive, pixel, ..., or a name that we do not know.
+    std::string kind_name() const { return text("step"); }
+    std::optional<StepKind> kind() const { return step_kind_named(kind_name()); }
+
+    /// The JSON of a field, or nothing if the step has no such field.
+    std::optional<std::string_view> field(std::string_view name) const;
+
+    /// A field that is a whole number.
+    std::optional<Index> whole(std::string_view name) const;
+
+    /// A field that is a number or a string, without the quotes; "" if there is none.
+    std::string text(std::string_view name) const;
+
+    /// The elements of a field that is an array, each as text() would give it.
+    std::vector<std::string> texts(std::string_view name) const;
+
+    /// The same for an array of arrays.
+    std::vector<std::vector<std::string>> text_rows(std::string_view name) const;
+
+private:
+    std::string_view json_;
+};
+
+/// What the end record says; whatever it leaves out is not there.
+struct EndRecord {
+    std::optional<std::uint64_t> steps;
+    std::map<std::string, std::uint64_t> count; ///< of steps, by kind
+    std::optional<std::uint64_t> pixels;        ///< different pixels plotted
+    std::string frame;                          ///< name of the final picture, see frame_name
+};
+
+class Trace {
+public:
+    std::string title;
+    Canvas canvas;
+    std::vector<std::pair<std::string, std::string>> method; ///< key and value, as in the header
+    bool is_partial = false; ///< the header says that steps were left out: "only" or "region"
+    std::optional<EndRecord> end;
+
+    /// What is wrong with the trace though its whole steps can be used: cut short, pixels off the
+    /// canvas, counts that do not agree. Empty for a sound trace.
+    std::vector<Problem> damage;
+
+    /// How many steps there are.
+    std::size_t size() const { return steps_.size(); }
+
+    /// Step n, from 1 to size().
+    StepView step(std::size_t n) const { return StepView(text_of(steps_[n - 1])); }
+
+    /// The kind of step n, if we know it.
+    std::optional<StepKind> kind_of(std::size_t n) const { return steps_[n - 1].kind; }
+
+    /// The value of a method's key, or "".
+    std::string method_value(std::string_view key) const;
+
+private:
+    friend class TraceReader;
+
+    struct StepPlace {
+        std::size_t offset;
+        std::uint32_t length;
+        std::optional<StepKind> kind;
+    };
+    std::string_view text_of(const StepPlace& place) const {
+        return std::string_view(source_.text).substr(place.offset, place.length);
+    }
+
+    Source source_;
+    std::vector<StepPlace> steps_;
+};
+
+/// Reads a trace in either layout, found by its content. A problem comes back only if nothing can
+/// be shown: no header, a newer version, or a line that is no step.
+Result<Trace> read_trace(Source source);
+
+/// True if a source holds a trace rather than a scene: an object with the key "rastertrace".
+bool is_trace(const Source& source);
+
+} // namespace rastertrace

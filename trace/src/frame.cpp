@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include <rastertrace/trace/frame.h>
+
+#include <rastertrace/trace/color_text.h>
+
+namespace rastertrace {
+
+void Replay::go_to(std::size_t n) {
+    if (n < step_) {
+        frame_ = Frame(trace_.canvas);
+        step_ = primitive_ = scanline_ = scanline_before_ = drew_over_ = 0;
+        edges_.clear();
+    }
+    while (step_ < n)
+        apply_next();
+}
+
+void Replay::apply_next() {
+    ++step_;
+    drew_over_ = 0;
+    const auto kind = trace_.kind_of(step_);
+    if (!kind)
+        return;
+    const StepView step = trace_.step(step_);
+    switch (*kind) {
+    case StepKind::primitive:
+        primitive_ = step_;
+        scanline_ = scanline_before_ = 0;
+        edges_.clear();
+        color_ = parse_color(step.text("color")).value_or(Color{});
+        break;
+    case StepKind::edge:
+        edges_.push_back(step_);
+        break;
+    case StepKind::scanline:
+        scanline_before_ = scanline_;
+        scanline_ = step_;
+        break;
+    case StepKind::pixel: {
+        const Index x = *step.whole("x");
+        const Index y = *step.whole("y");
+        if (!trace_.canvas.contains(x, y))
+            break;
+        const Pixel pixel{static_cast<int>(x), static_cast<int>(y)};
+        const auto own_color = step.field("color") ? parse_color(step.text("color")) : color_;
+        frame_.image.at(pixel) = own_color.value_or(color_);
+        std::size_t& drawn_by = frame_.drawn_by[trace_.canvas.offset_of(pixel)];
+        drew_over_ = drawn_by;
+        drawn_by = step_;
+        break;
+    }
+    case StepKind::reject:
+    case StepKind::skip:
+        break;
+    }
+}
+
+Frame frame_after(const Trace& trace, std::size_t n) {
+    Replay replay(trace);
+    replay.go_to(n);
+    return replay.frame();
+}
+
+} // namespace rastertrace

@@ -1,0 +1,511 @@
+// SPDX-License-Identifier: MIT
+#include <rastertrace/trace/trace.h>
+
+#include "canvas_json.h"
+#include "json_document.h"
+#include "json_scanner.h"
+
+#include <rastertrace/core/number.h>
+#include <rastertrace/trace/text.h>
+#include <rastertrace/trace/write_trace.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <limits>
+#include <variant>
+
+namespace rastertrace {
+
+namespace {
+
+/// A JSON number that is a whole number within +-farthest_index, written without point or exponent.
+std::optional<Index> whole_in(std::string_view json) {
+    Index value = 0;
+    const char* const end = json.data() + json.size();
+    const auto read = std::from_chars(json.data(), end, value);
+    if (json.empty() || read.ec != std::errc{} || read.ptr != end)
+        return std::nullopt;
+    if (value < -farthest_index || value > farthest_index)
+        return std::nullopt;
+    return value;
+}
+
+} // namespace
+
+std::optional<std::string_view> StepView::field(std::string_view name) const {
+    JsonScanner fields(json_);
+    while (fields.next_field())
+        if (fields.key() == name)
+            return fields.value();
+    return std::nullopt;
+}
+
+std::optional<Index> StepView::whole(std::string_view name) const {
+    const auto value = field(name);
+    return value ? whole_in(*value) : std::nullopt;
+}
+
+std::string StepView::text(std::string_view name) const {
+    const auto value = field(name);
+    return value ? plain_text(*value) : std::string();
+}
+
+std::vector<std::string> StepView::texts(std::string_view name) const {
+    std::vector<std::string> result;
+    JsonScanner elements(field(name).value_or("[]"));
+    while (elements.next_element())
+        result.push_back(plain_text(elements.value()));
+    return result;
+}
+
+std::vector<std::vector<std::string>> StepView::text_rows(std::string_view name) const {
+    std::vector<std::vector<std::string>> result;
+    JsonScanner rows(field(name).value_or("[]"));
+    while (rows.next_element()) {
+        result.emplace_back();
+        JsonScanner elements(rows.value());
+        while (elements.next_element())
+            result.back().push_back(plain_text(elements.value()));
+    }
+    return result;
+}
+
+std::string Trace::method_value(std::string_view key) const {
+    for (const auto& [name, value] : method)
+        if (name == key)
+            return value;
+    return {};
+}
+
+namespace {
+
+/// What a field of a known step must be.
+enum class FieldType { whole, quantity, quantity_or_null, string };
+
+struct FieldRule {
+    std::string_view name;
+    FieldType type;
+};
+
+std::string_view expected_for(FieldType type) {
+    switch (type) {
+    case FieldType::whole:
+        return "a whole number";
+    case FieldType::quantity:
+        return R"(a number, or an exact one like "25/8")";
+    case FieldType::quantity_or_null:
+        return R"(a number, an exact one like "25/8", or null)";
+    case FieldType::string:
+        break;
+    }
+    return "a string";
+}
+
+/// The fields without which a step of a known kind cannot be understood.
+const std::vector<FieldRule>& required_fields(StepKind kind) {
+    static const std::array<std::vector<FieldRule>, step_kinds> rules{{
+        {{"kind", FieldType::string}, {"name", FieldType::string}},
+        {{"edge", FieldType::string}, {"dx_dy", FieldType::quantity_or_null}},
+        {{"y", FieldType::whole},
+         {"left", FieldType::quantity},
+         {"right", FieldType::quantity},
+         {"from", FieldType::whole},
+         {"to", FieldType::whole}},
+        {{"x", FieldType::whole}, {"y", FieldType::whole}},
+        {{"why", FieldType::string}},
+        {{"why", FieldType::string}},
+    }};
+    return rules[static_cast<std::size_t>(kind)];
+}
+
+bool has_type(std::string_view json, FieldType type) {
+    const bool is_string = json.starts_with('"');
+    switch (type) {
+    case FieldType::whole:
+        return whole_in(json).has_value();
+    case FieldType::string:
+        return is_string;
+    case FieldType::quantity_or_null:
+        if (json == "null")
+            return true;
+        break;
+    case FieldType::quantity:
+        break;
+    }
+    if (!is_string)
+        return json.starts_with('-') || (!json.empty() && number_text::is_digit(json.front()));
+    return std::holds_alternative<Number>(parse_number(plain_text(json)));
+}
+
+} // namespace
+
+/// Reads one trace. What makes the rest useless is thrown as a Problem; what does not is damage.
+class TraceReader {
+public:
+    explicit TraceReader(Source source) { trace_.source_ = std::move(source); }
+
+    Trace read() {
+        // The first line of our own layouts says which it is: a document's ends where its steps
+        // begin, and that of JSON Lines is an object by itself.
+        const std::string_view first_line = line_at(0);
+        if (first_line.ends_with('[')) {
+            read_line_by_line(first_line, "]}", ']');
+        } else if (is_header(first_line)) {
+            read_line_by_line(first_line, "", '\0');
+        } else {
+            read_document();
+        }
+        compare_with_end();
+        return std::move(trace_);
+    }
+
+private:
+    const Source& source() const { return trace_.source_; }
+    std::string_view text() const { return source().text; }
+
+    [[noreturn]] void fail(std::size_t offset, std::string message, std::string hint = {}) const {
+        throw problem_at(source(), offset, std::move(message), std::move(hint));
+    }
+
+    /// The line that begins at `offset`, without what ends it.
+    std::string_view line_at(std::size_t offset) const {
+        std::string_view line = text().substr(offset);
+        line = line.substr(0, line.find('\n'));
+        line.remove_suffix(line.size() - (line.find_last_not_of(" \t\r") + 1));
+        return line;
+    }
+
+    /// True for an object with a version and without steps.
+    static bool is_header(std::string_view line) {
+        JsonScanner fields(line);
+        bool has_version = false;
+        bool has_steps = false;
+        while (fields.next_field()) {
+            has_version = has_version || fields.key() == "rastertrace";
+            has_steps = has_steps || fields.key() == "steps";
+        }
+        return !fields.failed() && has_version && !has_steps;
+    }
+
+    /// Any layout of a complete JSON document.
+    void read_document() {
+        const auto document = parse_json(source());
+        if (!document)
+            throw document.problem();
+        const JsonValue& root = document.value();
+        read_header(root);
+        const JsonValue* steps = root.find("steps");
+        if (steps == nullptr || steps->kind != JsonValue::Kind::array)
+            fail(root.begin, R"(expected the key "steps" with an array, found none)");
+        for (const JsonValue& step : steps->items)
+            add_step(step.begin, step.end - step.begin);
+        if (const JsonValue* end = root.find("end"))
+            read_end(*end);
+    }
+
+    /// Our own layouts. The header becomes an object with `closing`; a line that begins with
+    /// `end_mark` ends the steps of a document.
+    void read_line_by_line(std::string_view header, std::string_view closing, char end_mark) {
+        const Source alone{source().name, std::string(header) + std::string(closing)};
+        const auto parsed = parse_json(alone);
+        if (!parsed)
+            throw parsed.problem();
+        read_header(parsed.value());
+
+        std::size_t offset = text().find('\n');
+        while (offset < text().size()) {
+            ++offset;
+            std::string_view line = line_at(offset);
+            const std::size_t begin = offset + std::min(line.find_first_not_of(" \t"), line.size());
+            const std::size_t next = text().find('\n', offset);
+            line = line.substr(begin - offset);
+            const bool is_last =
+                next == std::string_view::npos ||
+                text().find_first_not_of(" \t\r\n", next) == std::string_view::npos;
+            if (line.empty()) {
+                offset = next;
+                continue;
+            }
+            if (end_mark != '\0' && line.front() == end_mark) {
+                read_end_of_document(begin);
+                return;
+            }
+            if (end_mark == '\0' && is_end_line(line)) {
+                read_end_line(begin, line, is_last);
+                return;
+            }
+            if (end_mark != '\0' && line.ends_with(','))
+                line.remove_suffix(1);
+            if (is_last && !is_valid_json(begin, line.size()))
+                return cut_short(begin);
+            add_step(begin, line.size());
+            offset = next;
+        }
+        cut_short(text().size());
+    }
+
+    static bool is_end_line(std::string_view line) {
+        JsonScanner fields(line);
+        return fields.next_field() && fields.key() == "end";
+    }
+
+    void read_end_line(std::size_t begin, std::string_view line, bool is_last) {
+        if (!is_valid_json(begin, line.size()) && is_last)
+            return cut_short(begin);
+        const auto record = parse_json(source(), begin, line.size());
+        if (!record)
+            throw record.problem();
+        if (!is_last)
+            fail(text().find_first_not_of(" \t\r\n", begin + line.size()),
+                 "expected nothing behind the end record, found more");
+        read_end(*record.value().find("end"));
+    }
+
+    /// From the bracket that closes the steps: `],"end":{...}}`. Read as the object {"end":{...}}.
+    void read_end_of_document(std::size_t bracket) {
+        const std::size_t comma = text().find_first_not_of(" \t\r\n", bracket + 1);
+        if (comma == std::string_view::npos)
+            return cut_short(text().size());
+        std::string& all = trace_.source_.text;
+        if (all[comma] != ',' && all[comma] != '}')
+            fail(comma, "expected ',' or '}' behind the steps, found something else");
+        if (all[comma] == '}')
+            return; // a document without an end record; compare_with_end says so
+
+        all[comma] = '{';
+        const auto rest = parse_json(source(), comma);
+        all[comma] = ',';
+        if (!rest) {
+            if (ends_at_end_of_file(comma))
+                return cut_short(comma + 1);
+            throw rest.problem();
+        }
+        if (const JsonValue* end = rest.value().find("end"))
+            read_end(*end);
+    }
+
+    /// True if what follows `begin` lacks only its end: brackets are open, or a string is.
+    bool ends_at_end_of_file(std::size_t begin) const {
+        std::string_view rest = text().substr(begin + 1);
+        const std::size_t last = rest.find_last_not_of(" \t\r\n");
+        int depth = 1;
+        bool in_string = false;
+        for (std::size_t i = 0; last != std::string_view::npos && i <= last; ++i) {
+            if (in_string && rest[i] == '\\')
+                ++i;
+            else if (rest[i] == '"')
+                in_string = !in_string;
+            else if (!in_string && (rest[i] == '{' || rest[i] == '['))
+                ++depth;
+            else if (!in_string && (rest[i] == '}' || rest[i] == ']'))
+                --depth;
+        }
+        return depth > 0;
+    }
+
+    void cut_short(std::size_t offset) {
+        if (!was_cut_short_)
+            trace_.damage.push_back(problem_at(
+                source(), offset,
+                fmt::format("expected the rest of the trace, found the end of the file: the trace "
+                            "is truncated after {} whole steps",
+                            trace_.size())));
+        was_cut_short_ = true;
+    }
+
+    void read_header(const JsonValue& header) {
+        if (header.kind != JsonValue::Kind::object)
+            fail(header.begin, fmt::format("expected a trace, found {}", described(header)));
+        const JsonValue* version = header.find("rastertrace");
+        if (version == nullptr)
+            fail(header.begin, R"(expected a trace with the key "rastertrace", found none)");
+        const auto number = whole_in(version->text);
+        if (version->kind != JsonValue::Kind::number || !number || *number < 1)
+            fail(version->begin,
+                 fmt::format("expected the version of the trace, found {}", described(*version)));
+        if (*number > trace_version)
+            fail(version->begin,
+                 fmt::format("expected a trace of version {}, found version {}", trace_version,
+                             *number),
+                 "a newer rastertrace has written it");
+
+        const JsonValue* canvas = header.find("canvas");
+        if (canvas == nullptr)
+            fail(header.begin, R"(expected the key "canvas", found none)");
+        const auto read = read_canvas_json(source(), *canvas);
+        if (!read)
+            throw read.problem();
+        if (!read.value().has_width || !read.value().has_height)
+            fail(canvas->begin, R"(expected a canvas with "width" and "height", found less)");
+        trace_.canvas = {read.value().width, read.value().height, read.value().origin};
+        if (const auto fault = fault_of_size(trace_.canvas))
+            fail(canvas->begin, *fault);
+
+        if (const JsonValue* title = header.find("title"))
+            trace_.title = title->text;
+        if (const JsonValue* method = header.find("method"))
+            for (std::size_t i = 0; i < method->keys.size(); ++i)
+                trace_.method.emplace_back(method->keys[i].text, method->items[i].text);
+        trace_.is_partial = header.find("only") != nullptr || header.find("region") != nullptr;
+    }
+
+    bool is_valid_json(std::size_t begin, std::size_t size) const {
+        JsonScanner fields(text().substr(begin, size));
+        while (fields.next_field()) {
+        }
+        return !fields.failed() &&
+               (!fields.needs_full_check() || parse_json(source(), begin, size));
+    }
+
+    void add_step(std::size_t begin, std::size_t size) {
+        const std::string_view json = text().substr(begin, size);
+
+        // Valid JSON, each key once. Where the quick look finds fault, the thorough one says which.
+        constexpr std::size_t most_keys = 16;
+        std::array<std::string_view, most_keys> keys;
+        std::size_t key_count = 0;
+        std::string_view kind_json;
+        bool is_plain = true;
+        JsonScanner fields(json);
+        while (fields.next_field()) {
+            if (fields.key() == "step")
+                kind_json = fields.value();
+            const auto seen = keys.begin() + static_cast<std::ptrdiff_t>(key_count);
+            if (key_count == most_keys || std::find(keys.begin(), seen, fields.key()) != seen)
+                is_plain = false;
+            else
+                keys[key_count++] = fields.key();
+        }
+        if (fields.failed() || fields.needs_full_check() || !is_plain) {
+            const auto parsed = parse_json(source(), begin, size);
+            if (!parsed)
+                throw parsed.problem();
+            if (parsed.value().kind != JsonValue::Kind::object)
+                fail(begin, fmt::format("expected a step, found {}", described(parsed.value())));
+        }
+        if (!kind_json.starts_with('"'))
+            fail(begin, R"(expected a step with the key "step" and its kind, found none)");
+        if (size > std::numeric_limits<std::uint32_t>::max())
+            fail(begin, "expected a step shorter than 4 GiB, found a longer one");
+
+        const auto kind = step_kind_named(plain_text(kind_json));
+        if (kind)
+            check_fields(*kind, begin, json);
+        trace_.steps_.push_back({begin, static_cast<std::uint32_t>(size), kind});
+    }
+
+    void check_fields(StepKind kind, std::size_t begin, std::string_view json) {
+        const StepView step(json);
+        for (const FieldRule& rule : required_fields(kind)) {
+            const auto value = step.field(rule.name);
+            if (!value)
+                fail(begin, fmt::format("expected a {} step with the key \"{}\", found none",
+                                        name_of(kind), rule.name));
+            if (!has_type(*value, rule.type))
+                fail(begin + static_cast<std::size_t>(value->data() - json.data()),
+                     fmt::format("expected {}, found {}", expected_for(rule.type),
+                                 shortened(*value, 40)));
+        }
+        if (kind == StepKind::pixel &&
+            !trace_.canvas.contains(*step.whole("x"), *step.whole("y")) && !has_stray_pixel_) {
+            has_stray_pixel_ = true;
+            trace_.damage.push_back(problem_at(
+                source(), begin,
+                fmt::format("expected pixels on the canvas (x {}..{}, y {}..{}), found ({}, {})",
+                            trace_.canvas.left(), trace_.canvas.right(), trace_.canvas.top(),
+                            trace_.canvas.bottom(), *step.whole("x"), *step.whole("y")),
+                "such pixels are not drawn"));
+        }
+    }
+
+    void read_end(const JsonValue& value) {
+        const auto count_in = [this](const JsonValue& number) {
+            const auto count = whole_in(number.text);
+            if (number.kind != JsonValue::Kind::number || !count || *count < 0)
+                fail(number.begin, fmt::format("expected a count, found {}", described(number)));
+            return static_cast<std::uint64_t>(*count);
+        };
+        if (value.kind != JsonValue::Kind::object)
+            fail(value.begin, fmt::format("expected the end record, found {}", described(value)));
+        EndRecord end;
+        if (const JsonValue* steps = value.find("steps"))
+            end.steps = count_in(*steps);
+        if (const JsonValue* pixels = value.find("pixels"))
+            end.pixels = count_in(*pixels);
+        if (const JsonValue* frame = value.find("frame"))
+            end.frame = frame->text;
+        if (const JsonValue* count = value.find("count"))
+            for (std::size_t i = 0; i < count->keys.size(); ++i)
+                end.count[count->keys[i].text] = count_in(count->items[i]);
+        trace_.end = std::move(end);
+        end_offset_ = value.begin;
+    }
+
+    /// Says what is missing at the end, or does not agree with it.
+    void compare_with_end() {
+        if (!trace_.end) {
+            if (!was_cut_short_)
+                trace_.damage.push_back(
+                    problem_at(source(), text().size(),
+                               "expected an end record, found none: the trace may be truncated"));
+            return;
+        }
+        const auto disagree = [this](std::uint64_t told, std::string_view what,
+                                     std::uint64_t found) {
+            trace_.damage.push_back(problem_at(
+                source(), end_offset_,
+                fmt::format("expected {} {} as the end record says, found {}", told, what, found)));
+        };
+        if (trace_.end->steps && *trace_.end->steps != trace_.size())
+            disagree(*trace_.end->steps, "steps", trace_.size());
+        if (trace_.end->count.empty())
+            return;
+        std::array<std::uint64_t, step_kinds> counts{};
+        for (const auto& step : trace_.steps_)
+            if (step.kind)
+                ++counts[static_cast<std::size_t>(*step.kind)];
+        for (const auto& [name, told] : trace_.end->count)
+            if (const auto kind = step_kind_named(name))
+                if (const auto found = counts[static_cast<std::size_t>(*kind)]; found != told)
+                    disagree(told, name + " steps", found);
+    }
+
+    Trace trace_;
+    bool was_cut_short_ = false;
+    bool has_stray_pixel_ = false;
+    std::size_t end_offset_ = 0;
+};
+
+Result<Trace> read_trace(Source source) {
+    // The mark that some editors put in front of UTF-8 says nothing.
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    if (source.text.starts_with(byte_order_mark))
+        source.text.replace(0, byte_order_mark.size(), "   ");
+    try {
+        return TraceReader(std::move(source)).read();
+    } catch (const Problem& problem) {
+        return problem;
+    }
+}
+
+bool is_trace(const Source& source) {
+    // The header's first line tells, whole or cut short; else the document as a whole.
+    std::string_view start = source.text;
+    start = start.substr(0, start.find('\n'));
+    const std::size_t brace = start.find('{');
+    if (brace == std::string_view::npos)
+        return false;
+    JsonScanner fields(start.substr(brace));
+    while (fields.next_field())
+        if (fields.key() == "rastertrace")
+            return true;
+    if (start.substr(brace + 1).starts_with("\"rastertrace\""))
+        return true;
+    const auto document = parse_json(source);
+    return document && document.value().find("rastertrace") != nullptr;
+}
+
+} // namespace rastertrace
