@@ -18,12 +18,14 @@ namespace {
 
 /// `+ 3` for "3" and `- 3` for "-3": a number as the second term of a sum.
 std::string plus(const std::string& number) {
-    return number.starts_with('-') ? "- " + number.substr(1) : "+ " + number;
+    return number.starts_with('-') ? fmt::format("- {}", number.substr(1))
+                                   : fmt::format("+ {}", number);
 }
 
 /// `- 3` for "3" and `+ 3` for "-3": a number that is taken away.
 std::string minus(const std::string& number) {
-    return number.starts_with('-') ? "+ " + number.substr(1) : "- " + number;
+    return number.starts_with('-') ? fmt::format("+ {}", number.substr(1))
+                                   : fmt::format("- {}", number);
 }
 
 /// What the formulas need of the primitive that is being drawn.
@@ -134,7 +136,7 @@ std::string describe_scanline(const Replay& replay, const StepView& step) {
 std::string describe_pixel(const Replay& replay, const StepView& step) {
     std::string text = fmt::format("pixel ({}, {})", step.text("x"), step.text("y"));
     if (step.field("color"))
-        text += " " + step.text("color");
+        text += fmt::format(" {}", step.text("color"));
     if (!replay.trace().canvas.contains(*step.whole("x"), *step.whole("y")))
         text += "   not on the canvas, not drawn";
     else if (replay.drew_over() != 0)

@@ -164,14 +164,15 @@ private:
         const std::string_view text = std::string_view(source_.text).substr(0, end_);
         const std::size_t last_read = begin_ + (bytes_read == 0 ? 0 : bytes_read - 1);
 
-        // Where the token begins that does not fit: a bracket or comma is its own token, any other
-        // begins behind the blanks that follow the last good one.
-        std::size_t place = last_read;
-        if (last_read >= text.size()) {
-            place = text.size();
-        } else if (std::string_view(",:[]{}").find(text[last_read]) == std::string_view::npos) {
-            place = std::min(text.find_first_not_of(" \t\r\n,:", position_), text.size());
-        }
+        // Where the token begins that does not fit: behind the last good one, the blanks, and the one
+        // comma or colon that may stand between them; but not behind the last byte that was read.
+        const auto skip_blanks = [text](std::size_t at) {
+            return std::min(text.find_first_not_of(" \t\r\n", at), text.size());
+        };
+        std::size_t place = skip_blanks(position_);
+        if (place < text.size() && (text[place] == ',' || text[place] == ':'))
+            place = skip_blanks(place + 1);
+        place = std::min({place, last_read, text.size()});
 
         // A string or number that breaks off or holds what it must not, in the parser's words.
         const std::string_view told = error.what();

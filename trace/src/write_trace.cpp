@@ -81,15 +81,15 @@ void write_trace(const Scene& scene, const TraceOptions& options, Output& output
     const bool is_document = options.layout == TraceLayout::json;
     StepWriter writer(output, options.layout, options.filter);
 
-    writer.put_text("{" + header_members(scene, options.filter) +
-                    (is_document ? R"(,"steps":[)" : "}"));
+    writer.put_text(fmt::format("{{{}{}", header_members(scene, options.filter),
+                                is_document ? R"(,"steps":[)" : "}"));
 
     const Plan plan = plan_for(scene);
     const Image image =
         with_scalar(plan, [&]<typename Scalar>() { return draw<Scalar>(scene, plan, writer); });
 
     const std::string end = end_record(writer, image);
-    writer.put_text(is_document ? "\n],\n" + end + "}\n" : "\n{" + end + "}\n");
+    writer.put_text(fmt::format("\n{}{}}}\n", is_document ? "],\n" : "{", end));
     writer.flush();
 }
 

@@ -1,0 +1,368 @@
+// SPDX-License-Identifier: MIT
+// The options of every command. The only file that knows CLI11.
+
+#include "command_line.h"
+
+#include "commands.h"
+
+#include <rastertrace/trace/method_names.h>
+#include <rastertrace/trace/problem.h>
+#include <rastertrace/trace/text.h>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdio>
+#include <exception>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rastertrace {
+
+namespace {
+
+constexpr std::string_view welcome = R"(rastertrace: a rasterizer you can watch think
+
+It draws a scene, writes down every decision with its numbers, and shows them.
+
+  rastertrace show examples/t0-fill/first-triangle.json --every scanline
+  rastertrace trace examples/t0-fill/first-triangle.json -o first.trace.json
+
+`rastertrace --help` lists the commands, `rastertrace show --help` explains one.
+)";
+
+constexpr std::string_view exit_statuses =
+    "Exit status: 0 fine; 1 a difference or a broken rule; 2 bad usage or input; 3 the system "
+    "failed.";
+
+/// An option's value that does not fit, in words.
+[[noreturn]] void refuse(std::string_view option, std::string_view expected, std::string_view found,
+                         std::string hint = {}) {
+    throw problem_of("", fmt::format("{}: expected {}, found \"{}\"", option, expected, found),
+                     std::move(hint));
+}
+
+std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& known) {
+    const std::string_view nearest = nearest_word(word, known);
+    return nearest.empty() ? std::string() : fmt::format("did you mean {}?", nearest);
+}
+
+std::vector<std::string> split(std::string_view text, char separator) {
+    std::vector<std::string> parts(1);
+    for (const char c : text)
+        if (c == separator)
+            parts.emplace_back();
+        else
+            parts.back() += c;
+    return parts;
+}
+
+template <typename Integer> std::optional<Integer> whole_in(std::string_view text) {
+    Integer value = 0;
+    const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (read.ec != std::errc{} || read.ptr != text.data() + text.size())
+        return std::nullopt;
+    return value;
+}
+
+std::vector<StepKind> kinds_in(const std::string& text) {
+    std::vector<StepKind> kinds;
+    for (const std::string& word : split(text, ',')) {
+        const auto kind = step_kind_named(word);
+        if (!kind)
+            refuse("--only",
+                   fmt::format("kinds of step out of {}", fmt::join(step_kind_names(), ",")), word,
+                   did_you_mean(word, step_kind_names()));
+        if (std::find(kinds.begin(), kinds.end(), *kind) == kinds.end())
+            kinds.push_back(*kind);
+    }
+    return kinds;
+}
+
+Region region_in(const std::string& text) {
+    std::vector<int> numbers;
+    for (const std::string& word : split(text, ','))
+        if (const auto number = whole_in<int>(word))
+            numbers.push_back(*number);
+    if (numbers.size() != 4 || split(text, ',').size() != 4)
+        refuse("--region", "two corners as x0,y0,x1,y1, like -4,-3,2,5", text);
+    return {std::min(numbers[0], numbers[2]), std::min(numbers[1], numbers[3]),
+            std::max(numbers[0], numbers[2]), std::max(numbers[1], numbers[3])};
+}
+
+/// One option per key of the method: --scalar, --fill, ...
+class MethodOptions {
+public:
+    void add_to(CLI::App& command) {
+        for (const MethodKey& key : method_keys())
+            command
+                .add_option("--" + std::string(key.name), values_[std::string(key.name)],
+                            fmt::format("{}: {}", key.meaning, fmt::join(key.values, ", ")))
+                ->type_name("NAME")
+                ->group("Method, instead of what the scene says");
+    }
+
+    MethodOverrides overrides() const {
+        MethodOverrides overrides;
+        for (const MethodKey& key : method_keys()) {
+            const std::string& value = values_.at(std::string(key.name));
+            if (value.empty())
+                continue;
+            Method scratch;
+            if (!key.set(scratch, value))
+                refuse(fmt::format("--{}", key.name),
+                       fmt::format("one of {}", fmt::join(key.values, ", ")), value,
+                       did_you_mean(value, key.values));
+            overrides.emplace_back(key.name, value);
+        }
+        return overrides;
+    }
+
+private:
+    std::map<std::string, std::string> values_;
+};
+
+constexpr std::string_view trace_input =
+    "A trace, or a scene, which is drawn first; - for standard input";
+
+/// The program's commands, and what to do once the command line has been read.
+class Program {
+public:
+    Program() {
+        app_.require_subcommand(1);
+        app_.set_help_flag("-h,--help", "Print this help and exit");
+        app_.set_version_flag("-V,--version", std::string("rastertrace ") + RASTERTRACE_VERSION);
+        app_.footer("Example: rastertrace show examples/t0-fill/first-triangle.json\n" +
+                    std::string(exit_statuses));
+        add_trace();
+        add_show();
+        add_stats();
+        add_help();
+    }
+
+    int run(int count, const char* const* arguments) {
+        if (count < 2) {
+            fmt::print(stderr, "{}", welcome);
+            return exit_bad_input;
+        }
+        try {
+            refuse_unknown_command(arguments[1]);
+            app_.parse(count, arguments);
+            return action_();
+        } catch (const CLI::CallForHelp&) {
+            fmt::print("{}", chosen().help());
+        } catch (const CLI::CallForVersion&) {
+            fmt::print("rastertrace {}\n", RASTERTRACE_VERSION);
+        } catch (const CLI::ParseError& error) {
+            return complain(error, count, arguments);
+        }
+        return exit_fine;
+    }
+
+private:
+    CLI::App& add_command(const std::string& name, const std::string& meaning,
+                          const std::string& example) {
+        CLI::App& command = *app_.add_subcommand(name, meaning);
+        command.footer("Example: " + example);
+        return command;
+    }
+
+    void add_trace() {
+        CLI::App& command =
+            add_command("trace", "Draw a scene and write its trace",
+                        "rastertrace trace examples/t0-fill/first-triangle.json --only "
+                        "scanline -o rows.json");
+        command.add_option("scene", trace_.scene, "A scene; - for standard input")
+            ->required()
+            ->type_name("SCENE");
+        command
+            .add_option("-o,--output", trace_.output,
+                        "Write to this file (.jsonl: JSON Lines) instead of standard output")
+            ->type_name("FILE");
+        command.add_option("--format", format_, "json or jsonl, whatever the file's name")
+            ->type_name("NAME");
+        command
+            .add_option("--only", only_,
+                        fmt::format("Write only these kinds of step: {}",
+                                    fmt::join(step_kind_names(), ",")))
+            ->type_name("KIND,...");
+        command.add_option("--region", region_, "Write only steps that touch these pixels")
+            ->type_name("x0,y0,x1,y1");
+        trace_method_.add_to(command);
+        command.callback([this] {
+            if (!format_.empty() && format_ != "json" && format_ != "jsonl")
+                refuse("--format", "json or jsonl", format_);
+            if (!format_.empty())
+                trace_.layout = format_ == "json" ? TraceLayout::json : TraceLayout::jsonl;
+            if (!only_.empty())
+                trace_.filter.only = kinds_in(only_);
+            if (!region_.empty())
+                trace_.filter.region = region_in(region_);
+            trace_.method = trace_method_.overrides();
+            action_ = [this] { return rastertrace::run(trace_); };
+        });
+    }
+
+    void add_show() {
+        CLI::App& command = add_command(
+            "show", "Print frames of a trace as text",
+            "rastertrace show examples/t0-fill/first-triangle.json --every scanline\n\n"
+            "In a frame, . is empty, # plotted, @ plotted by the step shown, a letter a vertex.");
+        command.add_option("trace", show_.trace, std::string(trace_input))
+            ->required()
+            ->type_name("TRACE");
+        CLI::Option_group* const which =
+            command.add_option_group("Which frames", "One of these; --last if none is given");
+        which->require_option(0, 1);
+        which->add_option("--step", step_, "After step N, from 0")->type_name("N");
+        which->add_flag("--last", last_, "After the last step");
+        which
+            ->add_option(
+                "--every", show_.kind,
+                "After every step of this kind, together with the pixels that belong to it")
+            ->type_name("KIND");
+        which->add_flag("--all", all_, "After every step");
+        command.add_flag("--bare", show_.bare, "Only the grid: . empty, # plotted, top row first");
+        show_method_.add_to(command);
+        command.callback([this] {
+            if (!step_.empty()) {
+                const auto step = whole_in<std::size_t>(step_);
+                if (!step)
+                    refuse("--step", "the number of a step, from 0", step_);
+                show_.which = ShowCommand::Which::step;
+                show_.step = *step;
+            }
+            if (!show_.kind.empty())
+                show_.which = ShowCommand::Which::every;
+            if (all_)
+                show_.which = ShowCommand::Which::all;
+            show_.method = show_method_.overrides();
+            action_ = [this] { return rastertrace::run(show_); };
+        });
+    }
+
+    void add_stats() {
+        CLI::App& command = add_command("stats", "Count the steps, pixels and writes of a trace",
+                                        "rastertrace stats examples/t0-fill/first-triangle.json");
+        command.add_option("trace", stats_.trace, std::string(trace_input))
+            ->required()
+            ->type_name("TRACE");
+        command.add_flag("--json", stats_.json, "Print JSON");
+        stats_method_.add_to(command);
+        command.callback([this] {
+            stats_.method = stats_method_.overrides();
+            action_ = [this] { return rastertrace::run(stats_); };
+        });
+    }
+
+    void add_help() {
+        CLI::App& command = add_command("help", "Explain a command", "rastertrace help show");
+        command.add_option("command", help_about_, "The command")->type_name("COMMAND");
+        command.callback([this] {
+            action_ = [this] {
+                if (help_about_.empty()) {
+                    fmt::print("{}", app_.help());
+                    return exit_fine;
+                }
+                refuse_unknown_command(help_about_);
+                fmt::print("{}", app_.get_subcommand(help_about_)->help());
+                return exit_fine;
+            };
+        });
+    }
+
+    /// The command that was named, or the program as a whole.
+    const CLI::App& chosen() const {
+        const auto commands = app_.get_subcommands();
+        return commands.empty() ? app_ : *commands.front();
+    }
+
+    void refuse_unknown_command(std::string_view word) const {
+        std::vector<std::string> names;
+        for (const CLI::App* command : app_.get_subcommands({}))
+            names.push_back(command->get_name());
+        if (word.starts_with('-') || std::find(names.begin(), names.end(), word) != names.end())
+            return;
+        throw problem_of(
+            "",
+            fmt::format("expected a command out of {}, found \"{}\"", fmt::join(names, ", "), word),
+            did_you_mean(word, {names.begin(), names.end()}));
+    }
+
+    int complain(const CLI::ParseError& error, int count, const char* const* arguments) const {
+        const CLI::App& command = chosen();
+        const bool is_command = &command != &app_;
+        std::string message = error.what();
+        std::string hint;
+
+        // An option that does not exist: say which, and which one is near.
+        std::vector<std::string> options;
+        for (const CLI::Option* option : command.get_options())
+            for (const std::string& name : option->get_lnames())
+                options.push_back("--" + name);
+        for (const CLI::App* group : command.get_subcommands({}))
+            for (const CLI::Option* option : group->get_options())
+                for (const std::string& name : option->get_lnames())
+                    options.push_back("--" + name);
+        for (int i = 1; i < count; ++i) {
+            const std::string word = split(arguments[i], '=').front();
+            if (!word.starts_with("--") || word == "--" ||
+                std::find(options.begin(), options.end(), word) != options.end())
+                continue;
+            message = fmt::format("{}: no such option", word);
+            hint = did_you_mean(word, {options.begin(), options.end()});
+            break;
+        }
+        const std::string name =
+            is_command ? "rastertrace " + command.get_name() : std::string("rastertrace");
+        fmt::print(stderr, "{}: {}\n", name, printable(message));
+        if (!hint.empty())
+            fmt::print(stderr, "hint: {}\n", printable(hint));
+        fmt::print(stderr, "see {} --help\n", name);
+        return exit_bad_input;
+    }
+
+    CLI::App app_{"rastertrace: a rasterizer you can watch think"};
+    std::function<int()> action_;
+
+    TraceCommand trace_;
+    std::string format_;
+    std::string only_;
+    std::string region_;
+    MethodOptions trace_method_;
+
+    ShowCommand show_;
+    std::string step_;
+    bool last_ = false;
+    bool all_ = false;
+    MethodOptions show_method_;
+
+    StatsCommand stats_;
+    MethodOptions stats_method_;
+
+    std::string help_about_;
+};
+
+} // namespace
+
+int run_command_line(int count, const char* const* arguments) {
+    try {
+        Program program;
+        return program.run(count, arguments);
+    } catch (const Problem& problem) {
+        fmt::print(stderr, "rastertrace: {}\n", to_text(problem));
+        return problem.cause == Problem::Cause::system ? exit_system : exit_bad_input;
+    } catch (const std::bad_alloc&) {
+        fmt::print(stderr, "rastertrace: out of memory\n");
+        return exit_system;
+    }
+}
+
+} // namespace rastertrace

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace rastertrace {
+
+/// Reads the command line, runs the command, prints its problem if it has one. Returns the exit
+/// status of the program.
+int run_command_line(int count, const char* const* arguments);
+
+} // namespace rastertrace

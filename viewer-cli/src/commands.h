@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What each command is asked to do, and the function that does it. A command returns its exit
+// status and throws a Problem when it cannot go on.
+
+#include <rastertrace/trace/method_names.h>
+#include <rastertrace/trace/write_trace.h>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+namespace rastertrace {
+
+/// Exit statuses of the program.
+enum ExitStatus : int {
+    exit_fine = 0,
+    exit_difference = 1, ///< a difference, a wrong claim, a rule broken
+    exit_bad_input = 2,  ///< bad usage or input
+    exit_system = 3,     ///< the system failed: disk full, ...
+};
+
+struct TraceCommand {
+    std::string scene;
+    std::string output; ///< empty: standard output
+    std::optional<TraceLayout> layout;
+    StepFilter filter;
+    MethodOverrides method;
+};
+int run(const TraceCommand& command);
+
+struct ShowCommand {
+    enum class Which { last, step, every, all };
+
+    std::string trace;
+    Which which = Which::last;
+    std::size_t step = 0; ///< for Which::step
+    std::string kind;     ///< for Which::every
+    bool bare = false;
+    MethodOverrides method;
+};
+int run(const ShowCommand& command);
+
+struct StatsCommand {
+    std::string trace;
+    bool json = false;
+    MethodOverrides method;
+};
+int run(const StatsCommand& command);
+
+} // namespace rastertrace

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Inputs of commands: a scene, or a trace, or a scene where a trace is wanted, which is drawn
+// first.
+
+#include "commands.h"
+
+#include <rastertrace/core/scene.h>
+#include <rastertrace/trace/trace.h>
+
+#include <string>
+#include <string_view>
+
+namespace rastertrace {
+
+/// Reads the scene in a file ("-" for standard input). Throws a Problem.
+Scene load_scene(const std::string& path, const MethodOverrides& method);
+
+/// Reads the trace in a file, or draws the scene in it. Throws a Problem. Damage that leaves the
+/// trace usable is left to the caller, see report_damage.
+Trace load_trace(const std::string& path, const MethodOverrides& method);
+
+/// Tells on standard error what is wrong with a trace that can be used all the same. Returns the
+/// exit status that this means: bad input if there was something to tell.
+ExitStatus report_damage(const Trace& trace);
+
+/// Writes to standard output. Throws a Problem.
+void print(std::string_view text);
+
+} // namespace rastertrace

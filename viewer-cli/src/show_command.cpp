@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// `rastertrace show`: prints frames of a trace as text.
+
+#include "commands.h"
+#include "frame_text.h"
+#include "load.h"
+#include "terminal.h"
+
+#include <rastertrace/trace/describe.h>
+#include <rastertrace/trace/text.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace rastertrace {
+
+namespace {
+
+/// The steps that one frame shows: the one it is about, and the last one whose pixels it has.
+struct Shown {
+    std::size_t first = 0;
+    std::size_t last = 0;
+};
+
+/// The kinds of step in a trace, each once.
+std::vector<std::string> kinds_in(const Trace& trace) {
+    std::vector<std::string> kinds;
+    for (std::size_t n = 1; n <= trace.size(); ++n) {
+        const std::string kind = trace.step(n).kind_name();
+        if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
+            kinds.push_back(kind);
+    }
+    return kinds;
+}
+
+/// The last step that belongs to step n: a primitive has all steps up to the next one, a scanline
+/// its pixels, any other step only itself.
+std::size_t end_of(const Trace& trace, std::size_t n) {
+    const auto kind = trace.kind_of(n);
+    if (kind != StepKind::primitive && kind != StepKind::scanline)
+        return n;
+    std::size_t last = n;
+    while (last < trace.size()) {
+        const auto next = trace.kind_of(last + 1);
+        if (next == StepKind::primitive || (kind == StepKind::scanline && next == kind))
+            break;
+        ++last;
+    }
+    return last;
+}
+
+std::vector<Shown> steps_to_show(const ShowCommand& command, const Trace& trace) {
+    std::vector<Shown> shown;
+    switch (command.which) {
+    case ShowCommand::Which::last:
+        shown.push_back({trace.size(), trace.size()});
+        break;
+    case ShowCommand::Which::step:
+        if (command.step > trace.size())
+            throw problem_of(command.trace, fmt::format("expected a step from 0 to {}, found {}",
+                                                        trace.size(), command.step));
+        shown.push_back({command.step, command.step});
+        break;
+    case ShowCommand::Which::every:
+        for (std::size_t n = 1; n <= trace.size(); ++n)
+            if (trace.step(n).kind_name() == command.kind)
+                shown.push_back({n, end_of(trace, n)});
+        if (shown.empty())
+            throw problem_of(
+                command.trace,
+                fmt::format("expected a kind of step that the trace has ({}), found {}",
+                            fmt::join(kinds_in(trace), ", "), command.kind));
+        break;
+    case ShowCommand::Which::all:
+        for (std::size_t n = 1; n <= trace.size(); ++n)
+            shown.push_back({n, n});
+        break;
+    }
+    return shown;
+}
+
+} // namespace
+
+int run(const ShowCommand& command) {
+    const Trace trace = load_trace(command.trace, command.method);
+    const TextSize size = output_size();
+
+    Replay replay(trace);
+    bool is_first = true;
+    for (const Shown& steps : steps_to_show(command, trace)) {
+        FrameText about{.caption = {}, .first_step = steps.first, .last_step = steps.last};
+        if (!command.bare) {
+            replay.go_to(steps.first);
+            about.caption = describe_step(replay);
+        }
+        replay.go_to(steps.last);
+        const std::string blank_line = is_first ? "" : "\n";
+        print(blank_line +
+              (command.bare ? bare_frame_text(replay.frame()) : frame_text(replay, about, size)));
+        is_first = false;
+    }
+    return report_damage(trace);
+}
+
+} // namespace rastertrace

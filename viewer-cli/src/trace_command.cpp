@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// `rastertrace trace`: draws a scene and writes its trace.
+
+#include "commands.h"
+#include "load.h"
+
+#include <rastertrace/trace/output.h>
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <string_view>
+
+namespace rastertrace {
+
+namespace {
+
+/// JSON Lines for a file that is named so, else one JSON document.
+TraceLayout layout_of(const TraceCommand& command) {
+    if (command.layout)
+        return *command.layout;
+    return command.output.ends_with(".jsonl") ? TraceLayout::jsonl : TraceLayout::json;
+}
+
+bool is_same_file(const std::string& a, const std::string& b) {
+    struct stat of_a {};
+    struct stat of_b {};
+    return ::stat(a.c_str(), &of_a) == 0 && ::stat(b.c_str(), &of_b) == 0 &&
+           S_ISREG(of_a.st_mode) && of_a.st_dev == of_b.st_dev && of_a.st_ino == of_b.st_ino;
+}
+
+} // namespace
+
+int run(const TraceCommand& command) {
+    const Scene scene = load_scene(command.scene, command.method);
+    const TraceOptions options{.layout = layout_of(command), .filter = command.filter};
+
+    if (command.output.empty() || command.output == "-") {
+        DescriptorOutput output(STDOUT_FILENO, "standard output");
+        write_trace(scene, options, output);
+        return exit_fine;
+    }
+    if (is_same_file(command.scene, command.output))
+        throw problem_of(command.output,
+                         "expected another file than the scene itself, found the scene");
+    FileOutput output(command.output);
+    write_trace(scene, options, output);
+    output.commit();
+    return exit_fine;
+}
+
+} // namespace rastertrace
