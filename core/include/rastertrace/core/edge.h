@@ -11,7 +11,7 @@
 #include <rastertrace/core/steps.h>
 #include <rastertrace/core/vec.h>
 
-#include <optional>
+#include <cstdint>
 
 namespace rastertrace {
 
@@ -31,23 +31,25 @@ template <typename Scalar> struct Vertex {
 template <typename Scalar> struct Edge {
     EdgeName name;
     Vec<Scalar, 2> start;
-    std::optional<Scalar> dx_dy; ///< nothing for a horizontal edge, whose only value is start.x
+    bool is_horizontal = false; ///< then its only value is start.x, and dx_dy is 0
+    Scalar dx_dy{};             ///< (x2 - x1)/(y2 - y1)
 
-    /// x at height y. A horizontal edge has only its first value: dividing by its height of 0 is
-    /// the mistake that stops the textbook's own example.
-    Scalar x_at(const Scalar& y) const {
-        return dx_dy ? Scalar(start.x + *dx_dy * (y - start.y)) : start.x;
-    }
+    /// x at height y.
+    Scalar x_at(const Scalar& y) const { return start.x + dx_dy * (y - start.y); }
 };
 
+/// The edge between two vertices. A horizontal one is not divided by its height of 0: that is the
+/// mistake that stops the textbook's own example.
 template <typename Scalar>
 Edge<Scalar> edge_between(const Vertex<Scalar>& from, const Vertex<Scalar>& to) {
     const Scalar dx = to.position.x - from.position.x;
     const Scalar dy = to.position.y - from.position.y;
-    Edge<Scalar> edge{{from.place, to.place}, from.position, std::nullopt};
-    if (dy != scalar_from<Scalar>(0))
-        edge.dx_dy = dx / dy;
-    return edge;
+    const Scalar zero = scalar_from<Scalar>(0);
+    const bool is_horizontal = dy == zero;
+    return {.name = {from.place, to.place},
+            .start = from.position,
+            .is_horizontal = is_horizontal,
+            .dx_dy = is_horizontal ? zero : Scalar(dx / dy)};
 }
 
 /// Walks along an edge from row to row of the picture and gives x on each.
@@ -55,36 +57,35 @@ template <typename Scalar> class EdgeWalk {
 public:
     /// `down` is the step in y from one row to the next, +1 or -1.
     EdgeWalk(const Edge<Scalar>& edge, LerpForm form, int down)
-        : edge_(edge), down_(down), incremental_(form == LerpForm::incremental) {}
+        : edge_(edge), form_(form), down_(down) {}
 
     EdgeName name() const { return edge_.name; }
 
     /// x on row `y`. After the first call, every call must ask for the next row down.
     Scalar x_on_row(int y) {
-        if (!incremental_ || !x_) {
-            const Scalar x = edge_.x_at(scalar_from<Scalar>(y));
-            if (incremental_)
-                start_adding(x);
-            return x;
-        }
-        *x_ += step_;
-        return *x_;
+        if (form_ == LerpForm::direct)
+            return edge_.x_at(scalar_from<Scalar>(y));
+        if (has_begun_)
+            x_ += step_;
+        else
+            begin_on_row(y);
+        return x_;
     }
 
 private:
-    void start_adding(const Scalar& x) {
-        const Scalar zero = scalar_from<Scalar>(0);
-        const Scalar dx_dy = edge_.dx_dy.value_or(zero);
-        step_ = down_ > 0 ? dx_dy : Scalar(-dx_dy);
-        x_ = x;
-        share_denominator(*x_, step_);
+    void begin_on_row(int y) {
+        x_ = edge_.x_at(scalar_from<Scalar>(y));
+        step_ = down_ > 0 ? edge_.dx_dy : Scalar(-edge_.dx_dy);
+        share_denominator(x_, step_);
+        has_begun_ = true;
     }
 
     Edge<Scalar> edge_;
+    LerpForm form_;
     int down_;
-    bool incremental_;
-    std::optional<Scalar> x_; ///< the value on the row before; nothing before the first
-    Scalar step_{};           ///< from one row to the next
+    bool has_begun_ = false;
+    Scalar x_{};    ///< incremental: the value on the row before
+    Scalar step_{}; ///< incremental: from one row to the next
 };
 
 } // namespace rastertrace

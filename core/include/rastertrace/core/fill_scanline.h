@@ -82,6 +82,25 @@ void plot_span(int y, Index from, Index to, Color color, Image& image, Sink&& si
         sink(PixelsRejected{.y = y, .from = std::max(from, right + 1), .to = to});
 }
 
+/// Reports the rows from `first_y` down to `last_y` that lie above or below the canvas.
+template <typename Sink>
+    requires SinkFor<Sink, RowsRejected>
+void report_rejected_rows(Index first_y, Index last_y, const Canvas& canvas, Sink&& sink) {
+    const int down = canvas.down();
+    if (canvas.row_of(first_y) < 0)
+        sink(RowsRejected{.from_y = first_y, .to_y = canvas.top() - down});
+    if (canvas.row_of(last_y) >= canvas.height)
+        sink(RowsRejected{.from_y = canvas.bottom() + down, .to_y = last_y});
+}
+
+/// Reports that an edge is known.
+template <typename Scalar, typename Sink>
+    requires SinkFor<Sink, EdgeSetUp<Scalar>>
+void report_edge(const Edge<Scalar>& edge, Sink&& sink) {
+    sink(EdgeSetUp<Scalar>{
+        .edge = edge.name, .is_horizontal = edge.is_horizontal, .dx_dy = edge.dx_dy});
+}
+
 /// Fills a triangle row by row, from the top of the picture to its bottom, both ends of each row
 /// included. Rows are the integers y between the highest and the lowest vertex. A triangle without
 /// area is drawn as its rows say: a point, or one pixel on each row. Time follows the rows and
@@ -94,6 +113,7 @@ void fill_scanline(const Triangle<Scalar>& triangle, Color color, const Scanline
                    Image& image, Sink&& sink) {
     const Canvas canvas = image.canvas();
     const int down = canvas.down();
+    const int top_y = canvas.top();
 
     // Sort the vertices by height.
     const auto [top, middle, bottom] = sorted_from_top(triangle, down);
@@ -105,9 +125,9 @@ void fill_scanline(const Triangle<Scalar>& triangle, Color color, const Scanline
     const Edge<Scalar> upper = edge_between(top, middle);
     const Edge<Scalar> lower =
         has_height ? edge_between(middle, bottom) : edge_between(bottom, middle);
-    sink(EdgeSetUp<Scalar>{.edge = upper.name, .dx_dy = upper.dx_dy});
-    sink(EdgeSetUp<Scalar>{.edge = lower.name, .dx_dy = lower.dx_dy});
-    sink(EdgeSetUp<Scalar>{.edge = long_edge.name, .dx_dy = long_edge.dx_dy});
+    report_edge(upper, sink);
+    report_edge(lower, sink);
+    report_edge(long_edge, sink);
 
     // The rows between top and bottom. The row of the middle vertex belongs to the lower short
     // edge, unless that one is horizontal: then it is the upper edge's last row.
@@ -122,31 +142,29 @@ void fill_scanline(const Triangle<Scalar>& triangle, Color color, const Scanline
     // Nothing to draw if it lies between two rows, or misses the canvas.
     const auto [leftmost, rightmost] =
         std::minmax({top.position.x, middle.position.x, bottom.position.x});
-    if (last_row < first_row) {
-        sink(PrimitiveSkipped{.why = SkipReason::between_rows});
+    const bool is_between_rows = last_row < first_row;
+    const bool is_off_canvas = last_row < 0 || first_row >= canvas.height ||
+                               last_pixel(rightmost, rules.span) < canvas.left() ||
+                               first_pixel(leftmost, rules.span) > canvas.right();
+    if (is_between_rows || is_off_canvas) {
+        sink(PrimitiveSkipped{.why = is_between_rows ? SkipReason::between_rows
+                                                     : SkipReason::off_canvas});
         return;
     }
-    if (last_row < 0 || first_row >= canvas.height ||
-        last_pixel(rightmost, rules.span) < canvas.left() ||
-        first_pixel(leftmost, rules.span) > canvas.right()) {
-        sink(PrimitiveSkipped{.why = SkipReason::off_canvas});
-        return;
-    }
+
+    // Rows that the canvas does not have are not walked.
+    const auto begin_row = static_cast<int>(std::max<Index>(first_row, 0));
+    const auto end_row = static_cast<int>(std::min<Index>(last_row + 1, canvas.height));
+    report_rejected_rows(first_y, last_y, canvas, sink);
 
     // Left and right: the long edge is on the left if it passes the middle vertex on the left.
     const bool long_edge_is_left = !(middle.position.x < long_edge.x_at(middle.position.y));
-
-    // Rows above the canvas are not walked.
-    const auto begin_row = static_cast<int>(std::max<Index>(first_row, 0));
-    const auto end_row = static_cast<int>(std::min<Index>(last_row + 1, canvas.height));
-    if (first_row < begin_row)
-        sink(RowsRejected{.from_y = first_y, .to_y = canvas.top() - down});
 
     EdgeWalk<Scalar> along_long_edge(long_edge, rules.lerp, down);
     EdgeWalk<Scalar> along_upper(upper, rules.lerp, down);
     EdgeWalk<Scalar> along_lower(lower, rules.lerp, down);
     for (int row = begin_row; row < end_row; ++row) {
-        const int y = canvas.y_of(row);
+        const int y = top_y + down * row;
 
         // The two edges of this row, and where it meets them.
         EdgeWalk<Scalar>& along_short_edge = row < first_lower_row ? along_upper : along_lower;
@@ -168,10 +186,6 @@ void fill_scanline(const Triangle<Scalar>& triangle, Color color, const Scanline
 
         plot_span(y, from, to, color, image, sink);
     }
-
-    // Nor are those below it.
-    if (last_row >= end_row)
-        sink(RowsRejected{.from_y = canvas.bottom() + down, .to_y = last_y});
 }
 
 } // namespace rastertrace

@@ -16,7 +16,7 @@ concept SinkFor = (std::invocable<Sink&, const Steps&> && ...);
 
 /// Takes every step and keeps none. With it, the compiled code is that of the plain rasterizer.
 struct NullSink {
-    template <typename Step> void operator()(const Step&) const {}
+    template <typename Step> [[gnu::always_inline]] void operator()(const Step&) const {}
 };
 
 } // namespace rastertrace

@@ -13,7 +13,6 @@
 #include <rastertrace/core/vec.h>
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string_view>
 
@@ -42,8 +41,9 @@ struct EdgeName {
 
 /// An edge is set up: how far x moves when y grows by 1.
 template <typename Scalar> struct EdgeSetUp {
-    EdgeName edge;               ///< from its upper to its lower vertex, as seen in the picture
-    std::optional<Scalar> dx_dy; ///< (x2 - x1)/(y2 - y1); nothing for a horizontal edge
+    EdgeName edge;      ///< from its upper to its lower vertex, as seen in the picture
+    bool is_horizontal; ///< then it has no dx_dy
+    Scalar dx_dy;       ///< (x2 - x1)/(y2 - y1)
 };
 
 /// The two ends of a row are known.

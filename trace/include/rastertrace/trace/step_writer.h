@@ -77,10 +77,10 @@ public:
             return;
         begin_line(StepKind::edge);
         put(R"({"step":"edge","edge":)", label(step.edge), R"(,"dx_dy":)");
-        if (step.dx_dy)
-            put(*step.dx_dy, "}");
-        else
+        if (step.is_horizontal)
             put("null}");
+        else
+            put(step.dx_dy, "}");
     }
 
     template <typename Scalar> void operator()(const ScanlineSpanned<Scalar>& step) {

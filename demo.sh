@@ -1,0 +1,11 @@
+#!/bin/sh
+# Builds rastertrace and shows the worked example. Installs what is missing first, and says so.
+set -eu
+cd "$(dirname "$0")"
+
+scripts/install-packages.sh g++ cmake ninja-build libglm-dev nlohmann-json3-dev libfmt-dev \
+    libcli11-dev libgmp-dev
+[ -f build/release/build.ninja ] || cmake --preset release -G Ninja >/dev/null
+cmake --build build/release
+
+./build/release/viewer-cli/rastertrace show examples/t0-fill/first-triangle.json --every scanline

@@ -1,0 +1,31 @@
+#!/bin/sh
+# compare.sh COMPILER OBJDUMP INCLUDE SOURCE: fails if removing the emissions changes the machine code.
+set -eu
+compiler=$1 objdump=$2 include=$3 source=$4
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+
+disassembly() { # disassembly NAME FLAG...
+    name=$1
+    shift
+    "$compiler" -std=c++20 -DNDEBUG -ffp-contract=off -w "-I$include" "$@" -c "$source" \
+        -o "$folder/fill.o"
+    # Without the addresses in front, which are the same when the instructions are.
+    "$objdump" -d --no-show-raw-insn "$folder/fill.o" | tail -n +4 >"$folder/$name"
+}
+
+for level in -O2 -O3 "-O3 -march=x86-64-v3"; do
+    # shellcheck disable=SC2086  # a level may be two flags
+    disassembly with $level
+    # shellcheck disable=SC2086
+    disassembly without $level -DWITHOUT_EMISSIONS
+    lines=$(wc -l <"$folder/with")
+    if ! cmp -s "$folder/with" "$folder/without"; then
+        echo "$compiler $level: emissions to NullSink leave a mark in the machine code:"
+        diff "$folder/with" "$folder/without" | head -40
+        failed=1
+    fi
+    [ "$lines" -gt 100 ] || { echo "nothing was compiled"; exit 1; }
+    echo "$compiler $level: $lines lines, identical"
+done
+exit "${failed:-0}"
