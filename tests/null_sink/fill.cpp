@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The fill with a sink that keeps nothing. Compiled twice and compared by compare.sh: as it is, and
-// with -DWITHOUT_EMISSIONS, which turns every call of a sink into nothing before it is compiled. The
-// name of a parameter (`Sink&& sink)`) or an argument is not followed by `(`, and stays.
+// with -DWITHOUT_EMISSIONS, which turns every call of a sink into nothing before it is compiled.
+// The name of a parameter (`Sink&& sink)`) or an argument is not followed by `(`, and stays.
 
 #include <gmpxx.h>
 

@@ -76,7 +76,7 @@ private:
     void begin_on_row(int y) {
         x_ = edge_.x_at(scalar_from<Scalar>(y));
         step_ = down_ > 0 ? edge_.dx_dy : Scalar(-edge_.dx_dy);
-        share_denominator(x_, step_);
+        write_over_denominator_of(x_, step_);
         has_begun_ = true;
     }
 

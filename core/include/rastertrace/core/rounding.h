@@ -17,6 +17,8 @@
 #include <rastertrace/core/canvas.h>
 #include <rastertrace/core/scalar.h>
 
+#include <algorithm>
+
 namespace rastertrace {
 
 /// How the ends of a span become pixels; see the table above.
@@ -36,38 +38,42 @@ struct SpanRounding {
     Ties ties = Ties::up; ///< read only with Rounding::nearest
 };
 
-/// The whole number nearest to `x`; a tie goes where `ties` says.
-template <typename Scalar> Index nearest_index(const Scalar& x, Ties ties) {
-    const Index below = floor_index(x);
-    if (below <= -farthest_index || below >= farthest_index)
-        return below;
-
-    // How far x lies above `below`, twice, against 1. The subtraction is exact in double too,
-    // except for a tiny negative x, where rounding it to 1 still tells the right side.
-    const Scalar above_by = x - scalar_from<Scalar>(below);
-    const Scalar twice = above_by + above_by;
-    const Scalar one = scalar_from<Scalar>(1);
-    if (twice < one)
-        return below;
-    if (one < twice)
-        return below + 1;
-
-    switch (ties) {
-    case Ties::start:
-        return below;
-    case Ties::up:
-        return below + 1;
-    case Ties::away:
-        return below < 0 ? below : below + 1;
-    case Ties::even:
-        break;
-    }
-    return below % 2 == 0 ? below : below + 1;
-}
-
 /// The whole number next to `x` in the direction of zero.
 template <typename Scalar> Index truncate_index(const Scalar& x) {
     return x < scalar_from<Scalar>(0) ? ceil_index(x) : floor_index(x);
+}
+
+/// The whole number nearest to `x`; a tie goes where `ties` says.
+template <typename Scalar> Index nearest_index(const Scalar& x, Ties ties) {
+    // The whole numbers on both sides of x: one toward zero, one away from it.
+    const bool is_negative = x < scalar_from<Scalar>(0);
+    const Index inner = truncate_index(x);
+    const Index outer = is_negative ? inner - 1 : inner + 1;
+    if (inner <= -farthest_index || inner >= farthest_index)
+        return inner;
+
+    // How far x lies beyond the inner one, twice, against 1. The difference is exact in double too:
+    // both numbers have the same sign and the inner one is the smaller.
+    const Scalar difference = x - scalar_from<Scalar>(inner);
+    const Scalar twice =
+        is_negative ? Scalar(-difference - difference) : Scalar(difference + difference);
+    const Scalar one = scalar_from<Scalar>(1);
+    if (twice < one)
+        return inner;
+    if (one < twice)
+        return outer;
+
+    switch (ties) {
+    case Ties::start:
+        return std::min(inner, outer);
+    case Ties::up:
+        return std::max(inner, outer);
+    case Ties::away:
+        return outer;
+    case Ties::even:
+        break;
+    }
+    return inner % 2 == 0 ? inner : outer;
 }
 
 /// The first pixel of a span whose left end is at `left`.

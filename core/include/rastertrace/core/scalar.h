@@ -79,18 +79,15 @@ template <typename Scalar> Scalar scalar_from(const Number& number, std::int64_t
     }
 }
 
-/// Writes two numbers over one denominator, so that adding the second to the first again and again
-/// does not make the fraction grow. Other scalars need no such care.
-template <typename Scalar> void share_denominator(Scalar&, Scalar&) {}
+/// Writes `step` over the denominator of `value`, so that adding it again and again does not make the
+/// fraction grow. The denominator of `value` must be a multiple of that of `step`, as it is for a
+/// point on a line and the line's slope. Other scalars need no such care.
+template <typename Scalar> void write_over_denominator_of(const Scalar&, Scalar&) {}
 
-template <typename Integer> void share_denominator(Fraction<Integer>& a, Fraction<Integer>& b) {
-    if (a.denominator == b.denominator)
-        return;
-    const Integer common = a.denominator * b.denominator;
-    const Integer a_over_common = a.numerator * b.denominator;
-    const Integer b_over_common = b.numerator * a.denominator;
-    a = {a_over_common, common};
-    b = {b_over_common, common};
+template <typename Integer>
+void write_over_denominator_of(const Fraction<Integer>& value, Fraction<Integer>& step) {
+    assert(value.denominator % step.denominator == 0);
+    step = {step.numerator * (value.denominator / step.denominator), value.denominator};
 }
 
 } // namespace rastertrace

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// Uses both libraries as somebody else would: draws with the core, writes and reads a trace.
+
+#include <rastertrace/core/draw.h>
+#include <rastertrace/trace/frame.h>
+#include <rastertrace/trace/write_trace.h>
+
+#include <cstdio>
+
+int main() {
+    using namespace rastertrace;
+    Scene scene;
+    scene.canvas = {.width = 17, .height = 14};
+    scene.vertices = {{"A", 2, 5}, {"B", -4, -3}, {"C", 5, -3}};
+    scene.triangles = {{.name = "ABC", .vertices = {0, 1, 2}, .color = {}}};
+    const Image picture = draw<double>(scene, plan_for(scene), NullSink{});
+
+    Source source{"first.json", {}};
+    StringOutput output(source.text);
+    write_trace(scene, {}, output);
+    const Result<Trace> trace = read_trace(source);
+    const bool is_right =
+        trace && picture.drawn() == 49 &&
+        frame_after(trace.value(), trace.value().size()).image.colors() == picture.colors();
+    std::puts(is_right ? "the consumer's picture has 49 pixels"
+                       : "the consumer's picture is wrong");
+    return is_right ? 0 : 1;
+}

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "picture.h"
+
+#include <gtest/gtest.h>
+
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
+
+#include <string>
+
+namespace rastertrace {
+namespace {
+
+Plan plan_of(const std::vector<std::string>& coordinates,
+             Method method = {.scalar = ScalarKind::exact}) {
+    return plan_for(triangle_scene(coordinates, {.width = 64, .height = 64}, method));
+}
+
+TEST(Plan, TakesTheNarrowestExactType) {
+    EXPECT_EQ(plan_of({"2", "5", "-4", "-3", "5", "-3"}).number, NumberType::fraction64);
+    EXPECT_EQ(plan_of({"0.5", "5", "-4", "-3.25", "5", "1/3"}).number, NumberType::fraction64);
+    EXPECT_EQ(plan_of({"0", "-1e9", "1e9", "1e9", "-1e9", "1e9"}).number, NumberType::fraction128);
+    EXPECT_EQ(plan_of({"0", "0", "1e30", "1", "2", "3"}).number, NumberType::rational);
+    EXPECT_EQ(plan_of({"0", "0", "1e-30", "1", "2", "3"}).number, NumberType::rational);
+    EXPECT_EQ(
+        plan_of({"1/2305843009213693951", "0", "1/2305843009213693953", "1", "2", "3"}).number,
+        NumberType::rational)
+        << "the common denominator does not fit";
+    EXPECT_EQ(plan_of({"2", "5", "-4", "-3", "5", "-3"}, {}).number, NumberType::binary64);
+}
+
+TEST(Plan, WritesAllNumbersOverOneDenominator) {
+    EXPECT_EQ(plan_of({"0.5", "5", "-4", "-3.25", "5", "1/3"}).denominator, 300)
+        << "tenths and hundredths as typed, and a third";
+}
+
+RC_GTEST_PROP(Plan, NeverLetsAFractionOverflow, ()) {
+    // Numbers of every size, so that both sides of each limit are met. The undefined-behavior
+    // sanitizer watches the fractions; the rationals say what the picture is.
+    const int bits = *rc::gen::inRange(1, 50);
+    const auto denominator = *rc::gen::inRange<std::int64_t>(1, 5000);
+    const std::int64_t largest = std::int64_t{1} << bits;
+    std::vector<std::string> coordinates;
+    for (int i = 0; i < 6; ++i)
+        coordinates.push_back(std::to_string(*rc::gen::inRange<std::int64_t>(-largest, largest)) +
+                              "/" + std::to_string(denominator));
+    const Method method{.scalar = ScalarKind::exact,
+                        .rounding = *rc::gen::element(Rounding::floor, Rounding::nearest),
+                        .lerp = *rc::gen::element(LerpForm::direct, LerpForm::incremental)};
+    const Scene scene = triangle_scene(coordinates, {.width = 32, .height = 32}, method);
+    const Plan plan = plan_for(scene);
+    RC_TAG(static_cast<int>(plan.number));
+    RC_ASSERT(draw_as_planned(scene).colors() == draw<Rational>(scene, plan, NullSink{}).colors());
+}
+
+TEST(Overflow, OfACoordinateIsFound) {
+    const auto overflow = find_overflow(
+        triangle_scene({"0", "0", "1", "1", "-1e308", "2"}, {.width = 4, .height = 4}, {}));
+    ASSERT_TRUE(overflow);
+    EXPECT_EQ(overflow->what, Overflow::What::coordinate);
+    EXPECT_EQ(overflow->from, 2u);
+}
+
+TEST(Overflow, OfASlopeIsFound) {
+    const auto overflow = find_overflow(
+        triangle_scene({"0", "0", "1", "1e-320", "0", "2"}, {.width = 4, .height = 4}, {}));
+    ASSERT_TRUE(overflow);
+    EXPECT_EQ(overflow->what, Overflow::What::slope);
+    EXPECT_EQ(overflow->from, 0u);
+    EXPECT_EQ(overflow->to, 1u);
+}
+
+TEST(Overflow, CannotHappenToExactNumbers) {
+    const Scene scene =
+        triangle_scene({"0", "0", "1", "1e-320", "-1e308", "2"}, {.width = 8, .height = 8});
+    EXPECT_FALSE(find_overflow(scene));
+    EXPECT_EQ(picture_of(draw_as_planned(scene)), "........\n"
+                                                  "........\n"
+                                                  "........\n"
+                                                  "........\n"
+                                                  "....#...\n"
+                                                  "........\n"
+                                                  "........\n"
+                                                  "........\n")
+        << "the rows above lie far left of the canvas";
+}
+
+} // namespace
+} // namespace rastertrace

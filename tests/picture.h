@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Pictures as rows of text, and triangles to draw in tests.
+
+#include <rastertrace/core/draw.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rastertrace {
+
+/// The canvas as rows of `.` and `#`, top row first.
+inline std::string picture_of(const Image& image) {
+    const Canvas& canvas = image.canvas();
+    std::string text;
+    for (int row = 0; row < canvas.height; ++row) {
+        for (int x = canvas.left(); x <= canvas.right(); ++x)
+            text += image.at({x, canvas.y_of(row)}) == no_color ? '.' : '#';
+        text += '\n';
+    }
+    return text;
+}
+
+/// A number from what a scene would say: `0.1`, `25/8`.
+inline Number number(std::string_view text) {
+    return std::get<Number>(parse_number(text));
+}
+
+/// A scene of one triangle, its coordinates as a scene would say them: x, y, x, y, x, y.
+inline Scene triangle_scene(const std::vector<std::string>& coordinates, Canvas canvas,
+                            Method method = {.scalar = ScalarKind::exact}) {
+    Scene scene;
+    scene.title = "A triangle";
+    scene.canvas = canvas;
+    scene.method = method;
+    for (std::size_t i = 0; i < 3; ++i)
+        scene.vertices.push_back({std::string(1, static_cast<char>('A' + i)),
+                                  number(coordinates[2 * i]), number(coordinates[2 * i + 1])});
+    scene.triangles.push_back({.name = "ABC", .vertices = {0, 1, 2}, .color = {}});
+    return scene;
+}
+
+inline Scene first_triangle(Method method = {.scalar = ScalarKind::exact}) {
+    return triangle_scene({"2", "5", "-4", "-3", "5", "-3"}, {.width = 17, .height = 14}, method);
+}
+
+/// Draws a scene as its plan says, with a sink.
+template <typename Sink> Image draw_as_planned(const Scene& scene, Sink&& sink) {
+    const Plan plan = plan_for(scene);
+    return with_scalar(plan, [&]<typename Scalar>() { return draw<Scalar>(scene, plan, sink); });
+}
+
+inline Image draw_as_planned(const Scene& scene) {
+    return draw_as_planned(scene, NullSink{});
+}
+
+} // namespace rastertrace

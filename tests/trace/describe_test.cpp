@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "picture.h"
+
+#include <rastertrace/trace/describe.h>
+#include <rastertrace/trace/write_trace.h>
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace rastertrace {
+namespace {
+
+/// What is said of step n of a scene's trace.
+std::string description(const Scene& scene, std::size_t n) {
+    Source source{"t", {}};
+    StringOutput output(source.text);
+    write_trace(scene, {}, output);
+    const auto trace = read_trace(source);
+    Replay replay(trace.value());
+    replay.go_to(n);
+    return describe_step(replay);
+}
+
+TEST(Describe, EveryStepOfTheFirstTriangle) {
+    const Scene scene = first_triangle();
+    EXPECT_EQ(description(scene, 0), "nothing drawn yet");
+    EXPECT_EQ(description(scene, 1), "triangle ABC   A (2, 5)   B (-4, -3)   C (5, -3)");
+    EXPECT_EQ(description(scene, 2), "edge AB: dx/dy = (-4 - 2) / (-3 - 5) = 3/4");
+    EXPECT_EQ(description(scene, 3), "edge BC: horizontal, it has no dx/dy");
+    EXPECT_EQ(description(scene, 4), "edge AC: dx/dy = (5 - 2) / (-3 - 5) = -3/8");
+    EXPECT_EQ(description(scene, 14), "scanline y=2   left AB: x = 2 + 3/4 (2 - 5) = -1/4 -> -1   "
+                                      "right AC: x = 2 - 3/8 (2 - 5) = 25/8 -> 3");
+    EXPECT_EQ(description(scene, 15), "pixel (-1, 2)");
+}
+
+TEST(Describe, IncrementalRowsAddToTheRowBefore) {
+    const Scene scene =
+        first_triangle({.scalar = ScalarKind::exact, .lerp = LerpForm::incremental});
+    EXPECT_EQ(description(scene, 5), "scanline y=5   left AB: x = 2 + 3/4 (5 - 5) = 2 -> 2   "
+                                     "right AC: x = 2 - 3/8 (5 - 5) = 2 -> 2");
+    EXPECT_EQ(description(scene, 7), "scanline y=4   left AB: x = 2 - 3/4 = 5/4 -> 1   "
+                                     "right AC: x = 2 + 3/8 = 19/8 -> 2");
+}
+
+TEST(Describe, NegativeCoordinatesAreSubtractedAsOneWritesIt) {
+    const Scene scene =
+        triangle_scene({"-1", "-2", "3", "-4", "-3", "-4"}, {.width = 9, .height = 9});
+    EXPECT_EQ(description(scene, 2), "edge AC: dx/dy = (-3 + 1) / (-4 + 2) = 1");
+    EXPECT_EQ(description(scene, 7), "scanline y=-3   left AC: x = -1 + 1 (-3 + 2) = -2 -> -2   "
+                                     "right AB: x = -1 - 2 (-3 + 2) = 1 -> 1");
+}
+
+TEST(Describe, WhatIsNotDrawn) {
+    EXPECT_EQ(
+        description(triangle_scene({"9", "0", "9", "1", "8", "1"}, {.width = 5, .height = 5}), 5),
+        "triangle ABC: skipped, off canvas");
+    const Scene cut = triangle_scene({"0", "0", "9", "0", "0", "9"}, {.width = 5, .height = 5});
+    EXPECT_EQ(description(cut, 5), "rows y=9 to 3: dropped, off-canvas");
+    EXPECT_EQ(description(cut, 10), "pixels (3, 2) to (7, 2): dropped, off-canvas");
+}
+
+TEST(Describe, PixelsDrawnAgain) {
+    Scene scene = first_triangle();
+    scene.triangles.push_back(scene.triangles[0]);
+    EXPECT_EQ(description(scene, 62 + 6), "pixel (2, 5)   over step 6");
+}
+
+TEST(Describe, StepsThatAreUnknown) {
+    const auto trace = read_trace(
+        {"t", "{\"rastertrace\":1,\"canvas\":{\"width\":3,\"height\":3}}\n"
+              "{\"step\":\"tile\",\"note\":\"\\u001b[2J \xC2\x9B\"}\n{\"end\":{\"steps\":1}}\n"});
+    ASSERT_TRUE(trace);
+    Replay replay(trace.value());
+    replay.go_to(1);
+    EXPECT_EQ(describe_step(replay), "{\"step\":\"tile\",\"note\":\"\\u001b[2J <U+009B>\"}");
+}
+
+} // namespace
+} // namespace rastertrace

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: MIT
+#include "picture.h"
+
+#include <rastertrace/trace/scene_file.h>
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace rastertrace {
+namespace {
+
+/// What is said about a scene file with this text.
+std::string complaint(const std::string& text) {
+    const auto scene = read_scene({"scene.json", text});
+    return scene ? "no complaint" : to_text(scene.problem());
+}
+
+Scene scene_in(const std::string& text) {
+    const auto scene = read_scene({"folder/scene.json", text});
+    EXPECT_TRUE(scene) << to_text(scene.problem());
+    return scene.value();
+}
+
+TEST(SceneFile, SmallestScene) {
+    const Scene scene = scene_in(R"({"vertices": {"A": [2, 5], "B": [-4, -3], "C": [5, -3]},
+                                     "triangles": ["ABC"]})");
+    EXPECT_EQ(scene.title, "scene.json");
+    EXPECT_EQ(scene.vertices.size(), 3u);
+    EXPECT_EQ(scene.triangles[0].name, "ABC");
+    EXPECT_EQ(scene.canvas.width, 13) << "fitted: x -5..5, and a pixel more on each side";
+    EXPECT_EQ(scene.canvas.height, 13);
+    EXPECT_EQ(scene.method.scalar, ScalarKind::double_precision);
+    EXPECT_EQ(scene.method.rounding, Rounding::floor);
+}
+
+TEST(SceneFile, EveryKey) {
+    const Scene scene = scene_in(R"({
+        "title": "Everything",
+        "canvas": {"width": 20, "height": 10, "origin": "top-left"},
+        "vertices": {"P1": [0.1, "25/8"], "P2": [3, -4e0], "é": [1, 2]},
+        "triangles": [{"vertices": ["P1", "P2", "é"], "name": "roof", "color": "#ff8000"},
+                      ["é", "P2", "P1"]],
+        "method": {"scalar": "exact", "fill": "scanline", "rounding": "nearest", "ties": "even",
+                   "lerp": "incremental"}})");
+    EXPECT_EQ(scene.title, "Everything");
+    EXPECT_EQ(scene.canvas, (Canvas{20, 10, Origin::top_left}));
+    EXPECT_EQ(scene.vertices[0].x.exact().get_str(), "1/10");
+    EXPECT_EQ(scene.vertices[0].y.exact().get_str(), "25/8");
+    EXPECT_EQ(scene.triangles[0].name, "roof");
+    EXPECT_EQ(scene.triangles[0].color, (Color{255, 128, 0, 255}));
+    EXPECT_EQ(scene.triangles[1].name, "é-P2-P1");
+    EXPECT_EQ(scene.method.rounding, Rounding::nearest);
+    EXPECT_EQ(scene.method.ties, Ties::even);
+    EXPECT_EQ(scene.method.lerp, LerpForm::incremental);
+}
+
+TEST(SceneFile, ByteOrderMarkAndCarriageReturnsSayNothing) {
+    scene_in("\xEF\xBB\xBF{\"vertices\": {\"A\": [2, 5]},\r\n\"triangles\": [\"AAA\"]}\r\n");
+}
+
+TEST(SceneFile, OverridesTakeThePlaceOfTheMethod) {
+    const auto scene = read_scene({"s", R"({"vertices": {"A": [2, 5]}, "triangles": ["AAA"],
+                                            "method": {"rounding": "inside"}})"},
+                                  {{"rounding", "truncate"}, {"scalar", "exact"}});
+    ASSERT_TRUE(scene);
+    EXPECT_EQ(scene.value().method.rounding, Rounding::truncate);
+    EXPECT_EQ(scene.value().method.scalar, ScalarKind::exact);
+}
+
+TEST(SceneFile, UnknownKey) {
+    EXPECT_EQ(complaint("{\"vertices\": {\"A\": [2, 5]},\n \"trinagles\": [\"AAA\"]}"),
+              "scene.json:2:2: expected a key out of title, canvas, vertices, triangles, method, "
+              "found \"trinagles\"\n"
+              " \"trinagles\": [\"AAA\"]}\n"
+              " ^\n"
+              "hint: did you mean \"triangles\"?");
+}
+
+TEST(SceneFile, WrongType) {
+    EXPECT_EQ(complaint(R"({"vertices": {"A": [2, "five"]}, "triangles": ["AAA"]})"),
+              "scene.json:1:24: expected a number, found \"five\"\n"
+              "{\"vertices\": {\"A\": [2, \"five\"]}, \"triangles\": [\"AAA\"]}\n"
+              "                       ^\n"
+              "hint: a fraction is written \"25/8\", in quotes");
+    EXPECT_EQ(complaint(R"({"vertices": {"A": {}}, "triangles": ["AAA"]})"),
+              "scene.json:1:20: expected [x, y], found an object\n"
+              "{\"vertices\": {\"A\": {}}, \"triangles\": [\"AAA\"]}\n"
+              "                   ^");
+    EXPECT_EQ(complaint(R"({"vertices": {"A": [1, 2, 3]}, "triangles": ["AAA"]})"),
+              "scene.json:1:20: expected [x, y], found an array of 3\n"
+              "{\"vertices\": {\"A\": [1, 2, 3]}, \"triangles\": [\"AAA\"]}\n"
+              "                   ^");
+    EXPECT_EQ(complaint(R"({"title": 5})"), "scene.json:1:11: expected a title in quotes, found 5\n"
+                                            "{\"title\": 5}\n"
+                                            "          ^");
+    EXPECT_EQ(
+        complaint("[]"),
+        "scene.json:1:1: expected an object with the keys title, canvas, vertices, triangles, "
+        "method, found an empty array\n"
+        "[]\n"
+        "^");
+}
+
+TEST(SceneFile, MissingVertex) {
+    EXPECT_EQ(complaint(R"({"vertices": {"A": [2, 5], "B": [1, 2]}, "triangles": ["ABC"]})"),
+              "scene.json:1:59: expected the name of a vertex, found \"C\"\n"
+              "{\"vertices\": {\"A\": [2, 5], \"B\": [1, 2]}, \"triangles\": [\"ABC\"]}\n"
+              "                                                          ^\n"
+              "hint: the scene has the vertices A, B");
+}
+
+TEST(SceneFile, RepeatedName) {
+    EXPECT_EQ(complaint(R"({"vertices": {"A": [2, 5], "A": [1, 2]}, "triangles": ["AAA"]})"),
+              "scene.json:1:28: expected each key once, found \"A\" again\n"
+              "{\"vertices\": {\"A\": [2, 5], \"A\": [1, 2]}, \"triangles\": [\"AAA\"]}\n"
+              "                           ^");
+    EXPECT_EQ(complaint(R"({"vertices": {"A": [2, 5]},
+"triangles": [{"vertices": "AAA", "name": "x"}, {"vertices": "AAA", "name": "x"}]})"),
+              "scene.json:2:77: expected a name that no other primitive has, found \"x\"\n"
+              "...vertices\": \"AAA\", \"name\": \"x\"}, {\"vertices\": \"AAA\", \"name\": "
+              "\"x\"}]}\n"
+              "                                                               ^");
+}
+
+TEST(SceneFile, NumbersThatAreNone) {
+    EXPECT_EQ(complaint(R"({"vertices": {"A": [2, 1e999]}})"),
+              "scene.json:1:24: expected a number up to 1.797e308, found 1e999\n"
+              "{\"vertices\": {\"A\": [2, 1e999]}}\n"
+              "                       ^");
+    EXPECT_EQ(complaint(R"({"vertices": {"A": [2, "-1e999"]}})"),
+              "scene.json:1:24: expected a number up to 1.797e308, found \"-1e999\"\n"
+              "{\"vertices\": {\"A\": [2, \"-1e999\"]}}\n"
+              "                       ^");
+    EXPECT_EQ(complaint(R"({"vertices": {"A": [2, 1e-400]}})"),
+              "scene.json:1:24: expected 0 or a number from 4.941e-324 on, found 1e-400\n"
+              "{\"vertices\": {\"A\": [2, 1e-400]}}\n"
+              "                       ^");
+    EXPECT_EQ(complaint(R"({"vertices": {"A": ["1/0", 2]}})"),
+              "scene.json:1:21: expected a denominator other than 0, found \"1/0\"\n"
+              "{\"vertices\": {\"A\": [\"1/0\", 2]}}\n"
+              "                    ^");
+    EXPECT_EQ(complaint(R"({"vertices": {"A": [NaN, 2]}})"),
+              "scene.json:1:21: expected a value or ']', found 'NaN'\n"
+              "{\"vertices\": {\"A\": [NaN, 2]}}\n"
+              "                    ^");
+}
+
+TEST(SceneFile, CanvasesThatAreNone) {
+    const std::string rest = R"(, "vertices": {"A": [2, 5]}, "triangles": ["AAA"]})";
+    EXPECT_EQ(complaint(R"({"canvas": {"width": 0, "height": 5})" + rest),
+              "scene.json:1:22: expected a whole number of pixels from 1 to 16384, found 0\n"
+              "{\"canvas\": {\"width\": 0, \"height\": 5}, \"vertices\": {\"A\": [2, 5...\n"
+              "                     ^");
+    EXPECT_EQ(complaint(R"({"canvas": {"width": 100000, "height": 100000})" + rest),
+              "scene.json:1:22: expected a whole number of pixels from 1 to 16384, found 100000\n"
+              "{\"canvas\": {\"width\": 100000, \"height\": 100000}, \"vertices\": {...\n"
+              "                     ^");
+    EXPECT_EQ(complaint(R"({"canvas": {"width": 16384, "height": 16384})" + rest),
+              "scene.json:1:12: expected a canvas of at most 67108864 pixels, found 16384 x 16384\n"
+              "{\"canvas\": {\"width\": 16384, \"height\": 16384}, \"vert...\n"
+              "           ^\n"
+              "hint: say \"canvas\": {\"width\": ..., \"height\": ...}");
+    EXPECT_EQ(complaint(R"({"canvas": {"width": 2.5})" + rest),
+              "scene.json:1:22: expected a whole number of pixels from 1 to 16384, found 2.5\n"
+              "{\"canvas\": {\"width\": 2.5}, \"vertices\": {\"A\": [2, 5]}, \"triang...\n"
+              "                     ^");
+    EXPECT_EQ(complaint(R"({"vertices": {"A": [1, 1e9]}, "triangles": ["AAA"]})"),
+              "scene.json:1:1: expected vertices that fit on 16384 pixels, or a canvas with a "
+              "height; found a vertex 1e+09 pixels from the origin\n"
+              "{\"vertices\": {\"A\": [1, 1e9]}, \"triangles...\n"
+              "^\n"
+              "hint: say \"canvas\": {\"width\": ..., \"height\": ...}");
+}
+
+TEST(SceneFile, ColorsThatAreNone) {
+    const auto with_color = [](const std::string& color) {
+        return R"({"vertices": {"A": [2, 5]}, "triangles": [{"vertices": "AAA", "color": ")" +
+               color + R"("}]})";
+    };
+    EXPECT_EQ(
+        complaint(with_color("gren")),
+        "scene.json:1:72: expected a color, like \"#ff8000\" or \"red\", found \"gren\"\n"
+        "...: {\"A\": [2, 5]}, \"triangles\": [{\"vertices\": \"AAA\", \"color\": \"gren\"}]}\n"
+        "                                                               ^\n"
+        "hint: did you mean \"green\"?");
+    EXPECT_EQ(complaint(with_color("#00000000")).substr(0, 80),
+              "scene.json:1:72: expected a color that can be seen (alpha above 00), found \"#000");
+}
+
+TEST(SceneFile, ValuesOfTheMethod) {
+    EXPECT_EQ(complaint(R"({"method": {"scalar": "exat"}})"),
+              "scene.json:1:23: expected one of double, exact, found \"exat\"\n"
+              "{\"method\": {\"scalar\": \"exat\"}}\n"
+              "                      ^\n"
+              "hint: did you mean \"exact\"?");
+}
+
+TEST(SceneFile, OverflowNamesVertexAndValue) {
+    EXPECT_EQ(
+        complaint(R"({"canvas": {"width": 9, "height": 9},
+"vertices": {"A": [0, 0], "B": [1, 1e-320], "C": [0, 1]}, "triangles": ["ABC"]})"),
+        "scene.json:2:27: expected an edge whose slope dx/dy fits in a double, found vertex A "
+        "at (0, 0) and vertex B at (1, 1e-320)\n"
+        "\"vertices\": {\"A\": [0, 0], \"B\": [1, 1e-320], \"C\": [0, 1]}, \"triangl...\n"
+        "                          ^\n"
+        "hint: with \"method\": {\"scalar\": \"exact\"} nothing overflows");
+}
+
+TEST(SceneFile, EmptySceneAndEmptyFile) {
+    EXPECT_EQ(
+        complaint("{}"),
+        "scene.json:1:1: expected at least one primitive, found none\n"
+        "{}\n"
+        "^\n"
+        "hint: the smallest scene: {\"vertices\": {\"A\": [2, 5], \"B\": [-4, -3], \"C\": [5, "
+        "-3]}, \"triangles\": [\"ABC\"]}");
+    EXPECT_EQ(complaint(""), "scene.json:1:1: expected a JSON value, found the end of the file");
+}
+
+TEST(SceneFile, NotJson) {
+    EXPECT_EQ(complaint("{\"a\": tru}"), "scene.json:1:7: expected a value, found 'tru'\n"
+                                         "{\"a\": tru}\n"
+                                         "      ^");
+    EXPECT_EQ(complaint("{\"a\":\n  [1,,2]}"), "scene.json:2:6: expected a value, found ','\n"
+                                               "  [1,,2]}\n"
+                                               "     ^");
+    EXPECT_EQ(complaint("{\"a\" 1}"), "scene.json:1:6: expected ':', found '1'\n"
+                                      "{\"a\" 1}\n"
+                                      "     ^");
+    EXPECT_EQ(complaint("{\"a\": 1,}"),
+              "scene.json:1:9: expected a key in double quotes, found '}'\n"
+              "{\"a\": 1,}\n"
+              "        ^");
+    EXPECT_EQ(complaint("{\"a\": [1 2]}"), "scene.json:1:10: expected ',' or ']', found '2'\n"
+                                           "{\"a\": [1 2]}\n"
+                                           "         ^");
+    EXPECT_EQ(complaint("{} {}"), "scene.json:1:4: expected the end of the file, found '{'\n"
+                                  "{} {}\n"
+                                  "   ^");
+    EXPECT_EQ(
+        complaint("{\"a\": \"x"),
+        "scene.json:1:7: expected valid JSON, found an invalid string: missing closing quote\n"
+        "{\"a\": \"x\n"
+        "      ^");
+    EXPECT_EQ(complaint("\x7F"
+                        "ELF\x02\x01"),
+              "scene.json:1:1: expected a JSON value, found '<U+007F>'\n"
+              "<U+007F>ELF<U+0002><U+0001>\n"
+              "^");
+}
+
+TEST(SceneFile, NestingIsRefusedByDepth) {
+    const std::string text = complaint(std::string(10000, '['));
+    EXPECT_EQ(text.substr(0, text.find('\n')),
+              "scene.json:1:65: expected at most 64 arrays and objects in one another, found one "
+              "more");
+}
+
+} // namespace
+} // namespace rastertrace

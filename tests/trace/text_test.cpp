@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include <rastertrace/trace/color_text.h>
+#include <rastertrace/trace/step_writer.h>
+#include <rastertrace/trace/text.h>
+
+#include <gtest/gtest.h>
+
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
+
+#include <string>
+
+namespace rastertrace {
+namespace {
+
+using namespace std::string_literals;
+
+TEST(Printable, ShowsWhatATerminalWouldObey) {
+    EXPECT_EQ(printable("A\x1b]0;x\a"), "A<U+001B>]0;x<U+0007>");
+    EXPECT_EQ(printable("\xC2\x9B"), "<U+009B>")
+        << "a control sequence introducer in one character";
+    EXPECT_EQ(printable("\xE2\x80\xAE"), "<U+202E>") << "right-to-left override";
+    EXPECT_EQ(printable("a\nb\0c"s), "a<U+000A>b<U+0000>c");
+    EXPECT_EQ(printable("\xFF\xC3"), "<0xFF><0xC3>");
+    EXPECT_EQ(printable("\xED\xA0\x80"), "<0xED><0xA0><0x80>") << "half of a surrogate pair";
+    EXPECT_EQ(printable("\xC0\x80"), "<0xC0><0x80>") << "overlong";
+    EXPECT_EQ(printable("é 三"), "é 三");
+}
+
+RC_GTEST_PROP(Printable, NeverHoldsAControlByte, (const std::string& text)) {
+    for (const char c : printable(text)) {
+        const auto byte = static_cast<unsigned char>(c);
+        RC_ASSERT(byte >= 0x20 && byte != 0x7F);
+    }
+}
+
+TEST(JsonQuoted, EscapesQuotesControlsAndBadBytes) {
+    EXPECT_EQ(json_quoted("a\"b\\c\n\t\x1b"), R"("a\"b\\c\n\t\u001b")");
+    EXPECT_EQ(json_quoted("\xC2\x9B\x7F\xE2\x80\xA8"), R"("\u009b\u007f\u2028")");
+    EXPECT_EQ(json_quoted("\xFF"), R"("\ufffd")");
+    EXPECT_EQ(json_quoted("é"), "\"é\"");
+}
+
+TEST(Shortened, CutsAtCharacters) {
+    EXPECT_EQ(shortened("abcdef", 6), "abcdef");
+    EXPECT_EQ(shortened("abcdefg", 6), "abc...");
+    EXPECT_EQ(shortened("ééééééé", 6), "ééé...");
+    EXPECT_EQ(shortened("abc", 2), "...");
+}
+
+TEST(NearestWord, FindsSlipsAndNothingElse) {
+    EXPECT_EQ(nearest_word("trinagles", {"triangles", "vertices"}), "triangles");
+    EXPECT_EQ(nearest_word("exat", {"double", "exact"}), "exact");
+    EXPECT_EQ(nearest_word("shw", {"show", "stats"}), "show");
+    EXPECT_EQ(nearest_word("frobnicate", {"show", "stats"}), "");
+    EXPECT_EQ(nearest_word(std::string(100000, 'x'), {"show"}), "");
+    EXPECT_EQ(nearest_word("C", {"A", "B"}), "") << "every letter is another one";
+}
+
+TEST(ColorText, ReadsAndWrites) {
+    EXPECT_EQ(parse_color("red"), (Color{255, 0, 0, 255}));
+    EXPECT_EQ(parse_color("#ff8000"), (Color{255, 128, 0, 255}));
+    EXPECT_EQ(parse_color("#FF800040"), (Color{255, 128, 0, 64}));
+    for (const char* text :
+         {"", "#", "#ff80", "#ff800", "#ff80000", "#gg0000", "#+f0000", "reddish"})
+        EXPECT_FALSE(parse_color(text)) << text;
+    EXPECT_EQ(to_text(Color{255, 128, 0, 255}), "#ff8000");
+    EXPECT_EQ(to_text(Color{255, 128, 0, 64}), "#ff800040");
+}
+
+} // namespace
+} // namespace rastertrace

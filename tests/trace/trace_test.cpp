@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: MIT
+#include "picture.h"
+
+#include <rastertrace/trace/frame.h>
+#include <rastertrace/trace/stats.h>
+#include <rastertrace/trace/trace.h>
+#include <rastertrace/trace/write_trace.h>
+
+#include <gtest/gtest.h>
+
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace rastertrace {
+namespace {
+
+std::string trace_text(const Scene& scene, TraceLayout layout = TraceLayout::json) {
+    std::string text;
+    StringOutput output(text);
+    write_trace(scene, {.layout = layout, .filter = {}}, output);
+    return text;
+}
+
+Trace sound_trace(const std::string& text) {
+    auto trace = read_trace({"trace.json", text});
+    if (!trace) {
+        ADD_FAILURE() << to_text(trace.problem());
+        return {};
+    }
+    for (const Problem& problem : trace.value().damage)
+        ADD_FAILURE() << to_text(problem);
+    return std::move(trace.value());
+}
+
+std::string complaint(const std::string& text) {
+    const auto trace = read_trace({"trace.json", text});
+    return trace ? "no complaint" : to_text(trace.problem());
+}
+
+std::vector<std::string> damage(const std::string& text) {
+    const auto trace = read_trace({"trace.json", text});
+    std::vector<std::string> messages;
+    if (!trace)
+        return {"unreadable: " + to_text(trace.problem())};
+    for (const Problem& problem : trace.value().damage)
+        messages.push_back(problem.message);
+    return messages;
+}
+
+/// Replaces the first occurrence.
+std::string with(std::string text, const std::string& from, const std::string& to) {
+    const auto at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return text.replace(at, from.size(), to);
+}
+
+TEST(Trace, RoundTripInBothLayouts) {
+    for (const TraceLayout layout : {TraceLayout::json, TraceLayout::jsonl}) {
+        const Trace trace = sound_trace(trace_text(first_triangle(), layout));
+        EXPECT_EQ(trace.title, "A triangle");
+        EXPECT_EQ(trace.canvas, first_triangle().canvas);
+        EXPECT_EQ(trace.method_value("scalar"), "exact");
+        EXPECT_EQ(trace.size(), 62u);
+        ASSERT_TRUE(trace.end);
+        EXPECT_EQ(trace.end->steps, 62u);
+        EXPECT_EQ(trace.end->pixels, 49u);
+        EXPECT_EQ(trace.end->count.at("scanline"), 9u);
+        EXPECT_EQ(trace.step(14).kind(), StepKind::scanline);
+        EXPECT_EQ(trace.step(14).text("left"), "-1/4");
+        EXPECT_EQ(trace.step(14).whole("from"), -1);
+        EXPECT_FALSE(trace.step(14).field("color"));
+    }
+}
+
+TEST(Trace, FrameIsThePictureAfterAnyStep) {
+    // Step by step against pictures drawn from the steps themselves, going forward and back.
+    const Trace trace = sound_trace(trace_text(first_triangle()));
+    std::vector<Image> pictures{Image(trace.canvas)};
+    for (std::size_t n = 1; n <= trace.size(); ++n) {
+        pictures.push_back(pictures.back());
+        const StepView step = trace.step(n);
+        if (step.kind() == StepKind::pixel)
+            pictures.back().at(
+                {static_cast<int>(*step.whole("x")), static_cast<int>(*step.whole("y"))}) = Color{};
+    }
+    Replay replay(trace);
+    for (const std::size_t n : {0u, 5u, 6u, 62u, 30u, 1u, 61u, 0u}) {
+        replay.go_to(n);
+        EXPECT_EQ(replay.frame().image.colors(), pictures[n].colors()) << n;
+        EXPECT_EQ(frame_after(trace, n).image.colors(), pictures[n].colors()) << n;
+    }
+    EXPECT_EQ(pictures.back().drawn(), 49u);
+}
+
+RC_GTEST_PROP(Trace, ReplaysToThePictureThatWasDrawn, ()) {
+    std::vector<std::string> coordinates;
+    for (int i = 0; i < 6; ++i)
+        coordinates.push_back(std::to_string(*rc::gen::inRange(-90, 91)) + "/8");
+    const Method method{.scalar =
+                            *rc::gen::element(ScalarKind::exact, ScalarKind::double_precision),
+                        .lerp = *rc::gen::element(LerpForm::direct, LerpForm::incremental)};
+    const Scene scene = triangle_scene(coordinates, {.width = 15, .height = 12}, method);
+    const auto layout = *rc::gen::element(TraceLayout::json, TraceLayout::jsonl);
+    const auto trace = read_trace({"t", trace_text(scene, layout)});
+    RC_ASSERT(static_cast<bool>(trace));
+    RC_ASSERT(trace.value().damage.empty());
+    const Frame frame = frame_after(trace.value(), trace.value().size());
+    RC_ASSERT(frame.image.colors() == draw_as_planned(scene).colors());
+    RC_ASSERT(frame_name(frame.image) == trace.value().end->frame);
+    RC_ASSERT(trace_text(scene, layout) == trace_text(scene, layout));
+}
+
+TEST(Trace, CutShortAfterEveryByte) {
+    // Whatever is left, its whole steps are read, and it is said that the rest is missing.
+    const Scene scene = triangle_scene({"0", "0", "2", "0", "0", "2"}, {.width = 5, .height = 5});
+    for (const TraceLayout layout : {TraceLayout::json, TraceLayout::jsonl}) {
+        const std::string whole = trace_text(scene, layout);
+        const std::size_t end_of_header = whole.find('\n');
+        for (std::size_t length = 0; length + 1 < whole.size(); ++length) {
+            const std::string text = whole.substr(0, length);
+            const auto trace = read_trace({"cut.json", text});
+            if (length < end_of_header) {
+                ASSERT_FALSE(trace) << text;
+                EXPECT_NE(trace.problem().line, 0u);
+                continue;
+            }
+            ASSERT_TRUE(trace) << text << "\n" << to_text(trace.problem());
+            // A step is whole when its closing brace is there.
+            std::size_t steps = 0;
+            for (auto at = text.find("\n{\"step\""); at != std::string::npos;
+                 at = text.find("\n{\"step\"", at + 1))
+                steps += whole.find("}", at) < length ? 1 : 0;
+            EXPECT_EQ(trace.value().size(), steps) << text;
+            ASSERT_EQ(trace.value().damage.size(), 1u) << text;
+            EXPECT_NE(trace.value().damage[0].message.find("truncated"), std::string::npos);
+        }
+        EXPECT_TRUE(damage(whole.substr(0, whole.size() - 1)).empty())
+            << "only the last newline is missing";
+    }
+}
+
+TEST(Trace, TruncationIsToldWithItsPlace) {
+    const std::string whole = trace_text(first_triangle());
+    const auto trace = read_trace({"cut.json", whole.substr(0, whole.find("\"y\":4,") + 3)});
+    ASSERT_TRUE(trace);
+    EXPECT_EQ(
+        to_text(trace.value().damage.at(0)),
+        "cut.json:8:1: expected the rest of the trace, found the end of the file: the trace is "
+        "truncated after 6 whole steps\n"
+        "{\"step\":\"scanline\",\"y\"\n"
+        "^");
+}
+
+TEST(Trace, UnknownStepsAndFieldsAreKept) {
+    const std::string text =
+        with(with(trace_text(first_triangle()), R"({"step":"pixel","x":2,"y":5})",
+                  R"({"step":"pixel","x":2,"y":5,"shader":{"name":"caf\u00e9","inputs":[1,2]}},
+{"step":"tile","x":0,"note":"foreign"})"),
+             R"("steps":62)", R"("steps":63)");
+    const Trace trace = sound_trace(text);
+    EXPECT_EQ(trace.size(), 63u);
+    EXPECT_EQ(trace.step(6).field("shader"), R"({"name":"caf\u00e9","inputs":[1,2]})");
+    EXPECT_EQ(trace.step(7).kind_name(), "tile");
+    EXPECT_EQ(trace.step(7).kind(), std::nullopt);
+    EXPECT_EQ(trace.step(7).text("note"), "foreign");
+    EXPECT_EQ(frame_after(trace, 63).image.drawn(), 49u);
+}
+
+TEST(Trace, AnyLayoutOfTheDocumentIsRead) {
+    // As other programs may write it: on one line, or with blanks everywhere and keys in another
+    // order.
+    std::string one_line = trace_text(first_triangle());
+    one_line.erase(std::remove(one_line.begin(), one_line.end(), '\n'), one_line.end());
+    EXPECT_EQ(sound_trace(one_line).size(), 62u);
+
+    const Trace spread =
+        sound_trace("{\n \"steps\": [\n  { \"y\": 1,\n \"x\": -1, \"step\": \"pixel\" }\n ],"
+                    "\r\n \"canvas\": {\"width\": 3, \"height\": 3},\n"
+                    " \"end\": {\"steps\": 1},\n \"rastertrace\": 1\n}\n");
+    EXPECT_EQ(picture_of(frame_after(spread, 1).image), "#..\n...\n...\n");
+    EXPECT_TRUE(is_trace({"t", "{\n \"steps\": [],\n \"rastertrace\": 1}"}));
+    EXPECT_FALSE(is_trace({"t", "{\"vertices\": {}}"}));
+
+    std::string carriage_returns = with(trace_text(first_triangle()), "],\n", "],\r\n");
+    EXPECT_EQ(sound_trace("\xEF\xBB\xBF" + carriage_returns).size(), 62u);
+}
+
+TEST(Trace, ANewerVersionIsRefused) {
+    EXPECT_EQ(
+        complaint(with(trace_text(first_triangle()), "{\"rastertrace\":1", "{\"rastertrace\":2")),
+        "trace.json:1:16: expected a trace of version 1, found version 2\n"
+        "{\"rastertrace\":2,\"title\":\"A triangle\",\"canvas\":{\"width\"...\n"
+        "               ^\n"
+        "hint: a newer rastertrace has written it");
+}
+
+TEST(Trace, ALineThatIsNoStepIsRefusedWithItsPlace) {
+    const std::string whole = trace_text(first_triangle());
+    EXPECT_EQ(complaint(with(whole, R"({"step":"pixel","x":2,"y":5})",
+                             R"({"step":"pixel","x":2 "y":5})")),
+              "trace.json:7:23: expected ',' or '}', found a string\n"
+              "{\"step\":\"pixel\",\"x\":2 \"y\":5},\n"
+              "                      ^");
+    EXPECT_EQ(
+        complaint(with(whole, R"({"step":"pixel","x":2,"y":5})", R"({"step":"pixel","x":2})")),
+        "trace.json:7:1: expected a pixel step with the key \"y\", found none\n"
+        "{\"step\":\"pixel\",\"x\":2},\n"
+        "^");
+    EXPECT_EQ(complaint(with(whole, R"("x":2,"y":5})", R"("x":2.9,"y":5})")),
+              "trace.json:7:21: expected a whole number, found 2.9\n"
+              "{\"step\":\"pixel\",\"x\":2.9,\"y\":5},\n"
+              "                    ^");
+    EXPECT_EQ(complaint(with(whole, R"("x":2,"y":5})", R"("x":2,"x":3,"y":5})")),
+              "trace.json:7:23: expected each key once, found \"x\" again\n"
+              "{\"step\":\"pixel\",\"x\":2,\"x\":3,\"y\":5},\n"
+              "                      ^");
+    EXPECT_EQ(
+        complaint(with(whole, R"("left":"5/4")", R"("left":"5/0")")),
+        "trace.json:8:33: expected a number, or an exact one like \"25/8\", found \"5/0\"\n"
+        "{\"step\":\"scanline\",\"y\":4,\"left\":\"5/0\",\"right\":\"19/8\",\"from\":1,\"to\":2,"
+        "\"le...\n"
+        "                                ^");
+    EXPECT_EQ(complaint(with(whole, R"({"step":"pixel","x":2,"y":5})", R"([1,2])")),
+              "trace.json:7:1: expected a step, found an array of 2\n"
+              "[1,2],\n"
+              "^");
+}
+
+TEST(Trace, PixelsOffTheCanvasAreToldAndNotDrawn) {
+    const std::string text =
+        with(trace_text(first_triangle()), R"("x":2,"y":5})", R"("x":9,"y":3000000000})");
+    EXPECT_EQ(damage(text), std::vector<std::string>{"expected pixels on the canvas (x -8..8, y "
+                                                     "7..-6), found (9, 3000000000)"});
+    const auto trace = read_trace({"t", text});
+    EXPECT_EQ(frame_after(trace.value(), 62).image.drawn(), 48u);
+}
+
+TEST(Trace, CountsThatDoNotAgreeAreTold) {
+    EXPECT_EQ(
+        damage(with(trace_text(first_triangle()), "{\"step\":\"pixel\",\"x\":2,\"y\":5},\n", "")),
+        (std::vector<std::string>{"expected 62 steps as the end record says, found 61",
+                                  "expected 49 pixel steps as the end record says, found 48"}));
+}
+
+TEST(Trace, AHeaderThatCannotBeUsed) {
+    EXPECT_EQ(complaint("{\"rastertrace\":1}").substr(0, 59),
+              "trace.json:1:1: expected the key \"canvas\", found none\n{\"ras");
+    EXPECT_EQ(
+        complaint(with(trace_text(first_triangle()), "\"width\":17", "\"width\":2147483648"))
+            .substr(0, 94),
+        "trace.json:1:57: expected a whole number of pixels from 1 to 16384, found 2147483648\n"
+        "{\"rastert");
+}
+
+TEST(Stats, CountWritesAndOverdraw) {
+    Scene scene = first_triangle();
+    scene.triangles.push_back(scene.triangles[0]);
+    const Stats stats = stats_of(sound_trace(trace_text(scene)));
+    EXPECT_EQ(stats.pixels, 49u);
+    EXPECT_EQ(stats.writes, 98u);
+    ASSERT_EQ(stats.primitives.size(), 2u);
+    EXPECT_EQ(stats.primitives[0].over, 0u);
+    EXPECT_EQ(stats.primitives[1].over, 49u);
+    EXPECT_FALSE(stats.frame_differs);
+}
+
+TEST(Stats, FindAnotherPictureThanTheEndRecordNames) {
+    const std::string text = with(trace_text(first_triangle()), "\"frame\":\"", "\"frame\":\"0");
+    EXPECT_TRUE(stats_of(sound_trace(text)).frame_differs);
+}
+
+// A short fuzz: damaged traces are read or refused, never more. tests/fuzz has the long one.
+RC_GTEST_PROP(Trace, SurvivesAnyDamage, ()) {
+    std::string text =
+        trace_text(first_triangle(), *rc::gen::element(TraceLayout::json, TraceLayout::jsonl));
+    const int changes = *rc::gen::inRange(1, 6);
+    for (int i = 0; i < changes && !text.empty(); ++i) {
+        const auto at = *rc::gen::inRange<std::size_t>(0, text.size());
+        const auto size = *rc::gen::inRange<std::size_t>(0, 40);
+        switch (*rc::gen::inRange(0, 3)) {
+        case 0:
+            text[at] = *rc::gen::arbitrary<char>();
+            break;
+        case 1:
+            text.erase(at, size);
+            break;
+        default:
+            text.insert(at, text.substr(text.size() - at, size));
+            break;
+        }
+    }
+    const auto trace = read_trace({"t", text});
+    if (trace) {
+        const Frame frame = frame_after(trace.value(), trace.value().size());
+        RC_ASSERT(frame.image.colors().size() <= 67'108'864u);
+    }
+    is_trace({"t", text});
+}
+
+} // namespace
+} // namespace rastertrace

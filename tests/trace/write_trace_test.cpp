@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include "picture.h"
+
+#include <rastertrace/trace/write_trace.h>
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace rastertrace {
+namespace {
+
+std::string trace_of(const Scene& scene, const TraceOptions& options = {}) {
+    std::string text;
+    StringOutput output(text);
+    write_trace(scene, options, output);
+    return text;
+}
+
+/// (0,0) (2,0) (0,2) on a canvas of 3x3: left, below and far enough to the right to be cut.
+Scene small_scene(Method method = {.scalar = ScalarKind::exact}) {
+    Scene scene = triangle_scene({"-1/2", "-1", "3", "-1", "0", "2"},
+                                 {.width = 3, .height = 3, .origin = Origin::bottom_left}, method);
+    scene.title = "Small";
+    scene.triangles[0].color = {255, 128, 0, 255};
+    return scene;
+}
+
+const std::string small_json =
+    R"({"rastertrace":1,"title":"Small","canvas":{"width":3,"height":3,"origin":"bottom-left"},"method":{"scalar":"exact","fill":"scanline","rounding":"floor","lerp":"direct"},"steps":[
+{"step":"primitive","kind":"triangle","name":"ABC","vertices":["A","B","C"],"at":[["-1/2","-1"],["3","-1"],["0","2"]],"color":"#ff8000"},
+{"step":"edge","edge":"CA","dx_dy":"1/6"},
+{"step":"edge","edge":"AB","dx_dy":null},
+{"step":"edge","edge":"CB","dx_dy":"-1"},
+{"step":"reject","y":-1,"to_y":-1,"why":"off-canvas"},
+{"step":"scanline","y":2,"left":"0","right":"0","from":0,"to":0,"left_edge":"CA","right_edge":"CB"},
+{"step":"pixel","x":0,"y":2},
+{"step":"scanline","y":1,"left":"-1/6","right":"1","from":-1,"to":1,"left_edge":"CA","right_edge":"CB"},
+{"step":"reject","x":-1,"to_x":-1,"y":1,"why":"off-canvas"},
+{"step":"pixel","x":0,"y":1},
+{"step":"pixel","x":1,"y":1},
+{"step":"scanline","y":0,"left":"-1/3","right":"2","from":-1,"to":2,"left_edge":"CA","right_edge":"CB"},
+{"step":"reject","x":-1,"to_x":-1,"y":0,"why":"off-canvas"},
+{"step":"pixel","x":0,"y":0},
+{"step":"pixel","x":1,"y":0},
+{"step":"pixel","x":2,"y":0}
+],
+"end":{"steps":16,"count":{"primitive":1,"edge":3,"scanline":3,"pixel":6,"reject":3},"pixels":6,"frame":")";
+
+TEST(WriteTrace, OneDocumentOneStepPerLine) {
+    const std::string text = trace_of(small_scene());
+    EXPECT_EQ(text.substr(0, small_json.size()), small_json);
+    EXPECT_EQ(text.size(), small_json.size() + 16 + 4) << "the frame's name, and \"}}";
+    EXPECT_TRUE(text.ends_with("\"}}\n"));
+}
+
+TEST(WriteTrace, JsonLinesHoldTheSameSteps) {
+    std::string expected = trace_of(small_scene());
+    const auto replace = [&expected](const std::string& from, const std::string& to) {
+        for (auto at = expected.find(from); at != std::string::npos; at = expected.find(from))
+            expected.replace(at, from.size(), to);
+    };
+    replace(",\"steps\":[\n", "}\n");
+    replace("\n],\n", "\n{");
+    replace("},\n", "}\n");
+    EXPECT_EQ(trace_of(small_scene(), {.layout = TraceLayout::jsonl, .filter = {}}), expected);
+}
+
+TEST(WriteTrace, FrameIsNamedByFnv1aOfItsBytes) {
+    // Two pixels, one of them drawn #ff8000: FNV-1a of 00 00 00 00 ff 80 00 ff, worked by hand in
+    // 64-bit arithmetic: h = (h ^ byte) * 0x100000001b3, from 0xcbf29ce484222325.
+    Image image({.width = 2, .height = 1, .origin = Origin::top_left});
+    image.at({1, 0}) = {255, 128, 0, 255};
+    EXPECT_EQ(frame_name(image), "78ef2f8890c7e023");
+}
+
+TEST(WriteTrace, InDoubleQuantitiesAreNumbers) {
+    const std::string text = trace_of(small_scene({}));
+    EXPECT_NE(text.find(R"("dx_dy":0.16666666666666666})"), std::string::npos);
+    EXPECT_NE(text.find(R"("left":-0.16666666666666666,"right":1,)"), std::string::npos) << text;
+    EXPECT_NE(text.find(R"("at":[[-0.5,-1],[3,-1],[0,2]])"), std::string::npos);
+}
+
+TEST(WriteTrace, TiesAreSaidOnlyWhenTheyAreInForce) {
+    EXPECT_NE(trace_of(small_scene({.rounding = Rounding::nearest}))
+                  .find(R"("rounding":"nearest","ties":"up","lerp")"),
+              std::string::npos);
+    EXPECT_EQ(trace_of(small_scene()).find("ties"), std::string::npos);
+}
+
+TEST(WriteTrace, OnlySomeKinds) {
+    const TraceOptions options{
+        .layout = TraceLayout::jsonl,
+        .filter = {.only = {{StepKind::scanline, StepKind::skip}}, .region = {}}};
+    const std::string text = trace_of(small_scene(), options);
+    EXPECT_NE(text.find(R"("only":["scanline","skip"]})"), std::string::npos);
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1 + 3 + 1);
+    EXPECT_NE(text.find(R"({"end":{"steps":3,"count":{"scanline":3},"pixels":6,)"),
+              std::string::npos)
+        << "the picture is the whole one";
+}
+
+TEST(WriteTrace, OnlyARegion) {
+    const TraceOptions options{.layout = TraceLayout::jsonl,
+                               .filter = {.only = {}, .region = Region{1, 0, 2, 0}}};
+    const std::string text = trace_of(small_scene(), options);
+    EXPECT_NE(text.find(R"("region":[1,0,2,0]})"), std::string::npos);
+    EXPECT_NE(text.find(R"("count":{"primitive":1,"edge":3,"scanline":1,"pixel":2})"),
+              std::string::npos)
+        << text;
+}
+
+TEST(WriteTrace, NamesAreEscaped) {
+    Scene scene = small_scene();
+    scene.title = "a\"\x1b]0;x\x07\n";
+    scene.vertices[0].name = "\xC2\x9B";
+    const std::string text = trace_of(scene);
+    for (const char c : text)
+        EXPECT_TRUE(c == '\n' || static_cast<unsigned char>(c) >= 0x20);
+    EXPECT_NE(text.find(R"("title":"a\"\u001b]0;x\u0007\n")"), std::string::npos);
+    EXPECT_NE(text.find(R"("edge":"C\u009b")"), std::string::npos);
+}
+
+/// Refuses everything behind the first `room` bytes, as a full disk does.
+class FullOutput final : public Output {
+public:
+    explicit FullOutput(std::size_t room) : room_(room) {}
+    void write(std::string_view bytes) override {
+        if (bytes.size() > room_)
+            throw problem_of("disk", "full");
+        room_ -= bytes.size();
+    }
+
+private:
+    std::size_t room_;
+};
+
+TEST(WriteTrace, AFullOutputStopsIt) {
+    const std::string whole = trace_of(small_scene());
+    FullOutput enough(whole.size());
+    EXPECT_NO_THROW(write_trace(small_scene(), {}, enough));
+    FullOutput too_small(whole.size() - 1);
+    EXPECT_THROW(write_trace(small_scene(), {}, too_small), Problem);
+}
+
+TEST(WriteTrace, MemoryDoesNotGrowWithTheSteps) {
+    // A picture of a million pixels, a trace of 30 MB: never more than one buffer at a time.
+    class LargestWrite final : public Output {
+    public:
+        void write(std::string_view bytes) override {
+            largest = std::max(largest, bytes.size());
+            total += bytes.size();
+        }
+        std::size_t largest = 0, total = 0;
+    };
+    LargestWrite output;
+    write_trace(triangle_scene({"-500", "-500", "1500", "-500", "-500", "1500"},
+                               {.width = 1000, .height = 1000}, {}),
+                {}, output);
+    EXPECT_GT(output.total, 20'000'000u);
+    EXPECT_LT(output.largest, 1'000'000u);
+}
+
+} // namespace
+} // namespace rastertrace

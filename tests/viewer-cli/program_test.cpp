@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: MIT
+// The program as a user meets it: what it prints, where, and with which exit status.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+extern char** environ;
+
+namespace rastertrace {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+struct Outcome {
+    int status = -1; ///< as the shell tells it: 128 + signal if it was killed
+    std::string out;
+    std::string err;
+};
+
+class ProgramTest : public testing::Test {
+protected:
+    ProgramTest() {
+        std::string pattern = (fs::temp_directory_path() / "rastertrace-XXXXXX").string();
+        folder_ = ::mkdtemp(pattern.data());
+    }
+    ~ProgramTest() override { fs::remove_all(folder_); }
+
+    /// Runs a shell command in the test's own folder; $rastertrace is the program, $examples the
+    /// folder of examples.
+    Outcome shell(const std::string& command) const {
+        const std::string script = "cd '" + folder_.string() + "' || exit 99; rastertrace='" +
+                                   std::string(RASTERTRACE_PROGRAM) + "'; examples='" +
+                                   std::string(RASTERTRACE_EXAMPLES) + "'; unset COLUMNS LINES; " +
+                                   command;
+        const std::string out = (folder_ / ".out").string();
+        const std::string err = (folder_ / ".err").string();
+        posix_spawn_file_actions_t actions;
+        posix_spawn_file_actions_init(&actions);
+        posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
+        posix_spawn_file_actions_addopen(&actions, 1, out.c_str(), O_WRONLY | O_CREAT | O_TRUNC,
+                                         0600);
+        posix_spawn_file_actions_addopen(&actions, 2, err.c_str(), O_WRONLY | O_CREAT | O_TRUNC,
+                                         0600);
+        std::vector<std::string> words{"/bin/sh", "-c", script};
+        std::vector<char*> arguments;
+        for (std::string& word : words)
+            arguments.push_back(word.data());
+        arguments.push_back(nullptr);
+        pid_t child = 0;
+        EXPECT_EQ(::posix_spawn(&child, "/bin/sh", &actions, nullptr, arguments.data(), environ),
+                  0);
+        posix_spawn_file_actions_destroy(&actions);
+        int status = 0;
+        ::waitpid(child, &status, 0);
+        return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), content(".out"),
+                content(".err")};
+    }
+
+    void write(const std::string& name, const std::string& text) const {
+        std::ofstream(folder_ / name) << text;
+    }
+    std::string content(const std::string& name) const {
+        std::ostringstream text;
+        text << std::ifstream(folder_ / name).rdbuf();
+        return text.str();
+    }
+    std::size_t visible_files() const {
+        return static_cast<std::size_t>(std::count_if(
+            fs::directory_iterator(folder_), fs::directory_iterator(),
+            [](const auto& entry) { return entry.path().filename().string().front() != '.'; }));
+    }
+
+    fs::path folder_;
+};
+
+TEST_F(ProgramTest, ShowsThePictureOfTheTextbook) {
+    const Outcome outcome =
+        shell("$rastertrace show $examples/t0-fill/first-triangle.json --last --bare");
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_EQ(outcome.out, ".................\n"
+                           ".................\n"
+                           "..........#......\n"
+                           ".........##......\n"
+                           "........###......\n"
+                           ".......#####.....\n"
+                           ".......#####.....\n"
+                           "......######.....\n"
+                           ".....########....\n"
+                           "....#########....\n"
+                           "....##########...\n"
+                           ".................\n"
+                           ".................\n"
+                           ".................\n");
+}
+
+TEST_F(ProgramTest, ShowsFramesOfEveryRow) {
+    const Outcome outcome =
+        shell("$rastertrace show $examples/t0-fill/first-triangle.json --every scanline");
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_THAT(
+        outcome.out,
+        HasSubstr("\n\nFirst triangle                                             steps 14 "
+                  "to 19 of 62\n"
+                  "scanline y=2   left AB: x = 2 + 3/4 (2 - 5) = -1/4 -> -1   right AC: x = "
+                  "2 - 3/8 (2 - 5) = 25/8 -> 3\n\n"
+                  "     -8-7-6-5-4-3-2-1 0 1 2 3 4 5 6 7 8\n"));
+    EXPECT_THAT(outcome.out, HasSubstr("\n> 2   . . . . . . . @ @ @ @ @ . . . . .\n"));
+    EXPECT_EQ(outcome.out.find("\x1b"), std::string::npos);
+}
+
+TEST_F(ProgramTest, TraceOfASceneIsReadBackTheSame) {
+    EXPECT_EQ(shell("$rastertrace trace $examples/t0-fill/first-triangle.json -o t.json").status,
+              0);
+    EXPECT_EQ(shell("$rastertrace trace $examples/t0-fill/first-triangle.json -o t.jsonl").status,
+              0);
+    EXPECT_EQ(
+        shell("$rastertrace trace - <$examples/t0-fill/first-triangle.json >piped.json").status, 0);
+    EXPECT_EQ(content("piped.json"), content("t.json"));
+    EXPECT_EQ(visible_files(), 3u);
+    const std::string stats = shell("$rastertrace stats t.json").out;
+    EXPECT_EQ(shell("$rastertrace stats - <t.jsonl").out, stats);
+    EXPECT_EQ(shell("$rastertrace stats $examples/t0-fill/first-triangle.json").out, stats);
+    EXPECT_THAT(stats, HasSubstr("steps       62\n"));
+    EXPECT_THAT(stats, HasSubstr("pixels      49 of 238 on the canvas\n"));
+    EXPECT_THAT(
+        shell("$rastertrace stats --json t.json").out,
+        StartsWith(R"({"title":"First triangle","steps":62,"count":{"primitive":1,"edge":3,)"));
+}
+
+TEST_F(ProgramTest, SameSceneSameBytesInEveryLocaleAndTimeZone) {
+    shell("$rastertrace trace $examples/t0-fill/first-triangle.json --scalar double -o a.json");
+    shell("LC_ALL=de_DE.UTF-8 TZ=Asia/Tokyo $rastertrace trace "
+          "$examples/t0-fill/first-triangle.json --scalar double -o b.json");
+    EXPECT_FALSE(content("a.json").empty());
+    EXPECT_EQ(content("a.json"), content("b.json"));
+}
+
+TEST_F(ProgramTest, MethodIsOverriddenOnTheCommandLine) {
+    const Outcome outcome =
+        shell("$rastertrace stats $examples/t0-fill/first-triangle.json --rounding truncate");
+    EXPECT_THAT(outcome.out, HasSubstr("pixels      45 of 238"));
+    const Outcome refused =
+        shell("$rastertrace trace $examples/t0-fill/first-triangle.json -o t.json; "
+              "$rastertrace show t.json --rounding truncate");
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_EQ(refused.err,
+              "rastertrace: t.json: expected a scene to draw with --rounding truncate, "
+              "found a trace, which is drawn already\n");
+    EXPECT_EQ(shell("$rastertrace show x --rounding trunkate").err,
+              "rastertrace: --rounding: expected one of floor, nearest, truncate, inside, found "
+              "\"trunkate\"\nhint: did you mean truncate?\n");
+}
+
+TEST_F(ProgramTest, ErrorsHaveFileLineColumnAndCaret) {
+    write("bad.json", "{\"vertices\": {\"A\": [2, 5]},\n \"trinagles\": [\"AAA\"]}\n");
+    const Outcome outcome = shell("$rastertrace trace bad.json -o t.json");
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(outcome.err,
+              "rastertrace: bad.json:2:2: expected a key out of title, canvas, vertices, "
+              "triangles, method, found \"trinagles\"\n"
+              " \"trinagles\": [\"AAA\"]}\n"
+              " ^\n"
+              "hint: did you mean \"triangles\"?\n");
+    EXPECT_EQ(visible_files(), 1u) << "nothing was written";
+}
+
+TEST_F(ProgramTest, FilesThatCannotBeRead) {
+    EXPECT_EQ(
+        shell("$rastertrace show no-such-file.json").err,
+        "rastertrace: no-such-file.json: expected a file that can be read, found: No such file "
+        "or directory\n");
+    EXPECT_EQ(shell("$rastertrace show no-such-file.json").status, 2);
+    EXPECT_EQ(shell("$rastertrace show .").err,
+              "rastertrace: .: expected a file, found a folder\n");
+    EXPECT_EQ(shell("$rastertrace show .").status, 2);
+    EXPECT_EQ(shell("$rastertrace show - <&-").status, 3);
+    EXPECT_EQ(shell("head -c 3000 $rastertrace >binary; $rastertrace show binary").status, 2);
+}
+
+TEST_F(ProgramTest, AFullDiskLeavesNoHalfFile) {
+    EXPECT_EQ(shell("$rastertrace trace $examples/t0-fill/first-triangle.json >/dev/full").status,
+              3);
+    const Outcome device =
+        shell("$rastertrace trace $examples/t0-fill/first-triangle.json -o /dev/full");
+    EXPECT_EQ(device.status, 3);
+    EXPECT_EQ(device.err,
+              "rastertrace: /dev/full: could not be written: No space left on device\n");
+    // A limit of one block of 512 bytes; the signal that comes with it is ignored.
+    write("old.json", "old");
+    const Outcome limited = shell("trap '' XFSZ; ulimit -f 1; $rastertrace trace "
+                                  "$examples/t0-fill/first-triangle.json -o old.json");
+    EXPECT_EQ(limited.status, 3);
+    EXPECT_THAT(limited.err, StartsWith("rastertrace: old.json: could not be written: "));
+    EXPECT_EQ(content("old.json"), "old");
+    EXPECT_EQ(visible_files(), 1u);
+}
+
+TEST_F(ProgramTest, TheSceneIsNotOverwritten) {
+    const std::string scene = R"({"vertices": {"A": [2, 5]}, "triangles": ["AAA"]})";
+    write("scene.json", scene);
+    const Outcome outcome = shell("ln -s scene.json link.json; "
+                                  "$rastertrace trace scene.json -o link.json");
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("expected another file than the scene itself"));
+    EXPECT_EQ(content("scene.json"), scene);
+}
+
+TEST_F(ProgramTest, AClosedPipeEndsItQuietly) {
+    write("big.json", R"({"canvas": {"width": 600, "height": 600},
+        "vertices": {"A": [-300, -300], "B": [300, -300], "C": [0, 300]}, "triangles": ["ABC"]})");
+    const Outcome outcome = shell("{ $rastertrace trace big.json; echo $? >status; } | head -1");
+    EXPECT_THAT(outcome.out, StartsWith("{\"rastertrace\":1,"));
+    EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 1);
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_EQ(content("status"), "141\n") << "ended by the signal, as other programs are";
+}
+
+TEST_F(ProgramTest, ATruncatedTraceIsShownAsFarAsItGoes) {
+    const Outcome outcome =
+        shell("$rastertrace trace $examples/t0-fill/first-triangle.json | head -c 900 >cut.json; "
+              "$rastertrace show cut.json --bare");
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_THAT(outcome.out, StartsWith(".................\n"));
+    EXPECT_THAT(outcome.out, HasSubstr("#"));
+    EXPECT_THAT(outcome.err, HasSubstr("the trace is truncated after "));
+}
+
+TEST_F(ProgramTest, StepsOutOfRangeAndKindsThatAreNotThere) {
+    const std::string scene = " $examples/t0-fill/first-triangle.json";
+    EXPECT_THAT(shell("$rastertrace show" + scene + " --step 63").err,
+                EndsWith("first-triangle.json: expected a step from 0 to 62, found 63\n"));
+    EXPECT_EQ(shell("$rastertrace show" + scene + " --step 63").status, 2);
+    EXPECT_EQ(shell("$rastertrace show" + scene + " --step 0 --bare").status, 0);
+    EXPECT_EQ(shell("$rastertrace show" + scene + " --step -1").err,
+              "rastertrace: --step: expected the number of a step, from 0, found \"-1\"\n");
+    EXPECT_THAT(shell("$rastertrace show" + scene + " --every skanline").err,
+                EndsWith("expected a kind of step that the trace has (primitive, edge, scanline, "
+                         "pixel), found skanline\n"));
+    EXPECT_EQ(shell("$rastertrace show" + scene + " --last --all").status, 2);
+}
+
+TEST_F(ProgramTest, UsageErrorsNameTheWordAndANearOne) {
+    EXPECT_EQ(shell("$rastertrace").status, 2);
+    EXPECT_THAT(shell("$rastertrace").err, HasSubstr("rastertrace show examples/"));
+    EXPECT_EQ(shell("$rastertrace shw x").err,
+              "rastertrace: expected a command out of trace, show, stats, help, found \"shw\"\n"
+              "hint: did you mean show?\n");
+    EXPECT_EQ(shell("$rastertrace show x --evry pixel").err,
+              "rastertrace show: --evry: no such option\nhint: did you mean --every?\n"
+              "see rastertrace show --help\n");
+    EXPECT_EQ(shell("$rastertrace show x --evry pixel").status, 2);
+    EXPECT_EQ(shell("$rastertrace trace x --only pixle").err,
+              "rastertrace: --only: expected kinds of step out of "
+              "primitive,edge,scanline,pixel,reject,skip, found \"pixle\"\n"
+              "hint: did you mean pixel?\n");
+    EXPECT_EQ(shell("$rastertrace trace x --region 1,2,3").err,
+              "rastertrace: --region: expected two corners as x0,y0,x1,y1, like -4,-3,2,5, found "
+              "\"1,2,3\"\n");
+}
+
+TEST_F(ProgramTest, RegionMayBeginWithANegativeNumber) {
+    const Outcome outcome = shell("$rastertrace trace $examples/t0-fill/first-triangle.json "
+                                  "--region -4,-3,-3,-3 --only pixel");
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("\"count\":{\"pixel\":2}"));
+}
+
+TEST_F(ProgramTest, HelpOfEveryCommandHasAnExampleThatWorks) {
+    EXPECT_THAT(shell("$rastertrace --version").out, StartsWith("rastertrace "));
+    EXPECT_EQ(shell("$rastertrace --help").status, 0);
+    for (const std::string command : {"trace", "show", "stats"}) {
+        const Outcome help = shell("$rastertrace " + command + " --help");
+        EXPECT_EQ(help.status, 0);
+        EXPECT_EQ(help.err, "");
+        EXPECT_EQ(shell("$rastertrace help " + command).out, help.out);
+        const auto example = help.out.find("Example: rastertrace ");
+        ASSERT_NE(example, std::string::npos) << command;
+        std::string line = help.out.substr(example + 21);
+        line = line.substr(0, line.find('\n'));
+        EXPECT_EQ(shell("ln -sf $examples examples; $rastertrace " + line).status, 0) << line;
+    }
+}
+
+TEST_F(ProgramTest, NothingFromAFileReachesTheTerminalRaw) {
+    write("evil.json", "{\"title\": \"a\\u001b]0;x\\u0007\\u009b\\u202e\\n\", \"vertices\": "
+                       "{\"\\u001b[2J\": [1, 1]}, \"triangles\": [[\"\\u001b[2J\", \"\\u001b[2J\", "
+                       "\"\\u001b[2J\"]]}");
+    for (const std::string command : {"trace", "show --all", "stats", "stats --json"}) {
+        const Outcome outcome = shell("$rastertrace " + command + " evil.json");
+        EXPECT_EQ(outcome.status, 0) << outcome.err;
+        EXPECT_EQ(outcome.out.find('\x1b'), std::string::npos) << command;
+        EXPECT_EQ(outcome.out.find('\a'), std::string::npos) << command;
+        EXPECT_EQ(outcome.out.find("\xC2\x9B"), std::string::npos) << command;
+        EXPECT_EQ(outcome.out.find("\xE2\x80\xAE"), std::string::npos) << command;
+    }
+}
+
+} // namespace
+} // namespace rastertrace
