@@ -54,9 +54,9 @@ std::optional<Color> parse_color(std::string_view text) {
 }
 
 std::string to_text(Color color) {
-    std::string text = fmt::format("#{:02x}{:02x}{:02x}", color.red, color.green, color.blue);
-    if (color.alpha != 255)
-        text += fmt::format("{:02x}", color.alpha);
+    std::string text = fmt::format("#{:02x}{:02x}{:02x}", color.red(), color.green(), color.blue());
+    if (color.alpha() != 255)
+        text += fmt::format("{:02x}", color.alpha());
     return text;
 }
 

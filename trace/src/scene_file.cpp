@@ -218,7 +218,7 @@ private:
         const auto color = parse_color(string_in(value, expected));
         if (!color)
             fail_expecting(value, expected, did_you_mean(value.text, color_names()));
-        if (color->alpha == 0)
+        if (color->alpha() == 0)
             fail_expecting(value, "a color that can be seen (alpha above 00)");
         return *color;
     }

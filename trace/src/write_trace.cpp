@@ -69,10 +69,10 @@ std::string frame_name(const Image& image) {
     std::uint64_t hash = 0xCBF29CE484222325; // FNV-1a's offset basis and prime for 64 bits
     const auto mix = [&hash](std::uint8_t byte) { hash = (hash ^ byte) * 0x100000001B3; };
     for (const Color& color : image.colors()) {
-        mix(color.red);
-        mix(color.green);
-        mix(color.blue);
-        mix(color.alpha);
+        mix(color.red());
+        mix(color.green());
+        mix(color.blue());
+        mix(color.alpha());
     }
     return fmt::format("{:016x}", hash);
 }

@@ -66,16 +66,15 @@ void plot_span(int y, Index from, Index to, Color color, Image& image, Sink&& si
         return;
     const Index left = image.canvas().left();
     const Index right = image.canvas().right();
-
     if (from < left)
         sink(PixelsRejected{.y = y, .from = from, .to = std::min(to, left - 1)});
 
     const auto first = static_cast<int>(std::clamp(from, left, right + 1));
     const auto last = static_cast<int>(std::clamp(to, left - 1, right));
+    Color* const row = image.row(y).data();
     for (int x = first; x <= last; ++x) {
-        const Pixel pixel{x, y};
-        image.at(pixel) = color;
-        sink(PixelPlotted{.pixel = pixel, .color = color});
+        row[x - left] = color;
+        sink(PixelPlotted{.pixel = {x, y}, .color = color});
     }
 
     if (to > right)
@@ -84,7 +83,7 @@ void plot_span(int y, Index from, Index to, Color color, Image& image, Sink&& si
 
 /// Reports the rows from `first_y` down to `last_y` that lie above or below the canvas.
 template <typename Sink>
-    requires SinkFor<Sink, RowsRejected>
+requires SinkFor<Sink, RowsRejected>
 void report_rejected_rows(Index first_y, Index last_y, const Canvas& canvas, Sink&& sink) {
     const int down = canvas.down();
     if (canvas.row_of(first_y) < 0)
@@ -95,7 +94,7 @@ void report_rejected_rows(Index first_y, Index last_y, const Canvas& canvas, Sin
 
 /// Reports that an edge is known.
 template <typename Scalar, typename Sink>
-    requires SinkFor<Sink, EdgeSetUp<Scalar>>
+requires SinkFor<Sink, EdgeSetUp<Scalar>>
 void report_edge(const Edge<Scalar>& edge, Sink&& sink) {
     sink(EdgeSetUp<Scalar>{
         .edge = edge.name, .is_horizontal = edge.is_horizontal, .dx_dy = edge.dx_dy});

@@ -11,19 +11,32 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace rastertrace {
 
-/// Red, green, blue and alpha, 0 to 255 each. Alpha 0 is kept for pixels that nothing has drawn:
-/// `no_color` is what an image starts with, and no primitive may have a color with alpha 0.
-struct Color {
-    std::uint8_t red = 0;
-    std::uint8_t green = 0;
-    std::uint8_t blue = 0;
-    std::uint8_t alpha = 255;
+/// Red, green, blue and alpha, 0 to 255 each, in one word: a picture is filled a word at a time.
+/// Alpha 0 is kept for pixels that nothing has drawn: `no_color` is what an image starts with, and no
+/// primitive may have a color with alpha 0.
+class Color {
+public:
+    /// Opaque black.
+    constexpr Color() : Color(0, 0, 0) {}
+    constexpr Color(std::uint8_t red, std::uint8_t green, std::uint8_t blue,
+                    std::uint8_t alpha = 255)
+        : word_(std::uint32_t{red} | std::uint32_t{green} << 8 | std::uint32_t{blue} << 16 |
+                std::uint32_t{alpha} << 24) {}
 
-    friend bool operator==(const Color&, const Color&) = default;
+    constexpr std::uint8_t red() const { return static_cast<std::uint8_t>(word_); }
+    constexpr std::uint8_t green() const { return static_cast<std::uint8_t>(word_ >> 8); }
+    constexpr std::uint8_t blue() const { return static_cast<std::uint8_t>(word_ >> 16); }
+    constexpr std::uint8_t alpha() const { return static_cast<std::uint8_t>(word_ >> 24); }
+
+    friend constexpr bool operator==(const Color&, const Color&) = default;
+
+private:
+    std::uint32_t word_;
 };
 
 inline constexpr Color no_color{0, 0, 0, 0};
@@ -42,6 +55,12 @@ public:
     /// The color of a pixel of the canvas.
     Color& at(Pixel pixel) { return colors_[canvas_.offset_of(pixel)]; }
     const Color& at(Pixel pixel) const { return colors_[canvas_.offset_of(pixel)]; }
+
+    /// The colors of a row of the canvas, from its leftmost pixel.
+    std::span<Color> row(int y) {
+        return std::span(colors_).subspan(canvas_.offset_of({canvas_.left(), y}),
+                                          static_cast<std::size_t>(canvas_.width));
+    }
 
     /// How many pixels have been drawn.
     std::size_t drawn() const {

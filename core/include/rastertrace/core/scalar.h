@@ -79,9 +79,9 @@ template <typename Scalar> Scalar scalar_from(const Number& number, std::int64_t
     }
 }
 
-/// Writes `step` over the denominator of `value`, so that adding it again and again does not make the
-/// fraction grow. The denominator of `value` must be a multiple of that of `step`, as it is for a
-/// point on a line and the line's slope. Other scalars need no such care.
+/// Writes `step` over the denominator of `value`, so that adding it again and again does not make
+/// the fraction grow. The denominator of `value` must be a multiple of that of `step`, as it is for
+/// a point on a line and the line's slope. Other scalars need no such care.
 template <typename Scalar> void write_over_denominator_of(const Scalar&, Scalar&) {}
 
 template <typename Integer>
