@@ -297,7 +297,7 @@ TEST_F(ProgramTest, HelpOfEveryCommandHasAnExampleThatWorks) {
         ASSERT_NE(example, std::string::npos) << command;
         std::string line = help.out.substr(example + 21);
         line = line.substr(0, line.find('\n'));
-        EXPECT_EQ(shell("ln -sf $examples examples; $rastertrace " + line).status, 0) << line;
+        EXPECT_EQ(shell("ln -sfn $examples examples; $rastertrace " + line).status, 0) << line;
     }
 }
 
