@@ -157,7 +157,7 @@ public:
             app_.parse(count, arguments);
             return action_();
         } catch (const CLI::CallForHelp&) {
-            fmt::print("{}", chosen().help());
+            print_help(chosen());
         } catch (const CLI::CallForVersion&) {
             fmt::print("rastertrace {}\n", RASTERTRACE_VERSION);
         } catch (const CLI::ParseError& error) {
@@ -268,14 +268,18 @@ private:
         command.callback([this] {
             action_ = [this] {
                 if (help_about_.empty()) {
-                    fmt::print("{}", app_.help());
+                    print_help(app_);
                     return exit_fine;
                 }
                 refuse_unknown_command(help_about_);
-                fmt::print("{}", app_.get_subcommand(help_about_)->help());
+                print_help(*app_.get_subcommand(help_about_));
                 return exit_fine;
             };
         });
+    }
+
+    void print_help(const CLI::App& command) const {
+        fmt::print("{}", command.help(&command == &app_ ? "" : app_.get_name()));
     }
 
     /// The command that was named, or the program as a whole.
@@ -329,7 +333,7 @@ private:
         return exit_bad_input;
     }
 
-    CLI::App app_{"rastertrace: a rasterizer you can watch think"};
+    CLI::App app_{"A rasterizer you can watch think", "rastertrace"};
     std::function<int()> action_;
 
     TraceCommand trace_;

@@ -126,14 +126,15 @@ std::optional<Index> row_of_step(const Trace& trace, std::size_t n) {
 }
 
 /// The title, and on the right which steps the frame shows.
-std::string title_line(const Trace& trace, const FrameText& about) {
+std::string title_line(const Trace& trace, const FrameText& about, std::size_t columns) {
     const std::string steps =
         about.first_step == about.last_step
             ? fmt::format("step {} of {}", about.last_step, trace.size())
             : fmt::format("steps {} to {} of {}", about.first_step, about.last_step, trace.size());
-    const std::size_t room = page_columns - steps.size() - 2;
+    const std::size_t width = std::clamp(columns, steps.size() + 5, page_columns);
+    const std::size_t room = width - steps.size() - 2;
     const std::string title = shortened(printable(trace.title), room);
-    return fmt::format("{}{:>{}}", title, steps, page_columns - characters_in(title));
+    return fmt::format("{}{:>{}}", title, steps, width - characters_in(title));
 }
 
 } // namespace
@@ -155,7 +156,7 @@ std::string frame_text(const Replay& replay, const FrameText& about, TextSize si
     const auto letters = vertex_letters(replay);
     const Window window = visible_part(canvas, size, margin, cell, newest);
 
-    std::string text = fmt::format("{}\n{}\n", title_line(replay.trace(), about), about.caption);
+    std::string text = fmt::format("{}\n{}\n", title_line(replay.trace(), about, size.columns), about.caption);
     if (window.columns < canvas.width || window.rows < canvas.height)
         text += fmt::format(
             "(x {} to {}, y {} to {} of a canvas of {} x {})\n",
