@@ -45,6 +45,8 @@ TEST(Number, SaysWhatIsWrongWithAText) {
     EXPECT_EQ(fault("1e999"), NumberFault::too_large);
     EXPECT_EQ(fault("-1.8e308"), NumberFault::too_large);
     EXPECT_EQ(fault("1e99999999999999999999"), NumberFault::too_large);
+    EXPECT_EQ(fault("1e9223372036854775807"), NumberFault::too_large);
+    EXPECT_EQ(fault("0.12e-9223372036854775807"), NumberFault::too_small);
     EXPECT_EQ(fault("1e-400"), NumberFault::too_small);
     EXPECT_EQ(fault("1e-99999999999999999999"), NumberFault::too_small);
     EXPECT_EQ(fault("1/1" + std::string(400, '0')), NumberFault::too_small);

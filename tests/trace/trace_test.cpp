@@ -183,7 +183,13 @@ TEST(Trace, AnyLayoutOfTheDocumentIsRead) {
                     " \"end\": {\"steps\": 1},\n \"rastertrace\": 1\n}\n");
     EXPECT_EQ(picture_of(frame_after(spread, 1).image), "#..\n...\n...\n");
     EXPECT_TRUE(is_trace({"t", "{\n \"steps\": [],\n \"rastertrace\": 1}"}));
+    EXPECT_TRUE(is_trace({"t", "\n\n" + trace_text(first_triangle())}));
     EXPECT_FALSE(is_trace({"t", "{\"vertices\": {}}"}));
+    EXPECT_EQ(sound_trace("{\"steps\":[\n{\"step\":\"pixel\",\"x\":0,\"y\":0}\n],\n"
+                          "\"rastertrace\":1,\"canvas\":{\"width\":3,\"height\":3},\"end\":{}}")
+                  .size(),
+              1u);
+    EXPECT_EQ(sound_trace("\n\n" + trace_text(first_triangle())).size(), 62u);
 
     std::string carriage_returns = with(trace_text(first_triangle()), "],\n", "],\r\n");
     EXPECT_EQ(sound_trace("\xEF\xBB\xBF" + carriage_returns).size(), 62u);
@@ -228,6 +234,19 @@ TEST(Trace, ALineThatIsNoStepIsRefusedWithItsPlace) {
               "trace.json:7:1: expected a step, found an array of 2\n"
               "[1,2],\n"
               "^");
+}
+
+TEST(Trace, ABadEndRecordIsRefusedWithItsPlace) {
+    const std::string start =
+        "{\"rastertrace\":1,\"canvas\":{\"width\":3,\"height\":3},\"steps\":[\n]";
+    EXPECT_EQ(complaint(start + ",\"end\":{\"steps\":x}}"),
+              "trace.json:2:18: expected a value, found 'x'\n"
+              "],\"end\":{\"steps\":x}}\n"
+              "                 ^");
+    EXPECT_EQ(complaint(start + "} garbage"),
+              "trace.json:2:4: expected the end of the file, found more\n"
+              "]} garbage\n"
+              "   ^");
 }
 
 TEST(Trace, PixelsOffTheCanvasAreToldAndNotDrawn) {

@@ -12,6 +12,7 @@ template <typename Enum> struct Word {
     Enum value;
     std::string_view word;
 };
+template <typename Enum> Word(Enum, std::string_view) -> Word<Enum>;
 
 constexpr std::array scalars{Word{ScalarKind::double_precision, "double"},
                              Word{ScalarKind::exact, "exact"}};

@@ -151,9 +151,10 @@ public:
         // The first line of our own layouts says which it is: a document's ends where its steps
         // begin, and that of JSON Lines is an object by itself.
         const std::string_view first_line = line_at(0);
-        if (first_line.ends_with('[')) {
+        const std::string closed = std::string(first_line) + "]}";
+        if (first_line.ends_with('[') && is_header(closed, "steps")) {
             read_line_by_line(first_line, "]}", ']');
-        } else if (is_header(first_line)) {
+        } else if (is_header(first_line, "")) {
             read_line_by_line(first_line, "", '\0');
         } else {
             read_document();
@@ -178,8 +179,9 @@ private:
         return line;
     }
 
-    /// True for an object with a version and without steps.
-    static bool is_header(std::string_view line) {
+    /// True for an object that has the trace's version, and whose last key is `last_key`; for one
+    /// without steps if that is "".
+    static bool is_header(std::string_view line, std::string_view last_key) {
         JsonScanner fields(line);
         bool has_version = false;
         bool has_steps = false;
@@ -187,7 +189,8 @@ private:
             has_version = has_version || fields.key() == "rastertrace";
             has_steps = has_steps || fields.key() == "steps";
         }
-        return !fields.failed() && has_version && !has_steps;
+        return !fields.failed() && has_version &&
+               (last_key.empty() ? !has_steps : fields.key() == last_key);
     }
 
     /// Any layout of a complete JSON document.
@@ -215,6 +218,7 @@ private:
             throw parsed.problem();
         read_header(parsed.value());
 
+        const std::size_t last_byte = text().find_last_not_of(" \t\r\n");
         std::size_t offset = text().find('\n');
         while (offset < text().size()) {
             ++offset;
@@ -222,9 +226,7 @@ private:
             const std::size_t begin = offset + std::min(line.find_first_not_of(" \t"), line.size());
             const std::size_t next = text().find('\n', offset);
             line = line.substr(begin - offset);
-            const bool is_last =
-                next == std::string_view::npos ||
-                text().find_first_not_of(" \t\r\n", next) == std::string_view::npos;
+            const bool is_last = next == std::string_view::npos || next > last_byte;
             if (line.empty()) {
                 offset = next;
                 continue;
@@ -270,10 +272,15 @@ private:
         if (comma == std::string_view::npos)
             return cut_short(text().size());
         std::string& all = trace_.source_.text;
-        if (all[comma] != ',' && all[comma] != '}')
+        if (all[comma] == '}') {
+            // A document without an end record; compare_with_end says so.
+            const std::size_t more = text().find_first_not_of(" \t\r\n", comma + 1);
+            if (more != std::string_view::npos)
+                fail(more, "expected the end of the file, found more");
+            return;
+        }
+        if (all[comma] != ',')
             fail(comma, "expected ',' or '}' behind the steps, found something else");
-        if (all[comma] == '}')
-            return; // a document without an end record; compare_with_end says so
 
         all[comma] = '{';
         const auto rest = parse_json(source(), comma);
@@ -281,10 +288,19 @@ private:
         if (!rest) {
             if (ends_at_end_of_file(comma))
                 return cut_short(comma + 1);
-            throw rest.problem();
+            // Said again, so that the line is quoted with its comma.
+            fail(offset_of(rest.problem()), rest.problem().message);
         }
         if (const JsonValue* end = rest.value().find("end"))
             read_end(*end);
+    }
+
+    /// The place in the source that a problem points at.
+    std::size_t offset_of(const Problem& problem) const {
+        std::size_t offset = 0;
+        for (std::size_t line = 1; line < problem.line; ++line)
+            offset = text().find('\n', offset) + 1;
+        return offset + first_characters(text().substr(offset), problem.column - 1).size();
     }
 
     /// True if what follows `begin` lacks only its end: brackets are open, or a string is.
@@ -493,16 +509,17 @@ Result<Trace> read_trace(Source source) {
 
 bool is_trace(const Source& source) {
     // The header's first line tells, whole or cut short; else the document as a whole.
+    constexpr std::string_view blanks = "\xEF\xBB\xBF \t\r\n";
     std::string_view start = source.text;
+    start.remove_prefix(std::min(start.find_first_not_of(blanks), start.size()));
     start = start.substr(0, start.find('\n'));
-    const std::size_t brace = start.find('{');
-    if (brace == std::string_view::npos)
+    if (!start.starts_with('{'))
         return false;
-    JsonScanner fields(start.substr(brace));
+    JsonScanner fields(start);
     while (fields.next_field())
         if (fields.key() == "rastertrace")
             return true;
-    if (start.substr(brace + 1).starts_with("\"rastertrace\""))
+    if (start.substr(1).starts_with("\"rastertrace\""))
         return true;
     const auto document = parse_json(source);
     return document && document.value().find("rastertrace") != nullptr;

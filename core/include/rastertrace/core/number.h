@@ -246,8 +246,9 @@ inline std::variant<Number, NumberFault> parse_number(std::string_view text) {
     std::int64_t exponent = 0;
     const auto read = std::from_chars(exponent_digits.data(),
                                       exponent_digits.data() + exponent_digits.size(), exponent);
-    if (read.ec == std::errc::result_out_of_range)
-        exponent = std::numeric_limits<std::int32_t>::max();
+    constexpr std::int64_t largest_exponent = std::numeric_limits<std::int32_t>::max();
+    if (read.ec == std::errc::result_out_of_range || exponent > largest_exponent)
+        exponent = largest_exponent;
     exponent =
         (negative_exponent ? -exponent : exponent) - static_cast<std::int64_t>(fraction.size());
     const std::size_t first = digits.find_first_not_of('0');
