@@ -37,8 +37,11 @@ inline Scene triangle_scene(const std::vector<std::string>& coordinates, Canvas 
     scene.method = method;
     for (std::size_t i = 0; i < 3; ++i)
         scene.vertices.push_back({std::string(1, static_cast<char>('A' + i)),
-                                  number(coordinates[2 * i]), number(coordinates[2 * i + 1])});
-    scene.triangles.push_back({.name = "ABC", .vertices = {0, 1, 2}, .color = {}});
+                                  number(coordinates[2 * i]),
+                                  number(coordinates[2 * i + 1]),
+                                  {}});
+    scene.primitives.push_back(
+        {.kind = PrimitiveKind::triangle, .name = "ABC", .vertices = {0, 1, 2}, .color = {}});
     return scene;
 }
 

@@ -51,7 +51,7 @@ template <typename Scalar, typename Sink> void fill(benchmark::State& state) {
     Sink sink;
     for (auto _ : state)
         for (const auto& triangle : all)
-            fill_scanline(triangle, Color{}, {}, image, sink);
+            fill_scanline(triangle, Paint<Scalar>{}, {}, image, sink);
     benchmark::DoNotOptimize(image.colors().data());
     state.counters["triangles"] = benchmark::Counter(static_cast<double>(all.size()) *
                                                          static_cast<double>(state.iterations()),

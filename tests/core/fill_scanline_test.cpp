@@ -352,7 +352,7 @@ long rounded(const mpq_class& x, const Method& method, bool is_left) {
     };
     const long below = floor_of(x);
     const long above = -floor_of(-x);
-    switch (method.rounding) {
+    switch (*method.rounding) {
     case Rounding::floor:
         return below;
     case Rounding::truncate:
@@ -365,7 +365,7 @@ long rounded(const mpq_class& x, const Method& method, bool is_left) {
     const mpq_class to_below = x - below, to_above = above - x;
     if (to_below != to_above)
         return to_below < to_above ? below : above;
-    switch (method.ties) {
+    switch (*method.ties) {
     case Ties::start:
         return below;
     case Ties::up:
@@ -412,7 +412,7 @@ RC_GTEST_PROP(ScanlineFill, DrawsTheSamePixelsForEveryVertexOrder, ()) {
     method.scalar = *rc::gen::element(ScalarKind::exact, ScalarKind::double_precision);
     Scene scene = triangle_scene(*triangle_coordinates(), *small_canvas(), method);
     const std::string picture = picture_of(draw_as_planned(scene));
-    auto& order = scene.triangles[0].vertices;
+    auto& order = scene.primitives[0].vertices;
     while (std::next_permutation(order.begin(), order.end()))
         RC_ASSERT(picture_of(draw_as_planned(scene)) == picture);
 }
@@ -424,6 +424,7 @@ RC_GTEST_PROP(ScanlineFill, InDoubleIsWrongOnlyWhereAnEndIsNextToAPixel, ()) {
     const mpq_class bound(1, std::int64_t{1} << 44);
     Scene scene = triangle_scene(*triangle_coordinates(), {.width = 32, .height = 32});
     scene.method.scalar = ScalarKind::double_precision;
+    scene.method.rounding = Rounding::floor;
     std::map<int, std::pair<Index, Index>> spans;
     const auto keep = [&spans]<typename Step>(const Step& step) {
         if constexpr (requires { step.left_edge; })
@@ -470,7 +471,7 @@ RC_GTEST_PROP(ScanlineFill, ReportsEveryPixelOfThePictureAndOfTheRest, ()) {
             replayed.at(step.pixel) = step.color;
             ++plotted;
         } else if constexpr (std::same_as<Step, PixelsRejected>) {
-            rejected += step.to - step.from + 1;
+            rejected += step.to_x - step.from_x + 1;
         } else if constexpr (requires { step.left_edge; }) {
             in_spans += std::max<Index>(0, step.to - step.from + 1);
         }

@@ -53,27 +53,27 @@ RC_GTEST_PROP(Plan, NeverLetsAFractionOverflow, ()) {
     RC_ASSERT(draw_as_planned(scene).colors() == draw<Rational>(scene, plan, NullSink{}).colors());
 }
 
-TEST(Overflow, OfACoordinateIsFound) {
-    const auto overflow = find_overflow(
+TEST(Unfit, OfACoordinateIsFound) {
+    const auto unfit = find_unfit(
         triangle_scene({"0", "0", "1", "1", "-1e308", "2"}, {.width = 4, .height = 4}, {}));
-    ASSERT_TRUE(overflow);
-    EXPECT_EQ(overflow->what, Overflow::What::coordinate);
-    EXPECT_EQ(overflow->from, 2u);
+    ASSERT_TRUE(unfit);
+    EXPECT_EQ(unfit->what, Unfit::What::coordinate_of_double);
+    EXPECT_EQ(unfit->from, 2u);
 }
 
-TEST(Overflow, OfASlopeIsFound) {
-    const auto overflow = find_overflow(
+TEST(Unfit, OfASlopeIsFound) {
+    const auto unfit = find_unfit(
         triangle_scene({"0", "0", "1", "1e-320", "0", "2"}, {.width = 4, .height = 4}, {}));
-    ASSERT_TRUE(overflow);
-    EXPECT_EQ(overflow->what, Overflow::What::slope);
-    EXPECT_EQ(overflow->from, 0u);
-    EXPECT_EQ(overflow->to, 1u);
+    ASSERT_TRUE(unfit);
+    EXPECT_EQ(unfit->what, Unfit::What::slope_of_double);
+    EXPECT_EQ(unfit->from, 0u);
+    EXPECT_EQ(unfit->to, 1u);
 }
 
-TEST(Overflow, CannotHappenToExactNumbers) {
+TEST(Unfit, CannotHappenToExactNumbers) {
     const Scene scene =
         triangle_scene({"0", "0", "1", "1e-320", "-1e308", "2"}, {.width = 8, .height = 8});
-    EXPECT_FALSE(find_overflow(scene));
+    EXPECT_FALSE(find_unfit(scene));
     EXPECT_EQ(picture_of(draw_as_planned(scene)), "........\n"
                                                   "........\n"
                                                   "........\n"

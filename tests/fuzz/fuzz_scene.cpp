@@ -25,8 +25,8 @@ bool can_be_drawn_fast(const Scene& scene) {
     constexpr auto most_pixels = std::size_t{largest_side} * largest_side;
     const auto pixels = static_cast<std::size_t>(scene.canvas.width) *
                         static_cast<std::size_t>(scene.canvas.height);
-    return is_small(scene.canvas) && scene.triangles.size() <= most_triangles &&
-           pixels * scene.triangles.size() <= most_pixels;
+    return is_small(scene.canvas) && scene.primitives.size() <= most_triangles &&
+           pixels * scene.primitives.size() <= most_pixels;
 }
 
 /// A trace of ours is whole, can be described, and leads to the picture that it names.

@@ -5,7 +5,7 @@
 
 #include <gmpxx.h>
 
-#include <rastertrace/core/canvas.h>
+#include <rastertrace/core/barycentric.h>
 #include <rastertrace/core/edge.h>
 #include <rastertrace/core/image.h>
 #include <rastertrace/core/rounding.h>
@@ -16,22 +16,34 @@
 
 #include <algorithm>
 #include <array>
+#include <tuple>
 
 #ifdef WITHOUT_EMISSIONS
 #define sink(...) static_cast<void>(0)
 #endif
 #include <rastertrace/core/fill_scanline.h>
+#include <rastertrace/core/fill_top_left.h>
 
 namespace rastertrace {
 
-void fill_with_doubles(const Triangle<double>& triangle, Color color, const ScanlineRules& rules,
-                       Image& image) {
-    fill_scanline(triangle, color, rules, image, NullSink{});
+void scanline_with_doubles(const Triangle<double>& triangle, const Paint<double>& paint,
+                           const ScanlineRules& rules, Image& image) {
+    fill_scanline(triangle, paint, rules, image, NullSink{});
 }
 
-void fill_with_fractions(const Triangle<Fraction64>& triangle, Color color,
-                         const ScanlineRules& rules, Image& image) {
-    fill_scanline(triangle, color, rules, image, NullSink{});
+void scanline_with_fractions(const Triangle<Fraction64>& triangle, const Paint<Fraction64>& paint,
+                             const ScanlineRules& rules, Image& image) {
+    fill_scanline(triangle, paint, rules, image, NullSink{});
+}
+
+void top_left_with_doubles(const Triangle<double>& triangle, const Paint<double>& paint,
+                           const double& sample_offset, Image& image) {
+    fill_top_left(triangle, paint, sample_offset, image, NullSink{});
+}
+
+void top_left_with_fractions(const Triangle<Fraction64>& triangle, const Paint<Fraction64>& paint,
+                             const Fraction64& sample_offset, Image& image) {
+    fill_top_left(triangle, paint, sample_offset, image, NullSink{});
 }
 
 } // namespace rastertrace

@@ -62,7 +62,7 @@ TEST(Describe, WhatIsNotDrawn) {
 
 TEST(Describe, PixelsDrawnAgain) {
     Scene scene = first_triangle();
-    scene.triangles.push_back(scene.triangles[0]);
+    scene.primitives.push_back(scene.primitives[0]);
     EXPECT_EQ(description(scene, 62 + 6), "pixel (2, 5)   over step 6");
 }
 

@@ -27,11 +27,11 @@ TEST(SceneFile, SmallestScene) {
                                      "triangles": ["ABC"]})");
     EXPECT_EQ(scene.title, "scene.json");
     EXPECT_EQ(scene.vertices.size(), 3u);
-    EXPECT_EQ(scene.triangles[0].name, "ABC");
+    EXPECT_EQ(scene.primitives[0].name, "ABC");
     EXPECT_EQ(scene.canvas.width, 13) << "fitted: x -5..5, and a pixel more on each side";
     EXPECT_EQ(scene.canvas.height, 13);
     EXPECT_EQ(scene.method.scalar, ScalarKind::double_precision);
-    EXPECT_EQ(scene.method.rounding, Rounding::floor);
+    EXPECT_EQ(span_rounding(scene.method).rounding, Rounding::floor);
 }
 
 TEST(SceneFile, EveryKey) {
@@ -47,9 +47,9 @@ TEST(SceneFile, EveryKey) {
     EXPECT_EQ(scene.canvas, (Canvas{20, 10, Origin::top_left}));
     EXPECT_EQ(scene.vertices[0].x.exact().get_str(), "1/10");
     EXPECT_EQ(scene.vertices[0].y.exact().get_str(), "25/8");
-    EXPECT_EQ(scene.triangles[0].name, "roof");
-    EXPECT_EQ(scene.triangles[0].color, (Color{255, 128, 0, 255}));
-    EXPECT_EQ(scene.triangles[1].name, "é-P2-P1");
+    EXPECT_EQ(scene.primitives[0].name, "roof");
+    EXPECT_EQ(scene.primitives[0].color, (Color{255, 128, 0, 255}));
+    EXPECT_EQ(scene.primitives[1].name, "é-P2-P1");
     EXPECT_EQ(scene.method.rounding, Rounding::nearest);
     EXPECT_EQ(scene.method.ties, Ties::even);
     EXPECT_EQ(scene.method.lerp, LerpForm::incremental);
@@ -70,7 +70,8 @@ TEST(SceneFile, OverridesTakeThePlaceOfTheMethod) {
 
 TEST(SceneFile, UnknownKey) {
     EXPECT_EQ(complaint("{\"vertices\": {\"A\": [2, 5]},\n \"trinagles\": [\"AAA\"]}"),
-              "scene.json:2:2: expected a key out of title, canvas, vertices, triangles, method, "
+              "scene.json:2:2: expected a key out of title, canvas, vertices, colors, triangles, "
+              "outlines, lines, points, method, "
               "found \"trinagles\"\n"
               " \"trinagles\": [\"AAA\"]}\n"
               " ^\n"
@@ -94,12 +95,11 @@ TEST(SceneFile, WrongType) {
     EXPECT_EQ(complaint(R"({"title": 5})"), "scene.json:1:11: expected a title in quotes, found 5\n"
                                             "{\"title\": 5}\n"
                                             "          ^");
-    EXPECT_EQ(
-        complaint("[]"),
-        "scene.json:1:1: expected an object with the keys title, canvas, vertices, triangles, "
-        "method, found an empty array\n"
-        "[]\n"
-        "^");
+    EXPECT_EQ(complaint("[]"), "scene.json:1:1: expected an object with the keys title, canvas, "
+                               "vertices, colors, triangles, outlines, lines, points, "
+                               "method, found an empty array\n"
+                               "[]\n"
+                               "^");
 }
 
 TEST(SceneFile, MissingVertex) {
@@ -190,7 +190,7 @@ TEST(SceneFile, ColorsThatAreNone) {
 
 TEST(SceneFile, ValuesOfTheMethod) {
     EXPECT_EQ(complaint(R"({"method": {"scalar": "exat"}})"),
-              "scene.json:1:23: expected one of double, exact, found \"exat\"\n"
+              "scene.json:1:23: expected one of double, fixed, exact, found \"exat\"\n"
               "{\"method\": {\"scalar\": \"exat\"}}\n"
               "                      ^\n"
               "hint: did you mean \"exact\"?");

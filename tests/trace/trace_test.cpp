@@ -277,7 +277,7 @@ TEST(Trace, AHeaderThatCannotBeUsed) {
 
 TEST(Stats, CountWritesAndOverdraw) {
     Scene scene = first_triangle();
-    scene.triangles.push_back(scene.triangles[0]);
+    scene.primitives.push_back(scene.primitives[0]);
     const Stats stats = stats_of(sound_trace(trace_text(scene)));
     EXPECT_EQ(stats.pixels, 49u);
     EXPECT_EQ(stats.writes, 98u);

@@ -22,7 +22,7 @@ Scene small_scene(Method method = {.scalar = ScalarKind::exact}) {
     Scene scene = triangle_scene({"-1/2", "-1", "3", "-1", "0", "2"},
                                  {.width = 3, .height = 3, .origin = Origin::bottom_left}, method);
     scene.title = "Small";
-    scene.triangles[0].color = {255, 128, 0, 255};
+    scene.primitives[0].color = {255, 128, 0, 255};
     return scene;
 }
 
@@ -36,11 +36,11 @@ const std::string small_json =
 {"step":"scanline","y":2,"left":"0","right":"0","from":0,"to":0,"left_edge":"CA","right_edge":"CB"},
 {"step":"pixel","x":0,"y":2},
 {"step":"scanline","y":1,"left":"-1/6","right":"1","from":-1,"to":1,"left_edge":"CA","right_edge":"CB"},
-{"step":"reject","x":-1,"to_x":-1,"y":1,"why":"off-canvas"},
+{"step":"reject","x":-1,"y":1,"why":"off-canvas"},
 {"step":"pixel","x":0,"y":1},
 {"step":"pixel","x":1,"y":1},
 {"step":"scanline","y":0,"left":"-1/3","right":"2","from":-1,"to":2,"left_edge":"CA","right_edge":"CB"},
-{"step":"reject","x":-1,"to_x":-1,"y":0,"why":"off-canvas"},
+{"step":"reject","x":-1,"y":0,"why":"off-canvas"},
 {"step":"pixel","x":0,"y":0},
 {"step":"pixel","x":1,"y":0},
 {"step":"pixel","x":2,"y":0}

@@ -175,12 +175,12 @@ TEST_F(ProgramTest, ErrorsHaveFileLineColumnAndCaret) {
     const Outcome outcome = shell("$rastertrace trace bad.json -o t.json");
     EXPECT_EQ(outcome.status, 2);
     EXPECT_EQ(outcome.out, "");
-    EXPECT_EQ(outcome.err,
-              "rastertrace: bad.json:2:2: expected a key out of title, canvas, vertices, "
-              "triangles, method, found \"trinagles\"\n"
-              " \"trinagles\": [\"AAA\"]}\n"
-              " ^\n"
-              "hint: did you mean \"triangles\"?\n");
+    EXPECT_EQ(outcome.err, "rastertrace: bad.json:2:2: expected a key out of title, canvas, "
+                           "vertices, colors, triangles, "
+                           "outlines, lines, points, method, found \"trinagles\"\n"
+                           " \"trinagles\": [\"AAA\"]}\n"
+                           " ^\n"
+                           "hint: did you mean \"triangles\"?\n");
     EXPECT_EQ(visible_files(), 1u) << "nothing was written";
 }
 
@@ -269,10 +269,11 @@ TEST_F(ProgramTest, UsageErrorsNameTheWordAndANearOne) {
               "rastertrace show: --evry: no such option\nhint: did you mean --every?\n"
               "see rastertrace show --help\n");
     EXPECT_EQ(shell("$rastertrace show x --evry pixel").status, 2);
-    EXPECT_EQ(shell("$rastertrace trace x --only pixle").err,
-              "rastertrace: --only: expected kinds of step out of "
-              "primitive,edge,scanline,pixel,reject,skip, found \"pixle\"\n"
-              "hint: did you mean pixel?\n");
+    EXPECT_EQ(
+        shell("$rastertrace trace x --only pixle").err,
+        "rastertrace: --only: expected kinds of step out of "
+        "primitive,edge,half,ray,scanline,along,decide,sample,pixel,reject,skip, found \"pixle\"\n"
+        "hint: did you mean pixel?\n");
     EXPECT_EQ(shell("$rastertrace trace x --region 1,2,3").err,
               "rastertrace: --region: expected two corners as x0,y0,x1,y1, like -4,-3,2,5, found "
               "\"1,2,3\"\n");

@@ -68,30 +68,77 @@ std::optional<EdgeEnds> ends_of_edge(const PrimitiveText& primitive, const std::
     return std::nullopt;
 }
 
-std::string describe_primitive(const PrimitiveText& primitive) {
+std::string describe_primitive(const PrimitiveText& primitive, const StepView& step) {
     std::string text = fmt::format("{} {}", primitive.kind, primitive.name);
-    for (std::size_t i = 0; i < primitive.vertices.size() && i < primitive.positions.size(); ++i)
+    const auto colors = step.texts("colors");
+    for (std::size_t i = 0; i < primitive.vertices.size() && i < primitive.positions.size(); ++i) {
         text += fmt::format("   {} {}", primitive.vertices[i], point(primitive.positions[i]));
+        if (i < colors.size())
+            text += fmt::format(" {}", colors[i]);
+    }
+    if (step.field("octant"))
+        text += fmt::format("   octant {}", step.text("octant"));
     return text;
 }
 
 std::string describe_edge(const Replay& replay, const StepView& step) {
     const std::string name = step.text("edge");
+    if (step.field("octant"))
+        return fmt::format("side {}: octant {}", name, step.text("octant"));
+    if (step.field("a"))
+        return fmt::format("edge {}: E(x, y) = {} x {} y {}, {}", name, step.text("a"),
+                           plus(step.text("b")), plus(step.text("c")),
+                           step.text("top_left") == "true"
+                               ? "top or left: samples where E = 0 belong to the triangle"
+                               : "samples where E = 0 do not belong to the triangle");
     const std::string slope = step.text("dx_dy");
-    std::string text = "edge " + name;
     if (slope == "null")
-        return text + ": horizontal, it has no dx/dy";
+        return fmt::format("edge {}: horizontal, it has no dx/dy", name);
     if (const auto ends = ends_of_edge(primitive_of(replay), name))
-        return text + fmt::format(": dx/dy = ({} {}) / ({} {}) = {}", ends->to[0],
-                                  minus(ends->from[0]), ends->to[1], minus(ends->from[1]), slope);
-    return text + ": dx/dy = " + slope;
+        return fmt::format("edge {}: dx/dy = ({} {}) / ({} {}) = {}", name, ends->to[0],
+                           minus(ends->from[0]), ends->to[1], minus(ends->from[1]), slope);
+    return fmt::format("edge {}: dx/dy = {}", name, slope);
+}
+
+std::string describe_half(const StepView& step, const Canvas& canvas) {
+    const Index from = step.whole("from_y").value_or(0);
+    const Index to = step.whole("to_y").value_or(0);
+    // A half is filled upward: its rows end where they began, or above.
+    if (canvas.row_of(from) < canvas.row_of(to))
+        return fmt::format("{} half: no row", step.text("half"));
+    return fmt::format("{} half: rows y={} to {}", step.text("half"), from, to);
+}
+
+std::string describe_along(const StepView& step) {
+    const bool is_x_major = step.field("x").has_value();
+    return fmt::format("{} = {}: {} = {} -> {}", is_x_major ? "x" : "y",
+                       step.text(is_x_major ? "x" : "y"), is_x_major ? "y" : "x",
+                       step.text("value"), step.text("pixel"));
+}
+
+std::string describe_decision(const StepView& step) {
+    const std::string d = step.text("d");
+    const bool goes_straight = d.starts_with('-') || d == "0";
+    return fmt::format("at ({}, {}): d = {} {}, {} to {}", step.text("x"), step.text("y"), d,
+                       goes_straight ? "<= 0" : "> 0", goes_straight ? "straight on" : "diagonally",
+                       step.text("move"));
+}
+
+std::string describe_sample(const PrimitiveText& primitive, const StepView& step) {
+    std::string text = fmt::format("sample of ({}, {}):", step.text("x"), step.text("y"));
+    const auto weights = step.texts("weights");
+    for (std::size_t i = 0; i < weights.size(); ++i)
+        text += fmt::format(" {} {}", i < primitive.vertices.size() ? primitive.vertices[i] : "?",
+                            weights[i]);
+    return text + (step.text("inside") == "true" ? ": none is negative, inside"
+                                                 : ": one is negative, outside");
 }
 
 /// dx/dy of an edge of the current primitive as it was set up; nothing if it is horizontal.
 std::optional<std::string> slope_of(const Replay& replay, const std::string& edge) {
     for (const std::size_t n : replay.edges()) {
         const StepView step = replay.trace().step(n);
-        if (step.text("edge") == edge && step.text("dx_dy") != "null")
+        if (step.text("edge") == edge && step.field("dx_dy") && step.text("dx_dy") != "null")
             return step.text("dx_dy");
     }
     return std::nullopt;
@@ -145,14 +192,17 @@ std::string describe_pixel(const Replay& replay, const StepView& step) {
 }
 
 std::string describe_reject(const StepView& step) {
+    const std::string x = step.text("x");
+    const std::string y = step.text("y");
+    const std::string to_x = step.field("to_x") ? step.text("to_x") : x;
+    const std::string to_y = step.field("to_y") ? step.text("to_y") : y;
     std::string what;
-    if (step.field("to_y"))
-        what = fmt::format("rows y={} to {}", step.text("y"), step.text("to_y"));
-    else if (step.field("to_x"))
-        what = fmt::format("pixels ({0}, {2}) to ({1}, {2})", step.text("x"), step.text("to_x"),
-                           step.text("y"));
+    if (x.empty())
+        what = fmt::format("rows y={} to {}", y, to_y);
+    else if (x == to_x && y == to_y)
+        what = fmt::format("pixel ({}, {})", x, y);
     else
-        what = fmt::format("pixel ({}, {})", step.text("x"), step.text("y"));
+        what = fmt::format("pixels ({}, {}) to ({}, {})", x, y, to_x, to_y);
     return fmt::format("{}: dropped, {}", what, step.text("why"));
 }
 
@@ -172,11 +222,21 @@ std::string unsafe_description(const Replay& replay) {
     }
     switch (*kind) {
     case StepKind::primitive:
-        return describe_primitive(primitive_of(replay));
+        return describe_primitive(primitive_of(replay), step);
     case StepKind::edge:
         return describe_edge(replay, step);
+    case StepKind::half:
+        return describe_half(step, replay.trace().canvas);
+    case StepKind::ray:
+        return fmt::format("a line begins at ({}, {})", step.text("x"), step.text("y"));
     case StepKind::scanline:
         return describe_scanline(replay, step);
+    case StepKind::along:
+        return describe_along(step);
+    case StepKind::decide:
+        return describe_decision(step);
+    case StepKind::sample:
+        return describe_sample(primitive_of(replay), step);
     case StepKind::pixel:
         return describe_pixel(replay, step);
     case StepKind::reject:

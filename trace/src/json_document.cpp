@@ -164,8 +164,9 @@ private:
         const std::string_view text = std::string_view(source_.text).substr(0, end_);
         const std::size_t last_read = begin_ + (bytes_read == 0 ? 0 : bytes_read - 1);
 
-        // Where the token begins that does not fit: behind the last good one, the blanks, and the one
-        // comma or colon that may stand between them; but not behind the last byte that was read.
+        // Where the token begins that does not fit: behind the last good one, the blanks, and the
+        // one comma or colon that may stand between them; but not behind the last byte that was
+        // read.
         const auto skip_blanks = [text](std::size_t at) {
             return std::min(text.find_first_not_of(" \t\r\n", at), text.size());
         };

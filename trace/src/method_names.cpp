@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/trace/method_names.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 
 namespace rastertrace {
 
@@ -15,28 +17,85 @@ template <typename Enum> struct Word {
 template <typename Enum> Word(Enum, std::string_view) -> Word<Enum>;
 
 constexpr std::array scalars{Word{ScalarKind::double_precision, "double"},
-                             Word{ScalarKind::exact, "exact"}};
-constexpr std::array fills{Word{Fill::scanline, "scanline"}};
+                             Word{ScalarKind::fixed, "fixed"}, Word{ScalarKind::exact, "exact"}};
+constexpr std::array lines{Word{LineMethod::naive, "naive"}, Word{LineMethod::dda, "dda"},
+                           Word{LineMethod::bresenham, "bresenham"}};
+constexpr std::array starts{Word{LineStart::first, "first"}, Word{LineStart::low, "low"}};
+constexpr std::array fills{Word{Fill::scanline, "scanline"}, Word{Fill::two_halves, "two-halves"},
+                           Word{Fill::barycentric, "barycentric"}, Word{Fill::top_left, "top-left"},
+                           Word{Fill::fan, "fan"}};
+constexpr std::array passes{Word{1, "1"}, Word{2, "2"}, Word{3, "3"}};
 constexpr std::array roundings{Word{Rounding::floor, "floor"}, Word{Rounding::nearest, "nearest"},
                                Word{Rounding::truncate, "truncate"},
                                Word{Rounding::inside, "inside"}};
 constexpr std::array tie_rules{Word{Ties::start, "start"}, Word{Ties::up, "up"},
                                Word{Ties::away, "away"}, Word{Ties::even, "even"}};
+constexpr std::array samples{Word{Sample::integer, "integer"}, Word{Sample::center, "center"}};
 constexpr std::array lerps{Word{LerpForm::direct, "direct"},
                            Word{LerpForm::incremental, "incremental"}};
+constexpr std::array shades{Word{Shade::flat, "flat"}, Word{Shade::interpolate, "interpolate"}};
+constexpr std::array color_lerps{Word{ColorLerp::axis, "axis"},
+                                 Word{ColorLerp::distance, "distance"}};
+
+bool always(const Scene&) {
+    return true;
+}
+bool has_vertex_colors(const Scene& scene) {
+    return std::any_of(scene.vertices.begin(), scene.vertices.end(),
+                       [](const SceneVertex& vertex) { return vertex.color.has_value(); });
+}
+bool has_triangles(const Scene& scene) {
+    return scene.has(PrimitiveKind::triangle);
+}
+bool has_lines(const Scene& scene) {
+    return scene.has(PrimitiveKind::line) || scene.has(PrimitiveKind::outline);
+}
+bool fills_by(const Scene& scene, Fill fill) {
+    return has_triangles(scene) && scene.method.fill == fill;
+}
+bool fills_spans(const Scene& scene) {
+    return fills_by(scene, Fill::scanline) || fills_by(scene, Fill::two_halves);
+}
+bool rounds_lines(const Scene& scene) {
+    return has_lines(scene) && scene.method.line != LineMethod::bresenham;
+}
+bool rounds(const Scene& scene) {
+    return fills_spans(scene) || rounds_lines(scene);
+}
+
+/// What is in force where nothing was said. With spans and lines in one scene that nobody has given
+/// a rule, each has its own.
+std::string default_of_two(const Scene& scene, std::string_view for_spans,
+                           std::string_view for_lines) {
+    if (fills_spans(scene) && rounds_lines(scene) && for_spans != for_lines)
+        return std::string(for_spans) + "+" + std::string(for_lines);
+    return std::string(fills_spans(scene) ? for_spans : for_lines);
+}
+
+bool has_ties(const Scene& scene) {
+    return (fills_spans(scene) && span_rounding(scene.method).rounding == Rounding::nearest) ||
+           (rounds_lines(scene) && line_rounding(scene.method).rounding == Rounding::nearest);
+}
+
+template <typename Member> bool is_value(const Member& member, const Member& value) {
+    return member == value;
+}
+template <typename Value> bool is_value(const std::optional<Value>& member, const Value& value) {
+    return member == value;
+}
 
 /// The key that chooses `member`, one of `words`.
 template <auto member, const auto& words>
 MethodKey key(
-    std::string_view name, std::string_view meaning,
-    bool (*in_force)(const Method&) = [](const Method&) { return true; }) {
+    std::string_view name, std::string_view meaning, bool (*in_force)(const Scene&),
+    std::string (*otherwise)(const Scene&) = [](const Scene&) { return std::string(); }) {
     MethodKey result{.name = name,
                      .meaning = meaning,
                      .values = {},
                      .get =
                          [](const Method& method) {
                              for (const auto& word : words)
-                                 if (word.value == method.*member)
+                                 if (is_value(method.*member, word.value))
                                      return word.word;
                              return std::string_view();
                          },
@@ -49,6 +108,7 @@ MethodKey key(
                                  }
                              return false;
                          },
+                     .otherwise = otherwise,
                      .in_force = in_force};
     for (const auto& word : words)
         result.values.push_back(word.word);
@@ -59,15 +119,51 @@ MethodKey key(
 
 std::span<const MethodKey> method_keys() {
     static const std::array keys{
-        key<&Method::scalar, scalars>("scalar", "the numbers to draw with"),
-        key<&Method::fill, fills>("fill", "the algorithm that fills triangles"),
-        key<&Method::rounding, roundings>("rounding", "how a span's ends become pixels"),
-        key<&Method::ties, tie_rules>(
-            "ties", "where rounding to nearest sends a half",
-            [](const Method& method) { return method.rounding == Rounding::nearest; }),
-        key<&Method::lerp, lerps>("lerp", "how x is found from row to row"),
+        key<&Method::scalar, scalars>("scalar", "the numbers to draw with", always),
+        key<&Method::line, lines>("line", "the algorithm that draws lines", has_lines),
+        key<&Method::from, starts>("from", "the end that lines are drawn from", has_lines),
+        key<&Method::fill, fills>("fill", "the algorithm that fills triangles", has_triangles),
+        key<&Method::fan_passes, passes>(
+            "fan_passes", "from how many edges the fan is drawn",
+            [](const Scene& scene) { return fills_by(scene, Fill::fan); }),
+        key<&Method::rounding, roundings>(
+            "rounding", "how a span's ends, or a line's points, become pixels", rounds,
+            [](const Scene& scene) { return default_of_two(scene, "floor", "nearest"); }),
+        key<&Method::ties, tie_rules>("ties", "where rounding to nearest sends a half", has_ties,
+                                      [](const Scene& scene) {
+                                          const bool spans_have_ties =
+                                              scene.method.rounding == Rounding::nearest;
+                                          return spans_have_ties
+                                                     ? default_of_two(scene, "up", "start")
+                                                     : std::string("start");
+                                      }),
+        key<&Method::sample, samples>(
+            "sample", "where a pixel is tested",
+            [](const Scene& scene) {
+                return fills_by(scene, Fill::barycentric) || fills_by(scene, Fill::top_left);
+            },
+            [](const Scene& scene) {
+                return std::string(sample_of(scene.method) == Sample::center ? "center"
+                                                                             : "integer");
+            }),
+        key<&Method::lerp, lerps>("lerp", "how x is found from row to row", fills_spans),
+        key<&Method::shade, shades>(
+            "shade", "where the colors of pixels come from", has_vertex_colors,
+            [](const Scene& scene) {
+                return std::string(scene.mixes_colors() ? "interpolate" : "flat");
+            }),
+        key<&Method::color_lerp, color_lerps>(
+            "color_lerp", "what the color along a line goes by",
+            [](const Scene& scene) {
+                return scene.mixes_colors() && (has_lines(scene) || fills_by(scene, Fill::fan));
+            }),
     };
     return keys;
+}
+
+std::string value_in_force(const MethodKey& key, const Scene& scene) {
+    const std::string_view said = key.get(scene.method);
+    return said.empty() ? key.otherwise(scene) : std::string(said);
 }
 
 const MethodKey* find_method_key(std::string_view name) {

@@ -48,7 +48,8 @@ public:
 
     Scene read(const JsonValue& root) {
         // The smallest scene has vertices and triangles; everything else has a default.
-        allow_keys(root, {"title", "canvas", "vertices", "triangles", "method"});
+        allow_keys(root, {"title", "canvas", "vertices", "colors", "triangles", "outlines", "lines",
+                          "points", "method"});
         scene_.title = base_name(source_.name);
         if (const JsonValue* title = root.find("title"))
             scene_.title = string_in(*title, "a title in quotes");
@@ -57,14 +58,19 @@ public:
         apply_overrides();
         if (const JsonValue* vertices = root.find("vertices"))
             read_vertices(*vertices);
-        if (const JsonValue* triangles = root.find("triangles"))
-            read_triangles(*triangles);
-        if (scene_.triangles.empty())
+        if (const JsonValue* colors = root.find("colors"))
+            read_colors(*colors);
+        // Drawn in this order: what is thin comes last and stays visible.
+        read_primitives(root.find("triangles"), PrimitiveKind::triangle);
+        read_primitives(root.find("outlines"), PrimitiveKind::outline);
+        read_primitives(root.find("lines"), PrimitiveKind::line);
+        read_primitives(root.find("points"), PrimitiveKind::point);
+        if (scene_.primitives.empty())
             fail(root, "expected at least one primitive, found none",
                  R"(the smallest scene: {"vertices": {"A": [2, 5], "B": [-4, -3], "C": [5, -3]}, )"
                  R"("triangles": ["ABC"]})");
         read_canvas(root.find("canvas"), root);
-        refuse_overflow();
+        refuse_unfit();
         return std::move(scene_);
     }
 
@@ -138,7 +144,9 @@ private:
         for (std::size_t i = 0; i < method.keys.size(); ++i) {
             const MethodKey& key = *find_method_key(method.keys[i].text);
             const JsonValue& value = method.items[i];
-            if (value.kind != JsonValue::Kind::string || !key.set(scene_.method, value.text))
+            const bool is_word = value.kind == JsonValue::Kind::string ||
+                                 (value.kind == JsonValue::Kind::number && key.is_number());
+            if (!is_word || !key.set(scene_.method, value.text))
                 fail_expecting(value, fmt::format("one of {}", fmt::join(key.values, ", ")),
                                did_you_mean(value.text, key.values));
         }
@@ -166,7 +174,7 @@ private:
             places_of_vertices_.push_back(name.begin);
             vertex_by_name_.emplace(name.text, scene_.vertices.size());
             scene_.vertices.push_back(
-                {name.text, number_in(coordinates[0]), number_in(coordinates[1])});
+                {name.text, number_in(coordinates[0]), number_in(coordinates[1]), std::nullopt});
         }
     }
 
@@ -187,13 +195,35 @@ private:
              std::move(hint));
     }
 
-    /// The three vertices that "ABC" or ["P1", "P2", "P3"] names.
-    std::array<std::size_t, 3> corners_in(const JsonValue& value) const {
-        constexpr std::string_view expected = R"(three vertices, "ABC" or ["P1", "P2", "P3"])";
+    /// What a list of primitives of a kind looks like, and one of them.
+    struct Form {
+        std::string_view list;
+        std::string_view vertices;
+    };
+    static Form form_of(PrimitiveKind kind) {
+        switch (kind) {
+        case PrimitiveKind::point:
+            return {R"(a list of points, like ["A"])", R"(one vertex, "A" or ["P1"])"};
+        case PrimitiveKind::line:
+            return {R"(a list of lines, like ["AB"])", R"(two vertices, "AB" or ["P1", "P2"])"};
+        case PrimitiveKind::outline:
+            return {R"(a list of outlines, like ["ABC"])",
+                    R"(three vertices, "ABC" or ["P1", "P2", "P3"])"};
+        case PrimitiveKind::triangle:
+            break;
+        }
+        return {R"(a list of triangles, like ["ABC"])",
+                R"(three vertices, "ABC" or ["P1", "P2", "P3"])"};
+    }
+
+    /// The vertices that "ABC" or ["P1", "P2", "P3"] names.
+    void read_corners(const JsonValue& value, ScenePrimitive& primitive) const {
+        const std::string_view expected = form_of(primitive.kind).vertices;
+        const std::size_t count = primitive.corners().size();
         std::vector<std::size_t> corners;
         if (value.kind == JsonValue::Kind::string) {
             // One-letter names. A place inside the quotes can be pointed at if nothing is escaped.
-            if (characters_in(value.text) != 3)
+            if (characters_in(value.text) != count)
                 fail_expecting(value, expected);
             const bool as_typed = value.end - value.begin == value.text.size() + 2;
             std::string_view rest = value.text;
@@ -207,48 +237,63 @@ private:
             for (const JsonValue& name : array_in(value, expected))
                 corners.push_back(
                     vertex_named(string_in(name, "the name of a vertex"), name.begin));
-            if (corners.size() != 3)
+            if (corners.size() != count)
                 fail_expecting(value, expected);
         }
-        return {corners[0], corners[1], corners[2]};
+        std::copy(corners.begin(), corners.end(), primitive.vertices.begin());
     }
 
     Color color_in(const JsonValue& value) const {
         constexpr std::string_view expected = R"(a color, like "#ff8000" or "red")";
         const auto color = parse_color(string_in(value, expected));
-        if (!color)
-            fail_expecting(value, expected, did_you_mean(value.text, color_names()));
+        if (!color) {
+            std::string hint = did_you_mean(value.text, color_names());
+            if (value.text.starts_with('#'))
+                hint = "8 bits a channel: #rrggbb or #rrggbbaa";
+            fail_expecting(value, expected, std::move(hint));
+        }
         if (color->alpha() == 0)
             fail_expecting(value, "a color that can be seen (alpha above 00)");
         return *color;
     }
 
-    void read_triangles(const JsonValue& triangles) {
-        for (const JsonValue& value : array_in(triangles, R"(a list of triangles, like ["ABC"])")) {
-            SceneTriangle triangle;
+    void read_colors(const JsonValue& colors) {
+        if (colors.kind != JsonValue::Kind::object)
+            fail_expecting(colors, R"(colors by vertex, like {"A": "red"})");
+        for (std::size_t i = 0; i < colors.keys.size(); ++i)
+            scene_.vertices[vertex_named(colors.keys[i].text, colors.keys[i].begin)].color =
+                color_in(colors.items[i]);
+    }
+
+    void read_primitives(const JsonValue* list, PrimitiveKind kind) {
+        if (list == nullptr)
+            return;
+        for (const JsonValue& value : array_in(*list, form_of(kind).list)) {
+            ScenePrimitive primitive;
+            primitive.kind = kind;
             if (value.kind == JsonValue::Kind::object) {
                 allow_keys(value, {"vertices", "name", "color"});
                 const JsonValue* vertices = value.find("vertices");
                 if (vertices == nullptr)
                     fail(value, R"(expected the key "vertices", found none)");
-                triangle.vertices = corners_in(*vertices);
+                read_corners(*vertices, primitive);
                 if (const JsonValue* color = value.find("color"))
-                    triangle.color = color_in(*color);
+                    primitive.color = color_in(*color);
                 if (const JsonValue* name = value.find("name")) {
-                    triangle.name = string_in(*name, "a name in quotes");
-                    if (!names_of_primitives_.insert(triangle.name).second)
+                    primitive.name = string_in(*name, "a name in quotes");
+                    if (!names_of_primitives_.insert(primitive.name).second)
                         fail_expecting(*name, "a name that no other primitive has");
                 }
             } else {
-                triangle.vertices = corners_in(value);
+                read_corners(value, primitive);
             }
-            if (triangle.name.empty()) {
-                std::array<std::string_view, 3> names;
-                for (std::size_t i = 0; i < 3; ++i)
-                    names[i] = scene_.vertices[triangle.vertices[i]].name;
-                triangle.name = joined_names(names);
+            if (primitive.name.empty()) {
+                std::vector<std::string_view> names;
+                for (const std::size_t vertex : primitive.corners())
+                    names.push_back(scene_.vertices[vertex].name);
+                primitive.name = joined_names(names);
             }
-            scene_.triangles.push_back(std::move(triangle));
+            scene_.primitives.push_back(std::move(primitive));
         }
     }
 
@@ -274,8 +319,8 @@ private:
     int fitted_size(const JsonValue& blamed, std::string_view side,
                     Number SceneVertex::*coordinate) const {
         double farthest = 0;
-        for (const SceneTriangle& triangle : scene_.triangles)
-            for (const std::size_t vertex : triangle.vertices) {
+        for (const ScenePrimitive& primitive : scene_.primitives)
+            for (const std::size_t vertex : primitive.corners()) {
                 const double value = (scene_.vertices[vertex].*coordinate).nearest_double();
                 const bool centered = scene_.canvas.origin == Origin::center;
                 farthest = std::max(farthest, centered ? std::abs(value) : value);
@@ -292,25 +337,43 @@ private:
         return static_cast<int>(size);
     }
 
-    void refuse_overflow() const {
-        const auto overflow = find_overflow(scene_);
-        if (!overflow)
+    void refuse_unfit() const {
+        const auto unfit = find_unfit(scene_);
+        if (!unfit)
             return;
-        const SceneVertex& from = scene_.vertices[overflow->from];
-        const SceneVertex& to = scene_.vertices[overflow->to];
+        const SceneVertex& from = scene_.vertices[unfit->from];
+        const SceneVertex& to = scene_.vertices[unfit->to];
         const auto at = [](const SceneVertex& vertex) {
             return fmt::format("vertex {} at ({}, {})", vertex.name, vertex.x.nearest_double(),
                                vertex.y.nearest_double());
         };
+        const std::size_t place = places_of_vertices_[unfit->to];
         const std::string hint = R"(with "method": {"scalar": "exact"} nothing overflows)";
-        if (overflow->what == Overflow::What::coordinate)
-            fail(places_of_vertices_[overflow->from],
-                 fmt::format("expected coordinates up to 4.49e307 for double, found {}", at(from)),
+        using What = Unfit::What;
+        switch (unfit->what) {
+        case What::coordinate_of_double:
+            fail(place,
+                 fmt::format("expected coordinates up to 4.49e307 for double, found {}", at(to)),
                  hint);
-        fail(places_of_vertices_[overflow->to],
-             fmt::format("expected an edge whose slope dx/dy fits in a double, found {} and {}",
-                         at(from), at(to)),
-             hint);
+        case What::coordinate_of_fixed:
+            fail(place,
+                 fmt::format("expected coordinates up to 68719476736 for fixed, found {}", at(to)),
+                 hint);
+        case What::coordinate_of_line:
+            fail(place, fmt::format("expected coordinates up to 2251799813685248 for Bresenham's "
+                                    "line, found {}",
+                                    at(to)));
+        case What::edge_of_fan:
+            fail(place,
+                 fmt::format("expected edges of at most {} pixels for the fan, which draws a "
+                             "line for each, found {} and {}",
+                             longest_fan_edge, at(from), at(to)));
+        case What::slope_of_double:
+            fail(place,
+                 fmt::format("expected an edge whose slope dx/dy fits in a double, found {} and {}",
+                             at(from), at(to)),
+                 hint);
+        }
     }
 
     const Source& source_;

@@ -7,7 +7,8 @@ namespace rastertrace {
 
 namespace {
 
-constexpr std::array<std::string_view, step_kinds> names{"primitive", "edge",   "scanline",
+constexpr std::array<std::string_view, step_kinds> names{"primitive", "edge",   "half",   "ray",
+                                                         "scanline",  "along",  "decide", "sample",
                                                          "pixel",     "reject", "skip"};
 
 } // namespace

@@ -18,6 +18,12 @@ constexpr std::size_t buffer_size = 256 * 1024;
 
 std::string_view name_of(PrimitiveKind kind) {
     switch (kind) {
+    case PrimitiveKind::point:
+        return "point";
+    case PrimitiveKind::line:
+        return "line";
+    case PrimitiveKind::outline:
+        return "outline";
     case PrimitiveKind::triangle:
         break;
     }
@@ -28,10 +34,17 @@ std::string_view name_of(SkipReason reason) {
     switch (reason) {
     case SkipReason::off_canvas:
         return "off canvas";
+    case SkipReason::zero_area:
+        return "zero area";
     case SkipReason::between_rows:
         break;
     }
     return "between rows";
+}
+
+std::string_view name_of(Move move) {
+    constexpr std::array<std::string_view, 8> names{"E", "NE", "N", "NW", "W", "SW", "S", "SE"};
+    return names[static_cast<std::size_t>(move)];
 }
 
 } // namespace
@@ -104,8 +117,16 @@ void StepWriter::begin_primitive_line(PrimitiveKind kind, std::string_view name,
     put(R"(],"at":[)");
 }
 
-void StepWriter::end_primitive_line(Color color) {
-    put(R"(],"color":")", std::string_view(to_text(color)), "\"}");
+void StepWriter::end_primitive_line(Color color, std::span<const Color> colors, int octant) {
+    put(R"(],"color":")", std::string_view(to_text(color)), "\"");
+    for (std::size_t i = 0; i < colors.size(); ++i)
+        put(std::string_view(i == 0 ? R"(,"colors":[")" : R"(,")"),
+            std::string_view(to_text(colors[i])), "\"");
+    if (!colors.empty())
+        put("]");
+    if (octant != 0)
+        put(R"(,"octant":)", octant);
+    put("}");
 }
 
 void StepWriter::put_colored_pixel(const PixelPlotted& step) {
@@ -113,12 +134,51 @@ void StepWriter::put_colored_pixel(const PixelPlotted& step) {
         std::string_view(to_text(step.color)), "\"}");
 }
 
+void StepWriter::operator()(const SideBegan& step) {
+    if (!wants(StepKind::edge))
+        return;
+    begin_line(StepKind::edge);
+    put(R"({"step":"edge","edge":)", label(step.edge), R"(,"octant":)", step.octant, "}");
+}
+
+void StepWriter::operator()(const HalfBegan& step) {
+    if (!wants(StepKind::half))
+        return;
+    begin_line(StepKind::half);
+    put(R"({"step":"half","half":")", std::string_view(step.is_upper ? "upper" : "lower"),
+        R"(","from_y":)", step.from_y, R"(,"to_y":)", step.to_y, "}");
+}
+
+void StepWriter::operator()(const RayBegan& step) {
+    if (!wants(StepKind::ray))
+        return;
+    begin_line(StepKind::ray);
+    put(R"({"step":"ray","x":)", step.x, R"(,"y":)", step.y, "}");
+}
+
+void StepWriter::operator()(const LineDecided& step) {
+    if (!wants(StepKind::decide) || !is_in_region(step.pixel))
+        return;
+    begin_line(StepKind::decide);
+    put(R"({"step":"decide","x":)", step.pixel.x, R"(,"y":)", step.pixel.y, R"(,"d":)", step.d,
+        R"(,"move":")", name_of(step.move), "\"}");
+}
+
 void StepWriter::operator()(const PixelsRejected& step) {
-    if (!wants(StepKind::reject) || !is_in_region(step.y, step.from, step.to))
+    const auto [low_x, high_x] = std::minmax(step.from_x, step.to_x);
+    const auto [low_y, high_y] = std::minmax(step.from_y, step.to_y);
+    const bool meets_region = !region_ || (region_->meets(low_x, high_x) && low_y <= region_->y1 &&
+                                           region_->y0 <= high_y);
+    if (!wants(StepKind::reject) || !meets_region)
         return;
     begin_line(StepKind::reject);
-    put(R"({"step":"reject","x":)", step.from, R"(,"to_x":)", step.to, R"(,"y":)", step.y,
-        R"(,"why":"off-canvas"})");
+    put(R"({"step":"reject","x":)", step.from_x);
+    if (low_x != high_x || low_y != high_y)
+        put(R"(,"to_x":)", step.to_x);
+    put(R"(,"y":)", step.from_y);
+    if (low_y != high_y)
+        put(R"(,"to_y":)", step.to_y);
+    put(R"(,"why":"off-canvas"})");
 }
 
 void StepWriter::operator()(const RowsRejected& step) {

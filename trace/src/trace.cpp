@@ -83,7 +83,7 @@ std::string Trace::method_value(std::string_view key) const {
 namespace {
 
 /// What a field of a known step must be.
-enum class FieldType { whole, quantity, quantity_or_null, string };
+enum class FieldType { whole, quantity, string };
 
 struct FieldRule {
     std::string_view name;
@@ -96,8 +96,6 @@ std::string_view expected_for(FieldType type) {
         return "a whole number";
     case FieldType::quantity:
         return R"(a number, or an exact one like "25/8")";
-    case FieldType::quantity_or_null:
-        return R"(a number, an exact one like "25/8", or null)";
     case FieldType::string:
         break;
     }
@@ -107,16 +105,26 @@ std::string_view expected_for(FieldType type) {
 /// The fields without which a step of a known kind cannot be understood.
 const std::vector<FieldRule>& required_fields(StepKind kind) {
     static const std::array<std::vector<FieldRule>, step_kinds> rules{{
-        {{"kind", FieldType::string}, {"name", FieldType::string}},
-        {{"edge", FieldType::string}, {"dx_dy", FieldType::quantity_or_null}},
+        /* primitive */ {{"kind", FieldType::string}, {"name", FieldType::string}},
+        /* edge */ {{"edge", FieldType::string}},
+        /* half */ {{"half", FieldType::string}},
+        /* ray */ {{"x", FieldType::whole}, {"y", FieldType::whole}},
+        /* scanline */
         {{"y", FieldType::whole},
          {"left", FieldType::quantity},
          {"right", FieldType::quantity},
          {"from", FieldType::whole},
          {"to", FieldType::whole}},
-        {{"x", FieldType::whole}, {"y", FieldType::whole}},
-        {{"why", FieldType::string}},
-        {{"why", FieldType::string}},
+        /* along */ {{"value", FieldType::quantity}, {"pixel", FieldType::whole}},
+        /* decide */
+        {{"x", FieldType::whole},
+         {"y", FieldType::whole},
+         {"d", FieldType::quantity},
+         {"move", FieldType::string}},
+        /* sample */ {{"x", FieldType::whole}, {"y", FieldType::whole}},
+        /* pixel */ {{"x", FieldType::whole}, {"y", FieldType::whole}},
+        /* reject */ {{"why", FieldType::string}},
+        /* skip */ {{"why", FieldType::string}},
     }};
     return rules[static_cast<std::size_t>(kind)];
 }
@@ -128,10 +136,6 @@ bool has_type(std::string_view json, FieldType type) {
         return whole_in(json).has_value();
     case FieldType::string:
         return is_string;
-    case FieldType::quantity_or_null:
-        if (json == "null")
-            return true;
-        break;
     case FieldType::quantity:
         break;
     }

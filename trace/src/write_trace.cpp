@@ -27,8 +27,10 @@ std::string header_members(const Scene& scene, const StepFilter& filter) {
     text += R"(,"method":{)";
     std::string_view separator;
     for (const MethodKey& key : method_keys())
-        if (key.in_force(scene.method)) {
-            fmt::format_to(out, R"({}"{}":"{}")", separator, key.name, key.get(scene.method));
+        if (key.in_force(scene)) {
+            const std::string_view quote = key.is_number() ? "" : "\"";
+            fmt::format_to(out, R"({}"{}":{}{}{})", separator, key.name, quote,
+                           value_in_force(key, scene), quote);
             separator = ",";
         }
     text += '}';

@@ -103,7 +103,7 @@ public:
     void add_to(CLI::App& command) {
         for (const MethodKey& key : method_keys())
             command
-                .add_option("--" + std::string(key.name), values_[std::string(key.name)],
+                .add_option(option_of(key), values_[std::string(key.name)],
                             fmt::format("{}: {}", key.meaning, fmt::join(key.values, ", ")))
                 ->type_name("NAME")
                 ->group("Method, instead of what the scene says");
@@ -117,8 +117,7 @@ public:
                 continue;
             Method scratch;
             if (!key.set(scratch, value))
-                refuse(fmt::format("--{}", key.name),
-                       fmt::format("one of {}", fmt::join(key.values, ", ")), value,
+                refuse(option_of(key), fmt::format("one of {}", fmt::join(key.values, ", ")), value,
                        did_you_mean(value, key.values));
             overrides.emplace_back(key.name, value);
         }
@@ -126,6 +125,13 @@ public:
     }
 
 private:
+    /// --fan-passes for fan_passes.
+    static std::string option_of(const MethodKey& key) {
+        std::string option = "--" + std::string(key.name);
+        std::replace(option.begin(), option.end(), '_', '-');
+        return option;
+    }
+
     std::map<std::string, std::string> values_;
 };
 

@@ -156,7 +156,8 @@ std::string frame_text(const Replay& replay, const FrameText& about, TextSize si
     const auto letters = vertex_letters(replay);
     const Window window = visible_part(canvas, size, margin, cell, newest);
 
-    std::string text = fmt::format("{}\n{}\n", title_line(replay.trace(), about, size.columns), about.caption);
+    std::string text =
+        fmt::format("{}\n{}\n", title_line(replay.trace(), about, size.columns), about.caption);
     if (window.columns < canvas.width || window.rows < canvas.height)
         text += fmt::format(
             "(x {} to {}, y {} to {} of a canvas of {} x {})\n",

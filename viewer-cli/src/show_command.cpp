@@ -36,16 +36,33 @@ std::vector<std::string> kinds_in(const Trace& trace) {
     return kinds;
 }
 
+/// True if a step of the second kind begins something new for one of the first, which ends there.
+bool ends(StepKind kind, StepKind next) {
+    switch (kind) {
+    case StepKind::primitive:
+        return next == StepKind::primitive;
+    case StepKind::half:
+        return next == StepKind::primitive || next == StepKind::half;
+    case StepKind::ray:
+        return next == StepKind::primitive || next == StepKind::edge || next == StepKind::ray;
+    case StepKind::scanline:
+    case StepKind::along:
+    case StepKind::decide:
+    case StepKind::sample:
+        return next != StepKind::pixel && next != StepKind::reject;
+    default:
+        return true;
+    }
+}
+
 /// The last step that belongs to step n: a primitive has all steps up to the next one, a scanline
-/// its pixels, any other step only itself.
+/// or a decision its pixels, an edge only itself.
 std::size_t end_of(const Trace& trace, std::size_t n) {
     const auto kind = trace.kind_of(n);
-    if (kind != StepKind::primitive && kind != StepKind::scanline)
-        return n;
     std::size_t last = n;
-    while (last < trace.size()) {
+    while (kind && last < trace.size()) {
         const auto next = trace.kind_of(last + 1);
-        if (next == StepKind::primitive || (kind == StepKind::scanline && next == kind))
+        if (next && ends(*kind, *next))
             break;
         ++last;
     }

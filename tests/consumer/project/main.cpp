@@ -11,8 +11,8 @@ int main() {
     using namespace rastertrace;
     Scene scene;
     scene.canvas = {.width = 17, .height = 14};
-    scene.vertices = {{"A", 2, 5}, {"B", -4, -3}, {"C", 5, -3}};
-    scene.triangles = {{.name = "ABC", .vertices = {0, 1, 2}, .color = {}}};
+    scene.vertices = {{"A", 2, 5, {}}, {"B", -4, -3, {}}, {"C", 5, -3, {}}};
+    scene.primitives = {{.kind = PrimitiveKind::triangle, .name = "ABC", .vertices = {0, 1, 2}, .color = {}}};
     const Image picture = draw<double>(scene, plan_for(scene), NullSink{});
 
     Source source{"first.json", {}};

@@ -5,8 +5,14 @@
 //
 //     const Image picture = draw<double>(scene, plan_for(scene), NullSink{});
 
+#include <rastertrace/core/fill_barycentric.h>
+#include <rastertrace/core/fill_fan.h>
 #include <rastertrace/core/fill_scanline.h>
+#include <rastertrace/core/fill_top_left.h>
+#include <rastertrace/core/fill_two_halves.h>
 #include <rastertrace/core/image.h>
+#include <rastertrace/core/line_bresenham.h>
+#include <rastertrace/core/line_lerp.h>
 #include <rastertrace/core/plan.h>
 #include <rastertrace/core/scene.h>
 #include <rastertrace/core/sink.h>
@@ -14,36 +20,132 @@
 #include <rastertrace/core/triangle.h>
 
 #include <array>
+#include <cstddef>
+#include <span>
 #include <string_view>
+#include <utility>
 
 namespace rastertrace {
 
+/// A primitive with its numbers and colors ready to draw: the first `count` of each.
+template <typename Scalar> struct PlacedPrimitive {
+    std::size_t count = 0;
+    std::array<std::string_view, 3> names;
+    std::array<Vec<Scalar, 2>, 3> positions{};
+    std::array<Color, 3> colors; ///< of the vertices; the primitive's where they have none
+};
+
+/// Numbers as typed become numbers to calculate with.
+template <typename Scalar>
+PlacedPrimitive<Scalar> placed(const Scene& scene, const ScenePrimitive& primitive,
+                               const Plan& plan, bool mixes_colors) {
+    PlacedPrimitive<Scalar> result;
+    for (const std::size_t place : primitive.corners()) {
+        const SceneVertex& vertex = scene.vertices[place];
+        const std::size_t i = result.count++;
+        result.names[i] = vertex.name;
+        result.positions[i].x = scalar_from<Scalar>(vertex.x, plan.denominator);
+        result.positions[i].y = scalar_from<Scalar>(vertex.y, plan.denominator);
+        result.colors[i] = mixes_colors ? vertex.color.value_or(primitive.color) : primitive.color;
+    }
+    return result;
+}
+
+/// Draws the line between two vertices of a primitive.
+template <typename Scalar, typename Sink>
+void draw_line(const PlacedPrimitive<Scalar>& primitive, EdgeName side, const Method& method,
+               Image& image, Sink&& sink) {
+    Segment<Scalar> segment{primitive.positions[side.from], primitive.positions[side.to]};
+    GridLine line{nearest_pixel(segment.from.x, segment.from.y),
+                  nearest_pixel(segment.to.x, segment.to.y), primitive.colors[side.from],
+                  primitive.colors[side.to]};
+
+    // From the low end, if that is asked for.
+    const bool is_x_major = std::abs(line.to.x - line.from.x) >= std::abs(line.to.y - line.from.y);
+    const bool runs_down = is_x_major ? line.to.x < line.from.x : line.to.y < line.from.y;
+    if (method.from == LineStart::low && runs_down) {
+        line = reversed(line);
+        std::swap(segment.from, segment.to);
+    }
+
+    if (method.line == LineMethod::bresenham)
+        draw_bresenham(line, method.color_lerp, image, sink);
+    else
+        draw_line_by_lerp(segment,
+                          method.line == LineMethod::naive ? LineForm::naive : LineForm::dda,
+                          line_rounding(method), line, method.color_lerp, image, sink);
+}
+
+/// Fills a triangle.
+template <typename Scalar, typename Sink>
+void fill(const PlacedPrimitive<Scalar>& primitive, Color flat, bool mixes_colors,
+          const Method& method, const Plan& plan, Image& image, Sink&& sink) {
+    const Triangle<Scalar> triangle{primitive.positions};
+    const Scalar sample_offset = scalar_from<Scalar>(sample_offset_of(method), plan.denominator);
+    Paint<Scalar> paint{.flat = flat, .mixed = {}};
+    const Barycentric<Scalar> barycentric(triangle);
+    if (mixes_colors && barycentric.area2() != scalar_from<Scalar>(0))
+        paint.mixed = MixedColors<Scalar>{primitive.colors, barycentric, sample_offset};
+
+    const ScanlineRules rules{.lerp = method.lerp, .span = span_rounding(method)};
+    switch (method.fill) {
+    case Fill::scanline:
+        return fill_scanline(triangle, paint, rules, image, sink);
+    case Fill::two_halves:
+        return fill_two_halves(triangle, paint, rules, image, sink);
+    case Fill::barycentric:
+        return fill_barycentric(triangle, paint, sample_offset, image, sink);
+    case Fill::top_left:
+        return fill_top_left(triangle, paint, sample_offset, image, sink);
+    case Fill::fan:
+        break;
+    }
+    fill_fan(triangle, primitive.colors,
+             {.passes = method.fan_passes, .color_lerp = method.color_lerp}, image, sink);
+}
+
 /// Draws `scene` and returns its picture, reporting every step to `sink`. The picture is the same
-/// whatever the sink. `Scalar` must be the one of the plan (with_scalar finds it); for double,
-/// find_overflow must have found nothing.
+/// whatever the sink. `Scalar` must be the one of the plan (with_scalar finds it), and find_unfit
+/// must have found nothing.
 template <typename Scalar, typename Sink>
 Image draw(const Scene& scene, const Plan& plan, Sink&& sink) {
-    const ScanlineRules rules{.lerp = scene.method.lerp,
-                              .span = {scene.method.rounding, scene.method.ties}};
+    const bool mixes_colors = scene.mixes_colors();
 
     Image image(scene.canvas);
-    for (const SceneTriangle& primitive : scene.triangles) {
-        // Numbers as typed become numbers to calculate with.
-        Triangle<Scalar> triangle;
-        std::array<std::string_view, 3> names;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const SceneVertex& vertex = scene.vertices[primitive.vertices[i]];
-            triangle.vertices[i].x = scalar_from<Scalar>(vertex.x, plan.denominator);
-            triangle.vertices[i].y = scalar_from<Scalar>(vertex.y, plan.denominator);
-            names[i] = vertex.name;
-        }
-        sink(PrimitiveBegan<Scalar>{.kind = PrimitiveKind::triangle,
-                                    .name = primitive.name,
-                                    .vertices = names,
-                                    .positions = triangle.vertices,
-                                    .color = primitive.color});
+    for (const ScenePrimitive& one : scene.primitives) {
+        const auto primitive = placed<Scalar>(scene, one, plan, mixes_colors);
+        const GridPoint first = nearest_pixel(primitive.positions[0].x, primitive.positions[0].y);
+        const GridPoint second = nearest_pixel(primitive.positions[1].x, primitive.positions[1].y);
+        sink(PrimitiveBegan<Scalar>{
+            .kind = one.kind,
+            .name = one.name,
+            .vertices = std::span(primitive.names).first(primitive.count),
+            .positions = std::span(primitive.positions).first(primitive.count),
+            .color = one.color,
+            .colors = std::span(primitive.colors).first(mixes_colors ? primitive.count : 0),
+            .octant = one.kind == PrimitiveKind::line ? octant_of(first, second) : 0});
 
-        fill_scanline(triangle, primitive.color, rules, image, sink);
+        switch (one.kind) {
+        case PrimitiveKind::point:
+            draw_point(first, primitive.colors[0], image, sink);
+            break;
+        case PrimitiveKind::line:
+            draw_line(primitive, {0, 1}, scene.method, image, sink);
+            break;
+        case PrimitiveKind::outline:
+            for (const EdgeName side : {EdgeName{0, 1}, EdgeName{1, 2}, EdgeName{2, 0}}) {
+                sink(SideBegan{.edge = side,
+                               .octant = octant_of(nearest_pixel(primitive.positions[side.from].x,
+                                                                 primitive.positions[side.from].y),
+                                                   nearest_pixel(primitive.positions[side.to].x,
+                                                                 primitive.positions[side.to].y))});
+                draw_line(primitive, side, scene.method, image, sink);
+            }
+            break;
+        case PrimitiveKind::triangle:
+            fill(primitive, one.color, mixes_colors, scene.method, plan, image, sink);
+            break;
+        }
     }
     return image;
 }

@@ -9,8 +9,11 @@
 
 #include <rastertrace/core/scalar.h>
 #include <rastertrace/core/steps.h>
+#include <rastertrace/core/triangle.h>
 #include <rastertrace/core/vec.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 
 namespace rastertrace {
@@ -52,16 +55,68 @@ Edge<Scalar> edge_between(const Vertex<Scalar>& from, const Vertex<Scalar>& to) 
             .dx_dy = is_horizontal ? zero : Scalar(dx / dy)};
 }
 
+/// The vertices from the top of the picture to its bottom; on one height, from left to right. The
+/// order in which the scene names them makes no difference to the edges, nor to any pixel.
+template <typename Scalar>
+std::array<Vertex<Scalar>, 3> sorted_from_top(const Triangle<Scalar>& triangle, int down) {
+    std::array<Vertex<Scalar>, 3> vertices{
+        {{triangle.vertices[0], 0}, {triangle.vertices[1], 1}, {triangle.vertices[2], 2}}};
+    const auto is_before = [down](const Vertex<Scalar>& a, const Vertex<Scalar>& b) {
+        const auto& p = a.position;
+        const auto& q = b.position;
+        if (p.y != q.y)
+            return down > 0 ? p.y < q.y : q.y < p.y;
+        return p.x != q.x ? p.x < q.x : a.place < b.place;
+    };
+    std::sort(vertices.begin(), vertices.end(), is_before);
+    return vertices;
+}
+
+/// The edges of a triangle as the row-by-row fills see them: the long one from top to bottom, and
+/// opposite it the two short ones, joined at the middle vertex.
+template <typename Scalar> struct JoinedEdges {
+    Vertex<Scalar> top;
+    Vertex<Scalar> middle;
+    Vertex<Scalar> bottom;
+    Edge<Scalar> long_edge;
+    Edge<Scalar> upper;
+    Edge<Scalar> lower;
+    bool has_height;        ///< the vertices do not all lie on one height
+    bool has_flat_bottom;   ///< the lower edge is horizontal, and the triangle has height
+    bool has_area;          ///< the middle vertex does not lie on the long edge
+    bool long_edge_is_left; ///< it passes the middle vertex on the left, or touches it
+};
+
+/// A triangle without height is its row from the leftmost to the rightmost vertex: its lower edge
+/// starts at the rightmost one.
+template <typename Scalar>
+JoinedEdges<Scalar> joined_edges(const Triangle<Scalar>& triangle, int down) {
+    const auto [top, middle, bottom] = sorted_from_top(triangle, down);
+    const bool has_height = top.position.y != bottom.position.y;
+    const Edge<Scalar> long_edge = edge_between(top, bottom);
+    const Scalar x_opposite_middle = long_edge.x_at(middle.position.y);
+    return {.top = top,
+            .middle = middle,
+            .bottom = bottom,
+            .long_edge = long_edge,
+            .upper = edge_between(top, middle),
+            .lower = has_height ? edge_between(middle, bottom) : edge_between(bottom, middle),
+            .has_height = has_height,
+            .has_flat_bottom = has_height && middle.position.y == bottom.position.y,
+            .has_area = has_height && middle.position.x != x_opposite_middle,
+            .long_edge_is_left = !(middle.position.x < x_opposite_middle)};
+}
+
 /// Walks along an edge from row to row of the picture and gives x on each.
 template <typename Scalar> class EdgeWalk {
 public:
-    /// `down` is the step in y from one row to the next, +1 or -1.
-    EdgeWalk(const Edge<Scalar>& edge, LerpForm form, int down)
-        : edge_(edge), form_(form), down_(down) {}
+    /// `y_step` is the step in y from one row to the next, +1 or -1.
+    EdgeWalk(const Edge<Scalar>& edge, LerpForm form, int y_step)
+        : edge_(edge), form_(form), y_step_(y_step) {}
 
     EdgeName name() const { return edge_.name; }
 
-    /// x on row `y`. After the first call, every call must ask for the next row down.
+    /// x on row `y`. After the first call, every call must ask for the next row.
     Scalar x_on_row(int y) {
         if (form_ == LerpForm::direct)
             return edge_.x_at(scalar_from<Scalar>(y));
@@ -75,14 +130,14 @@ public:
 private:
     void begin_on_row(int y) {
         x_ = edge_.x_at(scalar_from<Scalar>(y));
-        step_ = down_ > 0 ? edge_.dx_dy : Scalar(-edge_.dx_dy);
+        step_ = y_step_ > 0 ? edge_.dx_dy : Scalar(-edge_.dx_dy);
         write_over_denominator_of(x_, step_);
         has_begun_ = true;
     }
 
     Edge<Scalar> edge_;
     LerpForm form_;
-    int down_;
+    int y_step_;
     bool has_begun_ = false;
     Scalar x_{};    ///< incremental: the value on the row before
     Scalar step_{}; ///< incremental: from one row to the next

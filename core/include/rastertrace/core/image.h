@@ -17,8 +17,8 @@
 namespace rastertrace {
 
 /// Red, green, blue and alpha, 0 to 255 each, in one word: a picture is filled a word at a time.
-/// Alpha 0 is kept for pixels that nothing has drawn: `no_color` is what an image starts with, and no
-/// primitive may have a color with alpha 0.
+/// Alpha 0 is kept for pixels that nothing has drawn: `no_color` is what an image starts with, and
+/// no primitive may have a color with alpha 0.
 class Color {
 public:
     /// Opaque black.

@@ -6,28 +6,79 @@
 //     Method method{.scalar = ScalarKind::exact, .rounding = Rounding::truncate};
 
 #include <rastertrace/core/edge.h>
+#include <rastertrace/core/line.h>
+#include <rastertrace/core/number.h>
 #include <rastertrace/core/rounding.h>
+
+#include <optional>
 
 namespace rastertrace {
 
 /// The numbers to draw with.
 enum class ScalarKind {
     double_precision, ///< IEEE 754 binary64
+    fixed,            ///< vertices snapped to 1/256 pixel, then exact whole numbers of that size
     exact,            ///< fractions of whole numbers; nothing is ever rounded but to a pixel
 };
 
+/// The algorithm that draws lines, and the sides of outlines.
+enum class LineMethod { naive, dda, bresenham };
+
 /// The algorithm that fills triangles.
 enum class Fill {
-    scanline, ///< row by row, the long edge against the two short ones joined
+    scanline,    ///< row by row, the long edge against the two short ones joined
+    two_halves,  ///< the lower half, then the upper one
+    barycentric, ///< every pixel of the box, by its barycentric coordinates
+    top_left,    ///< edge functions; each sample of a shared edge has one owner
+    fan,         ///< a line from each pixel of an edge to the third vertex; has holes
 };
 
-/// The choices of a scene, with their defaults.
+/// Where a pixel is tested.
+enum class Sample {
+    integer, ///< at its integer point
+    center,  ///< half a pixel from there, in x and in y
+};
+
+/// Where the colors of pixels come from.
+enum class Shade {
+    flat,        ///< the primitive's color
+    interpolate, ///< mixed from the colors of its vertices
+};
+
+/// The choices of a scene, with their defaults. Where the default depends on what is drawn, nothing
+/// is said until someone says it.
 struct Method {
     ScalarKind scalar = ScalarKind::double_precision;
+    LineMethod line = LineMethod::bresenham;
+    LineStart from = LineStart::first;
     Fill fill = Fill::scanline;
-    Rounding rounding = Rounding::floor;
-    Ties ties = Ties::up;
+    int fan_passes = 1;
+    std::optional<Rounding> rounding = {}; ///< floor for spans, nearest for lines
+    std::optional<Ties> ties = {};         ///< up for spans, start for lines
+    std::optional<Sample> sample = {};     ///< center for top-left, else integer
     LerpForm lerp = LerpForm::direct;
+    std::optional<Shade> shade = {}; ///< interpolate if a vertex has a color, else flat
+    ColorLerp color_lerp = ColorLerp::axis;
 };
+
+/// How the ends of a fill's spans become pixels.
+inline SpanRounding span_rounding(const Method& method) {
+    return {method.rounding.value_or(Rounding::floor), method.ties.value_or(Ties::up)};
+}
+
+/// How the coordinates across naive and dda lines become pixels.
+inline SpanRounding line_rounding(const Method& method) {
+    return {method.rounding.value_or(Rounding::nearest), method.ties.value_or(Ties::start)};
+}
+
+/// Where the fill tests pixels: the choice in force, and how far that is from a pixel's integer
+/// point, in x and in y.
+inline Sample sample_of(const Method& method) {
+    return method.sample.value_or(method.fill == Fill::top_left ? Sample::center : Sample::integer);
+}
+
+inline Number sample_offset_of(const Method& method) {
+    return sample_of(method) == Sample::center ? Number::decimal(5, -1) : Number(0);
+}
 
 } // namespace rastertrace

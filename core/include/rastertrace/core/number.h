@@ -142,6 +142,17 @@ public:
         return scaled.get_num().get_si();
     }
 
+    /// value * denominator, rounded to the nearest whole number (a half up), if it is below 2^62.
+    std::optional<std::int64_t> nearest_numerator_over(std::int64_t denominator) const {
+        const mpq_class doubled = exact() * mpz_class(static_cast<long>(denominator)) * 2 + 1;
+        const mpz_class below = doubled.get_den() * 2;
+        mpz_class nearest;
+        mpz_fdiv_q(nearest.get_mpz_t(), doubled.get_num_mpz_t(), below.get_mpz_t());
+        if (mpz_sizeinbase(nearest.get_mpz_t(), 2) > 62)
+            return std::nullopt;
+        return nearest.get_si();
+    }
+
 private:
     std::int64_t digits_ = 0;
     std::int32_t exponent_ = 0;

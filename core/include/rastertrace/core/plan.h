@@ -6,6 +6,7 @@
 //     const Plan plan = plan_for(scene);
 //     with_scalar(plan, [&]<typename Scalar>() { draw<Scalar>(scene, plan, sink); });
 
+#include <rastertrace/core/fill_fan.h>
 #include <rastertrace/core/scalar.h>
 #include <rastertrace/core/scene.h>
 
@@ -31,30 +32,62 @@ struct Plan {
     std::int64_t denominator = 1; ///< common to all coordinates, when they are fractions
 };
 
-/// How many bits the scanline fill needs beyond those of its input, in fractions over a common
-/// denominator. With coordinates n/D, |n| < 2^b and D <= 2^d, an edge is at
+/// The grid that `fixed` snaps to: 1/256 pixel, as graphics hardware does.
+inline constexpr std::int64_t fixed_grid = 256;
+
+/// How many bits drawing needs, in fractions over a common denominator. With coordinates n/D, |n| <
+/// 2^b and D <= 2^d, an edge is at
 ///
 ///     x = n1/D + (dx/dy) ((y D - n0)/D),   so   |numerator| < 2^(2b + d + 3),  denominator < 2^(b
 ///     + 2d + 1)
 ///
-/// and comparing it with a vertex or doubling its distance to a pixel multiplies by D or by 4.
-inline int bits_of_scanline(int numerator_bits, int denominator_bits) {
-    return 2 * numerator_bits + 2 * denominator_bits + 6;
+/// and comparing it with a vertex, or its distance to a sample with a half, multiplies by 2D or
+/// by 8. A naive line has the denominator of the slope twice. Mixing colors multiplies a weight, a
+/// quotient of two areas, by 255 three times.
+inline int bits_of_drawing(const Scene& scene, int numerator_bits, int denominator_bits) {
+    const int of_edges = 2 * numerator_bits + 2 * denominator_bits + 8;
+    const int of_weights = 2 * numerator_bits + denominator_bits + 18;
+    const bool has_lines = scene.has(PrimitiveKind::line) || scene.has(PrimitiveKind::outline);
+    const int of_lines = has_lines && scene.method.line == LineMethod::naive
+                             ? 3 * numerator_bits + 2 * denominator_bits + 8
+                             : 0;
+    return std::max({of_edges, of_weights, of_lines});
+}
+
+/// Calls `is_fine` with every coordinate until one is not; true if all are.
+template <typename IsFine> bool all_numbers(const Scene& scene, IsFine&& is_fine) {
+    return std::all_of(scene.vertices.begin(), scene.vertices.end(),
+                       [&](const SceneVertex& one) { return is_fine(one.x) && is_fine(one.y); });
+}
+
+/// The narrowest type of fractions over `denominator` in which no step of drawing can overflow.
+inline Plan plan_of_fractions(const Scene& scene, std::int64_t denominator) {
+    std::uint64_t largest = 0;
+    const bool all_fit = all_numbers(scene, [&largest, denominator](const Number& number) {
+        auto numerator = number.numerator_over(denominator);
+        if (!numerator)
+            numerator = number.nearest_numerator_over(denominator);
+        if (!numerator || *numerator == std::numeric_limits<std::int64_t>::min())
+            return false;
+        largest = std::max(largest, static_cast<std::uint64_t>(std::llabs(*numerator)));
+        return true;
+    });
+    const int bits = bits_of_drawing(
+        scene, static_cast<int>(std::bit_width(largest)),
+        static_cast<int>(std::bit_width(static_cast<std::uint64_t>(denominator - 1))));
+    if (!all_fit || bits >= 128)
+        return {.number = NumberType::rational};
+    return {.number = bits < 64 ? NumberType::fraction64 : NumberType::fraction128,
+            .denominator = denominator};
 }
 
 /// The narrowest exact type in which no step of the fill can overflow, for all of the scene.
 inline Plan plan_of_exact_numbers(const Scene& scene) {
     const Plan any_size{.number = NumberType::rational};
 
-    // The least common multiple of the denominators as typed.
-    std::int64_t common = 1;
-    const auto for_each_number = [&scene](auto&& f) {
-        for (const SceneVertex& vertex : scene.vertices)
-            if (!f(vertex.x) || !f(vertex.y))
-                return false;
-        return true;
-    };
-    const bool has_common = for_each_number([&common](const Number& number) {
+    // The least common multiple of the denominators as typed, and of the sample point's.
+    std::int64_t common = sample_of(scene.method) == Sample::center ? 2 : 1;
+    const bool has_common = all_numbers(scene, [&common](const Number& number) {
         const auto denominator = number.denominator();
         return denominator && !__builtin_mul_overflow(common / std::gcd(common, *denominator),
                                                       *denominator, &common);
@@ -62,27 +95,7 @@ inline Plan plan_of_exact_numbers(const Scene& scene) {
     if (!has_common)
         return any_size;
 
-    // The largest numerator over it.
-    std::uint64_t largest = 0;
-    const bool all_fit = for_each_number([&largest, common](const Number& number) {
-        const auto numerator = number.numerator_over(common);
-        if (!numerator || *numerator == std::numeric_limits<std::int64_t>::min())
-            return false;
-        largest = std::max(largest, static_cast<std::uint64_t>(std::llabs(*numerator)));
-        return true;
-    });
-    if (!all_fit)
-        return any_size;
-
-    const auto numerator_bits = static_cast<int>(std::bit_width(largest));
-    const auto denominator_bits =
-        static_cast<int>(std::bit_width(static_cast<std::uint64_t>(common - 1)));
-    const int bits = bits_of_scanline(numerator_bits, denominator_bits);
-    if (bits < 64)
-        return {.number = NumberType::fraction64, .denominator = common};
-    if (bits < 128)
-        return {.number = NumberType::fraction128, .denominator = common};
-    return any_size;
+    return plan_of_fractions(scene, common);
 }
 
 /// Decides how a scene is drawn, from the scene alone.
@@ -90,6 +103,8 @@ inline Plan plan_for(const Scene& scene) {
     switch (scene.method.scalar) {
     case ScalarKind::exact:
         return plan_of_exact_numbers(scene);
+    case ScalarKind::fixed:
+        return plan_of_fractions(scene, fixed_grid);
     case ScalarKind::double_precision:
         break;
     }
@@ -111,40 +126,56 @@ template <typename DrawWith> decltype(auto) with_scalar(const Plan& plan, DrawWi
     return draw_with.template operator()<double>();
 }
 
-/// Two vertices (or one, twice) that a double cannot draw between.
-struct Overflow {
+/// Why a scene cannot be drawn by its method, and between which vertices.
+struct Unfit {
     enum class What {
-        coordinate, ///< beyond 2^1022: the difference of two such numbers may be infinite
-        slope,      ///< dx/dy is beyond the largest double
+        coordinate_of_double, ///< beyond 2^1022: the difference of two such numbers may be infinite
+        slope_of_double,      ///< dx/dy or dy/dx is beyond the largest double
+        coordinate_of_fixed,  ///< beyond 2^36 pixels: edges could not be evaluated in 128 bits
+        coordinate_of_line,   ///< beyond 2^51 pixels: Bresenham's d could not be held in 64 bits
+        edge_of_fan,          ///< longer than longest_fan_edge
     };
     What what;
     std::size_t from; ///< place in Scene::vertices
     std::size_t to;
 };
 
-/// The first place where drawing the scene in double would make an infinity, if there is one.
-/// Exact numbers cannot overflow.
-inline std::optional<Overflow> find_overflow(const Scene& scene) {
-    if (scene.method.scalar != ScalarKind::double_precision)
-        return std::nullopt;
-
-    const double largest = std::ldexp(1.0, 1022);
-    for (const SceneTriangle& triangle : scene.triangles) {
-        for (const std::size_t place : triangle.vertices) {
+/// The first place where drawing the scene would make an infinity or overflow, if there is one.
+inline std::optional<Unfit> find_unfit(const Scene& scene) {
+    using What = Unfit::What;
+    const bool in_double = scene.method.scalar == ScalarKind::double_precision;
+    const double largest = in_double ? std::ldexp(1.0, 1022)
+                           : scene.method.scalar == ScalarKind::fixed
+                               ? std::ldexp(1.0, 36)
+                               : std::numeric_limits<double>::max();
+    for (const ScenePrimitive& primitive : scene.primitives) {
+        const bool is_fan =
+            primitive.kind == PrimitiveKind::triangle && scene.method.fill == Fill::fan;
+        const bool is_on_grid = is_fan || (primitive.kind != PrimitiveKind::triangle &&
+                                           scene.method.line == LineMethod::bresenham);
+        const auto corners = primitive.corners();
+        for (const std::size_t place : corners) {
             const SceneVertex& vertex = scene.vertices[place];
-            if (std::abs(vertex.x.nearest_double()) > largest ||
-                std::abs(vertex.y.nearest_double()) > largest)
-                return Overflow{Overflow::What::coordinate, place, place};
+            const double farthest =
+                std::max(std::abs(vertex.x.nearest_double()), std::abs(vertex.y.nearest_double()));
+            if (farthest > largest)
+                return Unfit{in_double ? What::coordinate_of_double : What::coordinate_of_fixed,
+                             place, place};
+            if (is_on_grid && farthest > std::ldexp(1.0, 51))
+                return Unfit{What::coordinate_of_line, place, place};
         }
-        for (std::size_t i = 0; i < 3; ++i) {
-            const std::size_t from = triangle.vertices[i];
-            const std::size_t to = triangle.vertices[(i + 1) % 3];
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const std::size_t from = corners[i];
+            const std::size_t to = corners[(i + 1) % corners.size()];
             const double dx =
                 scene.vertices[to].x.nearest_double() - scene.vertices[from].x.nearest_double();
             const double dy =
                 scene.vertices[to].y.nearest_double() - scene.vertices[from].y.nearest_double();
-            if (dy != 0 && !std::isfinite(dx / dy))
-                return Overflow{Overflow::What::slope, from, to};
+            if (in_double && dy != 0 && !std::isfinite(dx / dy))
+                return Unfit{What::slope_of_double, from, to};
+            const auto longest = static_cast<double>(longest_fan_edge);
+            if (is_fan && (std::abs(dx) > longest || std::abs(dy) > longest))
+                return Unfit{What::edge_of_fan, from, to};
         }
     }
     return std::nullopt;

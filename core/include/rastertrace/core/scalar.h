@@ -65,16 +65,17 @@ template <typename Scalar> Scalar scalar_from(Index whole) {
 }
 
 /// A number of the scene as a Scalar: the nearest double, or exactly. Fractions on machine integers
-/// are written over `denominator`, which must suit the number (plan.h finds one that suits them
-/// all).
+/// are written over `denominator`, rounded to the nearest (a half up) if the number is no multiple
+/// of 1/denominator; plan.h finds a denominator that suits them all, or the grid to snap to.
 template <typename Scalar> Scalar scalar_from(const Number& number, std::int64_t denominator) {
     if constexpr (std::floating_point<Scalar>) {
         return number.nearest_double();
     } else if constexpr (std::same_as<Scalar, Rational>) {
         return number.exact();
     } else {
-        const auto numerator = number.numerator_over(denominator);
-        assert(numerator && "the plan's denominator suits every number of the scene");
+        const auto exact = number.numerator_over(denominator);
+        const auto numerator = exact ? exact : number.nearest_numerator_over(denominator);
+        assert(numerator && "the plan has seen that every number fits");
         return Scalar{*numerator, denominator};
     }
 }

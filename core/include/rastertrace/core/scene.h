@@ -6,15 +6,19 @@
 //     Scene scene;
 //     scene.canvas = {.width = 17, .height = 14};
 //     scene.vertices = {{"A", 2, 5}, {"B", -4, -3}, {"C", 5, -3}};
-//     scene.triangles = {{.name = "ABC", .vertices = {0, 1, 2}}};
+//     scene.primitives = {{.kind = PrimitiveKind::triangle, .name = "ABC", .vertices = {0, 1, 2}}};
 
 #include <rastertrace/core/canvas.h>
 #include <rastertrace/core/image.h>
 #include <rastertrace/core/method.h>
 #include <rastertrace/core/number.h>
+#include <rastertrace/core/steps.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -25,13 +29,34 @@ struct SceneVertex {
     std::string name;
     Number x;
     Number y;
+    std::optional<Color> color = {}; ///< for pixels that are mixed from those of the vertices
 };
 
-/// A triangle between three of the scene's vertices.
-struct SceneTriangle {
+/// A point, a line, a triangle to fill, or the outline of a triangle.
+struct ScenePrimitive {
+    PrimitiveKind kind = PrimitiveKind::triangle;
     std::string name;
     std::array<std::size_t, 3> vertices{}; ///< places in Scene::vertices, in the author's order
-    Color color;
+    Color color = {};
+
+    /// Its vertices: the first one, two or three of `vertices`.
+    std::span<const std::size_t> corners() const {
+        return std::span(vertices).first(corner_count(kind));
+    }
+
+    /// How many vertices a primitive of a kind has.
+    static constexpr std::size_t corner_count(PrimitiveKind kind) {
+        switch (kind) {
+        case PrimitiveKind::point:
+            return 1;
+        case PrimitiveKind::line:
+            return 2;
+        case PrimitiveKind::outline:
+        case PrimitiveKind::triangle:
+            break;
+        }
+        return 3;
+    }
 };
 
 /// Everything needed to draw a picture.
@@ -39,8 +64,22 @@ struct Scene {
     std::string title;
     Canvas canvas;
     std::vector<SceneVertex> vertices;
-    std::vector<SceneTriangle> triangles; ///< drawn in this order
+    std::vector<ScenePrimitive> primitives; ///< drawn in this order
     Method method;
+
+    /// True if it has a primitive of this kind.
+    bool has(PrimitiveKind kind) const {
+        return std::any_of(primitives.begin(), primitives.end(),
+                           [kind](const ScenePrimitive& one) { return one.kind == kind; });
+    }
+
+    /// True if pixels are mixed from the colors of vertices.
+    bool mixes_colors() const {
+        const bool have_colors = std::any_of(vertices.begin(), vertices.end(),
+                                             [](const SceneVertex& one) { return !!one.color; });
+        return method.shade.value_or(have_colors ? Shade::interpolate : Shade::flat) ==
+               Shade::interpolate;
+    }
 };
 
 } // namespace rastertrace

@@ -12,6 +12,7 @@
 #include <rastertrace/core/image.h>
 #include <rastertrace/core/vec.h>
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -19,7 +20,7 @@
 namespace rastertrace {
 
 /// What kind of thing is drawn.
-enum class PrimitiveKind { triangle };
+enum class PrimitiveKind { triangle, outline, line, point };
 
 /// A primitive begins. All steps up to the next PrimitiveBegan belong to it. The names and places
 /// are those of the scene and live only as long as the call of the sink.
@@ -29,6 +30,8 @@ template <typename Scalar> struct PrimitiveBegan {
     std::span<const std::string_view> vertices; ///< their names, in the scene's order
     std::span<const Vec<Scalar, 2>> positions;  ///< of the vertices, in the same order
     Color color;                                ///< of every pixel that does not say otherwise
+    std::span<const Color> colors;              ///< of the vertices, if they are mixed; else empty
+    int octant = 0;                             ///< of a line, see octant_of; else 0
 };
 
 /// Two vertices of the current primitive, by their place in PrimitiveBegan::vertices.
@@ -46,6 +49,35 @@ template <typename Scalar> struct EdgeSetUp {
     Scalar dx_dy;       ///< (x2 - x1)/(y2 - y1)
 };
 
+/// An edge is set up as a function that is 0 on the edge, positive on the triangle's side of it and
+/// negative on the other: a x + b y + c, in square pixels.
+template <typename Scalar> struct EdgeFunctionSetUp {
+    EdgeName edge; ///< from its upper to its lower vertex, as seen in the picture
+    Scalar a;
+    Scalar b;
+    Scalar c;
+    bool is_top_left; ///< a sample on the edge belongs to the triangle
+};
+
+/// A side of the current primitive is about to be drawn as a line.
+struct SideBegan {
+    EdgeName edge;
+    int octant; ///< see octant_of
+};
+
+/// One of the two halves of a triangle is about to be filled.
+struct HalfBegan {
+    bool is_upper;
+    Index from_y; ///< its first row, and
+    Index to_y;   ///< its last; it has no row if they are in the wrong order
+};
+
+/// A line of the fan begins at this pixel.
+struct RayBegan {
+    Index x;
+    Index y;
+};
+
 /// The two ends of a row are known.
 template <typename Scalar> struct ScanlineSpanned {
     int y;
@@ -57,18 +89,44 @@ template <typename Scalar> struct ScanlineSpanned {
     EdgeName right_edge;
 };
 
+/// A line's minor coordinate is known at a step along its major one.
+template <typename Scalar> struct LineSampled {
+    bool is_x_major; ///< the line goes from column to column, else from row to row
+    Index at;        ///< x if it is x-major, else y
+    Scalar value;    ///< the other coordinate on the line
+    Index pixel;     ///< the same, rounded
+};
+
+/// Where a line goes next: E is x + 1, N is y + 1, whichever way y points on the canvas.
+enum class Move { e, ne, n, nw, w, sw, s, se };
+
+/// Bresenham's line has decided where to go from a pixel.
+struct LineDecided {
+    Pixel pixel;
+    std::int64_t d; ///< straight on if d <= 0, else diagonally
+    Move move;
+};
+
+/// A sample point met a triangle.
+template <typename Scalar> struct SampleTested {
+    Pixel pixel;
+    std::array<Scalar, 3> weights; ///< of the vertices, in the scene's order; they sum to 1
+    bool is_inside;                ///< none is negative
+};
+
 /// A pixel got a color.
 struct PixelPlotted {
     Pixel pixel;
     Color color;
 };
 
-/// A run of pixels of one row, x from `from` to `to`, was dropped because the canvas has none of
-/// them.
+/// Pixels in a row, or one behind the other on a line, were dropped because the canvas has none of
+/// them: from the first to the last.
 struct PixelsRejected {
-    int y;
-    Index from;
-    Index to;
+    Index from_x;
+    Index from_y;
+    Index to_x;
+    Index to_y;
 };
 
 /// Whole rows, from the upper one to the lower one, were dropped because the canvas has none of
@@ -82,6 +140,7 @@ struct RowsRejected {
 enum class SkipReason {
     off_canvas,   ///< it has pixels, and none of them lies on the canvas
     between_rows, ///< it lies between two rows of pixels
+    zero_area,    ///< its area is 0, and the fill has no use for that
 };
 
 /// A primitive drew nothing; no further step belongs to it.

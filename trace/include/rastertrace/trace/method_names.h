@@ -5,6 +5,7 @@
 // the trace's header and the program's options all read this one table.
 
 #include <rastertrace/core/method.h>
+#include <rastertrace/core/scene.h>
 
 #include <span>
 #include <string>
@@ -16,16 +17,24 @@ namespace rastertrace {
 
 /// One choice that a method makes.
 struct MethodKey {
-    std::string_view name;                ///< as in a scene, and as an option: `--name`
-    std::string_view meaning;             ///< one line for people
-    std::vector<std::string_view> values; ///< the default is the one that Method{} has
-    std::string_view (*get)(const Method&);
+    std::string_view name;                  ///< as in a scene, and as an option: `--name`
+    std::string_view meaning;               ///< one line for people
+    std::vector<std::string_view> values;   ///< the default is the one that Method{} has
+    std::string_view (*get)(const Method&); ///< what was said; "" where nothing was
     bool (*set)(Method&, std::string_view); ///< false if there is no such value
-    bool (*in_force)(const Method&);        ///< false if the picture cannot depend on it
+    std::string (*otherwise)(const Scene&); ///< what holds where nothing was said
+    bool (*in_force)(const Scene&);         ///< false if the picture cannot depend on it
+
+    /// True if the values are numbers, which JSON writes without quotes.
+    bool is_number() const { return !values.empty() && values.front() == "1"; }
 };
 
 /// Every key, in the order in which a trace's header writes them.
 std::span<const MethodKey> method_keys();
+
+/// What a key says, or what holds where it says nothing. Two values joined by "+" are that of spans
+/// and that of lines.
+std::string value_in_force(const MethodKey& key, const Scene& scene);
 
 /// The key of that name, or nullptr.
 const MethodKey* find_method_key(std::string_view name);

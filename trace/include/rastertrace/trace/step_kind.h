@@ -11,9 +11,21 @@
 namespace rastertrace {
 
 /// In the order in which a picture meets them; the end record counts them in this order.
-enum class StepKind { primitive, edge, scanline, pixel, reject, skip };
+enum class StepKind {
+    primitive,
+    edge,
+    half,
+    ray,
+    scanline,
+    along,
+    decide,
+    sample,
+    pixel,
+    reject,
+    skip,
+};
 
-inline constexpr std::size_t step_kinds = 6;
+inline constexpr std::size_t step_kinds = 11;
 
 /// The value of "step": primitive, edge, ...
 std::string_view name_of(StepKind kind);

@@ -69,7 +69,7 @@ public:
         for (std::size_t i = 0; i < step.positions.size(); ++i)
             put(i == 0 ? std::string_view("[") : std::string_view(",["), step.positions[i].x, ",",
                 step.positions[i].y, "]");
-        end_primitive_line(step.color);
+        end_primitive_line(step.color, step.colors, step.octant);
     }
 
     template <typename Scalar> void operator()(const EdgeSetUp<Scalar>& step) {
@@ -83,6 +83,31 @@ public:
             put(step.dx_dy, "}");
     }
 
+    template <typename Scalar> void operator()(const EdgeFunctionSetUp<Scalar>& step) {
+        if (!wants(StepKind::edge))
+            return;
+        begin_line(StepKind::edge);
+        put(R"({"step":"edge","edge":)", label(step.edge), R"(,"a":)", step.a, R"(,"b":)", step.b,
+            R"(,"c":)", step.c, R"(,"top_left":)", word(step.is_top_left), "}");
+    }
+
+    template <typename Scalar> void operator()(const LineSampled<Scalar>& step) {
+        if (!wants(StepKind::along) || !is_in_region(step))
+            return;
+        begin_line(StepKind::along);
+        put(R"({"step":"along",")", std::string_view(step.is_x_major ? "x" : "y"), R"(":)", step.at,
+            R"(,"value":)", step.value, R"(,"pixel":)", step.pixel, "}");
+    }
+
+    template <typename Scalar> void operator()(const SampleTested<Scalar>& step) {
+        if (!wants(StepKind::sample) || !is_in_region(step.pixel))
+            return;
+        begin_line(StepKind::sample);
+        put(R"({"step":"sample","x":)", step.pixel.x, R"(,"y":)", step.pixel.y, R"(,"weights":[)",
+            step.weights[0], ",", step.weights[1], ",", step.weights[2], R"(],"inside":)",
+            word(step.is_inside), "}");
+    }
+
     template <typename Scalar> void operator()(const ScanlineSpanned<Scalar>& step) {
         if (!wants(StepKind::scanline) || !is_in_region(step.y, step.from, step.to))
             return;
@@ -93,7 +118,7 @@ public:
     }
 
     void operator()(const PixelPlotted& step) {
-        if (!wants(StepKind::pixel) || !is_in_region(step.pixel.y, step.pixel.x, step.pixel.x))
+        if (!wants(StepKind::pixel) || !is_in_region(step.pixel))
             return;
         begin_line(StepKind::pixel);
         if (step.color == color_)
@@ -102,6 +127,10 @@ public:
             put_colored_pixel(step);
     }
 
+    void operator()(const SideBegan& step);
+    void operator()(const HalfBegan& step);
+    void operator()(const RayBegan& step);
+    void operator()(const LineDecided& step);
     void operator()(const PixelsRejected& step);
     void operator()(const RowsRejected& step);
     void operator()(const PrimitiveSkipped& step);
@@ -135,11 +164,18 @@ private:
     bool is_in_region(Index y, Index from, Index to) const {
         return !region_ || (region_->has_row(y) && region_->meets(from, to));
     }
+    bool is_in_region(Pixel pixel) const { return is_in_region(pixel.y, pixel.x, pixel.x); }
+    template <typename Scalar> bool is_in_region(const LineSampled<Scalar>& step) const {
+        return step.is_x_major ? is_in_region(step.pixel, step.at, step.at)
+                               : is_in_region(step.at, step.pixel, step.pixel);
+    }
+
+    static std::string_view word(bool value) { return value ? "true" : "false"; }
 
     void remember(std::span<const std::string_view> vertices, Color color);
     void begin_primitive_line(PrimitiveKind kind, std::string_view name,
                               std::span<const std::string_view> vertices);
-    void end_primitive_line(Color color);
+    void end_primitive_line(Color color, std::span<const Color> colors, int octant);
     void put_colored_pixel(const PixelPlotted& step);
 
     /// The quoted name of an edge of the current primitive.
