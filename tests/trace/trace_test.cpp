@@ -2,7 +2,6 @@
 #include "picture.h"
 
 #include <rastertrace/trace/frame.h>
-#include <rastertrace/trace/stats.h>
 #include <rastertrace/trace/trace.h>
 #include <rastertrace/trace/write_trace.h>
 
@@ -273,23 +272,6 @@ TEST(Trace, AHeaderThatCannotBeUsed) {
             .substr(0, 94),
         "trace.json:1:57: expected a whole number of pixels from 1 to 16384, found 2147483648\n"
         "{\"rastert");
-}
-
-TEST(Stats, CountWritesAndOverdraw) {
-    Scene scene = first_triangle();
-    scene.primitives.push_back(scene.primitives[0]);
-    const Stats stats = stats_of(sound_trace(trace_text(scene)));
-    EXPECT_EQ(stats.pixels, 49u);
-    EXPECT_EQ(stats.writes, 98u);
-    ASSERT_EQ(stats.primitives.size(), 2u);
-    EXPECT_EQ(stats.primitives[0].over, 0u);
-    EXPECT_EQ(stats.primitives[1].over, 49u);
-    EXPECT_FALSE(stats.frame_differs);
-}
-
-TEST(Stats, FindAnotherPictureThanTheEndRecordNames) {
-    const std::string text = with(trace_text(first_triangle()), "\"frame\":\"", "\"frame\":\"0");
-    EXPECT_TRUE(stats_of(sound_trace(text)).frame_differs);
 }
 
 // A short fuzz: damaged traces are read or refused, never more. tests/fuzz has the long one.

@@ -48,18 +48,18 @@ void fill_barycentric(const Triangle<Scalar>& triangle, const Paint<Scalar>& pai
     const Index bottom_row = canvas.row_of(canvas.down() > 0 ? high : low);
 
     // The part of it that the canvas has.
-    const auto first_x = static_cast<int>(std::max<Index>(left, canvas.left()));
-    const auto last_x = static_cast<int>(std::min<Index>(right, canvas.right()));
-    const auto first_row = static_cast<int>(std::max<Index>(top_row, 0));
-    const auto last_row = static_cast<int>(std::min<Index>(bottom_row, canvas.height - 1));
+    const Index first_x = std::max<Index>(left, canvas.left());
+    const Index last_x = std::min<Index>(right, canvas.right());
+    const Index first_row = std::max<Index>(top_row, 0);
+    const Index last_row = std::min<Index>(bottom_row, canvas.height - 1);
     if (last_x < first_x || last_row < first_row) {
         sink(PrimitiveSkipped{.why = SkipReason::off_canvas});
         return;
     }
 
-    for (int row = first_row; row <= last_row; ++row)
-        for (int x = first_x; x <= last_x; ++x) {
-            const Pixel pixel{x, canvas.y_of(row)};
+    for (Index row = first_row; row <= last_row; ++row)
+        for (Index x = first_x; x <= last_x; ++x) {
+            const Pixel pixel{static_cast<int>(x), canvas.y_of(static_cast<int>(row))};
             const auto weights =
                 barycentric.weights_at({Scalar(scalar_from<Scalar>(pixel.x) + sample_offset),
                                         Scalar(scalar_from<Scalar>(pixel.y) + sample_offset)});

@@ -26,14 +26,13 @@ void fill_half(const Edge<Scalar>& long_edge, const Edge<Scalar>& short_edge, In
                Sink&& sink) {
     const Canvas canvas = image.canvas();
     const int up = -canvas.down();
-    const auto first_row =
-        static_cast<int>(std::min<Index>(canvas.row_of(first_y), canvas.height - 1));
-    const auto last_row = static_cast<int>(std::max<Index>(canvas.row_of(last_y), 0));
+    const Index first_row = std::min<Index>(canvas.row_of(first_y), canvas.height - 1);
+    const Index last_row = std::max<Index>(canvas.row_of(last_y), 0);
 
     EdgeWalk<Scalar> along_a(long_edge, rules.lerp, up);
     EdgeWalk<Scalar> along_b(short_edge, rules.lerp, up);
-    for (int row = first_row; row >= last_row; --row) {
-        const int y = canvas.y_of(row);
+    for (Index row = first_row; row >= last_row; --row) {
+        const int y = canvas.y_of(static_cast<int>(row));
 
         // The two boundaries, in order from left to right.
         Scalar left = along_a.x_on_row(y);

@@ -1,26 +1,78 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What a trace amounts to: how many steps, pixels, and pixels drawn again.
+// What a trace amounts to: how many steps, pixels, and pixels drawn again; and what its triangles
+// should have drawn and did not, or did draw and should not have.
 //
 //     const Stats stats = stats_of(trace);
+//     stats.primitives[0].coverage->holes.count;
+//
+// What a triangle should have drawn is found from the positions in its primitive step alone, by
+// exact arithmetic. A pixel is judged by its sample point: its integer point, or (1/2, 1/2) from
+// there when the method says "sample":"center".
 
 #include <rastertrace/trace/trace.h>
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace rastertrace {
 
+/// How many pixels of each finding are kept; the rest are only counted.
+inline constexpr std::size_t most_pixels_kept = 1000;
+
+/// Where more triangles than this meet at one edge, or more fills and outlines than this have the
+/// same corners, only the first of them are compared: there are about half as many pairs as the
+/// square of this, and a sound mesh has one.
+inline constexpr std::size_t most_compared = 8;
+
+/// Pixels that something was found about.
+struct PixelList {
+    std::uint64_t count = 0;
+    std::vector<Pixel> kept; ///< the first ones, from the top row of the picture, left to right
+};
+
+/// What a triangle drew against what it covers.
+struct Coverage {
+    PixelList holes;     ///< not drawn, though the sample point lies strictly inside
+    PixelList open_edge; ///< not drawn, and the sample point lies on the boundary
+    PixelList outside;   ///< drawn, though the sample point lies outside the closed triangle
+};
+
 /// What one primitive drew.
 struct PrimitiveStats {
     std::string kind;
     std::string name;
-    std::uint64_t writes = 0; ///< pixel steps
-    std::uint64_t over = 0;   ///< of these, onto pixels that were drawn already
-    std::string skipped;      ///< why it drew nothing, if it was skipped
+    std::uint64_t writes = 0;         ///< pixel steps
+    std::uint64_t pixels = 0;         ///< different pixels among them
+    std::uint64_t over = 0;           ///< writes onto pixels that were drawn already
+    std::string skipped;              ///< why it drew nothing, if it was skipped
+    std::optional<Coverage> coverage; ///< of a triangle with area whose positions are known
+};
+
+/// Two triangles that have an edge in common: the same two end positions, in either order.
+struct SharedEdge {
+    std::string name;  ///< as the first triangle names its vertices: "AC"
+    std::string one;   ///< the triangle drawn first
+    std::string other; ///< and the one drawn later
+    PixelList twice;   ///< that both have drawn
+
+    /// That neither has drawn, near the edge. The sample point lies strictly inside one of the
+    /// triangles, or on the edge but not on its ends. Near: at most one pixel from the edge, up or
+    /// down where the edge is flatter than 45 degrees (or just that), to the left or right where
+    /// it is steeper.
+    PixelList never;
+};
+
+/// An outline, and a filled triangle with the same three corners.
+struct OutlineOnFill {
+    std::string outline;
+    std::string fill;
+    PixelList outside; ///< drawn by the outline and not by the fill
 };
 
 struct Stats {
@@ -30,10 +82,15 @@ struct Stats {
     std::uint64_t pixels = 0;                                 ///< different pixels drawn
     std::uint64_t writes = 0;                                 ///< pixel steps on the canvas
     std::vector<PrimitiveStats> primitives;
-    std::string frame;          ///< name of the final picture, see frame_name
-    bool frame_differs = false; ///< the end record names another picture
+    std::vector<SharedEdge> edges;       ///< every pair of triangles with area at every edge
+    std::vector<OutlineOnFill> outlines; ///< every pair of an outline and a fill
+    std::string frame;                   ///< name of the final picture, see frame_name
+    bool frame_differs = false;          ///< the end record names another picture
 };
 
+/// Counts, and compares what was drawn with what should have been. Nothing is compared in a trace
+/// that steps were left out of, nor is the last primitive of a truncated trace: pixels that are
+/// missing there were not necessarily missed.
 Stats stats_of(const Trace& trace);
 
 } // namespace rastertrace

@@ -1,0 +1,388 @@
+// SPDX-License-Identifier: MIT
+#include "picture.h"
+
+#include <gtest/gtest.h>
+
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rastertrace {
+namespace {
+
+struct Counter {
+    std::size_t pixels = 0, samples = 0, rows = 0;
+    std::vector<bool> upper_halves;
+    template <typename Step> void operator()(const Step& step) {
+        if constexpr (std::same_as<Step, PixelPlotted>)
+            ++pixels;
+        else if constexpr (requires { step.weights; })
+            ++samples;
+        else if constexpr (requires { step.left_edge; })
+            ++rows;
+        else if constexpr (requires { step.is_upper; })
+            upper_halves.push_back(step.is_upper);
+    }
+};
+
+constexpr std::array every_scalar{ScalarKind::double_precision, ScalarKind::fixed,
+                                  ScalarKind::exact};
+
+// ---- The worked triangle ------------------------------------------------------------------------
+
+TEST(Barycentric, HasTheWeightsOfTheTable) {
+    // sources.md, T3: P, its weights of A, B, C, and whether it is inside.
+    struct Entry {
+        int x, y;
+        std::array<std::string, 3> weights;
+        bool is_inside;
+    };
+    const std::vector<Entry> table{
+        {0, 0, {"27/72", "31/72", "14/72"}, true}, {-1, 1, {"1/2", "1/2", "0"}, true},
+        {1, -3, {"0", "4/9", "5/9"}, true},        {3, 2, {"5/8", "1/72", "13/36"}, true},
+        {-1, 2, {"5/8", "11/24", "-1/12"}, false}, {4, 2, {"5/8", "-7/72", "17/36"}, false}};
+    std::map<std::pair<int, int>, std::pair<std::array<mpq_class, 3>, bool>> found;
+    const auto sink = [&found]<typename Step>(const Step& step) {
+        if constexpr (std::same_as<Step, SampleTested<Fraction64>>) {
+            std::array<mpq_class, 3> weights;
+            for (std::size_t i = 0; i < 3; ++i) {
+                weights[i] = mpq_class(static_cast<long>(step.weights[i].numerator),
+                                       static_cast<long>(step.weights[i].denominator));
+                weights[i].canonicalize();
+            }
+            found[{step.pixel.x, step.pixel.y}] = {weights, step.is_inside};
+        }
+    };
+    draw_as_planned(first_triangle({.scalar = ScalarKind::exact, .fill = Fill::barycentric}), sink);
+    EXPECT_EQ(found.size(), 90u);
+    for (const Entry& entry : table) {
+        const auto& [weights, is_inside] = found.at({entry.x, entry.y});
+        for (std::size_t i = 0; i < 3; ++i)
+            EXPECT_EQ(weights[i], number(entry.weights[i]).exact()) << entry.x << "," << entry.y;
+        EXPECT_EQ(is_inside, entry.is_inside);
+    }
+}
+
+TEST(Fills, DrawAsManyPixelsOfTheFirstTriangleAsTheTextsSay) {
+    for (const ScalarKind scalar : every_scalar) {
+        const auto count = [scalar](Method method) {
+            method.scalar = scalar;
+            Counter counter;
+            const Image image = draw_as_planned(first_triangle(method), counter);
+            return std::pair(image.drawn(), counter);
+        };
+        const auto [closed, box] = count({.fill = Fill::barycentric});
+        EXPECT_EQ(closed, 43u);
+        EXPECT_EQ(box.samples, 90u);
+        EXPECT_EQ(count({.fill = Fill::barycentric, .sample = Sample::center}).first, 36u);
+        EXPECT_EQ(count({.fill = Fill::top_left}).first, 36u);
+        EXPECT_EQ(count({.fill = Fill::top_left, .sample = Sample::integer}).first, 32u);
+        const auto [halves, half_steps] = count({.fill = Fill::two_halves});
+        EXPECT_EQ(halves, 49u);
+        EXPECT_EQ(half_steps.upper_halves, (std::vector{false, true})) << "lower, then upper";
+        const auto [fan, fan_steps] = count({.fill = Fill::fan, .fan_passes = 3});
+        EXPECT_EQ(fan, 50u);
+        EXPECT_EQ(fan_steps.pixels, 242u);
+    }
+}
+
+/// How many pixels of the closed triangle, as the barycentric fill draws it, a fan misses.
+std::size_t holes(const std::vector<std::string>& coordinates, int passes) {
+    const Canvas canvas{.width = 512, .height = 512, .origin = Origin::top_left};
+    const Image closed = draw_as_planned(triangle_scene(
+        coordinates, canvas, {.scalar = ScalarKind::exact, .fill = Fill::barycentric}));
+    const Image fan = draw_as_planned(
+        triangle_scene(coordinates, canvas,
+                       {.scalar = ScalarKind::exact, .fill = Fill::fan, .fan_passes = passes}));
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < closed.colors().size(); ++i)
+        count += closed.colors()[i] != no_color && fan.colors()[i] == no_color ? 1 : 0;
+    return count;
+}
+
+TEST(Fan, HasTheHolesOfTheText) {
+    // Three calls, one per edge: AB to C, CA to B, BC to A (sources.md, T4).
+    EXPECT_EQ(holes({"100", "100", "400", "150", "250", "400"}, 1), 256u);
+    EXPECT_EQ(holes({"250", "400", "100", "100", "400", "150"}, 1), 2789u);
+    EXPECT_EQ(holes({"400", "150", "250", "400", "100", "100"}, 1), 4341u);
+    EXPECT_EQ(holes({"100", "100", "400", "150", "250", "400"}, 3), 0u);
+
+    // The worked triangle, moved by (8, 6) onto this canvas.
+    EXPECT_EQ(holes({"10", "11", "4", "3", "13", "3"}, 1), 2u);
+    EXPECT_EQ(holes({"13", "3", "10", "11", "4", "3"}, 1), 3u);
+    EXPECT_EQ(holes({"4", "3", "13", "3", "10", "11"}, 1), 0u);
+    EXPECT_EQ(holes({"10", "11", "4", "3", "13", "3"}, 3), 0u);
+}
+
+// ---- Edge functions on centers (numerics.md, C) -------------------------------------------------
+
+std::size_t top_left_pixels(const std::vector<std::string>& coordinates, ScalarKind scalar,
+                            int size = 64) {
+    return draw_as_planned(
+               triangle_scene(coordinates,
+                              {.width = size, .height = size, .origin = Origin::top_left},
+                              {.scalar = scalar, .fill = Fill::top_left}))
+        .drawn();
+}
+
+TEST(TopLeft, SliversAndTinyTriangles) {
+    for (const ScalarKind scalar : every_scalar) {
+        EXPECT_EQ(top_left_pixels({"0", "1/4", "64", "3/8", "64", "5/16"}, scalar), 0u) << "C2";
+        EXPECT_EQ(top_left_pixels({"0", "1/2", "64", "1/2", "64", "129/256"}, scalar), 64u) << "C3";
+        EXPECT_EQ(top_left_pixels({"0", "1/2", "64", "1/2", "64", "127/256"}, scalar), 0u) << "C4";
+        EXPECT_EQ(top_left_pixels({"0", "0", "64", "64", "64", "16383/256"}, scalar), 64u) << "C5";
+        EXPECT_EQ(top_left_pixels({"-1e9", "-1e9", "3e9", "-1e9", "-1e9", "3e9"}, scalar), 4096u);
+    }
+    EXPECT_EQ(top_left_pixels({"-1e30", "-1e30", "3e30", "-1e30", "-1e30", "3e30"},
+                              ScalarKind::double_precision),
+              4096u)
+        << "C10";
+    // C13, C14: snapping to 1/256 moves a diagonal off the centers, and a tiny triangle to a point.
+    EXPECT_EQ(top_left_pixels({"0", "0", "8", "0", "0", "8193/1024"}, ScalarKind::exact), 36u);
+    EXPECT_EQ(top_left_pixels({"0", "0", "8", "0", "0", "8193/1024"}, ScalarKind::fixed), 28u);
+    const std::vector<std::string> tiny{"1/2", "1/2", "513/1024", "1/2", "1/2", "513/1024"};
+    EXPECT_EQ(top_left_pixels(tiny, ScalarKind::exact), 1u);
+    EXPECT_EQ(top_left_pixels(tiny, ScalarKind::fixed), 0u);
+}
+
+TEST(TopLeft, CenterExactlyOnAnEdge) {
+    // C16: pixel (4, 11) of this triangle has edge value 0, on a left edge: drawn.
+    const Image image =
+        draw_as_planned(triangle_scene({"53/8", "133/4", "43/4", "71/16", "55/16", "5/8"},
+                                       {.width = 64, .height = 64, .origin = Origin::top_left},
+                                       {.scalar = ScalarKind::fixed, .fill = Fill::top_left}));
+    EXPECT_NE(image.at({4, 11}), no_color);
+}
+
+TEST(TopLeft, HubOfAFanHasOneOwner) {
+    // C1: six triangles round (20.5, 20.5): 91 77 91 77 91 77 pixels, 504 together, none twice.
+    const std::vector<std::pair<std::string, std::string>> ring{{"34.5", "20.5"}, {"27.5", "32.5"},
+                                                                {"13.5", "32.5"}, {"6.5", "20.5"},
+                                                                {"13.5", "8.5"},  {"27.5", "8.5"}};
+    for (const ScalarKind scalar : every_scalar) {
+        std::vector<std::size_t> counts;
+        std::map<std::size_t, int> owners;
+        for (std::size_t i = 0; i < 6; ++i) {
+            const auto& [x1, y1] = ring[i];
+            const auto& [x2, y2] = ring[(i + 1) % 6];
+            const Image image = draw_as_planned(
+                triangle_scene({"20.5", "20.5", x1, y1, x2, y2},
+                               {.width = 64, .height = 64, .origin = Origin::top_left},
+                               {.scalar = scalar, .fill = Fill::top_left}));
+            counts.push_back(image.drawn());
+            for (std::size_t k = 0; k < image.colors().size(); ++k)
+                owners[k] += image.colors()[k] != no_color ? 1 : 0;
+        }
+        std::size_t all = 0;
+        for (const auto& [pixel, count] : owners) {
+            EXPECT_LE(count, 1);
+            all += static_cast<std::size_t>(count);
+        }
+        EXPECT_EQ(counts, (std::vector<std::size_t>{91, 77, 91, 77, 91, 77}));
+        EXPECT_EQ(all, 504u);
+    }
+}
+
+TEST(TopLeft, TopIsTheTopOfThePicture) {
+    // Microsoft's example: rectangle (0,0)-(5,5), centers on integers, split on the diagonal: 15
+    // and 10. Its top row and left column are drawn, in either direction of y.
+    const auto drawn = [](const std::vector<std::string>& coordinates, Origin origin) {
+        return picture_of(draw_as_planned(triangle_scene(
+            coordinates, {.width = 6, .height = 6, .origin = origin},
+            {.scalar = ScalarKind::exact, .fill = Fill::top_left, .sample = Sample::integer})));
+    };
+    const std::string upper_left = "#####.\n####..\n###...\n##....\n#.....\n......\n";
+    EXPECT_EQ(drawn({"0", "0", "5", "0", "0", "5"}, Origin::top_left), upper_left);
+    EXPECT_EQ(drawn({"0", "5", "5", "5", "0", "0"}, Origin::bottom_left), upper_left);
+}
+
+// ---- Properties ---------------------------------------------------------------------------------
+
+std::string twelfths(int value) {
+    return std::to_string(value) + "/12";
+}
+
+std::vector<std::string> any_triangle() {
+    std::vector<std::string> coordinates;
+    for (int i = 0; i < 6; ++i)
+        coordinates.push_back(twelfths(*rc::gen::inRange(-130, 131)));
+    return coordinates;
+}
+
+RC_GTEST_PROP(Fills, VertexOrderMakesNoDifference, ()) {
+    const Method method{.scalar = *rc::gen::element(ScalarKind::double_precision, ScalarKind::fixed,
+                                                    ScalarKind::exact),
+                        .fill = *rc::gen::element(Fill::two_halves, Fill::top_left),
+                        .sample = *rc::gen::element(Sample::integer, Sample::center)};
+    Scene scene = triangle_scene(any_triangle(), {.width = 20, .height = 20}, method);
+    const std::string picture = picture_of(draw_as_planned(scene));
+    auto& order = scene.primitives[0].vertices;
+    while (std::next_permutation(order.begin(), order.end()))
+        RC_ASSERT(picture_of(draw_as_planned(scene)) == picture);
+}
+
+RC_GTEST_PROP(Fills, TwoHalvesAreTheScanlineFillWhenExact, ()) {
+    Method method{.scalar = *rc::gen::element(ScalarKind::fixed, ScalarKind::exact),
+                  .rounding = *rc::gen::element(Rounding::floor, Rounding::nearest,
+                                                Rounding::truncate, Rounding::inside),
+                  .ties = *rc::gen::element(Ties::start, Ties::up, Ties::away, Ties::even),
+                  .lerp = *rc::gen::element(LerpForm::direct, LerpForm::incremental)};
+    Scene scene = triangle_scene(any_triangle(), {.width = 20, .height = 20}, method);
+    const std::string picture = picture_of(draw_as_planned(scene));
+    scene.method.fill = Fill::two_halves;
+    RC_ASSERT(picture_of(draw_as_planned(scene)) == picture);
+}
+
+/// Where a point lies: the signs of its three edge functions, straight from their definition.
+struct Signs {
+    bool inside;  ///< strictly
+    bool on_edge; ///< on the boundary
+};
+Signs signs_at(const Scene& scene, const mpq_class& x, const mpq_class& y) {
+    int positive = 0, negative = 0, zero = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const SceneVertex& a = scene.vertices[i];
+        const SceneVertex& b = scene.vertices[(i + 1) % 3];
+        const mpq_class e = (b.x.exact() - a.x.exact()) * (y - a.y.exact()) -
+                            (b.y.exact() - a.y.exact()) * (x - a.x.exact());
+        (sgn(e) > 0 ? positive : sgn(e) < 0 ? negative : zero) += 1;
+    }
+    return {positive == 3 || negative == 3, zero > 0 && (positive == 0 || negative == 0)};
+}
+
+RC_GTEST_PROP(Fills, CoverTheClosedOrTheOpenTriangle, ()) {
+    Method method{.scalar = ScalarKind::exact,
+                  .fill = *rc::gen::element(Fill::barycentric, Fill::top_left),
+                  .sample = *rc::gen::element(Sample::integer, Sample::center)};
+    const Scene scene = triangle_scene(any_triangle(), {.width = 20, .height = 20}, method);
+    const mpq_class offset = method.sample == Sample::center ? mpq_class(1, 2) : mpq_class(0);
+    const Image image = draw_as_planned(scene);
+    RC_PRE(!(signs_at(scene, 0, 0).on_edge && signs_at(scene, 1, 7).on_edge &&
+             signs_at(scene, 5, 3).on_edge)); // without area: no inside
+    for (int row = 0; row < 20; ++row)
+        for (int x = scene.canvas.left(); x <= scene.canvas.right(); ++x) {
+            const int y = scene.canvas.y_of(row);
+            const Signs signs = signs_at(scene, x + offset, y + offset);
+            const bool is_drawn = image.at({x, y}) != no_color;
+            if (!signs.on_edge)
+                RC_ASSERT(is_drawn == signs.inside);
+            else if (method.fill == Fill::barycentric)
+                RC_ASSERT(is_drawn);
+        }
+}
+
+RC_GTEST_PROP(TopLeft, EachSampleOfAMeshHasExactlyOneOwner, ()) {
+    // A grid of 4 x 4 vertices, the inner ones moved about, each cell split on one of its
+    // diagonals: the union is a square whose samples must all be drawn once, by every scalar.
+    constexpr int side = 4;
+    const auto scalar =
+        *rc::gen::element(ScalarKind::double_precision, ScalarKind::fixed, ScalarKind::exact);
+    const auto origin = *rc::gen::element(Origin::center, Origin::top_left, Origin::bottom_left);
+    Scene scene;
+    scene.canvas = {.width = 40, .height = 40, .origin = origin};
+    scene.method = {.scalar = scalar,
+                    .fill = Fill::top_left,
+                    .sample = *rc::gen::element(Sample::integer, Sample::center)};
+    const int start = origin == Origin::center ? -15 : 3;
+    for (int row = 0; row < side; ++row)
+        for (int column = 0; column < side; ++column) {
+            const bool is_inner = row > 0 && row < side - 1 && column > 0 && column < side - 1;
+            const auto moved = [is_inner] { return is_inner ? *rc::gen::inRange(-24, 25) : 0; };
+            const int x = moved(), y = moved();
+            scene.vertices.push_back({"", number(twelfths(12 * (start + 9 * column) + x)),
+                                      number(twelfths(12 * (start + 9 * row) + y))});
+        }
+    for (std::size_t row = 0; row + 1 < side; ++row)
+        for (std::size_t column = 0; column + 1 < side; ++column) {
+            const std::size_t a = row * side + column, b = a + 1, c = a + side, d = c + 1;
+            const auto add = [&scene](std::size_t p, std::size_t q, std::size_t r) {
+                scene.primitives.push_back(
+                    {.kind = PrimitiveKind::triangle, .name = {}, .vertices = {p, q, r}});
+            };
+            if (*rc::gen::arbitrary<bool>()) {
+                add(a, b, c);
+                add(d, c, b);
+            } else {
+                add(a, b, d);
+                add(a, d, c);
+            }
+        }
+    Counter counter;
+    const Image image = draw_as_planned(scene, counter);
+    RC_ASSERT(image.drawn() == 27u * 27u);
+    RC_ASSERT(counter.pixels == 27u * 27u);
+}
+
+RC_GTEST_PROP(Fills, NeverLetAFractionOverflow, ()) {
+    // As for the scanline fill: the sanitizer watches, the rationals know the picture.
+    const int bits = *rc::gen::inRange(1, 62);
+    const std::int64_t largest = std::int64_t{1} << bits;
+    const auto denominator = *rc::gen::inRange<std::int64_t>(1, 300);
+    Scene scene;
+    scene.canvas = {.width = 16, .height = 16};
+    scene.method = {.scalar = ScalarKind::exact,
+                    .line = *rc::gen::element(LineMethod::naive, LineMethod::dda),
+                    .fill = *rc::gen::element(Fill::two_halves, Fill::barycentric, Fill::top_left),
+                    .sample = *rc::gen::element(Sample::integer, Sample::center),
+                    .lerp = *rc::gen::element(LerpForm::direct, LerpForm::incremental)};
+    for (int i = 0; i < 3; ++i) {
+        const auto coordinate = [&] {
+            return number(std::to_string(*rc::gen::inRange<std::int64_t>(-largest, largest)) + "/" +
+                          std::to_string(denominator));
+        };
+        const Number x = coordinate(), y = coordinate();
+        scene.vertices.push_back({std::string(1, static_cast<char>('A' + i)), x, y,
+                                  Color{static_cast<std::uint8_t>(255 - 100 * i), 0, 255}});
+    }
+    scene.primitives = {{.kind = *rc::gen::element(PrimitiveKind::triangle, PrimitiveKind::outline),
+                         .name = "ABC",
+                         .vertices = {0, 1, 2}}};
+    const Plan plan = plan_for(scene);
+    RC_TAG(static_cast<int>(plan.number));
+    RC_ASSERT(draw_as_planned(scene).colors() == draw<Rational>(scene, plan, NullSink{}).colors());
+}
+
+// ---- Colors -------------------------------------------------------------------------------------
+
+TEST(MixedColors, AreThoseOfTheVerticesAtTheVertices) {
+    for (const Fill fill : {Fill::scanline, Fill::two_halves, Fill::barycentric, Fill::fan})
+        for (const ScalarKind scalar : every_scalar) {
+            Scene scene = first_triangle({.scalar = scalar, .fill = fill});
+            scene.vertices[0].color = Color{255, 0, 0};
+            scene.vertices[1].color = Color{0, 255, 0};
+            scene.vertices[2].color = Color{0, 0, 255};
+            const Image image = draw_as_planned(scene);
+            EXPECT_EQ(image.at({2, 5}), (Color{255, 0, 0}));
+            EXPECT_EQ(image.at({-4, -3}), (Color{0, 255, 0}));
+            EXPECT_EQ(image.at({5, -3}), (Color{0, 0, 255}));
+        }
+}
+
+TEST(MixedColors, AreTheWeightsTimesTheColors) {
+    // At (0, 0): 27/72, 31/72, 14/72 of 255: 95.625, 109.79, 49.58. On AB: half and half.
+    Scene scene = first_triangle({.scalar = ScalarKind::exact, .fill = Fill::barycentric});
+    scene.vertices[0].color = Color{255, 0, 0};
+    scene.vertices[1].color = Color{0, 255, 0};
+    scene.vertices[2].color = Color{0, 0, 255};
+    const Image image = draw_as_planned(scene);
+    EXPECT_EQ(image.at({0, 0}), (Color{96, 110, 50}));
+    EXPECT_EQ(image.at({-1, 1}), (Color{128, 128, 0})) << "127.5 goes up";
+}
+
+TEST(MixedColors, OnlyWhenAskedFor) {
+    Scene scene = first_triangle();
+    EXPECT_FALSE(scene.mixes_colors());
+    scene.vertices[0].color = Color{255, 0, 0};
+    EXPECT_TRUE(scene.mixes_colors());
+    scene.method.shade = Shade::flat;
+    EXPECT_FALSE(scene.mixes_colors());
+}
+
+} // namespace
+} // namespace rastertrace

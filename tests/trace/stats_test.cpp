@@ -1,0 +1,421 @@
+// SPDX-License-Identifier: MIT
+#include "picture.h"
+
+#include <rastertrace/trace/stats.h>
+#include <rastertrace/trace/trace.h>
+#include <rastertrace/trace/write_trace.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rastertrace {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+std::string trace_text(const Scene& scene, const StepFilter& filter = {}) {
+    std::string text;
+    StringOutput output(text);
+    write_trace(scene, {.layout = TraceLayout::json, .filter = filter}, output);
+    return text;
+}
+
+Stats stats_of_text(const std::string& text) {
+    const auto trace = read_trace({"trace.json", text});
+    if (!trace) {
+        ADD_FAILURE() << to_text(trace.problem());
+        return {};
+    }
+    return stats_of(trace.value());
+}
+
+/// What the trace of a scene amounts to.
+Stats stats_of_scene(const Scene& scene) {
+    return stats_of_text(trace_text(scene));
+}
+
+/// How many pixels of the closed triangle were not drawn.
+std::uint64_t missing(const Coverage& coverage) {
+    return coverage.holes.count + coverage.open_edge.count;
+}
+
+/// The scene's first triangle, its vertices in another order.
+Scene in_order(Scene scene, const std::array<std::size_t, 3>& order) {
+    scene.primitives[0].vertices = order;
+    return scene;
+}
+
+/// Points x, y, x, y, ..., named A, B, C, ..., and triangles of them.
+Scene mesh(const std::vector<int>& coordinates,
+           const std::vector<std::array<std::size_t, 3>>& triangles, Canvas canvas,
+           const Method& method) {
+    Scene scene;
+    scene.canvas = canvas;
+    scene.method = method;
+    for (std::size_t i = 0; 2 * i < coordinates.size(); ++i)
+        scene.vertices.push_back({std::string(1, static_cast<char>('A' + i)), coordinates[2 * i],
+                                  coordinates[2 * i + 1]});
+    for (const auto& corners : triangles) {
+        std::string name;
+        for (const std::size_t corner : corners)
+            name += scene.vertices[corner].name;
+        scene.primitives.push_back(
+            {.kind = PrimitiveKind::triangle, .name = name, .vertices = corners});
+    }
+    return scene;
+}
+
+constexpr Canvas ten_by_ten{.width = 10, .height = 10, .origin = Origin::top_left};
+
+/// The square from (0, 0) to (8, 8), cut along its diagonal AC.
+Scene square(const Method& method) {
+    return mesh({0, 0, 8, 0, 8, 8, 0, 8}, {{0, 1, 2}, {0, 2, 3}}, ten_by_ten, method);
+}
+
+TEST(Stats, CountWritesAndOverdraw) {
+    Scene scene = first_triangle();
+    scene.primitives.push_back(scene.primitives[0]);
+    const Stats stats = stats_of_scene(scene);
+    EXPECT_EQ(stats.pixels, 49u);
+    EXPECT_EQ(stats.writes, 98u);
+    ASSERT_EQ(stats.primitives.size(), 2u);
+    EXPECT_EQ(stats.primitives[0].over, 0u);
+    EXPECT_EQ(stats.primitives[1].over, 49u);
+    EXPECT_EQ(stats.primitives[1].pixels, 49u);
+    EXPECT_FALSE(stats.frame_differs);
+}
+
+TEST(Stats, FindAnotherPictureThanTheEndRecordNames) {
+    std::string text = trace_text(first_triangle());
+    text.insert(text.find("\"frame\":\"") + 9, "0");
+    EXPECT_TRUE(stats_of_text(text).frame_differs);
+}
+
+TEST(Coverage, TheFloorRuleDrawsOutsideOnTheLeftAndMissesNothing) {
+    const Coverage coverage = *stats_of_scene(first_triangle()).primitives[0].coverage;
+    EXPECT_EQ(missing(coverage), 0u);
+    EXPECT_EQ(coverage.outside.count, 6u);
+    EXPECT_THAT(coverage.outside.kept, ElementsAre(Pixel{1, 4}, Pixel{0, 3}, Pixel{-1, 2},
+                                                   Pixel{-2, 0}, Pixel{-3, -1}, Pixel{-4, -2}));
+}
+
+TEST(Coverage, TheBarycentricFillDrawsTheClosedTriangle) {
+    const Stats stats =
+        stats_of_scene(first_triangle({.scalar = ScalarKind::exact, .fill = Fill::barycentric}));
+    EXPECT_EQ(missing(*stats.primitives[0].coverage), 0u);
+    EXPECT_EQ(stats.primitives[0].coverage->outside.count, 0u);
+    EXPECT_EQ(stats.pixels, 43u);
+}
+
+TEST(Coverage, TheTopLeftRuleLeavesTheOtherEdgesOpen) {
+    const Stats stats = stats_of_scene(first_triangle(
+        {.scalar = ScalarKind::exact, .fill = Fill::top_left, .sample = Sample::integer}));
+    const Coverage& coverage = *stats.primitives[0].coverage;
+    EXPECT_EQ(stats.pixels, 32u);
+    EXPECT_EQ(coverage.holes.count, 0u);
+    EXPECT_EQ(coverage.open_edge.count, 11u);
+    EXPECT_THAT(coverage.open_edge.kept,
+                ElementsAre(Pixel{2, 5}, Pixel{-4, -3}, Pixel{-3, -3}, Pixel{-2, -3}, Pixel{-1, -3},
+                            Pixel{0, -3}, Pixel{1, -3}, Pixel{2, -3}, Pixel{3, -3}, Pixel{4, -3},
+                            Pixel{5, -3}));
+    EXPECT_EQ(coverage.outside.count, 0u);
+}
+
+TEST(Coverage, SamplesAtTheCenterAreJudgedAtTheCenter) {
+    const Stats stats =
+        stats_of_scene(first_triangle({.scalar = ScalarKind::exact, .fill = Fill::top_left}));
+    const Coverage& coverage = *stats.primitives[0].coverage;
+    EXPECT_EQ(coverage.holes.count, 0u);
+    EXPECT_EQ(coverage.outside.count, 0u);
+}
+
+TEST(Coverage, TheFanMissesPixelsByTheOrderOfItsVertices) {
+    const Method fan{.scalar = ScalarKind::exact, .fill = Fill::fan};
+    const auto missed = [](const Scene& scene) {
+        return missing(*stats_of_scene(scene).primitives[0].coverage);
+    };
+    const Scene small = first_triangle(fan);
+    EXPECT_EQ(missed(small), 2u);
+    EXPECT_EQ(missed(in_order(small, {2, 0, 1})), 3u);
+    EXPECT_EQ(missed(in_order(small, {1, 2, 0})), 0u);
+
+    const Scene large =
+        triangle_scene({"100", "100", "400", "150", "250", "400"},
+                       {.width = 512, .height = 512, .origin = Origin::top_left}, fan);
+    EXPECT_EQ(missed(large), 256u);
+    EXPECT_EQ(missed(in_order(large, {2, 0, 1})), 2789u);
+    EXPECT_EQ(missed(in_order(large, {1, 2, 0})), 4341u);
+}
+
+TEST(Coverage, OnlyTheFirstPixelsAreKept) {
+    const Scene scene =
+        in_order(triangle_scene({"100", "100", "400", "150", "250", "400"},
+                                {.width = 512, .height = 512, .origin = Origin::top_left},
+                                {.scalar = ScalarKind::exact, .fill = Fill::fan}),
+                 {1, 2, 0});
+    const Coverage coverage = *stats_of_scene(scene).primitives[0].coverage;
+    EXPECT_GT(coverage.holes.count, most_pixels_kept);
+    EXPECT_EQ(coverage.holes.kept.size(), most_pixels_kept);
+    for (std::size_t i = 1; i < most_pixels_kept; ++i)
+        EXPECT_LT(scene.canvas.offset_of(coverage.holes.kept[i - 1]),
+                  scene.canvas.offset_of(coverage.holes.kept[i]));
+}
+
+TEST(Coverage, ThreePassesOfTheFanHideTheHoles) {
+    const Stats stats = stats_of_scene(
+        first_triangle({.scalar = ScalarKind::exact, .fill = Fill::fan, .fan_passes = 3}));
+    EXPECT_EQ(stats.writes, 242u);
+    EXPECT_EQ(stats.primitives[0].pixels, 50u);
+    EXPECT_EQ(missing(*stats.primitives[0].coverage), 0u);
+    EXPECT_EQ(stats.primitives[0].coverage->outside.count, 7u);
+}
+
+RC_GTEST_PROP(Coverage, AgreesWithEveryPixelTestedByItself, ()) {
+    // A fan on a small canvas: holes, pixels outside, and parts off the canvas.
+    std::vector<std::string> coordinates;
+    for (int i = 0; i < 6; ++i)
+        coordinates.push_back(std::to_string(*rc::gen::inRange(-40, 41)) + "/" +
+                              std::to_string(*rc::gen::inRange(1, 5)));
+    const auto origin = *rc::gen::element(Origin::center, Origin::bottom_left, Origin::top_left);
+    const auto fill = *rc::gen::element(Fill::fan, Fill::scanline, Fill::top_left);
+    const Scene scene = triangle_scene(coordinates, {.width = 15, .height = 12, .origin = origin},
+                                       {.scalar = ScalarKind::exact, .fill = fill});
+    std::array<std::array<mpq_class, 2>, 3> at;
+    for (std::size_t i = 0; i < 6; ++i)
+        at[i / 2][i % 2] = number(coordinates[i]).exact();
+    const auto turn = [](const auto& a, const auto& b, const auto& c) {
+        return sgn(mpq_class((b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])));
+    };
+    const Stats stats = stats_of_scene(scene);
+    const int winding = turn(at[0], at[1], at[2]);
+    RC_ASSERT(stats.primitives[0].coverage.has_value() == (winding != 0));
+    if (winding == 0)
+        return;
+
+    const mpq_class offset = fill == Fill::top_left ? mpq_class(1, 2) : mpq_class(0);
+    const Image image = draw_as_planned(scene);
+    std::vector<Pixel> holes;
+    std::vector<Pixel> open_edge;
+    std::vector<Pixel> outside;
+    for (int row = 0; row < scene.canvas.height; ++row)
+        for (int x = scene.canvas.left(); x <= scene.canvas.right(); ++x) {
+            const Pixel pixel{x, scene.canvas.y_of(row)};
+            const std::array<mpq_class, 2> sample{pixel.x + offset, pixel.y + offset};
+            int least = 1;
+            for (std::size_t i = 0; i < 3; ++i)
+                least = std::min(least, winding * turn(at[i], at[(i + 1) % 3], sample));
+            const bool is_drawn = image.at(pixel) != no_color;
+            if (least > 0 && !is_drawn)
+                holes.push_back(pixel);
+            if (least == 0 && !is_drawn)
+                open_edge.push_back(pixel);
+            if (least < 0 && is_drawn)
+                outside.push_back(pixel);
+        }
+    RC_ASSERT(stats.primitives[0].coverage->holes.kept == holes);
+    RC_ASSERT(stats.primitives[0].coverage->open_edge.kept == open_edge);
+    RC_ASSERT(stats.primitives[0].coverage->outside.kept == outside);
+}
+
+TEST(Coverage, IsOnlyOfTrianglesWithAreaAndNumbers) {
+    const Scene line = triangle_scene({"0", "0", "2", "2", "4", "4"}, ten_by_ten);
+    EXPECT_FALSE(stats_of_scene(line).primitives[0].coverage);
+
+    const std::string text = trace_text(first_triangle());
+    const std::string at = R"("at":[["2","5"],["-4","-3"],["5","-3"]],)";
+    for (const std::string other :
+         {"", R"("at":[["2","5"],["-4","-3"]],)", R"("at":[["2"],["-4"],["5"]],)",
+          R"("at":[["2","5"],["-4","-3"],["5","x"]],)", R"("at":7,)"}) {
+        std::string foreign = text;
+        foreign.replace(foreign.find(at), at.size(), other);
+        const Stats stats = stats_of_text(foreign);
+        EXPECT_EQ(stats.primitives[0].pixels, 49u) << other;
+        EXPECT_FALSE(stats.primitives[0].coverage) << other;
+    }
+}
+
+TEST(Coverage, IsNotOfWhatWasLeftOutOrCutOff) {
+    StepFilter filter;
+    filter.only = std::vector{StepKind::primitive};
+    EXPECT_FALSE(stats_of_text(trace_text(first_triangle(), filter)).primitives[0].coverage);
+
+    // Cut within the second triangle: the first is whole.
+    const std::string whole = trace_text(square({.scalar = ScalarKind::exact}));
+    const Stats stats = stats_of_text(whole.substr(0, whole.rfind("\"pixel\"")));
+    ASSERT_EQ(stats.primitives.size(), 2u);
+    EXPECT_TRUE(stats.primitives[0].coverage);
+    EXPECT_FALSE(stats.primitives[1].coverage);
+    EXPECT_THAT(stats.edges, IsEmpty());
+}
+
+TEST(SharedEdge, TheScanlineFillDrawsItTwice) {
+    const Stats stats = stats_of_scene(square({.scalar = ScalarKind::exact}));
+    ASSERT_EQ(stats.edges.size(), 1u);
+    EXPECT_EQ(stats.edges[0].name, "AC");
+    EXPECT_EQ(stats.edges[0].one, "ABC");
+    EXPECT_EQ(stats.edges[0].other, "ACD");
+    EXPECT_EQ(stats.edges[0].twice.count, 9u);
+    EXPECT_EQ(stats.edges[0].twice.kept.front(), (Pixel{0, 0}));
+    EXPECT_EQ(stats.edges[0].twice.kept.back(), (Pixel{8, 8}));
+    EXPECT_EQ(stats.edges[0].never.count, 0u);
+}
+
+TEST(SharedEdge, TheTopLeftRuleDrawsItOnce) {
+    const Stats stats =
+        stats_of_scene(square({.scalar = ScalarKind::exact, .fill = Fill::top_left}));
+    EXPECT_EQ(stats.primitives[0].writes + stats.primitives[1].writes, 64u);
+    EXPECT_EQ(std::max(stats.primitives[0].writes, stats.primitives[1].writes), 36u);
+    ASSERT_EQ(stats.edges.size(), 1u);
+    EXPECT_EQ(stats.edges[0].twice.count, 0u);
+    EXPECT_EQ(stats.edges[0].never.count, 0u);
+}
+
+TEST(SharedEdge, PixelsOnItAndNextToItMayBeDrawnByNeither) {
+    // As a foreign rasterizer might: it never draws the diagonal, nor (4, 3) next to it, nor (6, 1)
+    // two pixels from it and more.
+    std::string text = "{\"rastertrace\":1,\"canvas\":{\"width\":10,\"height\":10,\"origin\":"
+                       "\"top-left\"}}\n";
+    const auto draw = [&text](const std::string& name, const std::string& at, auto is_in) {
+        text +=
+            R"({"step":"primitive","kind":"triangle","name":")" + name + R"(","at":)" + at + "}\n";
+        for (int y = 0; y <= 8; ++y)
+            for (int x = 0; x <= 8; ++x)
+                if (is_in(x, y) && Pixel{x, y} != Pixel{4, 3} && Pixel{x, y} != Pixel{6, 1})
+                    text += R"({"step":"pixel","x":)" + std::to_string(x) + R"(,"y":)" +
+                            std::to_string(y) + "}\n";
+    };
+    draw("upper", "[[0,0],[8.0,0],[8,8]]", [](int x, int y) { return x > y; });
+    draw("lower", "[[\"16/2\",8e0],[0,0],[0,8]]", [](int x, int y) { return x < y; });
+    const Stats stats = stats_of_text(text + "{\"end\":{}}\n");
+    ASSERT_EQ(stats.edges.size(), 1u);
+    EXPECT_EQ(stats.edges[0].name, "(0, 0)-(8, 8)");
+    EXPECT_EQ(stats.edges[0].twice.count, 0u);
+    EXPECT_THAT(stats.edges[0].never.kept,
+                ElementsAre(Pixel{1, 1}, Pixel{2, 2}, Pixel{3, 3}, Pixel{4, 3}, Pixel{4, 4},
+                            Pixel{5, 5}, Pixel{6, 6}, Pixel{7, 7}));
+    EXPECT_THAT(stats.primitives[0].coverage->holes.kept, ElementsAre(Pixel{6, 1}, Pixel{4, 3}));
+}
+
+RC_GTEST_PROP(SharedEdge, AgreesWithEveryPixelTestedByItself, ()) {
+    // Two triangles on an edge, or folded over it, filled by a fan: it leaves holes.
+    std::vector<int> coordinates;
+    for (int i = 0; i < 8; ++i)
+        coordinates.push_back(*rc::gen::inRange(-2, 14));
+    const Scene scene = mesh(coordinates, {{0, 1, 2}, {3, 1, 0}}, ten_by_ten,
+                             {.scalar = ScalarKind::exact, .fill = Fill::fan});
+    const int ax = coordinates[0];
+    const int ay = coordinates[1];
+    const int bx = coordinates[2];
+    const int by = coordinates[3];
+    const auto turn = [&](int x, int y) { return (bx - ax) * (y - ay) - (by - ay) * (x - ax); };
+    const auto is_inside = [&](int x, int y, std::size_t apex) {
+        const int cx = coordinates[2 * apex];
+        const int cy = coordinates[2 * apex + 1];
+        const int winding = turn(cx, cy);
+        return winding * turn(x, y) > 0 &&
+               winding * ((cx - bx) * (y - by) - (cy - by) * (x - bx)) > 0 &&
+               winding * ((ax - cx) * (y - cy) - (ay - cy) * (x - cx)) > 0;
+    };
+    RC_PRE(turn(coordinates[4], coordinates[5]) != 0 && turn(coordinates[6], coordinates[7]) != 0);
+    const bool runs_along_x = std::abs(bx - ax) >= std::abs(by - ay);
+    const int reach = std::max(std::abs(bx - ax), std::abs(by - ay));
+
+    // What each of the two draws by itself.
+    Scene alone = scene;
+    alone.primitives.resize(1);
+    const Image one = draw_as_planned(alone);
+    alone.primitives[0] = scene.primitives[1];
+    const Image other = draw_as_planned(alone);
+
+    std::vector<Pixel> twice;
+    std::vector<Pixel> never;
+    for (int y = 0; y < 10; ++y)
+        for (int x = 0; x < 10; ++x) {
+            const bool by_one = one.at({x, y}) != no_color;
+            const bool by_other = other.at({x, y}) != no_color;
+            if (by_one && by_other)
+                twice.push_back({x, y});
+            const auto [low, high] = runs_along_x ? std::minmax({ax, bx}) : std::minmax({ay, by});
+            const int along = runs_along_x ? x : y;
+            const bool is_near = low <= along && along <= high && std::abs(turn(x, y)) <= reach;
+            const bool is_on_edge = turn(x, y) == 0 && low < along && along < high;
+            if (is_near && (is_on_edge || is_inside(x, y, 2) || is_inside(x, y, 3)) && !by_one &&
+                !by_other)
+                never.push_back({x, y});
+        }
+    const Stats stats = stats_of_scene(scene);
+    // Where both have the same corners, they share three edges; this one comes first.
+    RC_ASSERT(!stats.edges.empty());
+    RC_ASSERT(stats.edges[0].twice.kept == twice);
+    RC_ASSERT(stats.edges[0].never.kept == never);
+    RC_CLASSIFY(!never.empty(), "some are never drawn");
+}
+
+TEST(SharedEdge, HorizontalAndVerticalOnesToo) {
+    // Twice the square, its left half and its right half, its upper half and its lower half.
+    const Method method{
+        .scalar = ScalarKind::exact, .fill = Fill::top_left, .sample = Sample::integer};
+    for (const auto& coordinates :
+         {std::vector{4, 0, 4, 8, 0, 4, 8, 4}, std::vector{0, 4, 8, 4, 4, 0, 4, 8}}) {
+        const Scene scene = mesh(coordinates, {{0, 1, 2}, {1, 0, 3}}, ten_by_ten, method);
+        const Stats stats = stats_of_scene(scene);
+        ASSERT_EQ(stats.edges.size(), 1u);
+        EXPECT_EQ(stats.edges[0].twice.count, 0u);
+        EXPECT_EQ(stats.edges[0].never.count, 0u);
+    }
+}
+
+TEST(SharedEdge, OfThreeTrianglesEveryPairIsCompared) {
+    const Scene scene = mesh({0, 0, 8, 0, 8, 8, 0, 8, 4, 8}, {{0, 1, 2}, {0, 2, 3}, {2, 0, 4}},
+                             ten_by_ten, {.scalar = ScalarKind::exact});
+    std::vector<std::string> pairs;
+    for (const SharedEdge& edge : stats_of_scene(scene).edges)
+        pairs.push_back(edge.name + " of " + edge.one + " and " + edge.other);
+    EXPECT_THAT(pairs, ElementsAre("AC of ABC and ACD", "AC of ABC and CAE", "AC of ACD and CAE"));
+}
+
+TEST(SharedEdge, OfVeryManyTrianglesTheFirstAreCompared) {
+    Scene scene = triangle_scene({"0", "0", "2", "0", "0", "2"}, ten_by_ten);
+    scene.primitives.resize(100, scene.primitives[0]);
+    EXPECT_EQ(stats_of_scene(scene).edges.size(), 3 * most_compared * (most_compared - 1) / 2);
+}
+
+TEST(OutlineOnFill, TheFloorRuleLeavesPixelsOfTheOutlineUncovered) {
+    Scene scene = first_triangle();
+    scene.primitives.push_back(
+        {.kind = PrimitiveKind::outline, .name = "o", .vertices = {2, 0, 1}});
+    const Stats stats = stats_of_scene(scene);
+    EXPECT_EQ(stats.primitives[1].writes, 28u);
+    EXPECT_EQ(stats.primitives[1].pixels, 25u);
+    EXPECT_FALSE(stats.primitives[1].coverage);
+    ASSERT_EQ(stats.outlines.size(), 1u);
+    EXPECT_EQ(stats.outlines[0].outline, "o");
+    EXPECT_EQ(stats.outlines[0].fill, "ABC");
+    EXPECT_EQ(stats.outlines[0].outside.count, 4u);
+    EXPECT_THAT(stats.outlines[0].outside.kept,
+                ElementsAre(Pixel{3, 3}, Pixel{4, 1}, Pixel{4, 0}, Pixel{5, -2}));
+}
+
+TEST(OutlineOnFill, IsOfTheSameCornersOnly) {
+    Scene scene = first_triangle();
+    scene.vertices.push_back({"D", 5, -2});
+    scene.primitives.push_back(
+        {.kind = PrimitiveKind::outline, .name = "o", .vertices = {0, 1, 3}});
+    EXPECT_THAT(stats_of_scene(scene).outlines, IsEmpty());
+}
+
+} // namespace
+} // namespace rastertrace

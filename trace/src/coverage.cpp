@@ -1,0 +1,490 @@
+// SPDX-License-Identifier: MIT
+#include "coverage.h"
+
+#include <rastertrace/core/number.h>
+#include <rastertrace/trace/scene_file.h>
+
+#include <fmt/format.h>
+#include <gmpxx.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+#include <variant>
+
+namespace rastertrace {
+
+namespace {
+
+/// An exact point of the scene.
+struct Position {
+    mpq_class x;
+    mpq_class y;
+};
+
+/// Where sample points are.
+struct Grid {
+    Canvas canvas;
+    mpq_class sample_offset; ///< from a pixel's integer point to its sample point, in x and in y
+};
+
+/// The pixels of one row from x = first to x = last, or the rows from first to last; none if last
+/// lies before first.
+struct Span {
+    Index first = 0;
+    Index last = -1;
+
+    bool is_empty() const { return last < first; }
+    bool has(Index x) const { return first <= x && x <= last; }
+};
+
+Span common_part(const Span& a, const Span& b) {
+    return {std::max(a.first, b.first), std::min(a.last, b.last)};
+}
+
+void add(PixelList& list, Pixel pixel) {
+    ++list.count;
+    if (list.kept.size() < most_pixels_kept)
+        list.kept.push_back(pixel);
+}
+
+/// Adds the pixels of a row; the time it takes does not depend on how many are not kept.
+void add(PixelList& list, int y, const Span& span) {
+    if (span.is_empty())
+        return;
+    list.count += static_cast<std::uint64_t>(span.last - span.first + 1);
+    for (Index x = span.first; x <= span.last && list.kept.size() < most_pixels_kept; ++x)
+        list.kept.push_back({static_cast<int>(x), y});
+}
+
+// The geometry: regions of the plane whose pixels are found row by row, by whole numbers.
+
+/// The pixels (x, y) with a x + b y + c >= 0.
+struct HalfPlane {
+    mpz_class a;
+    mpz_class b;
+    mpz_class c;
+};
+
+/// The pixels that lie in every one of some half planes.
+using Region = std::vector<HalfPlane>;
+
+/// The pixels whose sample points have a x + b y + c >= 0.
+HalfPlane half_plane(const mpq_class& a, const mpq_class& b, const mpq_class& c, const Grid& grid) {
+    // From the sample point to the pixel that it belongs to.
+    const mpq_class at_pixel = c + (a + b) * grid.sample_offset;
+
+    // The same over a common denominator, and without it.
+    mpz_class denominator = a.get_den();
+    for (const mpq_class* value : {&b, &at_pixel})
+        mpz_lcm(denominator.get_mpz_t(), denominator.get_mpz_t(), value->get_den_mpz_t());
+    const auto whole = [&denominator](const mpq_class& value) {
+        return mpz_class(value.get_num() * (denominator / value.get_den()));
+    };
+    return {whole(a), whole(b), whole(at_pixel)};
+}
+
+/// Left of the line from one point to another, where y points up: the edge function, twice the
+/// signed area that a sample point makes with the edge. Pineda 1988.
+HalfPlane left_of(const Position& from, const Position& to, const Grid& grid) {
+    const mpq_class dx = to.x - from.x;
+    const mpq_class dy = to.y - from.y;
+    return half_plane(-dy, dx, dy * from.x - dx * from.y, grid);
+}
+
+/// The other side of the line.
+HalfPlane opposite(const HalfPlane& plane) {
+    return {-plane.a, -plane.b, -plane.c};
+}
+
+/// The pixels with a x + b y + c >= -by.
+HalfPlane widened(const HalfPlane& plane, const mpz_class& by) {
+    return {plane.a, plane.b, plane.c + by};
+}
+
+/// The region without its boundary: of whole numbers, those above 0 are the ones from 1.
+Region interior_of(Region region) {
+    for (HalfPlane& plane : region)
+        plane.c -= 1;
+    return region;
+}
+
+/// A whole number of any size, held between two that are on the canvas or next to it.
+Index clamped(const mpz_class& value, Index low, Index high) {
+    if (value < low)
+        return low;
+    return value > high ? high : value.get_si();
+}
+
+/// The pixels of `within`, a part of row `y`, that lie in a region. Where there are none, the
+/// result begins one behind the end of `within`.
+Span span_on_row(const Region& region, int y, const Span& within) {
+    Span span = within;
+    mpz_class bound;
+    for (const HalfPlane& plane : region) {
+        // a x >= -rest; the division gives the outermost x.
+        const mpz_class rest = plane.b * y + plane.c;
+        const int sign = sgn(plane.a);
+        if (sign > 0) {
+            mpz_fdiv_q(bound.get_mpz_t(), rest.get_mpz_t(), plane.a.get_mpz_t());
+            bound = -bound;
+            span.first = std::max(span.first, clamped(bound, within.first, within.last + 1));
+        } else if (sign < 0) {
+            bound = -plane.a;
+            mpz_fdiv_q(bound.get_mpz_t(), rest.get_mpz_t(), bound.get_mpz_t());
+            span.last = std::min(span.last, clamped(bound, within.first - 1, within.last));
+        } else if (sgn(rest) < 0) {
+            span.last = within.first - 1;
+        }
+        if (span.is_empty())
+            return {within.last + 1, within.last};
+    }
+    return span;
+}
+
+/// The rows of the canvas, counted from its top, whose sample points have a y from `low` to `high`.
+Span rows_between(const mpq_class& low, const mpq_class& high, const Grid& grid) {
+    const auto [lowest, highest] = std::minmax<Index>({grid.canvas.top(), grid.canvas.bottom()});
+    const mpq_class low_pixel = low - grid.sample_offset;
+    const mpq_class high_pixel = high - grid.sample_offset;
+    mpz_class whole;
+    mpz_cdiv_q(whole.get_mpz_t(), low_pixel.get_num_mpz_t(), low_pixel.get_den_mpz_t());
+    const Index from = clamped(whole, lowest, highest + 1);
+    mpz_fdiv_q(whole.get_mpz_t(), high_pixel.get_num_mpz_t(), high_pixel.get_den_mpz_t());
+    const Index to = clamped(whole, lowest - 1, highest);
+    if (to < from)
+        return {};
+    const auto [first, last] = std::minmax({grid.canvas.row_of(from), grid.canvas.row_of(to)});
+    return {first, last};
+}
+
+Span whole_row(const Canvas& canvas) {
+    return {canvas.left(), canvas.right()};
+}
+
+/// Twice the signed area of a triangle.
+mpq_class area2(const std::array<Position, 3>& at) {
+    return (at[1].x - at[0].x) * (at[2].y - at[0].y) - (at[2].x - at[0].x) * (at[1].y - at[0].y);
+}
+
+/// The closed triangle, whichever way its vertices turn.
+Region region_of(const std::array<Position, 3>& at, const Grid& grid) {
+    const bool turns_left = sgn(area2(at)) > 0;
+    Region region;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const HalfPlane left = left_of(at[i], at[(i + 1) % 3], grid);
+        region.push_back(turns_left ? left : opposite(left));
+    }
+    return region;
+}
+
+// What the trace says: corners, and the pixels of a row.
+
+/// A triangle or an outline, with its corners.
+struct Cornered {
+    const DrawnPrimitive* drawn = nullptr;
+    std::size_t place = 0; ///< in Stats::primitives
+    std::array<Position, 3> at;
+    std::array<std::uint32_t, 3> corners{}; ///< numbers of the positions; the same for equal ones
+    Region closed = {};                     ///< of a triangle with area
+    Region interior = {};
+};
+
+/// Numbers positions: equal ones have the same number.
+using PositionNumbers = std::unordered_map<std::string, std::uint32_t>;
+
+/// The corners that a primitive's step gives, if they are three pairs of numbers.
+std::optional<Cornered> corners_of(const StepView& step, PositionNumbers& numbers) {
+    const auto rows = step.text_rows("at");
+    if (rows.size() != 3)
+        return std::nullopt;
+    Cornered result;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (rows[i].size() != 2)
+            return std::nullopt;
+        const auto x = parse_number(rows[i][0]);
+        const auto y = parse_number(rows[i][1]);
+        if (!std::holds_alternative<Number>(x) || !std::holds_alternative<Number>(y))
+            return std::nullopt;
+        result.at[i] = {std::get<Number>(x).exact(), std::get<Number>(y).exact()};
+        const std::string text = result.at[i].x.get_str() + "," + result.at[i].y.get_str();
+        const auto next = static_cast<std::uint32_t>(numbers.size());
+        result.corners[i] = numbers.emplace(text, next).first->second;
+    }
+    return result;
+}
+
+/// The pixels that a primitive drew on a row of the canvas.
+std::span<const std::uint32_t> drawn_on_row(const DrawnPrimitive& primitive, Index row,
+                                            const Canvas& canvas) {
+    const Index begin = row * canvas.width;
+    const auto first = std::lower_bound(primitive.pixels.begin(), primitive.pixels.end(), begin);
+    const auto last = std::lower_bound(first, primitive.pixels.end(), begin + canvas.width);
+    return {first, last};
+}
+
+Pixel pixel_at(std::uint32_t offset, const Canvas& canvas) {
+    const int place = static_cast<int>(offset);
+    return {canvas.left() + place % canvas.width, canvas.y_of(place / canvas.width)};
+}
+
+// A triangle against its own corners.
+
+/// The pixels `gap` of a row were not drawn; `inside` is the part of the row within the triangle.
+void add_missing(Coverage& coverage, int y, const Span& gap, const Span& inside) {
+    add(coverage.open_edge, y, common_part(gap, {gap.first, inside.first - 1}));
+    add(coverage.holes, y, common_part(gap, inside));
+    add(coverage.open_edge, y, common_part(gap, {inside.last + 1, gap.last}));
+}
+
+Coverage coverage_of(const Cornered& triangle, const Grid& grid) {
+    const Canvas& canvas = grid.canvas;
+    const auto& [a, b, c] = triangle.at;
+    const auto& drawn = triangle.drawn->pixels;
+
+    // The rows that the triangle passes through, and those that it was drawn on.
+    Span rows = rows_between(std::min({a.y, b.y, c.y}), std::max({a.y, b.y, c.y}), grid);
+    if (!drawn.empty()) {
+        const Span drawn_rows{canvas.row_of(pixel_at(drawn.front(), canvas).y),
+                              canvas.row_of(pixel_at(drawn.back(), canvas).y)};
+        rows = rows.is_empty() ? drawn_rows
+                               : Span{std::min(rows.first, drawn_rows.first),
+                                      std::max(rows.last, drawn_rows.last)};
+    }
+
+    // On each of them, the gaps between the pixels drawn are missing, as far as the triangle goes.
+    Coverage coverage;
+    for (Index row = rows.first; row <= rows.last; ++row) {
+        const int y = canvas.y_of(static_cast<int>(row));
+        const Span closed = span_on_row(triangle.closed, y, whole_row(canvas));
+        const Span inside = span_on_row(triangle.interior, y, closed);
+        Index next = closed.first;
+        for (const std::uint32_t offset : drawn_on_row(*triangle.drawn, row, canvas)) {
+            const Pixel pixel = pixel_at(offset, canvas);
+            if (!closed.has(pixel.x)) {
+                add(coverage.outside, pixel);
+                continue;
+            }
+            add_missing(coverage, y, {next, pixel.x - 1}, inside);
+            next = pixel.x + 1;
+        }
+        add_missing(coverage, y, {next, closed.last}, inside);
+    }
+    return coverage;
+}
+
+// Two triangles at the edge that they share.
+
+/// An edge, by places of vertices in the first triangle that has it.
+struct EdgeUse {
+    std::size_t from = 0;
+    std::size_t to = 0;
+    std::vector<const Cornered*> triangles; ///< at most `most_compared`
+};
+
+/// The edges that more than one triangle has, in the order in which they come first.
+std::vector<EdgeUse> shared_edges(const std::vector<Cornered>& triangles) {
+    std::vector<EdgeUse> edges;
+    std::unordered_map<std::uint64_t, std::size_t> known;
+    for (const Cornered& triangle : triangles)
+        for (const auto& [from, to] : {std::pair{0U, 1U}, std::pair{0U, 2U}, std::pair{1U, 2U}}) {
+            const auto [low, high] = std::minmax(triangle.corners[from], triangle.corners[to]);
+            const std::uint64_t ends = std::uint64_t{low} << 32 | high;
+            const auto [entry, is_new] = known.emplace(ends, edges.size());
+            if (is_new)
+                edges.push_back({from, to, {}});
+            std::vector<const Cornered*>& users = edges[entry->second].triangles;
+            if (users.size() < most_compared)
+                users.push_back(&triangle);
+        }
+    std::erase_if(edges, [](const EdgeUse& edge) { return edge.triangles.size() < 2; });
+    return edges;
+}
+
+/// An edge's name in a trace: "AC", or "P1-P3"; its ends where the step names no vertices.
+std::string edge_name(const StepView& step, std::size_t from, std::size_t to) {
+    const std::vector<std::string> names = step.texts("vertices");
+    if (names.size() == 3) {
+        const std::array<std::string_view, 3> all{names[0], names[1], names[2]};
+        return names[from] + std::string(name_separator(all)) + names[to];
+    }
+    const auto at = step.text_rows("at");
+    return fmt::format("({}, {})-({}, {})", at[from][0], at[from][1], at[to][0], at[to][1]);
+}
+
+/// What lies between the ends of an edge: x or y, whichever it runs along more, is from that of
+/// one end to that of the other.
+Region between_ends(const Position& from, const Position& to, const Grid& grid) {
+    const bool runs_along_x = abs(to.x - from.x) >= abs(to.y - from.y);
+    const auto [low, high] =
+        runs_along_x ? std::minmax<mpq_class>(from.x, to.x) : std::minmax<mpq_class>(from.y, to.y);
+    const mpq_class along_x = runs_along_x ? 1 : 0;
+    const mpq_class along_y = 1 - along_x;
+    return {half_plane(along_x, along_y, -low, grid), half_plane(-along_x, -along_y, high, grid)};
+}
+
+/// The pixels near an edge that neither of its triangles drew. SharedEdge says which count.
+PixelList never_drawn(const Position& from, const Position& to, const Cornered& one,
+                      const Cornered& other, const Grid& grid) {
+    const Canvas& canvas = grid.canvas;
+
+    // a x + b y + c is b times the height above the edge, and a times the distance to its right.
+    const HalfPlane side = left_of(from, to, grid);
+    const mpz_class reach = std::max<mpz_class>(abs(side.a), abs(side.b));
+    Region near = between_ends(from, to, grid);
+    Region open_edge = interior_of(near);
+    near.push_back(widened(side, reach));
+    near.push_back(widened(opposite(side), reach));
+    open_edge.push_back(side);
+    open_edge.push_back(opposite(side));
+
+    PixelList never;
+    const auto [low, high] = std::minmax<mpq_class>(from.y, to.y);
+    const Span rows = rows_between(low - 1, high + 1, grid);
+    for (Index row = rows.first; row <= rows.last; ++row) {
+        const int y = canvas.y_of(static_cast<int>(row));
+        const Span close_by = span_on_row(near, y, whole_row(canvas));
+        if (close_by.is_empty())
+            continue;
+        const Span in_one = span_on_row(one.interior, y, close_by);
+        const Span in_other = span_on_row(other.interior, y, close_by);
+        const Span on_edge = span_on_row(open_edge, y, close_by);
+        const auto drawn_by_one = drawn_on_row(*one.drawn, row, canvas);
+        const auto drawn_by_other = drawn_on_row(*other.drawn, row, canvas);
+        for (Index x = close_by.first; x <= close_by.last; ++x) {
+            const Pixel pixel{static_cast<int>(x), y};
+            const auto offset = static_cast<std::uint32_t>(canvas.offset_of(pixel));
+            const auto is_in = [offset](std::span<const std::uint32_t> drawn) {
+                return std::binary_search(drawn.begin(), drawn.end(), offset);
+            };
+            const bool belongs = in_one.has(x) || in_other.has(x) || on_edge.has(x);
+            if (belongs && !is_in(drawn_by_one) && !is_in(drawn_by_other))
+                add(never, pixel);
+        }
+    }
+    return never;
+}
+
+/// The pixels that both primitives drew.
+PixelList drawn_by_both(const DrawnPrimitive& one, const DrawnPrimitive& other,
+                        const Canvas& canvas) {
+    PixelList both;
+    auto place = other.pixels.begin();
+    for (const std::uint32_t offset : one.pixels) {
+        place = std::lower_bound(place, other.pixels.end(), offset);
+        if (place == other.pixels.end())
+            break;
+        if (*place == offset)
+            add(both, pixel_at(offset, canvas));
+    }
+    return both;
+}
+
+/// Every pair of the triangles at an edge.
+void compare_at_edge(const EdgeUse& edge, const Trace& trace, const Grid& grid, Stats& stats) {
+    const Cornered& first = *edge.triangles.front();
+    const std::string name = edge_name(trace.step(first.drawn->step), edge.from, edge.to);
+    for (auto one = edge.triangles.begin(); one != edge.triangles.end(); ++one)
+        for (auto other = one + 1; other != edge.triangles.end(); ++other)
+            stats.edges.push_back(
+                {.name = name,
+                 .one = stats.primitives[(*one)->place].name,
+                 .other = stats.primitives[(*other)->place].name,
+                 .twice = drawn_by_both(*(*one)->drawn, *(*other)->drawn, grid.canvas),
+                 .never =
+                     never_drawn(first.at[edge.from], first.at[edge.to], **one, **other, grid)});
+}
+
+// Outlines against fills.
+
+PixelList drawn_by_first_only(const DrawnPrimitive& first, const DrawnPrimitive& other,
+                              const Canvas& canvas) {
+    PixelList alone;
+    for (const std::uint32_t offset : first.pixels)
+        if (!std::binary_search(other.pixels.begin(), other.pixels.end(), offset))
+            add(alone, pixel_at(offset, canvas));
+    return alone;
+}
+
+/// Every pair of an outline and a fill with the same corners, in whatever order they are named.
+void compare_outlines(const std::vector<Cornered>& outlines, const std::vector<Cornered>& fills,
+                      const Canvas& canvas, Stats& stats) {
+    struct SameCorners {
+        std::size_t outlines = 0;
+        std::vector<const Cornered*> fills;
+    };
+    std::map<std::array<std::uint32_t, 3>, SameCorners> known;
+    const auto same_corners = [&known](const Cornered& primitive) -> SameCorners& {
+        auto corners = primitive.corners;
+        std::sort(corners.begin(), corners.end());
+        return known[corners];
+    };
+    for (const Cornered& fill : fills)
+        if (SameCorners& same = same_corners(fill); same.fills.size() < most_compared)
+            same.fills.push_back(&fill);
+
+    for (const Cornered& outline : outlines) {
+        SameCorners& same = same_corners(outline);
+        if (++same.outlines > most_compared)
+            continue;
+        for (const Cornered* fill : same.fills)
+            stats.outlines.push_back(
+                {.outline = stats.primitives[outline.place].name,
+                 .fill = stats.primitives[fill->place].name,
+                 .outside = drawn_by_first_only(*outline.drawn, *fill->drawn, canvas)});
+    }
+}
+
+} // namespace
+
+void add_pixel(DrawnPrimitive& primitive, std::size_t offset) {
+    // Canvases have at most 2^26 pixels.
+    primitive.pixels.push_back(static_cast<std::uint32_t>(offset));
+}
+
+void keep_each_once(DrawnPrimitive& primitive) {
+    std::vector<std::uint32_t>& pixels = primitive.pixels;
+    if (!std::is_sorted(pixels.begin(), pixels.end()))
+        std::sort(pixels.begin(), pixels.end());
+    pixels.erase(std::unique(pixels.begin(), pixels.end()), pixels.end());
+    pixels.shrink_to_fit();
+}
+
+void compare_with_corners(const Trace& trace, std::span<const DrawnPrimitive> drawn, Stats& stats) {
+    const bool is_center = trace.method_value("sample") == "center";
+    const Grid grid{trace.canvas, is_center ? mpq_class(1, 2) : mpq_class(0)};
+
+    // The triangles and the outlines whose corners are known.
+    PositionNumbers numbers;
+    std::vector<Cornered> fills;
+    std::vector<Cornered> outlines;
+    for (std::size_t place = 0; place < drawn.size(); ++place) {
+        const std::string& kind = stats.primitives[place].kind;
+        if (kind != "triangle" && kind != "outline")
+            continue;
+        if (auto cornered = corners_of(trace.step(drawn[place].step), numbers)) {
+            cornered->drawn = &drawn[place];
+            cornered->place = place;
+            (kind == "triangle" ? fills : outlines).push_back(std::move(*cornered));
+        }
+    }
+    compare_outlines(outlines, fills, grid.canvas, stats);
+
+    // A triangle without area covers nothing, and shares an edge with nobody.
+    std::erase_if(fills, [](const Cornered& fill) { return sgn(area2(fill.at)) == 0; });
+    for (Cornered& fill : fills) {
+        fill.closed = region_of(fill.at, grid);
+        fill.interior = interior_of(fill.closed);
+        stats.primitives[fill.place].coverage = coverage_of(fill, grid);
+    }
+    for (const EdgeUse& edge : shared_edges(fills))
+        compare_at_edge(edge, trace, grid, stats);
+}
+
+} // namespace rastertrace

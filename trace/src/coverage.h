@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What the primitives of a trace drew, compared with the corners that their steps give: holes,
+// pixels outside, edges drawn twice or not at all, outlines that stick out of their fill.
+//
+//     std::vector<DrawnPrimitive> drawn{{.step = 1, .pixels = {39, 55, 56}}};
+//     compare_with_corners(trace, drawn, stats);
+
+#include <rastertrace/trace/stats.h>
+#include <rastertrace/trace/trace.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace rastertrace {
+
+/// A primitive of a trace: its step, and the pixels of the canvas that it drew.
+struct DrawnPrimitive {
+    std::size_t step = 0;
+    std::vector<std::uint32_t> pixels; ///< Canvas::offset_of; ascending and each once, in the end
+};
+
+/// Notes a pixel that may have been noted before.
+void add_pixel(DrawnPrimitive& primitive, std::size_t offset);
+
+/// Puts the pixels in order, and keeps each of them once.
+void keep_each_once(DrawnPrimitive& primitive);
+
+/// Fills in the coverage of stats.primitives, stats.edges and stats.outlines. `drawn` are the first
+/// primitives of `stats`, one for one.
+void compare_with_corners(const Trace& trace, std::span<const DrawnPrimitive> drawn, Stats& stats);
+
+} // namespace rastertrace
