@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The scanline fill with a sink that keeps nothing and one that counts, in double and in fractions.
+// Fills with a sink that keeps nothing, next to the loop that well-known teaching renderers use:
+// glm barycentric coordinates for each pixel of the box. Canvas 512 x 512, flat color.
 
 #include <rastertrace/core/draw.h>
 
 #include <benchmark/benchmark.h>
 
+#include <glm/glm.hpp>
+
+#include <concepts>
 #include <cstdint>
 #include <random>
 #include <vector>
@@ -29,7 +33,7 @@ template <typename Scalar> std::vector<Triangle<Scalar>> triangles(int pixels, s
             if constexpr (std::floating_point<Scalar>)
                 return static_cast<Scalar>(value) / 16;
             else
-                return Scalar{value, 16};
+                return Scalar{value * 16, 256};
         };
         result.push_back({{{{at(x), at(y)},
                             {at(x + 16 * side), at(y + sixteenths(2))},
@@ -43,28 +47,70 @@ struct CountingSink {
     template <typename Step> void operator()(const Step&) { ++steps; }
 };
 
-template <typename Scalar, typename Sink> void fill(benchmark::State& state) {
+/// Runs `fill_one` on every triangle of about as many pixels as the benchmark's argument says.
+template <typename Scalar, typename FillOne> void run(benchmark::State& state, FillOne&& fill_one) {
     const auto pixels = static_cast<int>(state.range(0));
-    const auto all =
-        triangles<Scalar>(pixels, static_cast<std::size_t>(20'000'000 / pixels / 10 + 1));
+    const auto all = triangles<Scalar>(pixels, static_cast<std::size_t>(2'000'000 / pixels + 1));
     Image image({.width = 512, .height = 512, .origin = Origin::top_left});
-    Sink sink;
     for (auto _ : state)
         for (const auto& triangle : all)
-            fill_scanline(triangle, Paint<Scalar>{}, {}, image, sink);
+            fill_one(triangle, image);
     benchmark::DoNotOptimize(image.colors().data());
     state.counters["triangles"] = benchmark::Counter(static_cast<double>(all.size()) *
                                                          static_cast<double>(state.iterations()),
                                                      benchmark::Counter::kIsRate);
 }
 
-BENCHMARK(fill<double, NullSink>)->Arg(100'000)->Arg(100)->Arg(2)->Unit(benchmark::kMillisecond);
-BENCHMARK(fill<Fraction64, NullSink>)
+template <typename Scalar, typename Sink> void scanline(benchmark::State& state) {
+    Sink sink;
+    run<Scalar>(state, [&](const Triangle<Scalar>& triangle, Image& image) {
+        fill_scanline(triangle, Paint<Scalar>{}, {}, image, sink);
+    });
+}
+
+/// `fixed` is this one: fractions over 256 on 64 bits.
+template <typename Scalar> void top_left(benchmark::State& state) {
+    run<Scalar>(state, [&](const Triangle<Scalar>& triangle, Image& image) {
+        if constexpr (std::floating_point<Scalar>)
+            fill_top_left(triangle, Paint<Scalar>{}, Scalar(0.5), image, NullSink{});
+        else
+            fill_top_left(triangle, Paint<Scalar>{}, Scalar{128, 256}, image, NullSink{});
+    });
+}
+
+/// The textbook's loop.
+void glm_barycentric(benchmark::State& state) {
+    run<double>(state, [](const Triangle<double>& triangle, Image& image) {
+        const glm::vec2 a(triangle.vertices[0]), b(triangle.vertices[1]), c(triangle.vertices[2]);
+        const glm::vec2 low = glm::max(glm::floor(glm::min(a, glm::min(b, c))), glm::vec2(0));
+        const glm::vec2 high = glm::min(glm::ceil(glm::max(a, glm::max(b, c))), glm::vec2(511));
+        for (int y = static_cast<int>(low.y); y <= static_cast<int>(high.y); ++y)
+            for (int x = static_cast<int>(low.x); x <= static_cast<int>(high.x); ++x) {
+                const glm::vec2 p(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
+                const glm::vec3 cross = glm::cross(glm::vec3(b.x - a.x, c.x - a.x, a.x - p.x),
+                                                   glm::vec3(b.y - a.y, c.y - a.y, a.y - p.y));
+                const glm::vec3 weights(1.0F - (cross.x + cross.y) / cross.z, cross.x / cross.z,
+                                        cross.y / cross.z);
+                if (weights.x >= 0 && weights.y >= 0 && weights.z >= 0)
+                    image.at({x, y}) = Color{};
+            }
+    });
+}
+
+BENCHMARK(glm_barycentric)->Arg(100'000)->Arg(100)->Arg(2)->Unit(benchmark::kMillisecond);
+BENCHMARK(top_left<Fraction64>)->Arg(100'000)->Arg(100)->Arg(2)->Unit(benchmark::kMillisecond);
+BENCHMARK(top_left<double>)->Arg(100'000)->Arg(100)->Arg(2)->Unit(benchmark::kMillisecond);
+BENCHMARK(scanline<Fraction64, NullSink>)
     ->Arg(100'000)
     ->Arg(100)
     ->Arg(2)
     ->Unit(benchmark::kMillisecond);
-BENCHMARK(fill<double, CountingSink>)
+BENCHMARK(scanline<double, NullSink>)
+    ->Arg(100'000)
+    ->Arg(100)
+    ->Arg(2)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(scanline<double, CountingSink>)
     ->Arg(100'000)
     ->Arg(100)
     ->Arg(2)

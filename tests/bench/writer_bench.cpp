@@ -72,7 +72,7 @@ void write_with_step_writer(benchmark::State& state, bool dyadic) {
         StepWriter writer(output, TraceLayout::jsonl, {});
         const std::array<std::string_view, 3> names{"A", "B", "C"};
         const std::array<Vec<double, 2>, 3> places{};
-        writer(PrimitiveBegan<double>{PrimitiveKind::triangle, "ABC", names, places, {}, {}});
+        writer(PrimitiveBegan<double>{PrimitiveKind::triangle, "ABC", names, places, {}, {}, 0});
         for_each_step(
             all,
             [&](const Numbers& n) {

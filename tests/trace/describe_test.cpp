@@ -66,6 +66,34 @@ TEST(Describe, PixelsDrawnAgain) {
     EXPECT_EQ(description(scene, 62 + 6), "pixel (2, 5)   over step 6");
 }
 
+TEST(Describe, LinesAndTheirDecisions) {
+    Scene scene = triangle_scene({"0", "0", "5", "2", "0", "0"}, {.width = 13, .height = 13});
+    scene.vertices.pop_back();
+    scene.primitives[0] = {.kind = PrimitiveKind::line, .name = "AB", .vertices = {0, 1}};
+    EXPECT_EQ(description(scene, 1), "line AB   A (0, 0)   B (5, 2)   octant 1");
+    EXPECT_EQ(description(scene, 3), "at (0, 0): d = -1 <= 0, straight on to E");
+    EXPECT_EQ(description(scene, 5), "at (1, 0): d = 3 > 0, diagonally to NE");
+    scene.method.line = LineMethod::naive;
+    EXPECT_EQ(description(scene, 4), "x = 1: y = 2/5 -> 0");
+}
+
+TEST(Describe, EdgeFunctionsSamplesHalvesAndRays) {
+    EXPECT_EQ(description(first_triangle({.scalar = ScalarKind::exact, .fill = Fill::top_left}), 2),
+              "edge AB: E(x, y) = 8 x - 6 y + 14, top or left: samples where E = 0 belong to the "
+              "triangle");
+    EXPECT_EQ(
+        description(first_triangle({.scalar = ScalarKind::exact, .fill = Fill::barycentric}), 2),
+        "sample of (-4, 5): A 1 B 2/3 C -2/3: one is negative, outside");
+    EXPECT_EQ(
+        description(first_triangle({.scalar = ScalarKind::exact, .fill = Fill::two_halves}), 5),
+        "lower half: no row");
+    EXPECT_EQ(
+        description(first_triangle({.scalar = ScalarKind::exact, .fill = Fill::two_halves}), 6),
+        "upper half: rows y=-3 to 5");
+    EXPECT_EQ(description(first_triangle({.scalar = ScalarKind::exact, .fill = Fill::fan}), 3),
+              "a line begins at (-4, -3)");
+}
+
 TEST(Describe, StepsThatAreUnknown) {
     const auto trace = read_trace(
         {"t", "{\"rastertrace\":1,\"canvas\":{\"width\":3,\"height\":3}}\n"

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdlib>
 #include <map>
 #include <optional>
 #include <string_view>
@@ -63,10 +64,12 @@ std::string column_labels(const Canvas& canvas, const Window& window, std::size_
                           std::size_t cell) {
     const int first_x = canvas.left() + window.first_column;
     const int last_x = first_x + window.columns - 1;
-    const std::size_t longest = std::max(length_of(first_x), length_of(last_x));
+    // A label and a gap before it; the sign of a negative one is gap enough.
+    const int largest = std::max(std::abs(first_x), std::abs(last_x));
+    const std::size_t needed = length_of(largest) + 1;
     int every = 1;
     for (const int factor : {2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000})
-        if (static_cast<std::size_t>(every) * cell < longest + (every > 1 ? 1 : 0))
+        if (static_cast<std::size_t>(every) * cell < needed)
             every = factor;
 
     std::string line(margin, ' ');

@@ -12,9 +12,9 @@
 #include <rastertrace/core/triangle.h>
 #include <rastertrace/core/vec.h>
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <utility>
 
 namespace rastertrace {
 
@@ -68,7 +68,14 @@ std::array<Vertex<Scalar>, 3> sorted_from_top(const Triangle<Scalar>& triangle, 
             return down > 0 ? p.y < q.y : q.y < p.y;
         return p.x != q.x ? p.x < q.x : a.place < b.place;
     };
-    std::sort(vertices.begin(), vertices.end(), is_before);
+    // Three exchanges sort three.
+    const auto sort_pair = [&is_before](Vertex<Scalar>& a, Vertex<Scalar>& b) {
+        if (is_before(b, a))
+            std::swap(a, b);
+    };
+    sort_pair(vertices[0], vertices[1]);
+    sort_pair(vertices[1], vertices[2]);
+    sort_pair(vertices[0], vertices[1]);
     return vertices;
 }
 

@@ -34,11 +34,15 @@ inline Index floor_index(double x) {
     return static_cast<double>(toward_zero) > near ? toward_zero - 1 : toward_zero;
 }
 
+/// The largest whole number not above above/below, for a positive divisor. C++ division drops the
+/// fraction, which rounds a negative quotient up.
+template <typename Integer> Integer floor_quotient(Integer above, Integer below) {
+    const Integer toward_zero = above / below;
+    return above % below < 0 ? toward_zero - 1 : toward_zero;
+}
+
 template <typename Integer> Index floor_index(const Fraction<Integer>& x) {
-    // C++ division drops the fraction, which rounds a negative quotient up.
-    Integer quotient = x.numerator / x.denominator;
-    if (x.numerator % x.denominator < 0)
-        --quotient;
+    Integer quotient = floor_quotient(x.numerator, x.denominator);
     return static_cast<Index>(
         std::clamp(quotient, Integer{-farthest_index}, Integer{farthest_index}));
 }
