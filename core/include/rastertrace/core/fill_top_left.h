@@ -30,6 +30,88 @@ template <typename Scalar> Index first_sample_from(const Scalar& x, const Scalar
     return ceil_index(Scalar(x - sample_offset));
 }
 
+/// Walks along an edge from row to row of the picture and gives, on each, the first pixel whose
+/// sample does not lie left of the edge.
+template <typename Scalar> class SampleWalk {
+public:
+    SampleWalk(const Edge<Scalar>& edge, const Scalar& sample_offset, int)
+        : edge_(edge), sample_offset_(sample_offset) {}
+
+    Index first_sample_on_row(int y) {
+        const Scalar sample_y = scalar_from<Scalar>(y) + sample_offset_;
+        return first_sample_from(edge_.x_at(sample_y), sample_offset_);
+    }
+
+private:
+    const Edge<Scalar>& edge_;
+    const Scalar& sample_offset_;
+};
+
+/// The same in fractions of which all coordinates have one denominator D, without dividing on every
+/// row. With numerators over D and the slope dx/dy, the sample with the number k lies on the edge
+/// if
+///
+///     k D + s = x1 + (dx/dy) (y D + s - y1),   so   k = ((x1 - s) dy + dx (y D + s - y1)) / (D dy)
+///
+/// k is kept as a whole number and what it lies too high by, in units of 1/(D dy); from row to row
+/// it moves by dx/dy. Each row asks for the next one.
+template <typename Integer> class SampleWalk<Fraction<Integer>> {
+public:
+    SampleWalk(const Edge<Fraction<Integer>>& edge, const Fraction<Integer>& sample_offset,
+               int down)
+        : edge_(edge), denominator_(edge.start.x.denominator),
+          offset_(sample_offset.numerator * (denominator_ / sample_offset.denominator)),
+          down_(down) {}
+
+    Index first_sample_on_row(int y) {
+        if (!has_begun_)
+            begin_on_row(y);
+        else
+            step();
+        return static_cast<Index>(std::clamp<Integer>(sample_, -farthest_index, farthest_index));
+    }
+
+private:
+    void begin_on_row(int y) {
+        const Integer dx = edge_.dx_dy.numerator;
+        const Integer dy = edge_.dx_dy.denominator;
+        const Integer above = (edge_.start.x.numerator - offset_) * dy +
+                              dx * (y * denominator_ + offset_ - edge_.start.y.numerator);
+        whole_ = denominator_ * dy;
+        sample_ = -floor_quotient(-above, whole_);
+        too_high_ = sample_ * whole_ - above;
+        has_begun_ = true;
+    }
+
+    void step() {
+        if (!has_step_) {
+            const Integer dx = down_ * edge_.dx_dy.numerator;
+            const Integer dy = edge_.dx_dy.denominator;
+            whole_step_ = floor_quotient(dx, dy);
+            rest_step_ = (dx - whole_step_ * dy) * denominator_;
+            has_step_ = true;
+        }
+        sample_ += whole_step_;
+        too_high_ -= rest_step_;
+        if (too_high_ < 0) {
+            too_high_ += whole_;
+            ++sample_;
+        }
+    }
+
+    const Edge<Fraction<Integer>>& edge_;
+    Integer denominator_;
+    Integer offset_; ///< s
+    int down_;
+    bool has_begun_ = false;
+    Integer sample_ = 0;   ///< k, rounded up
+    Integer too_high_ = 0; ///< by this much, 0 <= too_high_ < whole_
+    Integer whole_ = 1;    ///< D dy
+    bool has_step_ = false;
+    Integer whole_step_ = 0; ///< from row to row: so many samples, and
+    Integer rest_step_ = 0;  ///< this much of one
+};
+
 /// Reports the edge functions. Each is turned so that it is positive on the triangle's side.
 template <typename Scalar, typename Sink>
 requires SinkFor<Sink, EdgeFunctionSetUp<Scalar>>
@@ -55,6 +137,24 @@ void report_edge_functions(const JoinedEdges<Scalar>& edges, Sink&& sink) {
     report(top, middle, bottom, edges.upper.is_horizontal || short_edges_are_left);
     report(middle, bottom, top, !edges.lower.is_horizontal && short_edges_are_left);
     report(top, bottom, middle, edges.long_edge_is_left);
+}
+
+/// Reports where the two edges of a row cross it, and the pixels between.
+template <typename Scalar, typename Sink>
+requires SinkFor<Sink, ScanlineSpanned<Scalar>>
+void report_crossings(const JoinedEdges<Scalar>& edges, int y, bool is_upper, Index from, Index to,
+                      const Scalar& sample_offset, Sink&& sink) {
+    const Scalar sample_y = scalar_from<Scalar>(y) + sample_offset;
+    const Edge<Scalar>& short_edge = is_upper ? edges.upper : edges.lower;
+    const Edge<Scalar>& left_edge = edges.long_edge_is_left ? edges.long_edge : short_edge;
+    const Edge<Scalar>& right_edge = edges.long_edge_is_left ? short_edge : edges.long_edge;
+    sink(ScanlineSpanned<Scalar>{.y = y,
+                                 .left = left_edge.x_at(sample_y),
+                                 .right = right_edge.x_at(sample_y),
+                                 .from = from,
+                                 .to = to,
+                                 .left_edge = left_edge.name,
+                                 .right_edge = right_edge.name});
 }
 
 /// Fills a triangle so that each sample of a shared edge is drawn exactly once. A sample lies
@@ -101,27 +201,18 @@ void fill_top_left(const Triangle<Scalar>& triangle, const Paint<Scalar>& paint,
 
     const auto begin_row = static_cast<int>(std::max<Index>(first_row, 0));
     const auto end_row = static_cast<int>(std::min<Index>(last_row + 1, canvas.height));
+    SampleWalk<Scalar> along_long_edge(edges.long_edge, sample_offset, down);
+    SampleWalk<Scalar> along_upper(edges.upper, sample_offset, down);
+    SampleWalk<Scalar> along_lower(edges.lower, sample_offset, down);
     for (int row = begin_row; row < end_row; ++row) {
         const int y = top_y + down * row;
-        const Scalar sample_y = scalar_from<Scalar>(y) + sample_offset;
-
-        // Where the two edges of this row cross it.
-        const Edge<Scalar>& short_edge = row < first_lower_row ? edges.upper : edges.lower;
-        const Edge<Scalar>& left_edge = edges.long_edge_is_left ? edges.long_edge : short_edge;
-        const Edge<Scalar>& right_edge = edges.long_edge_is_left ? short_edge : edges.long_edge;
-        const Scalar left = left_edge.x_at(sample_y);
-        const Scalar right = right_edge.x_at(sample_y);
-
-        // The samples from the left crossing to before the right one.
-        const Index from = first_sample_from(left, sample_offset);
-        const Index to = first_sample_from(right, sample_offset) - 1;
-        sink(ScanlineSpanned<Scalar>{.y = y,
-                                     .left = left,
-                                     .right = right,
-                                     .from = from,
-                                     .to = to,
-                                     .left_edge = left_edge.name,
-                                     .right_edge = right_edge.name});
+        // The two edges of this row, and the samples from the left one to before the right one.
+        SampleWalk<Scalar>& along_short_edge = row < first_lower_row ? along_upper : along_lower;
+        const Index on_long_edge = along_long_edge.first_sample_on_row(y);
+        const Index on_short_edge = along_short_edge.first_sample_on_row(y);
+        const Index from = edges.long_edge_is_left ? on_long_edge : on_short_edge;
+        const Index to = (edges.long_edge_is_left ? on_short_edge : on_long_edge) - 1;
+        report_crossings(edges, y, row < first_lower_row, from, to, sample_offset, sink);
         plot_span(y, from, to, paint, image, sink);
     }
 }
