@@ -70,6 +70,22 @@ TEST(Unfit, OfASlopeIsFound) {
     EXPECT_EQ(unfit->to, 1u);
 }
 
+TEST(Unfit, WeightsThatWouldBeInfiniteAreFound) {
+    const auto what = [](const std::vector<std::string>& coordinates, Fill fill) {
+        const auto unfit =
+            find_unfit(triangle_scene(coordinates, {.width = 4, .height = 4}, {.fill = fill}));
+        return unfit ? std::optional(unfit->what) : std::nullopt;
+    };
+    const std::vector<std::string> huge{"0", "0", "1e200", "1", "3", "1e200"};
+    const std::vector<std::string> thin{"0", "0", "1", "1", "1e-310", "0"};
+    for (const Fill fill : {Fill::barycentric, Fill::top_left}) {
+        EXPECT_EQ(what(huge, fill), Unfit::What::coordinate_of_weights);
+        EXPECT_EQ(what(thin, fill), Unfit::What::area_of_weights);
+    }
+    EXPECT_EQ(what(huge, Fill::scanline), std::nullopt);
+    EXPECT_EQ(what(thin, Fill::scanline), std::nullopt);
+}
+
 TEST(Unfit, CannotHappenToExactNumbers) {
     const Scene scene =
         triangle_scene({"0", "0", "1", "1e-320", "-1e308", "2"}, {.width = 8, .height = 8});

@@ -355,6 +355,17 @@ private:
             fail(place,
                  fmt::format("expected coordinates up to 4.49e307 for double, found {}", at(to)),
                  hint);
+        case What::coordinate_of_weights:
+            fail(place,
+                 fmt::format("expected coordinates up to 3.27e150 for weights in double, found {}",
+                             at(to)),
+                 hint);
+        case What::area_of_weights:
+            fail(place,
+                 fmt::format("expected a triangle whose weights fit in a double, found one from {} "
+                             "to {} that is almost without area",
+                             at(from), at(to)),
+                 hint);
         case What::coordinate_of_fixed:
             fail(place,
                  fmt::format("expected coordinates up to 68719476736 for fixed, found {}", at(to)),

@@ -6,6 +6,7 @@
 //     const Plan plan = plan_for(scene);
 //     with_scalar(plan, [&]<typename Scalar>() { draw<Scalar>(scene, plan, sink); });
 
+#include <rastertrace/core/barycentric.h>
 #include <rastertrace/core/fill_fan.h>
 #include <rastertrace/core/scalar.h>
 #include <rastertrace/core/scene.h>
@@ -131,14 +132,31 @@ struct Unfit {
     enum class What {
         coordinate_of_double, ///< beyond 2^1022: the difference of two such numbers may be infinite
         slope_of_double,      ///< dx/dy or dy/dx is beyond the largest double
-        coordinate_of_fixed,  ///< beyond 2^36 pixels: edges could not be evaluated in 128 bits
-        coordinate_of_line,   ///< beyond 2^51 pixels: Bresenham's d could not be held in 64 bits
-        edge_of_fan,          ///< longer than longest_fan_edge
+        coordinate_of_weights, ///< beyond 2^500: a product of two such numbers may be infinite
+        area_of_weights,       ///< so small that a weight of a pixel may be infinite
+        coordinate_of_fixed,   ///< beyond 2^36 pixels: edges could not be evaluated in 128 bits
+        coordinate_of_line,    ///< beyond 2^51 pixels: Bresenham's d could not be held in 64 bits
+        edge_of_fan,           ///< longer than longest_fan_edge
     };
     What what;
     std::size_t from; ///< place in Scene::vertices
     std::size_t to;
 };
+
+/// True if, in double, some pixel of the canvas may have an infinite weight in a triangle: a weight
+/// is a quotient of two areas, and the triangle's own may be almost 0.
+inline bool weights_may_overflow(const Scene& scene, const ScenePrimitive& primitive) {
+    Triangle<double> triangle{};
+    double extent = largest_canvas_side;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const SceneVertex& vertex = scene.vertices[primitive.vertices[i]];
+        triangle.vertices[i] = {vertex.x.nearest_double(), vertex.y.nearest_double()};
+        extent =
+            std::max({extent, std::abs(triangle.vertices[i].x), std::abs(triangle.vertices[i].y)});
+    }
+    const double area2 = Barycentric<double>(triangle).area2();
+    return area2 != 0 && !std::isfinite(16 * extent * extent / area2);
+}
 
 /// The first place where drawing the scene would make an infinity or overflow, if there is one.
 inline std::optional<Unfit> find_unfit(const Scene& scene) {
@@ -148,7 +166,11 @@ inline std::optional<Unfit> find_unfit(const Scene& scene) {
                            : scene.method.scalar == ScalarKind::fixed
                                ? std::ldexp(1.0, 36)
                                : std::numeric_limits<double>::max();
+    const bool mixes_colors = scene.mixes_colors();
     for (const ScenePrimitive& primitive : scene.primitives) {
+        const bool has_weights = in_double && primitive.kind == PrimitiveKind::triangle &&
+                                 (mixes_colors || scene.method.fill == Fill::barycentric ||
+                                  scene.method.fill == Fill::top_left);
         const bool is_fan =
             primitive.kind == PrimitiveKind::triangle && scene.method.fill == Fill::fan;
         const bool is_on_grid = is_fan || (primitive.kind != PrimitiveKind::triangle &&
@@ -161,9 +183,13 @@ inline std::optional<Unfit> find_unfit(const Scene& scene) {
             if (farthest > largest)
                 return Unfit{in_double ? What::coordinate_of_double : What::coordinate_of_fixed,
                              place, place};
+            if (has_weights && farthest > std::ldexp(1.0, 500))
+                return Unfit{What::coordinate_of_weights, place, place};
             if (is_on_grid && farthest > std::ldexp(1.0, 51))
                 return Unfit{What::coordinate_of_line, place, place};
         }
+        if (has_weights && weights_may_overflow(scene, primitive))
+            return Unfit{What::area_of_weights, corners[0], corners[2]};
         for (std::size_t i = 0; i < corners.size(); ++i) {
             const std::size_t from = corners[i];
             const std::size_t to = corners[(i + 1) % corners.size()];
