@@ -14,14 +14,13 @@
 #include <rastertrace/core/fill_scanline.h>
 
 #include <algorithm>
-#include <utility>
 
 namespace rastertrace {
 
 /// Fills the rows of one half, from the one at `first_y`, lowest in the picture, up to `last_y`.
 template <typename Scalar, typename Sink>
 requires SinkFor<Sink, ScanlineSpanned<Scalar>, PixelPlotted, PixelsRejected>
-void fill_half(const Edge<Scalar>& long_edge, const Edge<Scalar>& short_edge, Index first_y,
+void fill_half(const JoinedEdges<Scalar>& edges, const Edge<Scalar>& short_edge, Index first_y,
                Index last_y, const Paint<Scalar>& paint, const ScanlineRules& rules, Image& image,
                Sink&& sink) {
     const Canvas canvas = image.canvas();
@@ -29,20 +28,16 @@ void fill_half(const Edge<Scalar>& long_edge, const Edge<Scalar>& short_edge, In
     const Index first_row = std::min<Index>(canvas.row_of(first_y), canvas.height - 1);
     const Index last_row = std::max<Index>(canvas.row_of(last_y), 0);
 
-    EdgeWalk<Scalar> along_a(long_edge, rules.lerp, up);
+    // Boundary A is the long edge; which of the two is left is the same on every row of both
+    // halves.
+    EdgeWalk<Scalar> along_a(edges.long_edge, rules.lerp, up);
     EdgeWalk<Scalar> along_b(short_edge, rules.lerp, up);
+    EdgeWalk<Scalar>& along_left = edges.long_edge_is_left ? along_a : along_b;
+    EdgeWalk<Scalar>& along_right = edges.long_edge_is_left ? along_b : along_a;
     for (Index row = first_row; row >= last_row; --row) {
         const int y = canvas.y_of(static_cast<int>(row));
-
-        // The two boundaries, in order from left to right.
-        Scalar left = along_a.x_on_row(y);
-        Scalar right = along_b.x_on_row(y);
-        EdgeName left_edge = long_edge.name;
-        EdgeName right_edge = short_edge.name;
-        if (right < left) {
-            std::swap(left, right);
-            std::swap(left_edge, right_edge);
-        }
+        const Scalar left = along_left.x_on_row(y);
+        const Scalar right = along_right.x_on_row(y);
 
         // The pixels between them.
         const Index from = first_pixel(left, rules.span);
@@ -52,8 +47,8 @@ void fill_half(const Edge<Scalar>& long_edge, const Edge<Scalar>& short_edge, In
                                      .right = right,
                                      .from = from,
                                      .to = to,
-                                     .left_edge = left_edge,
-                                     .right_edge = right_edge});
+                                     .left_edge = along_left.name(),
+                                     .right_edge = along_right.name()});
         plot_span(y, from, to, paint, image, sink);
     }
 }
@@ -91,9 +86,9 @@ void fill_two_halves(const Triangle<Scalar>& triangle, const Paint<Scalar>& pain
 
     // The lower half, then the upper one.
     sink(HalfBegan{.is_upper = false, .from_y = bottom_y, .to_y = middle_y});
-    fill_half(edges.long_edge, edges.lower, bottom_y, middle_y, paint, rules, image, sink);
+    fill_half(edges, edges.lower, bottom_y, middle_y, paint, rules, image, sink);
     sink(HalfBegan{.is_upper = true, .from_y = middle_y - down, .to_y = top_y});
-    fill_half(edges.long_edge, edges.upper, middle_y - down, top_y, paint, rules, image, sink);
+    fill_half(edges, edges.upper, middle_y - down, top_y, paint, rules, image, sink);
 }
 
 } // namespace rastertrace
