@@ -71,6 +71,27 @@ bool misses_canvas(const Triangle<Scalar>& triangle, const SpanRounding& rule,
            first_pixel(std::min({a.x, b.x, c.x}), rule) > canvas.right();
 }
 
+/// Fills the row at `y` from where the left edge meets it to where the right edge does.
+template <typename Scalar, typename Sink>
+requires SinkFor<Sink, ScanlineSpanned<Scalar>, PixelPlotted, PixelsRejected>
+void fill_row(int y, EdgeWalk<Scalar>& along_left, EdgeWalk<Scalar>& along_right,
+              const Paint<Scalar>& paint, const ScanlineRules& rules, Image& image, Sink&& sink) {
+    const Scalar left = along_left.x_on_row(y);
+    const Scalar right = along_right.x_on_row(y);
+
+    // The pixels between them.
+    const Index from = first_pixel(left, rules.span);
+    const Index to = last_pixel(right, rules.span);
+    sink(ScanlineSpanned<Scalar>{.y = y,
+                                 .left = left,
+                                 .right = right,
+                                 .from = from,
+                                 .to = to,
+                                 .left_edge = along_left.name(),
+                                 .right_edge = along_right.name()});
+    plot_span(y, from, to, paint, image, sink);
+}
+
 /// Fills a triangle row by row, from the top of the picture to its bottom, both ends of each row
 /// included. Rows are the integers y between the highest and the lowest vertex. A triangle without
 /// area is drawn as its rows say: a point, or one pixel on each row. Time follows the rows and
@@ -125,21 +146,7 @@ void fill_scanline(const Triangle<Scalar>& triangle, const Paint<Scalar>& paint,
         EdgeWalk<Scalar>& along_left = edges.long_edge_is_left ? along_long_edge : along_short_edge;
         EdgeWalk<Scalar>& along_right =
             edges.long_edge_is_left ? along_short_edge : along_long_edge;
-        const Scalar left = along_left.x_on_row(y);
-        const Scalar right = along_right.x_on_row(y);
-
-        // The pixels between them.
-        const Index from = first_pixel(left, rules.span);
-        const Index to = last_pixel(right, rules.span);
-        sink(ScanlineSpanned<Scalar>{.y = y,
-                                     .left = left,
-                                     .right = right,
-                                     .from = from,
-                                     .to = to,
-                                     .left_edge = along_left.name(),
-                                     .right_edge = along_right.name()});
-
-        plot_span(y, from, to, paint, image, sink);
+        fill_row(y, along_left, along_right, paint, rules, image, sink);
     }
 }
 

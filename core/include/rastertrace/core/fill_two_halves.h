@@ -34,23 +34,9 @@ void fill_half(const JoinedEdges<Scalar>& edges, const Edge<Scalar>& short_edge,
     EdgeWalk<Scalar> along_b(short_edge, rules.lerp, up);
     EdgeWalk<Scalar>& along_left = edges.long_edge_is_left ? along_a : along_b;
     EdgeWalk<Scalar>& along_right = edges.long_edge_is_left ? along_b : along_a;
-    for (Index row = first_row; row >= last_row; --row) {
-        const int y = canvas.y_of(static_cast<int>(row));
-        const Scalar left = along_left.x_on_row(y);
-        const Scalar right = along_right.x_on_row(y);
-
-        // The pixels between them.
-        const Index from = first_pixel(left, rules.span);
-        const Index to = last_pixel(right, rules.span);
-        sink(ScanlineSpanned<Scalar>{.y = y,
-                                     .left = left,
-                                     .right = right,
-                                     .from = from,
-                                     .to = to,
-                                     .left_edge = along_left.name(),
-                                     .right_edge = along_right.name()});
-        plot_span(y, from, to, paint, image, sink);
-    }
+    for (Index row = first_row; row >= last_row; --row)
+        fill_row(canvas.y_of(static_cast<int>(row)), along_left, along_right, paint, rules, image,
+                 sink);
 }
 
 /// Fills a triangle half by half. In exact arithmetic it draws the pixels of fill_scanline.
