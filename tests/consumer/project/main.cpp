@@ -12,7 +12,8 @@ int main() {
     Scene scene;
     scene.canvas = {.width = 17, .height = 14};
     scene.vertices = {{"A", 2, 5, {}}, {"B", -4, -3, {}}, {"C", 5, -3, {}}};
-    scene.primitives = {{.kind = PrimitiveKind::triangle, .name = "ABC", .vertices = {0, 1, 2}, .color = {}}};
+    scene.primitives = {
+        {.kind = PrimitiveKind::triangle, .name = "ABC", .vertices = {0, 1, 2}, .color = {}}};
     const Image picture = draw<double>(scene, plan_for(scene), NullSink{});
 
     Source source{"first.json", {}};

@@ -79,7 +79,7 @@ struct Canvas {
     Index row_of(Index y) const { return (y - top()) * down(); }
 
     /// The y of the row that lies `row` rows below the top row.
-    int y_of(int row) const { return top() + down() * row; }
+    template <typename Row> Row y_of(Row row) const { return top() + down() * row; }
 
     /// True when the canvas has this pixel: left() <= x <= right(), and the same for y.
     bool contains(Index x, Index y) const {

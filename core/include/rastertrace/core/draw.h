@@ -83,9 +83,11 @@ void fill(const PlacedPrimitive<Scalar>& primitive, Color flat, bool mixes_color
     const Triangle<Scalar> triangle{primitive.positions};
     const Scalar sample_offset = scalar_from<Scalar>(sample_offset_of(method), plan.denominator);
     Paint<Scalar> paint{.flat = flat, .mixed = {}};
-    const Barycentric<Scalar> barycentric(triangle);
-    if (mixes_colors && barycentric.area2() != scalar_from<Scalar>(0))
-        paint.mixed = MixedColors<Scalar>{primitive.colors, barycentric, sample_offset};
+    if (mixes_colors) {
+        const Barycentric<Scalar> barycentric(triangle);
+        if (barycentric.area2() != scalar_from<Scalar>(0))
+            paint.mixed = MixedColors<Scalar>{primitive.colors, barycentric, sample_offset};
+    }
 
     const ScanlineRules rules{.lerp = method.lerp, .span = span_rounding(method)};
     switch (method.fill) {

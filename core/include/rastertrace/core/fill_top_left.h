@@ -17,137 +17,80 @@
 // belongs to, so both owners of a shared edge find the same number, rounded or not: there is
 // neither a gap nor a double.
 
+#include <rastertrace/core/canvas.h>
 #include <rastertrace/core/edge.h>
 #include <rastertrace/core/fill_scanline.h>
+#include <rastertrace/core/image.h>
+#include <rastertrace/core/paint.h>
+#include <rastertrace/core/sample_walk.h>
+#include <rastertrace/core/scalar.h>
+#include <rastertrace/core/sink.h>
+#include <rastertrace/core/steps.h>
+#include <rastertrace/core/triangle.h>
 
 #include <algorithm>
-#include <tuple>
+#include <cstddef>
 
 namespace rastertrace {
 
-/// The first pixel of a row whose sample does not lie left of `x`.
-template <typename Scalar> Index first_sample_from(const Scalar& x, const Scalar& sample_offset) {
-    return ceil_index(Scalar(x - sample_offset));
-}
-
-/// Walks along an edge from row to row of the picture and gives, on each, the first pixel whose
-/// sample does not lie left of the edge.
-template <typename Scalar> class SampleWalk {
-public:
-    SampleWalk(const Edge<Scalar>& edge, const Scalar& sample_offset, int)
-        : edge_(edge), sample_offset_(sample_offset) {}
-
-    Index first_sample_on_row(int y) {
-        const Scalar sample_y = scalar_from<Scalar>(y) + sample_offset_;
-        return first_sample_from(edge_.x_at(sample_y), sample_offset_);
-    }
-
-private:
-    const Edge<Scalar>& edge_;
-    const Scalar& sample_offset_;
-};
-
-/// The same in fractions of which all coordinates have one denominator D, without dividing on every
-/// row. With numerators over D and the slope dx/dy, the sample with the number k lies on the edge
-/// if
-///
-///     k D + s = x1 + (dx/dy) (y D + s - y1),   so   k = ((x1 - s) dy + dx (y D + s - y1)) / (D dy)
-///
-/// k is kept as a whole number and what it lies too high by, in units of 1/(D dy); from row to row
-/// it moves by dx/dy. Each row asks for the next one.
-template <typename Integer> class SampleWalk<Fraction<Integer>> {
-public:
-    SampleWalk(const Edge<Fraction<Integer>>& edge, const Fraction<Integer>& sample_offset,
-               int down)
-        : edge_(edge), denominator_(edge.start.x.denominator),
-          offset_(sample_offset.numerator * (denominator_ / sample_offset.denominator)),
-          down_(down) {}
-
-    Index first_sample_on_row(int y) {
-        if (!has_begun_)
-            begin_on_row(y);
-        else
-            step();
-        return static_cast<Index>(std::clamp<Integer>(sample_, -farthest_index, farthest_index));
-    }
-
-private:
-    void begin_on_row(int y) {
-        const Integer dx = edge_.dx_dy.numerator;
-        const Integer dy = edge_.dx_dy.denominator;
-        const Integer above = (edge_.start.x.numerator - offset_) * dy +
-                              dx * (y * denominator_ + offset_ - edge_.start.y.numerator);
-        whole_ = denominator_ * dy;
-        sample_ = -floor_quotient(-above, whole_);
-        too_high_ = sample_ * whole_ - above;
-        has_begun_ = true;
-    }
-
-    void step() {
-        if (!has_step_) {
-            const Integer dx = down_ * edge_.dx_dy.numerator;
-            const Integer dy = edge_.dx_dy.denominator;
-            whole_step_ = floor_quotient(dx, dy);
-            rest_step_ = (dx - whole_step_ * dy) * denominator_;
-            has_step_ = true;
-        }
-        sample_ += whole_step_;
-        too_high_ -= rest_step_;
-        if (too_high_ < 0) {
-            too_high_ += whole_;
-            ++sample_;
-        }
-    }
-
-    const Edge<Fraction<Integer>>& edge_;
-    Integer denominator_;
-    Integer offset_; ///< s
-    int down_;
-    bool has_begun_ = false;
-    Integer sample_ = 0;   ///< k, rounded up
-    Integer too_high_ = 0; ///< by this much, 0 <= too_high_ < whole_
-    Integer whole_ = 1;    ///< D dy
-    bool has_step_ = false;
-    Integer whole_step_ = 0; ///< from row to row: so many samples, and
-    Integer rest_step_ = 0;  ///< this much of one
+/// The vertices of a triangle from the top of the picture to its bottom, by their places in it, and
+/// where the edge from top to bottom lies.
+struct TriangleOrder {
+    std::size_t top;
+    std::size_t middle;
+    std::size_t bottom;
+    bool long_edge_is_left; ///< it passes the middle vertex on the left
 };
 
 /// Reports the edge functions. Each is turned so that it is positive on the triangle's side.
 template <typename Scalar, typename Sink>
 requires SinkFor<Sink, EdgeFunctionSetUp<Scalar>>
-void report_edge_functions(const JoinedEdges<Scalar>& edges, Sink&& sink) {
-    const auto report = [&sink](const Vertex<Scalar>& from, const Vertex<Scalar>& to,
-                                const Vertex<Scalar>& opposite, bool is_top_left) {
-        const auto& p = from.position;
-        const auto& q = to.position;
+void report_edge_functions(const Triangle<Scalar>& triangle, const TriangleOrder& order,
+                           Sink&& sink) {
+    const auto& vertices = triangle.vertices;
+    const auto is_horizontal = [&vertices](std::size_t from, std::size_t to) {
+        return vertices[from].y == vertices[to].y;
+    };
+    const auto report = [&](std::size_t from, std::size_t to, std::size_t opposite,
+                            bool is_top_left) {
+        const auto& p = vertices[from];
+        const auto& q = vertices[to];
         const Scalar a = p.y - q.y;
         const Scalar b = q.x - p.x;
         const Scalar c = -(a * p.x) - b * p.y;
-        const Scalar of_opposite = a * opposite.position.x + b * opposite.position.y + c;
+        const Scalar of_opposite = a * vertices[opposite].x + b * vertices[opposite].y + c;
         const bool is_turned = of_opposite < scalar_from<Scalar>(0);
-        sink(EdgeFunctionSetUp<Scalar>{.edge = {from.place, to.place},
-                                       .a = is_turned ? Scalar(-a) : a,
-                                       .b = is_turned ? Scalar(-b) : b,
-                                       .c = is_turned ? Scalar(-c) : c,
-                                       .is_top_left = is_top_left});
+        sink(EdgeFunctionSetUp<Scalar>{
+            .edge = {static_cast<std::uint8_t>(from), static_cast<std::uint8_t>(to)},
+            .a = is_turned ? Scalar(-a) : a,
+            .b = is_turned ? Scalar(-b) : b,
+            .c = is_turned ? Scalar(-c) : c,
+            .is_top_left = is_top_left});
     };
     // A horizontal upper edge is a top edge, a horizontal lower one a bottom edge.
-    const auto& [top, middle, bottom] = std::tie(edges.top, edges.middle, edges.bottom);
-    const bool short_edges_are_left = !edges.long_edge_is_left;
-    report(top, middle, bottom, edges.upper.is_horizontal || short_edges_are_left);
-    report(middle, bottom, top, !edges.lower.is_horizontal && short_edges_are_left);
-    report(top, bottom, middle, edges.long_edge_is_left);
+    const auto [top, middle, bottom, long_edge_is_left] = order;
+    report(top, middle, bottom, is_horizontal(top, middle) || !long_edge_is_left);
+    report(middle, bottom, top, !is_horizontal(middle, bottom) && !long_edge_is_left);
+    report(top, bottom, middle, long_edge_is_left);
 }
 
-/// Reports where the two edges of a row cross it, and the pixels between.
+/// Reports where the two edges of a row of samples cross it, and the pixels between.
 template <typename Scalar, typename Sink>
 requires SinkFor<Sink, ScanlineSpanned<Scalar>>
-void report_crossings(const JoinedEdges<Scalar>& edges, int y, bool is_upper, Index from, Index to,
-                      const Scalar& sample_offset, Sink&& sink) {
+void report_crossings(const Triangle<Scalar>& triangle, const TriangleOrder& order, bool is_upper,
+                      int y, const Scalar& sample_offset, Index from, Index to, Sink&& sink) {
+    const auto edge = [&triangle](std::size_t upper, std::size_t lower) {
+        const auto vertex = [&triangle](std::size_t place) {
+            return Vertex<Scalar>{triangle.vertices[place], static_cast<std::uint8_t>(place)};
+        };
+        return edge_between(vertex(upper), vertex(lower));
+    };
+    const Edge<Scalar> long_edge = edge(order.top, order.bottom);
+    const Edge<Scalar> short_edge =
+        is_upper ? edge(order.top, order.middle) : edge(order.middle, order.bottom);
+    const Edge<Scalar>& left_edge = order.long_edge_is_left ? long_edge : short_edge;
+    const Edge<Scalar>& right_edge = order.long_edge_is_left ? short_edge : long_edge;
     const Scalar sample_y = scalar_from<Scalar>(y) + sample_offset;
-    const Edge<Scalar>& short_edge = is_upper ? edges.upper : edges.lower;
-    const Edge<Scalar>& left_edge = edges.long_edge_is_left ? edges.long_edge : short_edge;
-    const Edge<Scalar>& right_edge = edges.long_edge_is_left ? short_edge : edges.long_edge;
     sink(ScanlineSpanned<Scalar>{.y = y,
                                  .left = left_edge.x_at(sample_y),
                                  .right = right_edge.x_at(sample_y),
@@ -166,54 +109,62 @@ requires SinkFor<Sink, EdgeFunctionSetUp<Scalar>, ScanlineSpanned<Scalar>, Pixel
 void fill_top_left(const Triangle<Scalar>& triangle, const Paint<Scalar>& paint,
                    const Scalar& sample_offset, Image& image, Sink&& sink) {
     const Canvas canvas = image.canvas();
-    const int down = canvas.down();
-    const int top_y = canvas.top();
 
-    // The long edge against the two short ones.
-    const JoinedEdges<Scalar> edges = joined_edges(triangle, down);
-    if (!edges.has_area) {
+    // Sort the vertices by height. The long edge runs from top to bottom, the two short ones meet
+    // at the middle vertex, left or right of it.
+    const SampleGrid<Scalar> grid(triangle, sample_offset, canvas);
+    const auto [top, middle, bottom] = sorted_from_top(grid.placed(triangle), grid.down());
+    const int middle_side = grid.side_of_edge(top, bottom, middle);
+    if (middle_side == 0) {
         sink(PrimitiveSkipped{.why = SkipReason::zero_area});
         return;
     }
-    report_edge_functions(edges, sink);
+    const bool long_edge_is_left = middle_side > 0;
+    const TriangleOrder order{top.place, middle.place, bottom.place, long_edge_is_left};
+    report_edge_functions(triangle, order, sink);
 
-    // The rows of samples from the top vertex, included, to the bottom vertex, not included.
-    const auto first_y_from = [&](const Scalar& y) {
-        return first_row_below(Scalar(y - sample_offset), down);
-    };
-    const Index first_y = first_y_from(edges.top.position.y);
-    const Index last_y = first_y_from(edges.bottom.position.y) - down;
-    const Index first_row = canvas.row_of(first_y);
-    const Index last_row = canvas.row_of(last_y);
-    const Index first_lower_row = canvas.row_of(first_y_from(edges.middle.position.y));
-    if (last_row < first_row) {
+    // The rows of samples from the top vertex, included, to the bottom vertex, not included. The
+    // row of the middle vertex belongs to the lower short edge.
+    const Index first_row = grid.first_row_from(top.position.y);
+    const Index middle_row = grid.first_row_from(middle.position.y);
+    const Index end_row = grid.first_row_from(bottom.position.y);
+    if (end_row <= first_row) {
         sink(PrimitiveSkipped{.why = SkipReason::between_rows});
         return;
     }
-    const auto& [a, b, c] = triangle.vertices;
-    if (last_row < 0 || first_row >= canvas.height ||
-        first_sample_from(std::max({a.x, b.x, c.x}), sample_offset) <= canvas.left() ||
-        first_sample_from(std::min({a.x, b.x, c.x}), sample_offset) > canvas.right()) {
+    const auto leftmost = std::min({top.position.x, middle.position.x, bottom.position.x});
+    const auto rightmost = std::max({top.position.x, middle.position.x, bottom.position.x});
+    if (end_row <= 0 || first_row >= canvas.height || grid.reaches(canvas.left(), rightmost) ||
+        !grid.reaches(canvas.right(), leftmost)) {
         sink(PrimitiveSkipped{.why = SkipReason::off_canvas});
         return;
     }
-    report_rejected_rows(first_y, last_y, canvas, sink);
+    report_rejected_rows(canvas.y_of(first_row), canvas.y_of(end_row - 1), canvas, sink);
 
-    const auto begin_row = static_cast<int>(std::max<Index>(first_row, 0));
-    const auto end_row = static_cast<int>(std::min<Index>(last_row + 1, canvas.height));
-    SampleWalk<Scalar> along_long_edge(edges.long_edge, sample_offset, down);
-    SampleWalk<Scalar> along_upper(edges.upper, sample_offset, down);
-    SampleWalk<Scalar> along_lower(edges.lower, sample_offset, down);
-    for (int row = begin_row; row < end_row; ++row) {
-        const int y = top_y + down * row;
-        // The two edges of this row, and the samples from the left one to before the right one.
-        SampleWalk<Scalar>& along_short_edge = row < first_lower_row ? along_upper : along_lower;
-        const Index on_long_edge = along_long_edge.first_sample_on_row(y);
-        const Index on_short_edge = along_short_edge.first_sample_on_row(y);
-        const Index from = edges.long_edge_is_left ? on_long_edge : on_short_edge;
-        const Index to = (edges.long_edge_is_left ? on_short_edge : on_long_edge) - 1;
-        report_crossings(edges, y, row < first_lower_row, from, to, sample_offset, sink);
-        plot_span(y, from, to, paint, image, sink);
+    // Down the upper short edge, then down the lower one; the long edge opposite both. In each row
+    // that the canvas has, the samples from the left edge to before the right one.
+    const auto row_on_canvas = [&canvas](Index row) {
+        return static_cast<int>(std::clamp<Index>(row, 0, canvas.height));
+    };
+    int row = row_on_canvas(first_row);
+    SampleWalk<Scalar> along_long_edge(top, bottom, grid, row);
+    for (const bool is_upper : {true, false}) {
+        const int end_of_edge = row_on_canvas(is_upper ? middle_row : end_row);
+        if (row >= end_of_edge)
+            continue;
+        SampleWalk<Scalar> along_short_edge(is_upper ? top : middle, is_upper ? middle : bottom,
+                                            grid, row);
+        for (; row < end_of_edge; ++row) {
+            const Index on_long_edge = along_long_edge.first_sample();
+            const Index on_short_edge = along_short_edge.first_sample();
+            const Index from = long_edge_is_left ? on_long_edge : on_short_edge;
+            const Index to = (long_edge_is_left ? on_short_edge : on_long_edge) - 1;
+            const int y = canvas.y_of(row);
+            report_crossings(triangle, order, is_upper, y, sample_offset, from, to, sink);
+            plot_span(y, from, to, paint, image, sink);
+            along_long_edge.step();
+            along_short_edge.step();
+        }
     }
 }
 

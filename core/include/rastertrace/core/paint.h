@@ -53,28 +53,35 @@ template <typename Scalar> struct Paint {
     std::optional<MixedColors<Scalar>> mixed = {}; ///< this is here
 };
 
+/// Plots the pixels of a row that the canvas has, from x = `first` to x = `last`, in mixed colors.
+template <typename Scalar, typename Sink>
+requires SinkFor<Sink, PixelPlotted>
+void plot_mixed_span(int y, int first, int last, const MixedColors<Scalar>& mixed, Image& image,
+                     Sink&& sink) {
+    for (int x = first; x <= last; ++x) {
+        const Color color = mixed.at({x, y});
+        image.at({x, y}) = color;
+        sink(PixelPlotted{.pixel = {x, y}, .color = color});
+    }
+}
+
 /// Plots the pixels of a row from x = `from` to x = `to`, as far as the canvas has them.
 template <typename Scalar, typename Sink>
 requires SinkFor<Sink, PixelPlotted, PixelsRejected>
-void plot_span(int y, Index from, Index to, const Paint<Scalar>& paint, Image& image, Sink&& sink) {
-    if (to < from)
-        return;
+inline void plot_span(int y, Index from, Index to, const Paint<Scalar>& paint, Image& image,
+                      Sink&& sink) {
     const Index left = image.canvas().left();
     const Index right = image.canvas().right();
-    if (from < left)
+    if (from <= to && from < left)
         sink(
             PixelsRejected{.from_x = from, .from_y = y, .to_x = std::min(to, left - 1), .to_y = y});
 
     const auto first = static_cast<int>(std::clamp(from, left, right + 1));
     const auto last = static_cast<int>(std::clamp(to, left - 1, right));
-    Color* const row = image.row(y).data();
     if (paint.mixed) {
-        for (int x = first; x <= last; ++x) {
-            const Color color = paint.mixed->at({x, y});
-            row[x - left] = color;
-            sink(PixelPlotted{.pixel = {x, y}, .color = color});
-        }
+        plot_mixed_span(y, first, last, *paint.mixed, image, sink);
     } else {
+        Color* const row = image.row(y).data();
         const Color color = paint.flat;
         for (int x = first; x <= last; ++x) {
             row[x - left] = color;
@@ -82,7 +89,7 @@ void plot_span(int y, Index from, Index to, const Paint<Scalar>& paint, Image& i
         }
     }
 
-    if (to > right)
+    if (from <= to && to > right)
         sink(PixelsRejected{
             .from_x = std::max(from, right + 1), .from_y = y, .to_x = to, .to_y = y});
 }

@@ -39,8 +39,8 @@ inline constexpr std::int64_t fixed_grid = 256;
 /// How many bits drawing needs, in fractions over a common denominator. With coordinates n/D, |n| <
 /// 2^b and D <= 2^d, an edge is at
 ///
-///     x = n1/D + (dx/dy) ((y D - n0)/D),   so   |numerator| < 2^(2b + d + 3),  denominator < 2^(b
-///     + 2d + 1)
+///     x = n1/D + (dx/dy) ((y D - n0)/D),
+///     so   |numerator| < 2^(2b + d + 3),   denominator < 2^(b + 2d + 1)
 ///
 /// and comparing it with a vertex, or its distance to a sample with a half, multiplies by 2D or
 /// by 8. A naive line has the denominator of the slope twice. Mixing colors multiplies a weight, a

@@ -5,12 +5,11 @@
 //
 // A row of a triangle runs from left = -1/4 to right = 25/8. Which pixels is that?
 //
-//     rounding    first pixel        last pixel         here      what it means
-//     floor       floor(left)        floor(right)      -1 .. 3    the textbook; may stick out on
-//     the left nearest     nearest(left)      nearest(right)     0 .. 3    a tie (k + 1/2) goes as
-//     `ties` says truncate    toward zero        toward zero        0 .. 3    what a C++ cast to
-//     int does; lopsided at 0 inside      ceil(left)         floor(right)       0 .. 3    only
-//     pixels that lie in the triangle
+//     rounding   first pixel     last pixel       here      what it means
+//     floor      floor(left)     floor(right)     -1 .. 3   the textbook; may stick out on the left
+//     nearest    nearest(left)   nearest(right)    0 .. 3   a tie (k + 1/2) goes as `ties` says
+//     truncate   toward zero     toward zero       0 .. 3   a C++ cast to int; lopsided at 0
+//     inside     ceil(left)      floor(right)      0 .. 3   only pixels that lie in the triangle
 //
 // Both ends are drawn. A span whose first pixel lies right of its last one is empty.
 

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Where the samples of the pixels lie, and which of them an edge passes on each row: the arithmetic
+// of the top-left fill, in the numbers that suit each kind of Scalar best.
+//
+//     const SampleGrid<double> grid(triangle, 0.5, canvas);  // samples at the pixels' centers
+//     SampleWalk<double> walk(top, bottom, grid, 3);
+//     walk.first_sample();  // in row 3: the first x whose sample does not lie left of the edge
+//     walk.step();          // row 4
+
+#include <rastertrace/core/canvas.h>
+#include <rastertrace/core/edge.h>
+#include <rastertrace/core/fraction.h>
+#include <rastertrace/core/scalar.h>
+#include <rastertrace/core/triangle.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cstddef>
+
+namespace rastertrace {
+
+/// The samples of all pixels: each lies `sample_offset` from its pixel's integer point, in x and in
+/// y. A triangle is set against them in the scene's own coordinates.
+template <typename Scalar> class SampleGrid {
+public:
+    using Length = Scalar;
+
+    SampleGrid(const Triangle<Scalar>&, const Scalar& sample_offset, const Canvas& canvas)
+        : canvas_(canvas), offset_(sample_offset) {}
+
+    /// The triangle in the coordinates of the grid.
+    const Triangle<Length>& placed(const Triangle<Scalar>& triangle) const { return triangle; }
+
+    /// +1 if a placed vertex with a larger y lies lower in the picture, else -1.
+    int down() const { return canvas_.down(); }
+
+    /// The first row whose samples do not lie above the placed height `y`; row 0 is the top of the
+    /// canvas.
+    Index first_row_from(const Length& y) const {
+        const Length height = y - offset_;
+        return canvas_.row_of(down() > 0 ? ceil_index(height) : floor_index(height));
+    }
+
+    /// True if the sample at column `x` does not lie left of the placed `length`.
+    bool reaches(Index x, const Length& length) const {
+        return Length(length - offset_) <= scalar_from<Scalar>(x);
+    }
+
+    /// The first sample in a row that does not lie left of the edge.
+    Index first_sample_from(const Edge<Length>& edge, int row) const {
+        const Length height = scalar_from<Scalar>(canvas_.y_of(row)) + offset_;
+        return ceil_index(Length(edge.x_at(height) - offset_));
+    }
+
+    /// Where the vertex between `top` and `bottom` lies: -1 left of the edge from one to the other,
+    /// as seen in the picture, +1 right of it, 0 on it.
+    static int side_of_edge(const Vertex<Length>& top, const Vertex<Length>& bottom,
+                            const Vertex<Length>& middle) {
+        if (top.position.y == bottom.position.y)
+            return 0;
+        const Length x = edge_between(top, bottom).x_at(middle.position.y);
+        return middle.position.x < x ? -1 : x < middle.position.x ? 1 : 0;
+    }
+
+private:
+    Canvas canvas_;
+    Scalar offset_;
+};
+
+/// Fractions over one denominator D become whole numbers, in units of 1/D pixel: x to the right of
+/// the samples at x = 0, y down from the samples of the top row.
+template <typename Integer> class SampleGrid<Fraction<Integer>> {
+public:
+    using Length = Integer;
+
+    SampleGrid(const Triangle<Fraction<Integer>>& triangle, const Fraction<Integer>& sample_offset,
+               const Canvas& canvas)
+        : pixel_(triangle.vertices[0].x.denominator), offset_(sample_offset.numerator),
+          top_(canvas.top() * pixel_ + offset_), scene_down_(canvas.down()) {
+        assert(sample_offset.denominator == pixel_);
+    }
+
+    Triangle<Length> placed(const Triangle<Fraction<Integer>>& triangle) const {
+        Triangle<Length> result;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto& [x, y] = triangle.vertices[i];
+            assert(x.denominator == pixel_ && y.denominator == pixel_);
+            result.vertices[i] = {x.numerator - offset_, scene_down_ * (y.numerator - top_)};
+        }
+        return result;
+    }
+
+    static int down() { return 1; }
+
+    Index first_row_from(Length y) const { return index_from(-floor_quotient(-y, pixel_)); }
+
+    bool reaches(Index x, Length length) const { return length <= x * pixel_; }
+
+    static int side_of_edge(const Vertex<Length>& top, const Vertex<Length>& bottom,
+                            const Vertex<Length>& middle) {
+        const Length to_right =
+            (middle.position.x - top.position.x) * (bottom.position.y - top.position.y);
+        const Length of_edge =
+            (bottom.position.x - top.position.x) * (middle.position.y - top.position.y);
+        return to_right < of_edge ? -1 : of_edge < to_right ? 1 : 0;
+    }
+
+    /// D, a pixel's side.
+    Length pixel() const { return pixel_; }
+
+    /// A row or column as an index. On 64 bits it needs no clamping: there plan.h leaves a
+    /// coordinate less than 32 bits.
+    static Index index_from(Length whole) {
+        if constexpr (sizeof(Length) <= sizeof(Index))
+            return whole;
+        else
+            return static_cast<Index>(std::clamp<Length>(whole, -farthest_index, farthest_index));
+    }
+
+private:
+    Integer pixel_;
+    Integer offset_; ///< of a sample from its pixel's integer point
+    Integer top_;    ///< y of the samples of the top row, in the scene
+    int scene_down_; ///< the canvas's, for the scene's y
+};
+
+/// Walks along an edge from row to row of the picture and gives, in each, the first pixel whose
+/// sample does not lie left of the edge.
+template <typename Scalar> class SampleWalk {
+public:
+    /// Along the edge from its upper vertex to its lower one, beginning in `row`. The edge must
+    /// have height.
+    SampleWalk(const Vertex<Scalar>& upper, const Vertex<Scalar>& lower,
+               const SampleGrid<Scalar>& grid, int row)
+        : edge_(edge_between(upper, lower)), grid_(grid), row_(row) {}
+
+    Index first_sample() const { return grid_.first_sample_from(edge_, row_); }
+
+    void step() { ++row_; }
+
+private:
+    Edge<Scalar> edge_;
+    const SampleGrid<Scalar>& grid_;
+    int row_;
+};
+
+/// The same on a grid of whole numbers, without dividing in every row. In row r, the sample with
+/// the number k lies on the edge if
+///
+///     k D = x1 + (dx/dy) (r D - y1),   so   k = (x1 dy + dx (r D - y1)) / (D dy)
+///
+/// k is kept as a whole number and what it lies too high by, in units of 1/(D dy); from row to row
+/// it moves by dx/dy, kept as so many samples and a rest.
+template <typename Integer> class SampleWalk<Fraction<Integer>> {
+public:
+    SampleWalk(const Vertex<Integer>& upper, const Vertex<Integer>& lower,
+               const SampleGrid<Fraction<Integer>>& grid, int row) {
+        const Integer pixel = grid.pixel();
+        const Integer dx = lower.position.x - upper.position.x;
+        const Integer dy = lower.position.y - upper.position.y;
+        const Integer above = upper.position.x * dy + dx * (row * pixel - upper.position.y);
+        whole_ = pixel * dy;
+        sample_ = -floor_quotient<Integer>(-above, whole_);
+        too_high_ = sample_ * whole_ - above;
+
+        whole_step_ = floor_quotient<Integer>(dx, dy);
+        rest_step_ = (dx - whole_step_ * dy) * pixel;
+    }
+
+    Index first_sample() const { return SampleGrid<Fraction<Integer>>::index_from(sample_); }
+
+    void step() {
+        // Whether the rests have made up a sample is as good as random: a branch would be guessed
+        // wrong in every other row.
+        too_high_ -= rest_step_;
+        const auto carry = static_cast<Integer>(too_high_ < 0);
+        too_high_ += -carry & whole_;
+        sample_ += whole_step_ + carry;
+    }
+
+private:
+    Integer sample_;     ///< k, rounded up
+    Integer too_high_;   ///< by this much, 0 <= too_high_ < whole_
+    Integer whole_;      ///< D dy
+    Integer whole_step_; ///< from row to row: so many samples, and
+    Integer rest_step_;  ///< this much of one
+};
+
+} // namespace rastertrace
