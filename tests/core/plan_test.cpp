@@ -57,7 +57,7 @@ TEST(Unfit, OfACoordinateIsFound) {
     const auto unfit = find_unfit(
         triangle_scene({"0", "0", "1", "1", "-1e308", "2"}, {.width = 4, .height = 4}, {}));
     ASSERT_TRUE(unfit);
-    EXPECT_EQ(unfit->what, Unfit::What::coordinate_of_double);
+    EXPECT_EQ(unfit->what, Unfit::What::coordinate);
     EXPECT_EQ(unfit->from, 2u);
 }
 
@@ -65,7 +65,7 @@ TEST(Unfit, OfASlopeIsFound) {
     const auto unfit = find_unfit(
         triangle_scene({"0", "0", "1", "1e-320", "0", "2"}, {.width = 4, .height = 4}, {}));
     ASSERT_TRUE(unfit);
-    EXPECT_EQ(unfit->what, Unfit::What::slope_of_double);
+    EXPECT_EQ(unfit->what, Unfit::What::slope);
     EXPECT_EQ(unfit->from, 0u);
     EXPECT_EQ(unfit->to, 1u);
 }

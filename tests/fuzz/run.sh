@@ -19,13 +19,17 @@ cd "$(dirname "$0")/../.."
 
 cmake --preset fuzz -G Ninja
 cmake --build --preset fuzz --parallel "${CMAKE_BUILD_PARALLEL_LEVEL:-1}" \
-    --target rastertrace_program fuzz_number fuzz_scene fuzz_trace
+    --target rastertrace_program fuzz_number fuzz_obj fuzz_scene fuzz_trace
 
-# To start from: a few numbers, every example, and its trace in both layouts, whole and cut short.
+# To start from: a few numbers, every model, every example, and its trace in both layouts, whole and
+# cut short.
 corpus=build/fuzz/corpus
-mkdir -p "$corpus/fuzz_number" "$corpus/fuzz_scene" "$corpus/fuzz_trace"
+mkdir -p "$corpus/fuzz_number" "$corpus/fuzz_obj" "$corpus/fuzz_scene" "$corpus/fuzz_trace"
 for number in -4 0.25 1e-3 25/8 -1/4 1e-320 123456789012345678901/7; do
     printf %s "$number" >"$corpus/fuzz_number/seed-$(printf %s "$number" | tr / _)"
+done
+for model in examples/models/*.obj; do
+    cp "$model" "$corpus/fuzz_obj/seed-$(basename "$model")"
 done
 for scene in examples/*/*.json; do
     name=$(basename "$scene" .json)
@@ -38,7 +42,7 @@ for scene in examples/*/*.json; do
 done
 
 found=0
-for target in fuzz_number fuzz_scene fuzz_trace; do
+for target in fuzz_number fuzz_obj fuzz_scene fuzz_trace; do
     echo "$target: $seconds seconds"
     "build/fuzz/tests/fuzz/$target" "$corpus/$target" \
         -dict="tests/fuzz/${target#fuzz_}.dict" -artifact_prefix="build/fuzz/$target-" \

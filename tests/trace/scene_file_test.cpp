@@ -71,7 +71,7 @@ TEST(SceneFile, OverridesTakeThePlaceOfTheMethod) {
 TEST(SceneFile, UnknownKey) {
     EXPECT_EQ(complaint("{\"vertices\": {\"A\": [2, 5]},\n \"trinagles\": [\"AAA\"]}"),
               "scene.json:2:2: expected a key out of title, canvas, vertices, colors, triangles, "
-              "outlines, lines, points, method, "
+              "outlines, lines, points, meshes, model, camera, projection, viewport, method, "
               "found \"trinagles\"\n"
               " \"trinagles\": [\"AAA\"]}\n"
               " ^\n"
@@ -85,21 +85,23 @@ TEST(SceneFile, WrongType) {
               "                       ^\n"
               "hint: a fraction is written \"25/8\", in quotes");
     EXPECT_EQ(complaint(R"({"vertices": {"A": {}}, "triangles": ["AAA"]})"),
-              "scene.json:1:20: expected [x, y], found an object\n"
+              "scene.json:1:20: expected [x, y] or [x, y, z], found an object\n"
               "{\"vertices\": {\"A\": {}}, \"triangles\": [\"AAA\"]}\n"
               "                   ^");
-    EXPECT_EQ(complaint(R"({"vertices": {"A": [1, 2, 3]}, "triangles": ["AAA"]})"),
-              "scene.json:1:20: expected [x, y], found an array of 3\n"
-              "{\"vertices\": {\"A\": [1, 2, 3]}, \"triangles\": [\"AAA\"]}\n"
+    EXPECT_EQ(complaint(R"({"vertices": {"A": [1, 2, 3, 4]}, "triangles": ["AAA"]})"),
+              "scene.json:1:20: expected [x, y] or [x, y, z], found an array of 4\n"
+              "{\"vertices\": {\"A\": [1, 2, 3, 4]}, \"triangles\": [\"AAA\"]}\n"
               "                   ^");
     EXPECT_EQ(complaint(R"({"title": 5})"), "scene.json:1:11: expected a title in quotes, found 5\n"
                                             "{\"title\": 5}\n"
                                             "          ^");
-    EXPECT_EQ(complaint("[]"), "scene.json:1:1: expected an object with the keys title, canvas, "
-                               "vertices, colors, triangles, outlines, lines, points, "
-                               "method, found an empty array\n"
-                               "[]\n"
-                               "^");
+    EXPECT_EQ(complaint("[]"),
+              "scene.json:1:1: expected an object with the keys title, canvas, "
+              "vertices, colors, triangles, outlines, lines, points, meshes, model, camera, "
+              "projection, viewport, "
+              "method, found an empty array\n"
+              "[]\n"
+              "^");
 }
 
 TEST(SceneFile, MissingVertex) {
@@ -190,7 +192,7 @@ TEST(SceneFile, ColorsThatAreNone) {
 
 TEST(SceneFile, ValuesOfTheMethod) {
     EXPECT_EQ(complaint(R"({"method": {"scalar": "exat"}})"),
-              "scene.json:1:23: expected one of double, fixed, exact, found \"exat\"\n"
+              "scene.json:1:23: expected one of float, double, fixed, exact, found \"exat\"\n"
               "{\"method\": {\"scalar\": \"exat\"}}\n"
               "                      ^\n"
               "hint: did you mean \"exact\"?");

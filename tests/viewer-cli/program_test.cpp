@@ -204,7 +204,8 @@ TEST_F(ProgramTest, ErrorsHaveFileLineColumnAndCaret) {
     EXPECT_EQ(outcome.out, "");
     EXPECT_EQ(outcome.err, "rastertrace: bad.json:2:2: expected a key out of title, canvas, "
                            "vertices, colors, triangles, "
-                           "outlines, lines, points, method, found \"trinagles\"\n"
+                           "outlines, lines, points, meshes, model, camera, projection, viewport, "
+                           "method, found \"trinagles\"\n"
                            " \"trinagles\": [\"AAA\"]}\n"
                            " ^\n"
                            "hint: did you mean \"triangles\"?\n");
@@ -296,11 +297,11 @@ TEST_F(ProgramTest, UsageErrorsNameTheWordAndANearOne) {
               "rastertrace show: --evry: no such option\nhint: did you mean --every?\n"
               "see rastertrace show --help\n");
     EXPECT_EQ(shell("$rastertrace show x --evry pixel").status, 2);
-    EXPECT_EQ(
-        shell("$rastertrace trace x --only pixle").err,
-        "rastertrace: --only: expected kinds of step out of "
-        "primitive,edge,half,ray,scanline,along,decide,sample,pixel,reject,skip, found \"pixle\"\n"
-        "hint: did you mean pixel?\n");
+    EXPECT_EQ(shell("$rastertrace trace x --only pixle").err,
+              "rastertrace: --only: expected kinds of step out of "
+              "matrix,vertex,primitive,clip,edge,half,ray,scanline,along,decide,sample,pixel,"
+              "reject,skip, found \"pixle\"\n"
+              "hint: did you mean pixel?\n");
     EXPECT_EQ(shell("$rastertrace trace x --region 1,2,3").err,
               "rastertrace: --region: expected two corners as x0,y0,x1,y1, like -4,-3,2,5, found "
               "\"1,2,3\"\n");

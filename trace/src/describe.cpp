@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -76,8 +77,51 @@ std::string describe_primitive(const PrimitiveText& primitive, const StepView& s
         if (i < colors.size())
             text += fmt::format(" {}", colors[i]);
     }
+    if (primitive.positions.empty())
+        text += ": not all of it can be seen, it is clipped";
     if (step.field("octant"))
         text += fmt::format("   octant {}", step.text("octant"));
+    return text;
+}
+
+std::string describe_matrix(const StepView& step) {
+    std::string text = step.text("name") + " matrix";
+    if (step.field("object"))
+        text += " of " + step.text("object");
+    text += ":";
+    for (const auto& row : step.text_rows("rows"))
+        text += fmt::format("  [{}]", fmt::join(row, " "));
+    return text;
+}
+
+/// The space that a vertex goes on to comes of the one before: by a matrix, or by dividing by w.
+std::string describe_vertex(const Replay& replay, const StepView& step) {
+    const std::string space = step.text("space");
+    const auto at = step.texts("at");
+    std::string text =
+        fmt::format("vertex {} in {} space: {}", step.text("name"), space, point(at));
+    if (const auto before = replay.vertex_before();
+        before != 0 && replay.trace().step(before).text("name") == step.text("name")) {
+        const auto from = replay.trace().step(before).texts("at");
+        if (space == "canonical" && from.size() == 4)
+            text = fmt::format("vertex {} in {} space: ({}, {}, {}) / {} = {}", step.text("name"),
+                               space, from[0], from[1], from[2], from[3], point(at));
+        else if (!replay.trace().step(before).text("space").empty())
+            text +=
+                fmt::format(", from {} {}", replay.trace().step(before).text("space"), point(from));
+    }
+    if (step.field("snapped"))
+        text += fmt::format(" -> {}", point(step.texts("snapped")));
+    return text;
+}
+
+std::string describe_clip(const PrimitiveText& primitive, const StepView& step) {
+    std::string text = fmt::format("{} {} clipped at the {} plane:", primitive.kind, primitive.name,
+                                   step.text("plane"));
+    const auto inside = step.texts("inside");
+    const auto count = std::count(inside.begin(), inside.end(), "true");
+    text +=
+        fmt::format(" {} of {} vertices inside, {} left", count, inside.size(), step.text("out"));
     return text;
 }
 
@@ -221,6 +265,12 @@ std::string unsafe_description(const Replay& replay) {
         return shortened(step.json(), width);
     }
     switch (*kind) {
+    case StepKind::matrix:
+        return describe_matrix(step);
+    case StepKind::vertex:
+        return describe_vertex(replay, step);
+    case StepKind::clip:
+        return describe_clip(primitive_of(replay), step);
     case StepKind::primitive:
         return describe_primitive(primitive_of(replay), step);
     case StepKind::edge:

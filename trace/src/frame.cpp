@@ -9,6 +9,7 @@ void Replay::go_to(std::size_t n) {
     if (n < step_) {
         frame_ = Frame(trace_.canvas);
         step_ = primitive_ = scanline_ = scanline_before_ = drew_over_ = 0;
+        vertex_ = vertex_before_ = 0;
         edges_.clear();
     }
     while (step_ < n)
@@ -28,6 +29,10 @@ void Replay::apply_next() {
         scanline_ = scanline_before_ = 0;
         edges_.clear();
         color_ = parse_color(step.text("color")).value_or(Color{});
+        break;
+    case StepKind::vertex:
+        vertex_before_ = vertex_;
+        vertex_ = step_;
         break;
     case StepKind::edge:
         edges_.push_back(step_);

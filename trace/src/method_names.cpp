@@ -16,7 +16,8 @@ template <typename Enum> struct Word {
 };
 template <typename Enum> Word(Enum, std::string_view) -> Word<Enum>;
 
-constexpr std::array scalars{Word{ScalarKind::double_precision, "double"},
+constexpr std::array scalars{Word{ScalarKind::single_precision, "float"},
+                             Word{ScalarKind::double_precision, "double"},
                              Word{ScalarKind::fixed, "fixed"}, Word{ScalarKind::exact, "exact"}};
 constexpr std::array lines{Word{LineMethod::naive, "naive"}, Word{LineMethod::dda, "dda"},
                            Word{LineMethod::bresenham, "bresenham"}};
@@ -33,6 +34,8 @@ constexpr std::array tie_rules{Word{Ties::start, "start"}, Word{Ties::up, "up"},
 constexpr std::array samples{Word{Sample::integer, "integer"}, Word{Sample::center, "center"}};
 constexpr std::array lerps{Word{LerpForm::direct, "direct"},
                            Word{LerpForm::incremental, "incremental"}};
+constexpr std::array snaps{Word{Snap::none, "none"}, Word{Snap::floor, "floor"},
+                           Word{Snap::truncate, "truncate"}, Word{Snap::nearest, "nearest"}};
 constexpr std::array shades{Word{Shade::flat, "flat"}, Word{Shade::interpolate, "interpolate"}};
 constexpr std::array color_lerps{Word{ColorLerp::axis, "axis"},
                                  Word{ColorLerp::distance, "distance"}};
@@ -73,7 +76,8 @@ std::string default_of_two(const Scene& scene, std::string_view for_spans,
 }
 
 bool has_ties(const Scene& scene) {
-    return (fills_spans(scene) && span_rounding(scene.method).rounding == Rounding::nearest) ||
+    return scene.method.snap == Snap::nearest ||
+           (fills_spans(scene) && span_rounding(scene.method).rounding == Rounding::nearest) ||
            (rounds_lines(scene) && line_rounding(scene.method).rounding == Rounding::nearest);
 }
 
@@ -147,6 +151,8 @@ std::span<const MethodKey> method_keys() {
                                                                              : "integer");
             }),
         key<&Method::lerp, lerps>("lerp", "how x is found from row to row", fills_spans),
+        key<&Method::snap, snaps>("snap", "where vertices on the screen go before they are drawn",
+                                  [](const Scene& scene) { return scene.has_pipeline(); }),
         key<&Method::shade, shades>(
             "shade", "where the colors of pixels come from", has_vertex_colors,
             [](const Scene& scene) {

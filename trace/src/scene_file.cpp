@@ -3,9 +3,12 @@
 
 #include "canvas_json.h"
 #include "json_document.h"
+#include "json_reader.h"
+#include "pipeline_json.h"
 
 #include <rastertrace/core/plan.h>
 #include <rastertrace/trace/color_text.h>
+#include <rastertrace/trace/obj_file.h>
 #include <rastertrace/trace/text.h>
 
 #include <fmt/format.h>
@@ -18,6 +21,7 @@
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace rastertrace {
@@ -40,115 +44,63 @@ std::string base_name(const std::string& path) {
     return path.substr(path.find_last_of('/') + 1);
 }
 
+/// What to do where a canvas is missing or too small.
+constexpr const char* canvas_hint = R"(say "canvas": {"width": ..., "height": ...})";
+
 /// Reads one scene; the first fault ends it.
 class SceneReader {
 public:
     SceneReader(const Source& source, const MethodOverrides& overrides)
-        : source_(source), overrides_(overrides) {}
+        : source_(source), json_{source}, overrides_(overrides) {}
 
     Scene read(const JsonValue& root) {
         // The smallest scene has vertices and triangles; everything else has a default.
-        allow_keys(root, {"title", "canvas", "vertices", "colors", "triangles", "outlines", "lines",
-                          "points", "method"});
+        json_.allow_keys(root, {"title", "canvas", "vertices", "colors", "triangles", "outlines",
+                                "lines", "points", "meshes", "model", "camera", "projection",
+                                "viewport", "method"});
         scene_.title = base_name(source_.name);
         if (const JsonValue* title = root.find("title"))
-            scene_.title = string_in(*title, "a title in quotes");
+            scene_.title = json_.string_in(*title, "a title in quotes");
         if (const JsonValue* method = root.find("method"))
             read_method(*method);
         apply_overrides();
         if (const JsonValue* vertices = root.find("vertices"))
             read_vertices(*vertices);
+        read_objects(root.find("model"), root.find("meshes"));
         if (const JsonValue* colors = root.find("colors"))
             read_colors(*colors);
         // Drawn in this order: what is thin comes last and stays visible.
         read_primitives(root.find("triangles"), PrimitiveKind::triangle);
+        take_faces(PrimitiveKind::triangle);
         read_primitives(root.find("outlines"), PrimitiveKind::outline);
+        take_faces(PrimitiveKind::outline);
         read_primitives(root.find("lines"), PrimitiveKind::line);
         read_primitives(root.find("points"), PrimitiveKind::point);
         if (scene_.primitives.empty())
-            fail(root, "expected at least one primitive, found none",
-                 R"(the smallest scene: {"vertices": {"A": [2, 5], "B": [-4, -3], "C": [5, -3]}, )"
-                 R"("triangles": ["ABC"]})");
+            json_.fail(
+                root, "expected at least one primitive, found none",
+                R"(the smallest scene: {"vertices": {"A": [2, 5], "B": [-4, -3], "C": [5, -3]}, )"
+                R"("triangles": ["ABC"]})");
+        read_view(root);
         read_canvas(root.find("canvas"), root);
         refuse_unfit();
         return std::move(scene_);
     }
 
 private:
-    [[noreturn]] void fail(std::size_t offset, std::string message, std::string hint = {}) const {
-        throw problem_at(source_, offset, std::move(message), std::move(hint));
-    }
-    [[noreturn]] void fail(const JsonValue& value, std::string message,
-                           std::string hint = {}) const {
-        fail(value.begin, std::move(message), std::move(hint));
-    }
-    [[noreturn]] void fail_expecting(const JsonValue& value, std::string_view expected,
-                                     std::string hint = {}) const {
-        fail(value, fmt::format("expected {}, found {}", expected, described(value)),
-             std::move(hint));
-    }
-
-    static std::string did_you_mean(std::string_view word,
-                                    const std::vector<std::string_view>& known) {
-        const std::string_view nearest = nearest_word(word, known);
-        return nearest.empty() ? std::string() : fmt::format("did you mean \"{}\"?", nearest);
-    }
-
-    void allow_keys(const JsonValue& value, const std::vector<std::string_view>& known) const {
-        if (value.kind != JsonValue::Kind::object)
-            fail_expecting(value,
-                           "an object with the keys " + fmt::format("{}", fmt::join(known, ", ")));
-        for (const JsonValue& key : value.keys)
-            if (std::find(known.begin(), known.end(), key.text) == known.end())
-                fail_expecting(key, fmt::format("a key out of {}", fmt::join(known, ", ")),
-                               did_you_mean(key.text, known));
-    }
-
-    const std::string& string_in(const JsonValue& value, std::string_view expected) const {
-        if (value.kind != JsonValue::Kind::string || value.text.empty())
-            fail_expecting(value, expected);
-        return value.text;
-    }
-
-    const std::vector<JsonValue>& array_in(const JsonValue& value,
-                                           std::string_view expected) const {
-        if (value.kind != JsonValue::Kind::array)
-            fail_expecting(value, expected);
-        return value.items;
-    }
-
-    Number number_in(const JsonValue& value) const {
-        if (value.kind != JsonValue::Kind::number && value.kind != JsonValue::Kind::string)
-            fail_expecting(value, "a number");
-        auto parsed = parse_number(value.text);
-        if (auto* number = std::get_if<Number>(&parsed))
-            return std::move(*number);
-        switch (std::get<NumberFault>(parsed)) {
-        case NumberFault::zero_denominator:
-            fail_expecting(value, "a denominator other than 0");
-        case NumberFault::too_large:
-            fail_expecting(value, "a number up to 1.797e308");
-        case NumberFault::too_small:
-            fail_expecting(value, "0 or a number from 4.941e-324 on");
-        case NumberFault::malformed:
-            break;
-        }
-        fail_expecting(value, "a number", R"(a fraction is written "25/8", in quotes)");
-    }
-
     void read_method(const JsonValue& method) {
         std::vector<std::string_view> known;
         for (const MethodKey& key : method_keys())
             known.push_back(key.name);
-        allow_keys(method, known);
+        json_.allow_keys(method, known);
         for (std::size_t i = 0; i < method.keys.size(); ++i) {
             const MethodKey& key = *find_method_key(method.keys[i].text);
             const JsonValue& value = method.items[i];
             const bool is_word = value.kind == JsonValue::Kind::string ||
                                  (value.kind == JsonValue::Kind::number && key.is_number());
             if (!is_word || !key.set(scene_.method, value.text))
-                fail_expecting(value, fmt::format("one of {}", fmt::join(key.values, ", ")),
-                               did_you_mean(value.text, key.values));
+                json_.fail_expecting(value, fmt::format("one of {}", fmt::join(key.values, ", ")),
+                                     did_you_mean(value.text, key.values));
         }
     }
 
@@ -160,26 +112,164 @@ private:
         }
     }
 
-    void read_vertices(const JsonValue& vertices) {
+    void read_vertices(const JsonValue& vertices, const std::string& prefix = {}) {
         if (vertices.kind != JsonValue::Kind::object)
-            fail_expecting(vertices, R"(vertices by name, like {"A": [2, 5]})");
+            json_.fail_expecting(vertices, R"(vertices by name, like {"A": [2, 5]})");
         for (std::size_t i = 0; i < vertices.keys.size(); ++i) {
             const JsonValue& name = vertices.keys[i];
-            const JsonValue& position = vertices.items[i];
             if (name.text.empty())
-                fail_expecting(name, "a name of at least one letter");
-            const auto& coordinates = array_in(position, "[x, y]");
-            if (coordinates.size() != 2)
-                fail_expecting(position, "[x, y]");
+                json_.fail_expecting(name, "a name of at least one letter");
+            const auto& coordinates = json_.array_in(vertices.items[i], "[x, y] or [x, y, z]");
+            if (coordinates.size() != 2 && coordinates.size() != 3)
+                json_.fail_expecting(vertices.items[i], "[x, y] or [x, y, z]");
+            const std::string full_name = prefix + name.text;
+            if (!vertex_by_name_.emplace(full_name, scene_.vertices.size()).second)
+                json_.fail_expecting(name, "a name that no other vertex has",
+                                     "vertices of a mesh with a name are called NAME.VERTEX");
             places_of_vertices_.push_back(name.begin);
-            vertex_by_name_.emplace(name.text, scene_.vertices.size());
             scene_.vertices.push_back(
-                {name.text, number_in(coordinates[0]), number_in(coordinates[1]), std::nullopt});
+                {full_name, json_.number_in(coordinates[0]), json_.number_in(coordinates[1]),
+                 std::nullopt,
+                 coordinates.size() == 3 ? json_.number_in(coordinates[2]) : Number(0)});
         }
     }
 
-    std::size_t vertex_named(std::string_view name, std::size_t offset) const {
-        const auto found = vertex_by_name_.find(std::string(name));
+    /// The scene's own vertices share the scene's model; each mesh has its own.
+    void read_objects(const JsonValue* model, const JsonValue* meshes) {
+        if (model == nullptr && meshes == nullptr)
+            return;
+        scene_.objects.push_back(
+            {"", scene_.vertices.size(),
+             model == nullptr ? std::vector<ModelStep>() : read_model(json_, *model)});
+        if (meshes == nullptr)
+            return;
+        for (const JsonValue& mesh :
+             json_.array_in(*meshes, R"(a list of meshes, like [{"obj": "cube.obj"}])"))
+            read_mesh(mesh);
+    }
+
+    void read_mesh(const JsonValue& mesh) {
+        json_.allow_keys(mesh, {"obj", "vertices", "faces", "name", "color", "draw", "model"});
+        SceneObject object;
+        if (const JsonValue* model = mesh.find("model"))
+            object.model = read_model(json_, *model);
+        if (const JsonValue* name = mesh.find("name"))
+            object.name = json_.string_in(*name, "a name in quotes");
+
+        // What all faces have in common.
+        ScenePrimitive face;
+        if (const JsonValue* color = mesh.find("color"))
+            face.color = color_in(*color);
+        if (const JsonValue* draw = mesh.find("draw")) {
+            if (draw->text != "triangles" && draw->text != "outlines")
+                json_.fail_expecting(*draw, "triangles or outlines",
+                                     did_you_mean(draw->text, {"triangles", "outlines"}));
+            face.kind = draw->text == "outlines" ? PrimitiveKind::outline : PrimitiveKind::triangle;
+        }
+
+        const JsonValue* obj = mesh.find("obj");
+        if (obj == nullptr) {
+            read_faces(mesh, object.name.empty() ? std::string() : object.name + ".", face);
+        } else {
+            for (const std::string_view other : {"vertices", "faces"})
+                if (const JsonValue* found = mesh.find(other))
+                    json_.fail(*found, fmt::format("expected obj or {}, found both", other));
+            read_obj_mesh(*obj, object, face);
+        }
+        object.end_vertex = scene_.vertices.size();
+        scene_.objects.push_back(std::move(object));
+    }
+
+    /// A mesh that is written out in the scene. Polygons become fans of triangles.
+    void read_faces(const JsonValue& mesh, const std::string& prefix, const ScenePrimitive& like) {
+        read_vertices(json_.member(mesh, "vertices"), prefix);
+        const JsonValue& faces = json_.member(mesh, "faces");
+        constexpr std::string_view expected = R"(three vertices or more, "ABCD" or ["P1", ...])";
+        for (const JsonValue& value :
+             json_.array_in(faces, R"(a list of faces, like ["ABC", "ABCD"])")) {
+            const auto corners = corners_in(value, prefix, expected);
+            if (corners.size() < 3)
+                json_.fail_expecting(value, expected);
+            for (std::size_t i = 2; i < corners.size(); ++i) {
+                ScenePrimitive face = like;
+                face.vertices = {corners[0], corners[i - 1], corners[i]};
+                std::array<std::string_view, 3> names;
+                for (std::size_t k = 0; k < 3; ++k)
+                    names[k] = std::string_view(scene_.vertices[face.vertices[k]].name)
+                                   .substr(prefix.size());
+                face.name = prefix + joined_names(names);
+                faces_.push_back(std::move(face));
+            }
+        }
+        if (faces.items.empty())
+            json_.fail(faces, "expected at least one face, found none");
+    }
+
+    /// A mesh from a file, which a relative path finds beside the scene.
+    void read_obj_mesh(const JsonValue& obj, SceneObject& object, const ScenePrimitive& like) {
+        const std::string& path = json_.string_in(obj, "the path of an OBJ file");
+        const auto file = read_source(beside_scene(path));
+        if (!file)
+            json_.fail(obj,
+                       fmt::format("expected an OBJ file that can be read, found: {}",
+                                   to_text(file.problem())),
+                       "a relative path starts from the scene's folder");
+        auto read = read_obj(file.value());
+        if (!read)
+            throw read.problem();
+        const ObjMesh& mesh = read.value();
+
+        if (object.name.empty()) {
+            const std::string base = base_name(path);
+            object.name = base.substr(0, base.find_last_of('.'));
+        }
+        const std::size_t first = scene_.vertices.size();
+        scene_.vertices.reserve(first + mesh.vertices.size());
+        for (const Numbers3& at : mesh.vertices) {
+            const std::size_t number = scene_.vertices.size() - first + 1;
+            scene_.vertices.push_back(
+                {object.name + "." + std::to_string(number), at[0], at[1], std::nullopt, at[2]});
+        }
+        places_of_vertices_.resize(scene_.vertices.size(), obj.begin);
+        for (std::size_t i = 0; i < mesh.faces(); ++i) {
+            const auto corners = mesh.face(i);
+            const std::string name = object.name + ".f" + std::to_string(i + 1);
+            for (std::size_t k = 2; k < corners.size(); ++k) {
+                ScenePrimitive face = like;
+                face.vertices = {first + corners[0], first + corners[k - 1], first + corners[k]};
+                face.name = corners.size() == 3 ? name : name + "." + std::to_string(k - 1);
+                faces_.push_back(std::move(face));
+            }
+        }
+    }
+
+    std::string beside_scene(const std::string& path) const {
+        const std::size_t folder = source_.name.find_last_of('/');
+        return path.starts_with('/') || folder == std::string::npos
+                   ? path
+                   : source_.name.substr(0, folder + 1) + path;
+    }
+
+    /// Moves the faces of meshes that are drawn as `kind` to the primitives.
+    void take_faces(PrimitiveKind kind) {
+        for (ScenePrimitive& face : faces_)
+            if (face.kind == kind)
+                scene_.primitives.push_back(std::move(face));
+    }
+
+    /// How vertices come to the screen.
+    void read_view(const JsonValue& root) {
+        if (const JsonValue* camera = root.find("camera"))
+            scene_.camera = read_camera(json_, *camera);
+        if (const JsonValue* projection = root.find("projection"))
+            scene_.projection = read_projection(json_, *projection);
+        if (const JsonValue* viewport = root.find("viewport"))
+            scene_.viewport = read_viewport(json_, *viewport);
+    }
+
+    std::size_t vertex_named(std::string_view name, std::size_t offset,
+                             const std::string& prefix = {}) const {
+        const auto found = vertex_by_name_.find(prefix + std::string(name));
         if (found != vertex_by_name_.end())
             return found->second;
         std::vector<std::string_view> known;
@@ -190,9 +280,9 @@ private:
         std::string hint = did_you_mean(name, known);
         if (hint.empty() && !known.empty() && !too_many)
             hint = fmt::format("the scene has the vertices {}", fmt::join(known, ", "));
-        fail(offset,
-             fmt::format("expected the name of a vertex, found \"{}\"", shortened(name, 40)),
-             std::move(hint));
+        json_.fail(offset,
+                   fmt::format("expected the name of a vertex, found \"{}\"", shortened(name, 40)),
+                   std::move(hint));
     }
 
     /// What a list of primitives of a kind looks like, and one of them.
@@ -216,50 +306,58 @@ private:
                 R"(three vertices, "ABC" or ["P1", "P2", "P3"])"};
     }
 
-    /// The vertices that "ABC" or ["P1", "P2", "P3"] names.
-    void read_corners(const JsonValue& value, ScenePrimitive& primitive) const {
-        const std::string_view expected = form_of(primitive.kind).vertices;
-        const std::size_t count = primitive.corners().size();
+    /// The vertices that "ABC" or ["P1", "P2", "P3"] names, each behind `prefix`.
+    std::vector<std::size_t> corners_in(const JsonValue& value, const std::string& prefix,
+                                        std::string_view expected) const {
         std::vector<std::size_t> corners;
         if (value.kind == JsonValue::Kind::string) {
             // One-letter names. A place inside the quotes can be pointed at if nothing is escaped.
-            if (characters_in(value.text) != count)
-                fail_expecting(value, expected);
             const bool as_typed = value.end - value.begin == value.text.size() + 2;
             std::string_view rest = value.text;
             while (!rest.empty()) {
                 const std::size_t length = first_code_point(rest).length;
                 const std::size_t inside = as_typed ? 1 + value.text.size() - rest.size() : 0;
-                corners.push_back(vertex_named(rest.substr(0, length), value.begin + inside));
+                corners.push_back(
+                    vertex_named(rest.substr(0, length), value.begin + inside, prefix));
                 rest.remove_prefix(length);
             }
         } else {
-            for (const JsonValue& name : array_in(value, expected))
-                corners.push_back(
-                    vertex_named(string_in(name, "the name of a vertex"), name.begin));
-            if (corners.size() != count)
-                fail_expecting(value, expected);
+            for (const JsonValue& name : json_.array_in(value, expected))
+                corners.push_back(vertex_named(json_.string_in(name, "the name of a vertex"),
+                                               name.begin, prefix));
         }
+        return corners;
+    }
+
+    /// The vertices of a primitive: as many as its kind has.
+    void read_corners(const JsonValue& value, ScenePrimitive& primitive) const {
+        const std::string_view expected = form_of(primitive.kind).vertices;
+        const std::size_t count = primitive.corners().size();
+        if (value.kind == JsonValue::Kind::string && characters_in(value.text) != count)
+            json_.fail_expecting(value, expected);
+        const auto corners = corners_in(value, {}, expected);
+        if (corners.size() != count)
+            json_.fail_expecting(value, expected);
         std::copy(corners.begin(), corners.end(), primitive.vertices.begin());
     }
 
     Color color_in(const JsonValue& value) const {
         constexpr std::string_view expected = R"(a color, like "#ff8000" or "red")";
-        const auto color = parse_color(string_in(value, expected));
+        const auto color = parse_color(json_.string_in(value, expected));
         if (!color) {
             std::string hint = did_you_mean(value.text, color_names());
             if (value.text.starts_with('#'))
                 hint = "8 bits a channel: #rrggbb or #rrggbbaa";
-            fail_expecting(value, expected, std::move(hint));
+            json_.fail_expecting(value, expected, std::move(hint));
         }
         if (color->alpha() == 0)
-            fail_expecting(value, "a color that can be seen (alpha above 00)");
+            json_.fail_expecting(value, "a color that can be seen (alpha above 00)");
         return *color;
     }
 
     void read_colors(const JsonValue& colors) {
         if (colors.kind != JsonValue::Kind::object)
-            fail_expecting(colors, R"(colors by vertex, like {"A": "red"})");
+            json_.fail_expecting(colors, R"(colors by vertex, like {"A": "red"})");
         for (std::size_t i = 0; i < colors.keys.size(); ++i)
             scene_.vertices[vertex_named(colors.keys[i].text, colors.keys[i].begin)].color =
                 color_in(colors.items[i]);
@@ -268,21 +366,21 @@ private:
     void read_primitives(const JsonValue* list, PrimitiveKind kind) {
         if (list == nullptr)
             return;
-        for (const JsonValue& value : array_in(*list, form_of(kind).list)) {
+        for (const JsonValue& value : json_.array_in(*list, form_of(kind).list)) {
             ScenePrimitive primitive;
             primitive.kind = kind;
             if (value.kind == JsonValue::Kind::object) {
-                allow_keys(value, {"vertices", "name", "color"});
+                json_.allow_keys(value, {"vertices", "name", "color"});
                 const JsonValue* vertices = value.find("vertices");
                 if (vertices == nullptr)
-                    fail(value, R"(expected the key "vertices", found none)");
+                    json_.fail(value, R"(expected the key "vertices", found none)");
                 read_corners(*vertices, primitive);
                 if (const JsonValue* color = value.find("color"))
                     primitive.color = color_in(*color);
                 if (const JsonValue* name = value.find("name")) {
-                    primitive.name = string_in(*name, "a name in quotes");
+                    primitive.name = json_.string_in(*name, "a name in quotes");
                     if (!names_of_primitives_.insert(primitive.name).second)
-                        fail_expecting(*name, "a name that no other primitive has");
+                        json_.fail_expecting(*name, "a name that no other primitive has");
                 }
             } else {
                 read_corners(value, primitive);
@@ -307,33 +405,72 @@ private:
         }
         scene_.canvas = {given.width, given.height, given.origin};
         const JsonValue& blamed = canvas != nullptr ? *canvas : root;
+        choose_viewport(given, blamed);
+        const std::array<double, 2> farthest =
+            given.has_width && given.has_height ? std::array{0.0, 0.0} : farthest_places();
         if (!given.has_width)
-            scene_.canvas.width = fitted_size(blamed, "width", &SceneVertex::x);
+            scene_.canvas.width = fitted_size(blamed, "width", farthest[0]);
         if (!given.has_height)
-            scene_.canvas.height = fitted_size(blamed, "height", &SceneVertex::y);
+            scene_.canvas.height = fitted_size(blamed, "height", farthest[1]);
         if (const auto fault = fault_of_size(scene_.canvas))
-            fail(blamed, *fault, R"(say "canvas": {"width": ..., "height": ...})");
+            json_.fail(blamed, *fault, canvas_hint);
+    }
+
+    /// The viewport that goes with the projection, where the scene does not say.
+    void choose_viewport(const CanvasJson& given, const JsonValue& blamed) {
+        Viewport& viewport = scene_.viewport;
+        const bool is_projected = scene_.projection.type != ProjectionType::none;
+        if ((is_projected || viewport.type == ViewportType::fit) &&
+            !(given.has_width && given.has_height))
+            json_.fail(blamed,
+                       "expected a canvas with a width and a height, found none: the "
+                       "picture is fitted to it",
+                       canvas_hint);
+        if (viewport.type == ViewportType::none && is_projected) {
+            // The pinhole of T0 shows a view plane of 1 x 1 on the whole canvas.
+            viewport.type = scene_.projection.type == ProjectionType::pinhole
+                                ? ViewportType::pixels_per_unit
+                                : ViewportType::fit;
+            viewport.pixels_per_unit = std::min(given.width, given.height);
+        }
+        if (viewport.type == ViewportType::pixels_per_unit && given.origin != Origin::center)
+            json_.fail(blamed,
+                       "expected a canvas with its origin in the center, found another: "
+                       "pixels_per_unit starts from the center",
+                       R"(say "viewport": "fit", or leave "origin" out)");
+    }
+
+    /// How far vertices lie from x = 0 and from y = 0, on the side that the canvas has.
+    std::array<double, 2> farthest_places() const {
+        std::array<double, 2> farthest{0, 0};
+        const auto reach = [this, &farthest](std::size_t i, double value) {
+            const bool is_centered = scene_.canvas.origin == Origin::center;
+            farthest[i] = std::max(farthest[i], is_centered ? std::abs(value) : value);
+        };
+        std::visit(
+            [&](const auto& geometry) {
+                for_each_piece(scene_, geometry, NullSink{}, [&](const auto& piece) {
+                    for (std::size_t i = 0; i < piece.count; ++i) {
+                        reach(0, to_double(piece.positions[i].x));
+                        reach(1, to_double(piece.positions[i].y));
+                    }
+                });
+            },
+            geometry_for(scene_));
+        return farthest;
     }
 
     /// The width or height that holds every vertex of a primitive, and a pixel more on each side.
-    int fitted_size(const JsonValue& blamed, std::string_view side,
-                    Number SceneVertex::*coordinate) const {
-        double farthest = 0;
-        for (const ScenePrimitive& primitive : scene_.primitives)
-            for (const std::size_t vertex : primitive.corners()) {
-                const double value = (scene_.vertices[vertex].*coordinate).nearest_double();
-                const bool centered = scene_.canvas.origin == Origin::center;
-                farthest = std::max(farthest, centered ? std::abs(value) : value);
-            }
+    int fitted_size(const JsonValue& blamed, std::string_view side, double farthest) const {
         const double to_border = std::ceil(farthest) + 1;
         const double size =
             scene_.canvas.origin == Origin::center ? 2 * to_border + 1 : to_border + 1;
-        if (size > largest_canvas_side)
-            fail(blamed,
-                 fmt::format("expected vertices that fit on {0} pixels, or a canvas with a {1}; "
-                             "found a vertex {2:.6g} pixels from the origin",
-                             largest_canvas_side, side, farthest),
-                 R"(say "canvas": {"width": ..., "height": ...})");
+        if (!(size <= largest_canvas_side))
+            json_.fail(blamed,
+                       fmt::format("expected vertices that fit on {0} pixels, or a canvas with a "
+                                   "{1}; found a vertex {2:.6g} pixels from the origin",
+                                   largest_canvas_side, side, farthest),
+                       canvas_hint);
         return static_cast<int>(size);
     }
 
@@ -341,57 +478,70 @@ private:
         const auto unfit = find_unfit(scene_);
         if (!unfit)
             return;
-        const SceneVertex& from = scene_.vertices[unfit->from];
-        const SceneVertex& to = scene_.vertices[unfit->to];
-        const auto at = [](const SceneVertex& vertex) {
-            return fmt::format("vertex {} at ({}, {})", vertex.name, vertex.x.nearest_double(),
-                               vertex.y.nearest_double());
+        const auto at = [this](std::size_t vertex, const std::array<double, 2>& place) {
+            return fmt::format("vertex {} at ({}, {}){}", scene_.vertices[vertex].name, place[0],
+                               place[1], scene_.has_pipeline() ? " on the screen" : "");
         };
+        const std::string from = at(unfit->from, unfit->from_at);
+        const std::string to = at(unfit->to, unfit->to_at);
         const std::size_t place = places_of_vertices_[unfit->to];
+        const std::string scalar = value_in_force(*find_method_key("scalar"), scene_);
         const std::string hint = R"(with "method": {"scalar": "exact"} nothing overflows)";
         using What = Unfit::What;
         switch (unfit->what) {
-        case What::coordinate_of_double:
-            fail(place,
-                 fmt::format("expected coordinates up to 4.49e307 for double, found {}", at(to)),
-                 hint);
+        case What::place:
+            json_.fail(place,
+                       fmt::format("expected a vertex that has a place on the screen in {}, found "
+                                   "{}: beyond the largest number",
+                                   scalar, to),
+                       hint);
+        case What::coordinate:
+            json_.fail(place,
+                       fmt::format("expected coordinates up to {:.3g} for {}, found {}",
+                                   unfit->limit, scalar, to),
+                       hint);
         case What::coordinate_of_weights:
-            fail(place,
-                 fmt::format("expected coordinates up to 3.27e150 for weights in double, found {}",
-                             at(to)),
-                 hint);
+            json_.fail(place,
+                       fmt::format("expected coordinates up to {:.3g} for weights in {}, found {}",
+                                   unfit->limit, scalar, to),
+                       hint);
         case What::area_of_weights:
-            fail(place,
-                 fmt::format("expected a triangle whose weights fit in a double, found one from {} "
-                             "to {} that is almost without area",
-                             at(from), at(to)),
-                 hint);
+            json_.fail(place,
+                       fmt::format("expected a triangle whose weights fit in a {}, found one from "
+                                   "{} to {} that is almost without area",
+                                   scalar, from, to),
+                       hint);
         case What::coordinate_of_fixed:
-            fail(place,
-                 fmt::format("expected coordinates up to 68719476736 for fixed, found {}", at(to)),
-                 hint);
+            json_.fail(place,
+                       fmt::format("expected coordinates up to {:.0f} for fixed, found {}",
+                                   unfit->limit, to),
+                       hint);
         case What::coordinate_of_line:
-            fail(place, fmt::format("expected coordinates up to 2251799813685248 for Bresenham's "
-                                    "line, found {}",
-                                    at(to)));
+            json_.fail(place,
+                       fmt::format("expected coordinates up to {:.0f} for Bresenham's line, found "
+                                   "{}",
+                                   unfit->limit, to));
         case What::edge_of_fan:
-            fail(place,
-                 fmt::format("expected edges of at most {} pixels for the fan, which draws a "
-                             "line for each, found {} and {}",
-                             longest_fan_edge, at(from), at(to)));
-        case What::slope_of_double:
-            fail(place,
-                 fmt::format("expected an edge whose slope dx/dy fits in a double, found {} and {}",
-                             at(from), at(to)),
-                 hint);
+            json_.fail(place,
+                       fmt::format("expected edges of at most {:.0f} pixels for the fan, which "
+                                   "draws a line for each, found {} and {}",
+                                   unfit->limit, from, to));
+        case What::slope:
+            json_.fail(place,
+                       fmt::format("expected an edge whose slope dx/dy fits in a {}, found {} and "
+                                   "{}",
+                                   scalar, from, to),
+                       hint);
         }
     }
 
     const Source& source_;
+    JsonReader json_;
     const MethodOverrides& overrides_;
     Scene scene_;
     std::vector<std::size_t> places_of_vertices_; ///< offsets of their names in the source
     std::unordered_map<std::string, std::size_t> vertex_by_name_;
+    std::vector<ScenePrimitive> faces_; ///< of meshes, until they are drawn in their turn
     std::unordered_set<std::string> names_of_primitives_; ///< those that the author gave
 };
 

@@ -7,9 +7,9 @@ namespace rastertrace {
 
 namespace {
 
-constexpr std::array<std::string_view, step_kinds> names{"primitive", "edge",   "half",   "ray",
-                                                         "scanline",  "along",  "decide", "sample",
-                                                         "pixel",     "reject", "skip"};
+constexpr std::array<std::string_view, step_kinds> names{
+    "matrix",   "vertex", "primitive", "clip",   "edge",  "half",   "ray",
+    "scanline", "along",  "decide",    "sample", "pixel", "reject", "skip"};
 
 } // namespace
 

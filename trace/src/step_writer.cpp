@@ -36,10 +36,24 @@ std::string_view name_of(SkipReason reason) {
         return "off canvas";
     case SkipReason::zero_area:
         return "zero area";
+    case SkipReason::behind_eye:
+        return "behind the eye";
+    case SkipReason::too_near:
+        return "too near";
+    case SkipReason::too_far:
+        return "too far";
+    case SkipReason::outside_view:
+        return "outside the view";
     case SkipReason::between_rows:
         break;
     }
     return "between rows";
+}
+
+std::string_view name_of(Space space) {
+    constexpr std::array<std::string_view, 6> names{"object", "world",     "camera",
+                                                    "clip",   "canonical", "screen"};
+    return names[static_cast<std::size_t>(space)];
 }
 
 std::string_view name_of(Move move) {
@@ -114,11 +128,12 @@ void StepWriter::begin_primitive_line(PrimitiveKind kind, std::string_view name,
         std::string_view(json_quoted(name)), R"(,"vertices":[)");
     for (std::size_t i = 0; i < vertices.size(); ++i)
         put(std::string_view(i == 0 ? "" : ","), std::string_view(json_quoted(vertices[i])));
-    put(R"(],"at":[)");
+    put("]");
 }
 
-void StepWriter::end_primitive_line(Color color, std::span<const Color> colors, int octant) {
-    put(R"(],"color":")", std::string_view(to_text(color)), "\"");
+void StepWriter::end_primitive_line(Color color, std::span<const Color> colors, int octant,
+                                    bool is_part) {
+    put(R"(,"color":")", std::string_view(to_text(color)), "\"");
     for (std::size_t i = 0; i < colors.size(); ++i)
         put(std::string_view(i == 0 ? R"(,"colors":[")" : R"(,")"),
             std::string_view(to_text(colors[i])), "\"");
@@ -126,7 +141,28 @@ void StepWriter::end_primitive_line(Color color, std::span<const Color> colors, 
         put("]");
     if (octant != 0)
         put(R"(,"octant":)", octant);
+    if (is_part)
+        put(R"(,"part":true)");
     put("}");
+}
+
+void StepWriter::begin_vertex_line(std::string_view name, Space space) {
+    begin_line(StepKind::vertex);
+    put(R"({"step":"vertex","name":)", std::string_view(json_quoted(name)), R"(,"space":")",
+        name_of(space), "\"");
+}
+
+void StepWriter::operator()(const PrimitiveClipped& step) {
+    if (!wants(StepKind::clip))
+        return;
+    begin_line(StepKind::clip);
+    put(R"({"step":"clip","plane":")", step.plane, R"(","inside":)");
+    std::string_view before = "[";
+    for (const bool is_inside : step.is_inside) {
+        put(before, word(is_inside));
+        before = ",";
+    }
+    put(R"(],"out":)", step.left, "}");
 }
 
 void StepWriter::put_colored_pixel(const PixelPlotted& step) {

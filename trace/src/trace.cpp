@@ -105,7 +105,10 @@ std::string_view expected_for(FieldType type) {
 /// The fields without which a step of a known kind cannot be understood.
 const std::vector<FieldRule>& required_fields(StepKind kind) {
     static const std::array<std::vector<FieldRule>, step_kinds> rules{{
+        /* matrix */ {{"name", FieldType::string}},
+        /* vertex */ {{"name", FieldType::string}, {"space", FieldType::string}},
         /* primitive */ {{"kind", FieldType::string}, {"name", FieldType::string}},
+        /* clip */ {{"plane", FieldType::string}},
         /* edge */ {{"edge", FieldType::string}},
         /* half */ {{"half", FieldType::string}},
         /* ray */ {{"x", FieldType::whole}, {"y", FieldType::whole}},

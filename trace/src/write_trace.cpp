@@ -6,6 +6,7 @@
 #include <rastertrace/core/draw.h>
 #include <rastertrace/core/plan.h>
 #include <rastertrace/trace/method_names.h>
+#include <rastertrace/trace/pipeline_names.h>
 
 #include <fmt/format.h>
 
@@ -34,6 +35,12 @@ std::string header_members(const Scene& scene, const StepFilter& filter) {
             separator = ",";
         }
     text += '}';
+
+    if (scene.has_pipeline())
+        fmt::format_to(out, R"(,"projection":"{}","viewport":"{}")", name_of(scene.projection.type),
+                       name_of(scene.viewport.type));
+    if (scene.method.scalar == ScalarKind::exact && has_rounded_matrix(scene))
+        text += R"(,"matrices":"irrational entries are the nearest doubles")";
 
     if (filter.only) {
         text += R"(,"only":[)";

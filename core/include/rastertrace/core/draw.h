@@ -20,14 +20,16 @@
 #include <rastertrace/core/triangle.h>
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <span>
 #include <string_view>
 #include <utility>
+#include <variant>
 
 namespace rastertrace {
 
-/// A primitive with its numbers and colors ready to draw: the first `count` of each.
+/// A piece with its numbers ready to draw: the first `count` of each.
 template <typename Scalar> struct PlacedPrimitive {
     std::size_t count = 0;
     std::array<std::string_view, 3> names;
@@ -35,18 +37,14 @@ template <typename Scalar> struct PlacedPrimitive {
     std::array<Color, 3> colors; ///< of the vertices; the primitive's where they have none
 };
 
-/// Numbers as typed become numbers to calculate with.
-template <typename Scalar>
-PlacedPrimitive<Scalar> placed(const Scene& scene, const ScenePrimitive& primitive,
-                               const Plan& plan, bool mixes_colors) {
-    PlacedPrimitive<Scalar> result;
-    for (const std::size_t place : primitive.corners()) {
-        const SceneVertex& vertex = scene.vertices[place];
-        const std::size_t i = result.count++;
-        result.names[i] = vertex.name;
-        result.positions[i].x = scalar_from<Scalar>(vertex.x, plan.denominator);
-        result.positions[i].y = scalar_from<Scalar>(vertex.y, plan.denominator);
-        result.colors[i] = mixes_colors ? vertex.color.value_or(primitive.color) : primitive.color;
+/// Coordinates become numbers to calculate with.
+template <typename Scalar, typename Coordinate>
+PlacedPrimitive<Scalar> placed(const Piece<Coordinate>& piece, const Plan& plan) {
+    PlacedPrimitive<Scalar> result{
+        .count = piece.count, .names = piece.names, .colors = piece.colors};
+    for (std::size_t i = 0; i < piece.count; ++i) {
+        result.positions[i].x = scalar_from<Scalar>(piece.positions[i].x, plan.denominator);
+        result.positions[i].y = scalar_from<Scalar>(piece.positions[i].y, plan.denominator);
     }
     return result;
 }
@@ -106,49 +104,72 @@ void fill(const PlacedPrimitive<Scalar>& primitive, Color flat, bool mixes_color
              {.passes = method.fan_passes, .color_lerp = method.color_lerp}, image, sink);
 }
 
+/// Draws a primitive, or a part of one.
+template <typename Scalar, typename Coordinate, typename Sink>
+void draw_piece(const Piece<Coordinate>& piece, bool mixes_colors, const Method& method,
+                const Plan& plan, Image& image, Sink&& sink) {
+    const auto primitive = placed<Scalar>(piece, plan);
+    const GridPoint first = nearest_pixel(primitive.positions[0].x, primitive.positions[0].y);
+    const GridPoint second = nearest_pixel(primitive.positions[1].x, primitive.positions[1].y);
+    sink(PrimitiveBegan<Scalar>{
+        .kind = piece.kind,
+        .name = piece.name,
+        .vertices = std::span(primitive.names).first(primitive.count),
+        .positions = std::span(primitive.positions).first(primitive.count),
+        .color = piece.color,
+        .colors = std::span(primitive.colors).first(mixes_colors ? primitive.count : 0),
+        .octant = piece.kind == PrimitiveKind::line ? octant_of(first, second) : 0,
+        .is_part = piece.is_part});
+
+    switch (piece.kind) {
+    case PrimitiveKind::point:
+        draw_point(first, primitive.colors[0], image, sink);
+        break;
+    case PrimitiveKind::line:
+        draw_line(primitive, {0, 1}, method, image, sink);
+        break;
+    case PrimitiveKind::outline:
+        for (const EdgeName side : {EdgeName{0, 1}, EdgeName{1, 2}, EdgeName{2, 0}}) {
+            sink(SideBegan{.edge = side,
+                           .octant = octant_of(nearest_pixel(primitive.positions[side.from].x,
+                                                             primitive.positions[side.from].y),
+                                               nearest_pixel(primitive.positions[side.to].x,
+                                                             primitive.positions[side.to].y))});
+            draw_line(primitive, side, method, image, sink);
+        }
+        break;
+    case PrimitiveKind::triangle:
+        fill(primitive, piece.color, mixes_colors, method, plan, image, sink);
+        break;
+    }
+}
+
+/// True if vertices that lie at coordinates of this type are drawn with Scalar.
+template <typename Scalar, typename Coordinate>
+inline constexpr bool draws = std::same_as<Coordinate, Number> ||
+                              std::same_as<Scalar, Coordinate> ||
+                              (!std::floating_point<Scalar> && !std::same_as<Scalar, Rational> &&
+                               !std::same_as<Coordinate, float>);
+
 /// Draws `scene` and returns its picture, reporting every step to `sink`. The picture is the same
 /// whatever the sink. `Scalar` must be the one of the plan (with_scalar finds it), and find_unfit
 /// must have found nothing.
 template <typename Scalar, typename Sink>
 Image draw(const Scene& scene, const Plan& plan, Sink&& sink) {
     const bool mixes_colors = scene.mixes_colors();
-
     Image image(scene.canvas);
-    for (const ScenePrimitive& one : scene.primitives) {
-        const auto primitive = placed<Scalar>(scene, one, plan, mixes_colors);
-        const GridPoint first = nearest_pixel(primitive.positions[0].x, primitive.positions[0].y);
-        const GridPoint second = nearest_pixel(primitive.positions[1].x, primitive.positions[1].y);
-        sink(PrimitiveBegan<Scalar>{
-            .kind = one.kind,
-            .name = one.name,
-            .vertices = std::span(primitive.names).first(primitive.count),
-            .positions = std::span(primitive.positions).first(primitive.count),
-            .color = one.color,
-            .colors = std::span(primitive.colors).first(mixes_colors ? primitive.count : 0),
-            .octant = one.kind == PrimitiveKind::line ? octant_of(first, second) : 0});
-
-        switch (one.kind) {
-        case PrimitiveKind::point:
-            draw_point(first, primitive.colors[0], image, sink);
-            break;
-        case PrimitiveKind::line:
-            draw_line(primitive, {0, 1}, scene.method, image, sink);
-            break;
-        case PrimitiveKind::outline:
-            for (const EdgeName side : {EdgeName{0, 1}, EdgeName{1, 2}, EdgeName{2, 0}}) {
-                sink(SideBegan{.edge = side,
-                               .octant = octant_of(nearest_pixel(primitive.positions[side.from].x,
-                                                                 primitive.positions[side.from].y),
-                                                   nearest_pixel(primitive.positions[side.to].x,
-                                                                 primitive.positions[side.to].y))});
-                draw_line(primitive, side, scene.method, image, sink);
-            }
-            break;
-        case PrimitiveKind::triangle:
-            fill(primitive, one.color, mixes_colors, scene.method, plan, image, sink);
-            break;
-        }
-    }
+    const auto draw_pieces = [&]<typename Coordinate>(const Piece<Coordinate>& piece) {
+        if constexpr (draws<Scalar, Coordinate>)
+            draw_piece<Scalar>(piece, mixes_colors, scene.method, plan, image, sink);
+    };
+    std::visit(
+        [&](const auto& geometry) {
+            // All vertices on their way to the screen, then what is drawn between them.
+            if constexpr (keeps_steps<Sink>)
+                report_geometry(scene, geometry, sink);
+            for_each_piece(scene, geometry, sink, draw_pieces);
+        },
+        plan.geometry);
     return image;
 }
 

@@ -9,6 +9,7 @@
 #include <rastertrace/core/line.h>
 #include <rastertrace/core/number.h>
 #include <rastertrace/core/rounding.h>
+#include <rastertrace/core/viewport.h>
 
 #include <optional>
 
@@ -16,6 +17,7 @@ namespace rastertrace {
 
 /// The numbers to draw with.
 enum class ScalarKind {
+    single_precision, ///< IEEE 754 binary32
     double_precision, ///< IEEE 754 binary64
     fixed,            ///< vertices snapped to 1/256 pixel, then exact whole numbers of that size
     exact,            ///< fractions of whole numbers; nothing is ever rounded but to a pixel
@@ -57,6 +59,7 @@ struct Method {
     std::optional<Ties> ties = {};         ///< up for spans, start for lines
     std::optional<Sample> sample = {};     ///< center for top-left, else integer
     LerpForm lerp = LerpForm::direct;
+    Snap snap = Snap::none;
     std::optional<Shade> shade = {}; ///< interpolate if a vertex has a color, else flat
     ColorLerp color_lerp = ColorLerp::axis;
 };

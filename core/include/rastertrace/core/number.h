@@ -34,9 +34,12 @@ constexpr std::int64_t power_of_ten(int exponent) {
     return power;
 }
 
-/// The double nearest to an exact value; ties go to the even significand, as in IEEE 754.
-/// The value must not be larger in magnitude than the largest double.
+/// The double nearest to an exact value; ties go to the even significand, as in IEEE 754. Beyond the
+/// largest double there is only infinity.
 inline double nearest_double(const mpq_class& value) {
+    if (abs(value) > std::numeric_limits<double>::max())
+        return sgn(value) * std::numeric_limits<double>::infinity();
+
     // mpq_get_d rounds toward zero, so the nearest double is this one or its neighbor away from
     // zero.
     const double inner = value.get_d();
@@ -51,6 +54,21 @@ inline double nearest_double(const mpq_class& value) {
         return nearer < 0 ? inner : outer;
     // Neighbors differ by one in the last bit of the significand, the lowest bit of their encoding.
     return std::bit_cast<std::uint64_t>(inner) % 2 == 0 ? inner : outer;
+}
+
+/// The same for float.
+inline float nearest_float(const mpq_class& value) {
+    // The nearest double is rounded already: where it lies halfway between two floats, the exact
+    // value may lie on either side, and is nudged back there before it is rounded again.
+    double near = nearest_double(value);
+    if (std::isfinite(near) && mpq_class(near) != value) {
+        const double limit = std::numeric_limits<double>::infinity();
+        const bool was_rounded_up = mpq_class(near) > value;
+        const bool is_odd = std::bit_cast<std::uint64_t>(near) % 2 == 1;
+        if (!is_odd)
+            near = std::nextafter(near, was_rounded_up ? -limit : limit);
+    }
+    return static_cast<float>(near);
 }
 
 /// A decimal of up to 18 digits is held in place, as digits x 10^exponent; any other number as a
@@ -106,6 +124,19 @@ public:
         double value = 0;
         std::from_chars(text.data(), text.data() + text.size(), value);
         return value;
+    }
+
+    /// The nearest float, ties to even; beyond the largest float there is only infinity.
+    float nearest_float() const {
+        // As above: digits below 2^24 and powers of ten up to 10^10 are floats.
+        constexpr std::int64_t exact_digits = std::int64_t{1} << 24;
+        if (!fraction_ && -exact_digits <= digits_ && digits_ <= exact_digits && -10 <= exponent_ &&
+            exponent_ <= 10) {
+            const auto digits = static_cast<float>(digits_);
+            const auto power = static_cast<float>(power_of_ten(std::abs(exponent_)));
+            return exponent_ < 0 ? digits / power : digits * power;
+        }
+        return rastertrace::nearest_float(exact());
     }
 
     /// A denominator that the value can be written over (not the least one), or nothing if it

@@ -1,36 +1,64 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What is decided about a scene before the first pixel: the type of number that it is drawn with.
+// What is decided about a scene before the first pixel: where its vertices lie on the screen, and the
+// type of number that it is drawn with.
 //
 //     const Plan plan = plan_for(scene);
 //     with_scalar(plan, [&]<typename Scalar>() { draw<Scalar>(scene, plan, sink); });
 
 #include <rastertrace/core/barycentric.h>
 #include <rastertrace/core/fill_fan.h>
+#include <rastertrace/core/geometry.h>
 #include <rastertrace/core/scalar.h>
 #include <rastertrace/core/scene.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <type_traits>
 #include <utility>
+#include <variant>
 
 namespace rastertrace {
 
 /// The C++ type that stands for the scene's kind of scalar.
-enum class NumberType { binary64, fraction64, fraction128, rational };
+enum class NumberType { binary32, binary64, fraction64, fraction128, rational };
+
+/// Where the vertices lie: as typed, or moved there. `fixed` moves them in double and snaps them on
+/// the screen.
+using AnyGeometry =
+    std::variant<TypedGeometry, Geometry<float>, Geometry<double>, Geometry<Rational>>;
+
+/// Moves the vertices of a scene to the screen, in the numbers that its kind of scalar asks for.
+inline AnyGeometry geometry_for(const Scene& scene) {
+    if (!scene.has_pipeline())
+        return TypedGeometry{};
+    switch (scene.method.scalar) {
+    case ScalarKind::single_precision:
+        return geometry_of<float>(scene);
+    case ScalarKind::exact:
+        return geometry_of<Rational>(scene);
+    case ScalarKind::fixed:
+    case ScalarKind::double_precision:
+        break;
+    }
+    return geometry_of<double>(scene);
+}
 
 /// The decisions taken before drawing.
 struct Plan {
     NumberType number = NumberType::binary64;
     std::int64_t denominator = 1; ///< common to all coordinates, when they are fractions
+    AnyGeometry geometry = {};
 };
 
 /// The grid that `fixed` snaps to: 1/256 pixel, as graphics hardware does.
@@ -56,23 +84,40 @@ inline int bits_of_drawing(const Scene& scene, int numerator_bits, int denominat
 }
 
 /// Calls `is_fine` with every coordinate until one is not; true if all are.
-template <typename IsFine> bool all_numbers(const Scene& scene, IsFine&& is_fine) {
+template <typename IsFine>
+bool all_coordinates(const Scene& scene, const TypedGeometry&, IsFine&& is_fine) {
     return std::all_of(scene.vertices.begin(), scene.vertices.end(),
                        [&](const SceneVertex& one) { return is_fine(one.x) && is_fine(one.y); });
 }
+template <typename Coordinate, typename IsFine>
+bool all_coordinates(const Scene& scene, const Geometry<Coordinate>& geometry, IsFine&& is_fine) {
+    bool all = true;
+    for_each_piece(scene, geometry, NullSink{}, [&](const Piece<Coordinate>& piece) {
+        for (std::size_t i = 0; i < piece.count; ++i)
+            all = all && is_fine(piece.positions[i].x) && is_fine(piece.positions[i].y);
+    });
+    return all;
+}
+
+/// The type of numbers to draw with, and their denominator.
+struct NumberChoice {
+    NumberType number = NumberType::binary64;
+    std::int64_t denominator = 1;
+};
 
 /// The narrowest type of fractions over `denominator` in which no step of drawing can overflow.
-inline Plan plan_of_fractions(const Scene& scene, std::int64_t denominator) {
+template <typename AGeometry>
+NumberChoice choose_fractions(const Scene& scene, const AGeometry& geometry,
+                              std::int64_t denominator) {
     std::uint64_t largest = 0;
-    const bool all_fit = all_numbers(scene, [&largest, denominator](const Number& number) {
-        auto numerator = number.numerator_over(denominator);
-        if (!numerator)
-            numerator = number.nearest_numerator_over(denominator);
-        if (!numerator || *numerator == std::numeric_limits<std::int64_t>::min())
-            return false;
-        largest = std::max(largest, static_cast<std::uint64_t>(std::llabs(*numerator)));
-        return true;
-    });
+    const bool all_fit =
+        all_coordinates(scene, geometry, [&largest, denominator](const auto& coordinate) {
+            const auto numerator = nearest_numerator(coordinate, denominator);
+            if (!numerator || *numerator == std::numeric_limits<std::int64_t>::min())
+                return false;
+            largest = std::max(largest, static_cast<std::uint64_t>(std::llabs(*numerator)));
+            return true;
+        });
     const int bits = bits_of_drawing(
         scene, static_cast<int>(std::bit_width(largest)),
         static_cast<int>(std::bit_width(static_cast<std::uint64_t>(denominator - 1))));
@@ -83,38 +128,50 @@ inline Plan plan_of_fractions(const Scene& scene, std::int64_t denominator) {
 }
 
 /// The narrowest exact type in which no step of the fill can overflow, for all of the scene.
-inline Plan plan_of_exact_numbers(const Scene& scene) {
-    const Plan any_size{.number = NumberType::rational};
-
+template <typename AGeometry>
+NumberChoice choose_exact_numbers(const Scene& scene, const AGeometry& geometry) {
     // The least common multiple of the denominators as typed, and of the sample point's.
     std::int64_t common = sample_of(scene.method) == Sample::center ? 2 : 1;
-    const bool has_common = all_numbers(scene, [&common](const Number& number) {
-        const auto denominator = number.denominator();
+    const bool has_common = all_coordinates(scene, geometry, [&common](const auto& coordinate) {
+        const auto denominator = denominator_of(coordinate);
         return denominator && !__builtin_mul_overflow(common / std::gcd(common, *denominator),
                                                       *denominator, &common);
     });
     if (!has_common)
-        return any_size;
-
-    return plan_of_fractions(scene, common);
+        return {.number = NumberType::rational};
+    return choose_fractions(scene, geometry, common);
 }
 
 /// Decides how a scene is drawn, from the scene alone.
 inline Plan plan_for(const Scene& scene) {
-    switch (scene.method.scalar) {
-    case ScalarKind::exact:
-        return plan_of_exact_numbers(scene);
-    case ScalarKind::fixed:
-        return plan_of_fractions(scene, fixed_grid);
-    case ScalarKind::double_precision:
-        break;
-    }
-    return {};
+    AnyGeometry geometry = geometry_for(scene);
+    const NumberChoice choice = std::visit(
+        [&scene](const auto& one) -> NumberChoice {
+            using AGeometry = std::remove_cvref_t<decltype(one)>;
+            switch (scene.method.scalar) {
+            case ScalarKind::exact:
+                if constexpr (std::same_as<AGeometry, TypedGeometry> ||
+                              std::same_as<AGeometry, Geometry<Rational>>)
+                    return choose_exact_numbers(scene, one);
+                break;
+            case ScalarKind::fixed:
+                return choose_fractions(scene, one, fixed_grid);
+            case ScalarKind::single_precision:
+                return {.number = NumberType::binary32};
+            case ScalarKind::double_precision:
+                break;
+            }
+            return {};
+        },
+        geometry);
+    return {choice.number, choice.denominator, std::move(geometry)};
 }
 
 /// Calls `draw_with.template operator()<Scalar>()` with the scalar that the plan has chosen.
 template <typename DrawWith> decltype(auto) with_scalar(const Plan& plan, DrawWith&& draw_with) {
     switch (plan.number) {
+    case NumberType::binary32:
+        return draw_with.template operator()<float>();
     case NumberType::fraction64:
         return draw_with.template operator()<Fraction64>();
     case NumberType::fraction128:
@@ -130,81 +187,125 @@ template <typename DrawWith> decltype(auto) with_scalar(const Plan& plan, DrawWi
 /// Why a scene cannot be drawn by its method, and between which vertices.
 struct Unfit {
     enum class What {
-        coordinate_of_double, ///< beyond 2^1022: the difference of two such numbers may be infinite
-        slope_of_double,      ///< dx/dy or dy/dx is beyond the largest double
-        coordinate_of_weights, ///< beyond 2^500: a product of two such numbers may be infinite
+        place,      ///< a vertex has no finite place on its way to the screen
+        coordinate, ///< beyond the limit: the difference of two such numbers may be infinite
+        slope,      ///< dx/dy or dy/dx is beyond the largest number
+        coordinate_of_weights, ///< beyond the limit: a product of two such numbers may be infinite
         area_of_weights,       ///< so small that a weight of a pixel may be infinite
-        coordinate_of_fixed,   ///< beyond 2^36 pixels: edges could not be evaluated in 128 bits
-        coordinate_of_line,    ///< beyond 2^51 pixels: Bresenham's d could not be held in 64 bits
+        coordinate_of_fixed,   ///< beyond the limit: edges could not be evaluated in 128 bits
+        coordinate_of_line,    ///< beyond the limit: Bresenham's d could not be held in 64 bits
         edge_of_fan,           ///< longer than longest_fan_edge
     };
     What what;
     std::size_t from; ///< place in Scene::vertices
     std::size_t to;
+    std::array<double, 2> from_at; ///< where they are to be drawn
+    std::array<double, 2> to_at;
+    double limit; ///< of a coordinate
 };
 
-/// True if, in double, some pixel of the canvas may have an infinite weight in a triangle: a weight
-/// is a quotient of two areas, and the triangle's own may be almost 0.
-inline bool weights_may_overflow(const Scene& scene, const ScenePrimitive& primitive) {
-    Triangle<double> triangle{};
-    double extent = largest_canvas_side;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const SceneVertex& vertex = scene.vertices[primitive.vertices[i]];
-        triangle.vertices[i] = {vertex.x.nearest_double(), vertex.y.nearest_double()};
-        extent =
-            std::max({extent, std::abs(triangle.vertices[i].x), std::abs(triangle.vertices[i].y)});
-    }
-    const double area2 = Barycentric<double>(triangle).area2();
+/// True if, in numbers of type Real, some pixel of the canvas may have an infinite weight in a
+/// triangle: a weight is a quotient of two areas, and the triangle's own may be almost 0.
+template <typename Real> bool weights_may_overflow(const Triangle<Real>& triangle) {
+    Real extent = largest_canvas_side;
+    for (const auto& vertex : triangle.vertices)
+        extent = std::max({extent, std::abs(vertex.x), std::abs(vertex.y)});
+    const Real area2 = Barycentric<Real>(triangle).area2();
     return area2 != 0 && !std::isfinite(16 * extent * extent / area2);
+}
+
+/// The first thing about a piece that would make an infinity or overflow. Real is the type that the
+/// scene is drawn with, or double where that cannot overflow.
+template <typename Real, typename Coordinate>
+std::optional<Unfit> unfit_of(const Piece<Coordinate>& piece, const Method& method,
+                              bool mixes_colors) {
+    using What = Unfit::What;
+    const bool is_rounded = method.scalar == ScalarKind::double_precision ||
+                            method.scalar == ScalarKind::single_precision;
+    const bool is_triangle = piece.kind == PrimitiveKind::triangle;
+    const bool is_fan = is_triangle && method.fill == Fill::fan;
+    const bool is_on_grid = is_fan || (!is_triangle && method.line == LineMethod::bresenham);
+    const bool has_weights =
+        is_rounded && is_triangle &&
+        (mixes_colors || method.fill == Fill::barycentric || method.fill == Fill::top_left);
+
+    std::array<std::array<double, 2>, 3> at{};
+    for (std::size_t i = 0; i < piece.count; ++i)
+        at[i] = {to_double(piece.positions[i].x), to_double(piece.positions[i].y)};
+    const auto unfit = [&](What what, std::size_t from, std::size_t to, double limit = 0) {
+        return Unfit{what, piece.vertices[from], piece.vertices[to], at[from], at[to], limit};
+    };
+
+    // Coordinates.
+    using Limits = std::numeric_limits<Real>;
+    const double largest_of_differences = std::ldexp(1.0, Limits::max_exponent - 2);
+    const double largest_of_products = std::ldexp(1.0, Limits::max_exponent / 2 - 12);
+    const double largest_of_fixed = std::ldexp(1.0, 36);
+    const double largest_of_lines = std::ldexp(1.0, 51);
+    for (std::size_t i = 0; i < piece.count; ++i) {
+        const double farthest = std::max(std::abs(at[i][0]), std::abs(at[i][1]));
+        if (!std::isfinite(farthest))
+            return unfit(What::place, i, i);
+        if (is_rounded && farthest > largest_of_differences)
+            return unfit(What::coordinate, i, i, largest_of_differences);
+        if (method.scalar == ScalarKind::fixed && farthest > largest_of_fixed)
+            return unfit(What::coordinate_of_fixed, i, i, largest_of_fixed);
+        if (has_weights && farthest > largest_of_products)
+            return unfit(What::coordinate_of_weights, i, i, largest_of_products);
+        if (is_on_grid && farthest > largest_of_lines)
+            return unfit(What::coordinate_of_line, i, i, largest_of_lines);
+    }
+
+    // The area, and the edges.
+    Triangle<Real> triangle{};
+    for (std::size_t i = 0; i < piece.count; ++i)
+        triangle.vertices[i] = {static_cast<Real>(at[i][0]), static_cast<Real>(at[i][1])};
+    if (has_weights && weights_may_overflow(triangle))
+        return unfit(What::area_of_weights, 0, 2);
+    for (std::size_t from = 0; from < piece.count; ++from) {
+        const std::size_t to = (from + 1) % piece.count;
+        const Real dx = triangle.vertices[to].x - triangle.vertices[from].x;
+        const Real dy = triangle.vertices[to].y - triangle.vertices[from].y;
+        if (is_rounded && dy != 0 && !std::isfinite(dx / dy))
+            return unfit(What::slope, from, to);
+        const auto longest = static_cast<Real>(longest_fan_edge);
+        if (is_fan && (std::abs(dx) > longest || std::abs(dy) > longest))
+            return unfit(What::edge_of_fan, from, to, static_cast<double>(longest_fan_edge));
+    }
+    return std::nullopt;
+}
+
+/// The first vertex that a primitive needs and that has no finite place before clipping.
+template <typename Coordinate>
+std::optional<Unfit> unfit_vertex(const Scene&, const Geometry<Coordinate>& geometry) {
+    if constexpr (std::floating_point<Coordinate>)
+        for (std::size_t i = 0; i < geometry.vertices.size(); ++i) {
+            const auto& at = geometry.vertices[i].clip;
+            if (geometry.is_used[i] && !(std::isfinite(at.x) && std::isfinite(at.y) &&
+                                         std::isfinite(at.z) && std::isfinite(at.w)))
+                return Unfit{Unfit::What::place, i, i, {at.x, at.y}, {at.x, at.y}, 0};
+        }
+    return std::nullopt;
+}
+inline std::optional<Unfit> unfit_vertex(const Scene&, const TypedGeometry&) {
+    return std::nullopt;
 }
 
 /// The first place where drawing the scene would make an infinity or overflow, if there is one.
 inline std::optional<Unfit> find_unfit(const Scene& scene) {
-    using What = Unfit::What;
-    const bool in_double = scene.method.scalar == ScalarKind::double_precision;
-    const double largest = in_double ? std::ldexp(1.0, 1022)
-                           : scene.method.scalar == ScalarKind::fixed
-                               ? std::ldexp(1.0, 36)
-                               : std::numeric_limits<double>::max();
     const bool mixes_colors = scene.mixes_colors();
-    for (const ScenePrimitive& primitive : scene.primitives) {
-        const bool has_weights = in_double && primitive.kind == PrimitiveKind::triangle &&
-                                 (mixes_colors || scene.method.fill == Fill::barycentric ||
-                                  scene.method.fill == Fill::top_left);
-        const bool is_fan =
-            primitive.kind == PrimitiveKind::triangle && scene.method.fill == Fill::fan;
-        const bool is_on_grid = is_fan || (primitive.kind != PrimitiveKind::triangle &&
-                                           scene.method.line == LineMethod::bresenham);
-        const auto corners = primitive.corners();
-        for (const std::size_t place : corners) {
-            const SceneVertex& vertex = scene.vertices[place];
-            const double farthest =
-                std::max(std::abs(vertex.x.nearest_double()), std::abs(vertex.y.nearest_double()));
-            if (farthest > largest)
-                return Unfit{in_double ? What::coordinate_of_double : What::coordinate_of_fixed,
-                             place, place};
-            if (has_weights && farthest > std::ldexp(1.0, 500))
-                return Unfit{What::coordinate_of_weights, place, place};
-            if (is_on_grid && farthest > std::ldexp(1.0, 51))
-                return Unfit{What::coordinate_of_line, place, place};
-        }
-        if (has_weights && weights_may_overflow(scene, primitive))
-            return Unfit{What::area_of_weights, corners[0], corners[2]};
-        for (std::size_t i = 0; i < corners.size(); ++i) {
-            const std::size_t from = corners[i];
-            const std::size_t to = corners[(i + 1) % corners.size()];
-            const double dx =
-                scene.vertices[to].x.nearest_double() - scene.vertices[from].x.nearest_double();
-            const double dy =
-                scene.vertices[to].y.nearest_double() - scene.vertices[from].y.nearest_double();
-            if (in_double && dy != 0 && !std::isfinite(dx / dy))
-                return Unfit{What::slope_of_double, from, to};
-            const auto longest = static_cast<double>(longest_fan_edge);
-            if (is_fan && (std::abs(dx) > longest || std::abs(dy) > longest))
-                return Unfit{What::edge_of_fan, from, to};
-        }
-    }
-    return std::nullopt;
+    const auto find = [&scene, mixes_colors](const auto& geometry) {
+        std::optional<Unfit> found = unfit_vertex(scene, geometry);
+        if (!found)
+            for_each_piece(scene, geometry, NullSink{}, [&](const auto& piece) {
+                if (!found)
+                    found = scene.method.scalar == ScalarKind::single_precision
+                                ? unfit_of<float>(piece, scene.method, mixes_colors)
+                                : unfit_of<double>(piece, scene.method, mixes_colors);
+            });
+        return found;
+    };
+    return std::visit(find, geometry_for(scene));
 }
 
 } // namespace rastertrace

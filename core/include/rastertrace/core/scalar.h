@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the algorithms ask of a number, for each kind of number they run on: double, fractions on 64
-// and on 128 bits, and GMP rationals. An algorithm that needs more than + - * / and < finds it
+// What the algorithms ask of a number, for each kind of number they run on: float, double, fractions
+// on 64 and on 128 bits, and GMP rationals. An algorithm that needs more than + - * / and < finds it
 // here.
 //
 //     floor_index(2.75)                              // 2
@@ -17,8 +17,10 @@
 #include <algorithm>
 #include <bit>
 #include <cassert>
+#include <cmath>
 #include <concepts>
 #include <cstdint>
+#include <optional>
 
 namespace rastertrace {
 
@@ -77,17 +79,75 @@ template <typename Scalar> Scalar scalar_from(Index whole) {
         return static_cast<Scalar>(whole);
 }
 
-/// A number of the scene as a Scalar: the nearest double, or exactly. Fractions on machine integers
-/// are written over `denominator`, rounded to the nearest (a half up) if the number is no multiple
-/// of 1/denominator; plan.h finds a denominator that suits them all, or the grid to snap to.
-template <typename Scalar> Scalar scalar_from(const Number& number, std::int64_t denominator) {
-    if constexpr (std::floating_point<Scalar>) {
+/// An exact number as a Scalar: the nearest float or double, or exactly.
+template <typename Scalar> Scalar nearest_scalar(const Rational& exact) {
+    if constexpr (std::same_as<Scalar, float>)
+        return nearest_float(exact);
+    else if constexpr (std::same_as<Scalar, double>)
+        return nearest_double(exact);
+    else
+        return exact;
+}
+
+/// A number of the scene as a Scalar that needs no denominator.
+template <typename Scalar> Scalar scalar_from(const Number& number) {
+    if constexpr (std::same_as<Scalar, float>)
+        return number.nearest_float();
+    else if constexpr (std::same_as<Scalar, double>)
         return number.nearest_double();
-    } else if constexpr (std::same_as<Scalar, Rational>) {
+    else
         return number.exact();
+}
+
+/// What fractions ask of a number, typed or worked out: a denominator that it can be written over,
+/// and its numerator over a denominator, rounded to the nearest whole number (a half up). Both only
+/// if they fit.
+inline std::optional<std::int64_t> denominator_of(const Number& number) {
+    return number.denominator();
+}
+inline std::optional<std::int64_t> denominator_of(const Rational& number) {
+    if (!number.get_den().fits_slong_p())
+        return std::nullopt;
+    return number.get_den().get_si();
+}
+inline std::optional<std::int64_t> nearest_numerator(const Number& number,
+                                                     std::int64_t denominator) {
+    const auto exact = number.numerator_over(denominator);
+    return exact ? exact : number.nearest_numerator_over(denominator);
+}
+inline std::optional<std::int64_t> nearest_numerator(const Rational& number,
+                                                     std::int64_t denominator) {
+    return Number::fraction(number).nearest_numerator_over(denominator);
+}
+inline std::optional<std::int64_t> nearest_numerator(double number, std::int64_t denominator) {
+    const double numerator = number * static_cast<double>(denominator);
+    if (!(std::abs(numerator) < 0x1p62))
+        return std::nullopt;
+    const double below = std::floor(numerator);
+    return static_cast<std::int64_t>(below) + (numerator - below >= 0.5 ? 1 : 0);
+}
+
+/// The double nearest to a coordinate.
+inline double to_double(double number) {
+    return number;
+}
+inline double to_double(const Rational& number) {
+    return nearest_double(number);
+}
+inline double to_double(const Number& number) {
+    return number.nearest_double();
+}
+
+/// A coordinate as a Scalar. Where one is rounded (to a grid of fractions), a half goes up; plan.h
+/// finds a denominator that suits them all, or the grid to snap to.
+template <typename Scalar, typename Coordinate>
+Scalar scalar_from(const Coordinate& coordinate, std::int64_t denominator) {
+    if constexpr (std::same_as<Scalar, Coordinate>) {
+        return coordinate;
+    } else if constexpr (std::floating_point<Scalar> || std::same_as<Scalar, Rational>) {
+        return scalar_from<Scalar>(coordinate);
     } else {
-        const auto exact = number.numerator_over(denominator);
-        const auto numerator = exact ? exact : number.nearest_numerator_over(denominator);
+        const auto numerator = nearest_numerator(coordinate, denominator);
         assert(numerator && "the plan has seen that every number fits");
         return Scalar{*numerator, denominator};
     }

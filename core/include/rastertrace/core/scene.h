@@ -8,11 +8,15 @@
 //     scene.vertices = {{"A", 2, 5}, {"B", -4, -3}, {"C", 5, -3}};
 //     scene.primitives = {{.kind = PrimitiveKind::triangle, .name = "ABC", .vertices = {0, 1, 2}}};
 
+#include <rastertrace/core/camera.h>
 #include <rastertrace/core/canvas.h>
 #include <rastertrace/core/image.h>
 #include <rastertrace/core/method.h>
 #include <rastertrace/core/number.h>
+#include <rastertrace/core/projection.h>
 #include <rastertrace/core/steps.h>
+#include <rastertrace/core/transform.h>
+#include <rastertrace/core/viewport.h>
 
 #include <algorithm>
 #include <array>
@@ -30,6 +34,14 @@ struct SceneVertex {
     Number x;
     Number y;
     std::optional<Color> color = {}; ///< for pixels that are mixed from those of the vertices
+    Number z = 0;
+};
+
+/// Vertices that share an object space: the scene's own, or those of a mesh.
+struct SceneObject {
+    std::string name;             ///< "" for the scene's own vertices
+    std::size_t end_vertex = 0;   ///< its vertices are those from the end of the object before
+    std::vector<ModelStep> model; ///< from its space to the world
 };
 
 /// A point, a line, a triangle to fill, or the outline of a triangle.
@@ -66,6 +78,20 @@ struct Scene {
     std::vector<SceneVertex> vertices;
     std::vector<ScenePrimitive> primitives; ///< drawn in this order
     Method method;
+
+    std::vector<SceneObject> objects; ///< none: no vertex has a model
+    std::optional<Camera> camera;     ///< none: the world is the camera's space
+    Projection projection;
+    Viewport viewport;
+
+    /// True if vertices are moved before they are drawn: the places as typed are not those on the
+    /// screen.
+    bool has_pipeline() const {
+        return camera || projection.type != ProjectionType::none ||
+               viewport.type != ViewportType::none || method.snap != Snap::none ||
+               std::any_of(objects.begin(), objects.end(),
+                           [](const SceneObject& one) { return !one.model.empty(); });
+    }
 
     /// True if it has a primitive of this kind.
     bool has(PrimitiveKind kind) const {

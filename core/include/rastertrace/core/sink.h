@@ -7,6 +7,7 @@
 //     draw<double>(scene, plan, NullSink{});  // just the picture
 
 #include <concepts>
+#include <type_traits>
 
 namespace rastertrace {
 
@@ -18,5 +19,9 @@ concept SinkFor = (std::invocable<Sink&, const Steps&> && ...);
 struct NullSink {
     template <typename Step> [[gnu::always_inline]] void operator()(const Step&) const {}
 };
+
+/// False for a NullSink: what is worked out only to be reported need not be.
+template <typename Sink>
+inline constexpr bool keeps_steps = !std::same_as<std::remove_cvref_t<Sink>, NullSink>;
 
 } // namespace rastertrace

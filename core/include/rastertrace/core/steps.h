@@ -6,10 +6,12 @@
 //
 //     draw<double>(scene, plan, [](const auto& step) { /* called for every step */ });
 //
-// Coordinates are the scene's own (canvas.h says which way y points); x, y and dx_dy are in pixels.
+// Coordinates on the screen are the scene's own (canvas.h says which way y points); x, y and dx_dy
+// are in pixels.
 
 #include <rastertrace/core/canvas.h>
 #include <rastertrace/core/image.h>
+#include <rastertrace/core/matrix.h>
 #include <rastertrace/core/vec.h>
 
 #include <array>
@@ -22,16 +24,45 @@ namespace rastertrace {
 /// What kind of thing is drawn.
 enum class PrimitiveKind { triangle, outline, line, point };
 
+/// A transform from one space to the next is known. Points are columns on its right.
+template <typename Scalar> struct MatrixSetUp {
+    std::string_view name;   ///< model, view, projection or viewport
+    std::string_view object; ///< the mesh that a model belongs to; "" for the scene's own vertices
+    const Matrix<Scalar>& matrix;
+};
+
+/// The spaces that a vertex passes on its way to the screen.
+enum class Space { object, world, camera, clip, canonical, screen };
+
+/// The place of a vertex in one of its spaces is known.
+template <typename Scalar> struct VertexPlaced {
+    std::string_view name;
+    Space space;
+    std::span<const Scalar> at; ///< x, y, z; in clip space also w; on the screen x, y in pixels
+    std::span<const Scalar> snapped; ///< on the screen: where `snap` moves it; else empty
+};
+
+/// A primitive with a vertex outside a plane of the space that can be seen met that plane.
+struct PrimitiveClipped {
+    std::string_view name;           ///< of the primitive; the sides of an outline come one by one
+    std::string_view plane;          ///< near, far, left, right, bottom or top
+    std::span<const bool> is_inside; ///< of its vertices so far, those on the plane included
+    int left;                        ///< how many vertices it has now
+};
+
 /// A primitive begins. All steps up to the next PrimitiveBegan belong to it. The names and places
-/// are those of the scene and live only as long as the call of the sink.
+/// are those of the scene and live only as long as the call of the sink. A primitive that clipping
+/// cuts begins without places; what is left of it is drawn in one or more parts, each of which
+/// begins as a primitive of its own.
 template <typename Scalar> struct PrimitiveBegan {
     PrimitiveKind kind;
     std::string_view name;
     std::span<const std::string_view> vertices; ///< their names, in the scene's order
-    std::span<const Vec<Scalar, 2>> positions;  ///< of the vertices, in the same order
+    std::span<const Vec<Scalar, 2>> positions;  ///< of the vertices on the screen, or none
     Color color;                                ///< of every pixel that does not say otherwise
     std::span<const Color> colors;              ///< of the vertices, if they are mixed; else empty
     int octant = 0;                             ///< of a line, see octant_of; else 0
+    bool is_part = false;                       ///< of the primitive that began before it
 };
 
 /// Two vertices of the current primitive, by their place in PrimitiveBegan::vertices.
@@ -141,6 +172,10 @@ enum class SkipReason {
     off_canvas,   ///< it has pixels, and none of them lies on the canvas
     between_rows, ///< it lies between two rows of pixels
     zero_area,    ///< its area is 0, and the fill has no use for that
+    behind_eye,   ///< clipping left nothing: all of it lies behind the eye, or beside it
+    too_near,     ///< clipping left nothing: all of it lies nearer than the near plane
+    too_far,      ///< clipping left nothing: all of it lies beyond the far plane
+    outside_view, ///< clipping left nothing: all of it lies far outside the canvas
 };
 
 /// A primitive drew nothing; no further step belongs to it.

@@ -134,6 +134,11 @@ inline char* format_number(char* out, double value) {
     return std::to_chars(out, out + 32, value).ptr;
 }
 
+/// The shortest text that reads back to the same float; -0 is written 0. `value` must be finite.
+inline char* format_number(char* out, float value) {
+    return std::to_chars(out, out + 32, value == 0 ? 0 : value).ptr;
+}
+
 /// A whole number of any size, without quotes.
 inline char* format_whole(char* out, Int128 value) {
     UInt128 rest = value < 0 ? -static_cast<UInt128>(value) : static_cast<UInt128>(value);

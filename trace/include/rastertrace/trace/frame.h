@@ -46,6 +46,9 @@ public:
     std::size_t scanline() const { return scanline_; }
     std::size_t scanline_before() const { return scanline_before_; }
 
+    /// The last place of a vertex before the current step.
+    std::size_t vertex_before() const { return vertex_before_; }
+
     /// The edges of the current primitive that have been set up, by number of their step.
     const std::vector<std::size_t>& edges() const { return edges_; }
 
@@ -62,6 +65,8 @@ private:
     std::size_t scanline_ = 0;
     std::size_t scanline_before_ = 0;
     std::size_t drew_over_ = 0;
+    std::size_t vertex_ = 0;
+    std::size_t vertex_before_ = 0;
     std::vector<std::size_t> edges_;
     Color color_; ///< of the current primitive
 };

@@ -12,7 +12,10 @@ namespace rastertrace {
 
 /// In the order in which a picture meets them; the end record counts them in this order.
 enum class StepKind {
+    matrix,
+    vertex,
     primitive,
+    clip,
     edge,
     half,
     ray,
@@ -25,9 +28,9 @@ enum class StepKind {
     skip,
 };
 
-inline constexpr std::size_t step_kinds = 11;
+inline constexpr std::size_t step_kinds = 14;
 
-/// The value of "step": primitive, edge, ...
+/// The value of "step": matrix, vertex, ...
 std::string_view name_of(StepKind kind);
 
 /// The kind of that name, if we know it. A trace may hold kinds that we do not know.

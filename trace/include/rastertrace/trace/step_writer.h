@@ -23,6 +23,7 @@
 #include <cstdint>
 #include <cstring>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -61,15 +62,44 @@ public:
     StepWriter(const StepWriter&) = delete;
     StepWriter& operator=(const StepWriter&) = delete;
 
+    template <typename Scalar> void operator()(const MatrixSetUp<Scalar>& step) {
+        if (!wants(StepKind::matrix))
+            return;
+        begin_line(StepKind::matrix);
+        put(R"({"step":"matrix","name":")", step.name, "\"");
+        if (!step.object.empty())
+            put(R"(,"object":)", std::string_view(json_quoted(step.object)));
+        std::string_view before = R"(,"rows":[)";
+        for (const auto& row : step.matrix.rows) {
+            put(before, "[", row[0], ",", row[1], ",", row[2], ",", row[3], "]");
+            before = ",";
+        }
+        put("]}");
+    }
+
+    template <typename Scalar> void operator()(const VertexPlaced<Scalar>& step) {
+        if (!wants(StepKind::vertex))
+            return;
+        begin_vertex_line(step.name, step.space);
+        put_numbers(R"(,"at":[)", step.at);
+        if (!step.snapped.empty())
+            put_numbers(R"(,"snapped":[)", step.snapped);
+        put("}");
+    }
+
     template <typename Scalar> void operator()(const PrimitiveBegan<Scalar>& step) {
         remember(step.vertices, step.color);
         if (!wants(StepKind::primitive))
             return;
         begin_primitive_line(step.kind, step.name, step.vertices);
-        for (std::size_t i = 0; i < step.positions.size(); ++i)
-            put(i == 0 ? std::string_view("[") : std::string_view(",["), step.positions[i].x, ",",
-                step.positions[i].y, "]");
-        end_primitive_line(step.color, step.colors, step.octant);
+        std::string_view before = R"(,"at":[[)";
+        for (const auto& position : step.positions) {
+            put(before, position.x, ",", position.y, "]");
+            before = ",[";
+        }
+        if (!step.positions.empty())
+            put("]");
+        end_primitive_line(step.color, step.colors, step.octant, step.is_part);
     }
 
     template <typename Scalar> void operator()(const EdgeSetUp<Scalar>& step) {
@@ -127,6 +157,7 @@ public:
             put_colored_pixel(step);
     }
 
+    void operator()(const PrimitiveClipped& step);
     void operator()(const SideBegan& step);
     void operator()(const HalfBegan& step);
     void operator()(const RayBegan& step);
@@ -175,7 +206,19 @@ private:
     void remember(std::span<const std::string_view> vertices, Color color);
     void begin_primitive_line(PrimitiveKind kind, std::string_view name,
                               std::span<const std::string_view> vertices);
-    void end_primitive_line(Color color, std::span<const Color> colors, int octant);
+    void end_primitive_line(Color color, std::span<const Color> colors, int octant, bool is_part);
+    void begin_vertex_line(std::string_view name, Space space);
+
+    template <typename Scalar>
+    void put_numbers(std::string_view key, std::span<const Scalar> numbers) {
+        std::string_view before = key;
+        for (const Scalar& number : numbers) {
+            put(before, number);
+            before = ",";
+        }
+        put("]");
+    }
+
     void put_colored_pixel(const PixelPlotted& step);
 
     /// The quoted name of an edge of the current primitive.

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "json_reader.h"
+
+#include <rastertrace/trace/text.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+namespace rastertrace {
+
+std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& known) {
+    const std::string_view nearest = nearest_word(word, known);
+    return nearest.empty() ? std::string() : fmt::format("did you mean \"{}\"?", nearest);
+}
+
+void JsonReader::fail(std::size_t offset, std::string message, std::string hint) const {
+    throw problem_at(source, offset, std::move(message), std::move(hint));
+}
+
+void JsonReader::fail_expecting(const JsonValue& value, std::string_view expected,
+                                std::string hint) const {
+    fail(value, fmt::format("expected {}, found {}", expected, described(value)), std::move(hint));
+}
+
+void JsonReader::allow_keys(const JsonValue& value,
+                            const std::vector<std::string_view>& known) const {
+    if (value.kind != JsonValue::Kind::object)
+        fail_expecting(value, fmt::format("an object with the keys {}", fmt::join(known, ", ")));
+    for (const JsonValue& key : value.keys)
+        if (std::find(known.begin(), known.end(), key.text) == known.end())
+            fail_expecting(key, fmt::format("a key out of {}", fmt::join(known, ", ")),
+                           did_you_mean(key.text, known));
+}
+
+const JsonValue& JsonReader::member(const JsonValue& object, std::string_view key) const {
+    const JsonValue* value = object.find(key);
+    if (value == nullptr)
+        fail(object, fmt::format("expected the key \"{}\", found none", key));
+    return *value;
+}
+
+const std::string& JsonReader::string_in(const JsonValue& value, std::string_view expected) const {
+    if (value.kind != JsonValue::Kind::string || value.text.empty())
+        fail_expecting(value, expected);
+    return value.text;
+}
+
+const std::vector<JsonValue>& JsonReader::array_in(const JsonValue& value,
+                                                   std::string_view expected) const {
+    if (value.kind != JsonValue::Kind::array)
+        fail_expecting(value, expected);
+    return value.items;
+}
+
+Number JsonReader::number_in(const JsonValue& value) const {
+    if (value.kind != JsonValue::Kind::number && value.kind != JsonValue::Kind::string)
+        fail_expecting(value, "a number");
+    auto parsed = parse_number(value.text);
+    if (auto* number = std::get_if<Number>(&parsed))
+        return std::move(*number);
+    switch (std::get<NumberFault>(parsed)) {
+    case NumberFault::zero_denominator:
+        fail_expecting(value, "a denominator other than 0");
+    case NumberFault::too_large:
+        fail_expecting(value, "a number up to 1.797e308");
+    case NumberFault::too_small:
+        fail_expecting(value, "0 or a number from 4.941e-324 on");
+    case NumberFault::malformed:
+        break;
+    }
+    fail_expecting(value, "a number", R"(a fraction is written "25/8", in quotes)");
+}
+
+Numbers3 JsonReader::numbers3_in(const JsonValue& value, std::string_view expected) const {
+    const auto& items = array_in(value, expected);
+    if (items.size() != 3)
+        fail_expecting(value, expected);
+    return {number_in(items[0]), number_in(items[1]), number_in(items[2])};
+}
+
+} // namespace rastertrace

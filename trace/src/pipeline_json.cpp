@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+#include "pipeline_json.h"
+
+#include <rastertrace/trace/pipeline_names.h>
+
+#include <fmt/format.h>
+
+#include <array>
+#include <string_view>
+#include <utility>
+
+namespace rastertrace {
+
+namespace {
+
+/// x, y, z or the axis that a value names.
+Numbers3 axis_in(const JsonReader& json, const JsonValue& value) {
+    constexpr std::string_view expected = R"("x", "y", "z" or an axis [x, y, z])";
+    if (value.kind == JsonValue::Kind::string) {
+        if (value.text == "x")
+            return {1, 0, 0};
+        if (value.text == "y")
+            return {0, 1, 0};
+        if (value.text == "z")
+            return {0, 0, 1};
+    }
+    const Numbers3 axis = json.numbers3_in(value, expected);
+    if (is_zero(exact(axis)))
+        json.fail_expecting(value, "an axis other than [0, 0, 0]");
+    return axis;
+}
+
+Rotate read_rotate(const JsonReader& json, const JsonValue& value) {
+    json.allow_keys(value, {"axis", "degrees"});
+    return {axis_in(json, json.member(value, "axis")),
+            json.number_in(json.member(value, "degrees"))};
+}
+
+Shear read_shear(const JsonReader& json, const JsonValue& value) {
+    json.allow_keys(value, {"xy", "xz", "yx", "yz", "zx", "zy"});
+    const auto factor = [&json, &value](std::string_view key) {
+        const JsonValue* found = value.find(key);
+        return found == nullptr ? Number(0) : json.number_in(*found);
+    };
+    return {factor("xy"), factor("xz"), factor("yx"), factor("yz"), factor("zx"), factor("zy")};
+}
+
+Number positive_in(const JsonReader& json, const JsonValue& value, std::string_view what) {
+    const Number number = json.number_in(value);
+    if (sgn(number.exact()) <= 0)
+        json.fail_expecting(value, fmt::format("{} above 0", what));
+    return number;
+}
+
+/// Two numbers of an object of which the first must be the smaller.
+void read_range(const JsonReader& json, const JsonValue& object, std::string_view low_key,
+                std::string_view high_key, Number& low, Number& high) {
+    const JsonValue& low_value = json.member(object, low_key);
+    const JsonValue& high_value = json.member(object, high_key);
+    low = json.number_in(low_value);
+    high = json.number_in(high_value);
+    if (low.exact() >= high.exact())
+        json.fail(high_value, fmt::format("expected {} above {}, found {} and {}", high_key,
+                                          low_key, high_value.text, low_value.text));
+}
+
+void read_bounds(const JsonReader& json, const JsonValue& value, Projection& projection) {
+    read_range(json, value, "left", "right", projection.left, projection.right);
+    read_range(json, value, "bottom", "top", projection.bottom, projection.top);
+}
+
+void read_orthographic(const JsonReader& json, const JsonValue& value, Projection& projection) {
+    json.allow_keys(value, {"type", "left", "right", "bottom", "top", "near", "far"});
+    read_bounds(json, value, projection);
+    if (value.find("near") != nullptr || value.find("far") != nullptr) {
+        Number near;
+        Number far;
+        read_range(json, value, "near", "far", near, far);
+        projection.near = near;
+        projection.far = far;
+    }
+}
+
+void read_view_plane(const JsonReader& json, const JsonValue& value, Projection& projection) {
+    json.allow_keys(value, {"type", "distance", "near"});
+    projection.distance = positive_in(json, json.member(value, "distance"), "a distance");
+    if (const JsonValue* near = value.find("near"))
+        projection.near = positive_in(json, *near, "a distance");
+}
+
+void read_frustum(const JsonReader& json, const JsonValue& value, Projection& projection) {
+    json.allow_keys(value, {"type", "fov_y", "left", "right", "bottom", "top", "near", "far"});
+    if (const JsonValue* fov_y = value.find("fov_y")) {
+        for (const std::string_view bound : {"left", "right", "bottom", "top"})
+            if (const JsonValue* found = value.find(bound))
+                json.fail_expecting(*found, fmt::format("fov_y or {}, not both", bound));
+        projection.fov_y = json.number_in(*fov_y);
+        const mpq_class degrees = projection.fov_y->exact();
+        if (degrees <= 0 || degrees >= 180)
+            json.fail_expecting(*fov_y, "a field of view between 0 and 180 degrees");
+    } else {
+        read_bounds(json, value, projection);
+    }
+    projection.near = positive_in(json, json.member(value, "near"), "a distance");
+    const JsonValue& far = json.member(value, "far");
+    if (far.kind == JsonValue::Kind::string && far.text == "infinity")
+        return;
+    Number low;
+    Number high;
+    read_range(json, value, "near", "far", low, high);
+    projection.far = high;
+}
+
+} // namespace
+
+std::vector<ModelStep> read_model(const JsonReader& json, const JsonValue& value) {
+    const std::vector<std::string_view> known{"scale", "translate", "rotate", "shear"};
+    std::vector<ModelStep> steps;
+    for (const JsonValue& item :
+         json.array_in(value, R"(a list, like [{"scale": [2, 2, 2]}, {"translate": [0, 0, 4]}])")) {
+        json.allow_keys(item, known);
+        if (item.keys.size() != 1)
+            json.fail(item,
+                      fmt::format("expected one step of the model, found {} in one object",
+                                  item.keys.size()),
+                      R"(each in its own braces: [{"scale": ...}, {"translate": ...}])");
+        const std::string& name = item.keys[0].text;
+        const JsonValue& what = item.items[0];
+        if (name == "scale")
+            steps.push_back(Scale{json.numbers3_in(what, "[x, y, z] to multiply by")});
+        else if (name == "translate")
+            steps.push_back(Translate{json.numbers3_in(what, "[x, y, z] to move by")});
+        else if (name == "rotate")
+            steps.push_back(read_rotate(json, what));
+        else
+            steps.push_back(read_shear(json, what));
+    }
+    return steps;
+}
+
+Camera read_camera(const JsonReader& json, const JsonValue& value) {
+    json.allow_keys(value, {"position", "look_at", "up"});
+    Camera camera;
+    camera.position = json.numbers3_in(json.member(value, "position"), "a place [x, y, z]");
+    camera.look_at = {0, 0, 0};
+    if (const JsonValue* look_at = value.find("look_at"))
+        camera.look_at = json.numbers3_in(*look_at, "a place [x, y, z]");
+    if (const JsonValue* up = value.find("up"))
+        camera.up = json.numbers3_in(*up, "a direction [x, y, z]");
+
+    switch (fault_of(camera)) {
+    case CameraFault::looks_at_itself:
+        json.fail(value, "expected a camera that looks at another place than its own, found "
+                         "position = look_at");
+    case CameraFault::up_along_view:
+        json.fail(value.find("up") != nullptr ? *value.find("up") : value,
+                  "expected an up that is not parallel to the view, found one that is",
+                  R"(for a camera that looks straight down, say "up": [0, 0, -1])");
+    case CameraFault::none:
+        break;
+    }
+    return camera;
+}
+
+Projection read_projection(const JsonReader& json, const JsonValue& value) {
+    if (value.kind != JsonValue::Kind::object)
+        json.fail_expecting(value, R"(a projection, like {"type": "pinhole", "distance": 1})");
+    const JsonValue& type = json.member(value, "type");
+    const auto named =
+        type.kind == JsonValue::Kind::string ? projection_named(type.text) : std::nullopt;
+    if (!named)
+        json.fail_expecting(type, fmt::format("one of {}", fmt::join(projection_names(), ", ")),
+                            did_you_mean(type.text, projection_names()));
+
+    Projection projection;
+    projection.type = *named;
+    switch (projection.type) {
+    case ProjectionType::orthographic:
+        read_orthographic(json, value, projection);
+        break;
+    case ProjectionType::pinhole:
+    case ProjectionType::view_plane:
+        read_view_plane(json, value, projection);
+        break;
+    case ProjectionType::frustum:
+        read_frustum(json, value, projection);
+        break;
+    case ProjectionType::none:
+        json.allow_keys(value, {"type"});
+        break;
+    }
+    return projection;
+}
+
+Viewport read_viewport(const JsonReader& json, const JsonValue& value) {
+    if (value.kind == JsonValue::Kind::string && value.text == "fit")
+        return {.type = ViewportType::fit, .pixels_per_unit = 1};
+    if (value.kind != JsonValue::Kind::object)
+        json.fail_expecting(value, R"("fit" or {"pixels_per_unit": 10})");
+    json.allow_keys(value, {"pixels_per_unit"});
+    return {.type = ViewportType::pixels_per_unit,
+            .pixels_per_unit =
+                positive_in(json, json.member(value, "pixels_per_unit"), "a number of pixels")};
+}
+
+} // namespace rastertrace
