@@ -115,9 +115,9 @@ std::string describe_vertex(const Replay& replay, const StepView& step) {
     return text;
 }
 
-std::string describe_clip(const PrimitiveText& primitive, const StepView& step) {
-    std::string text = fmt::format("{} {} clipped at the {} plane:", primitive.kind, primitive.name,
-                                   step.text("plane"));
+std::string describe_clip(const StepView& step) {
+    std::string text =
+        fmt::format("{} clipped at the {} plane:", step.text("name"), step.text("plane"));
     const auto inside = step.texts("inside");
     const auto count = std::count(inside.begin(), inside.end(), "true");
     text +=
@@ -270,7 +270,7 @@ std::string unsafe_description(const Replay& replay) {
     case StepKind::vertex:
         return describe_vertex(replay, step);
     case StepKind::clip:
-        return describe_clip(primitive_of(replay), step);
+        return describe_clip(step);
     case StepKind::primitive:
         return describe_primitive(primitive_of(replay), step);
     case StepKind::edge:

@@ -156,7 +156,8 @@ void StepWriter::operator()(const PrimitiveClipped& step) {
     if (!wants(StepKind::clip))
         return;
     begin_line(StepKind::clip);
-    put(R"({"step":"clip","plane":")", step.plane, R"(","inside":)");
+    put(R"({"step":"clip","name":)", std::string_view(json_quoted(step.name)), R"(,"plane":")",
+        step.plane, R"(","inside":)");
     std::string_view before = "[";
     for (const bool is_inside : step.is_inside) {
         put(before, word(is_inside));

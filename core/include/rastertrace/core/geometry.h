@@ -336,7 +336,7 @@ SkipReason reason_of(const ClipPlane<Scalar>& plane,
 /// wholly inside of is reported. If nothing is left: why.
 template <typename Scalar, typename Sink>
 requires SinkFor<Sink, PrimitiveClipped> std::optional<SkipReason>
-clip_at_planes(std::vector<ClipVertex<Scalar>>& polygon,
+clip_at_planes(std::string_view name, std::vector<ClipVertex<Scalar>>& polygon,
                const std::vector<ClipPlane<Scalar>>& planes, Sink&& sink) {
     const std::size_t fewest = std::min<std::size_t>(polygon.size(), 3);
     for (const ClipPlane<Scalar>& plane : planes) {
@@ -352,7 +352,8 @@ clip_at_planes(std::vector<ClipVertex<Scalar>>& polygon,
         std::vector<ClipVertex<Scalar>> left = clip(polygon, plane);
         if (left.size() < fewest)
             left.clear();
-        sink(PrimitiveClipped{.plane = plane.name,
+        sink(PrimitiveClipped{.name = name,
+                              .plane = plane.name,
                               .is_inside = std::span(is_inside).first(count),
                               .left = static_cast<int>(left.size())});
         const SkipReason reason = reason_of(plane, polygon);
@@ -376,7 +377,7 @@ std::optional<SkipReason> visit_parts(const Scene& scene, const Geometry<Scalar>
         polygon.push_back({geometry.vertices[place].clip,
                            color_of(scene.vertices[place], primitive, mixes_colors),
                            static_cast<int>(polygon.size())});
-    const auto reason = clip_at_planes(polygon, geometry.transforms.planes, sink);
+    const auto reason = clip_at_planes(primitive.name, polygon, geometry.transforms.planes, sink);
 
     std::vector<std::string> names;
     std::vector<Vec<Scalar, 2>> positions;
