@@ -64,9 +64,4 @@ template <typename Scalar> Matrix<Scalar> translation(const Vec<Scalar, 3>& by) 
     return matrix;
 }
 
-/// A point in homogeneous coordinates.
-template <typename Scalar> Vec<Scalar, 4> homogeneous(const Vec<Scalar, 3>& point) {
-    return {point.x, point.y, point.z, scalar_from<Scalar>(1)};
-}
-
 } // namespace rastertrace
