@@ -198,6 +198,124 @@ TEST(SceneFile, ValuesOfTheMethod) {
               "hint: did you mean \"exact\"?");
 }
 
+/// A scene of one point on a canvas, and what else it says.
+std::string point_scene(const std::string& more) {
+    return R"({"vertices": {"A": [1, 2, 3]}, "points": ["A"],)"
+           "\n " +
+           more + "}";
+}
+
+TEST(SceneFile, PipelineKeys) {
+    const Scene scene = scene_in(point_scene(R"("canvas": {"width": 8, "height": 6},
+        "model": [{"scale": [1, "1/2", 2]}, {"rotate": {"axis": [0, 1, 1], "degrees": 30}},
+                  {"translate": [0, 0, 4]}, {"shear": {"xy": 3}}],
+        "camera": {"position": [0, 0, 4]},
+        "projection": {"type": "frustum", "fov_y": 60, "near": 1, "far": "infinity"})"));
+    EXPECT_EQ(scene.vertices[0].z.nearest_double(), 3);
+    ASSERT_EQ(scene.objects.size(), 1u);
+    EXPECT_EQ(scene.objects[0].model.size(), 4u);
+    EXPECT_EQ(std::get<Scale>(scene.objects[0].model[0]).by[1].nearest_double(), 0.5);
+    EXPECT_EQ(std::get<Shear>(scene.objects[0].model[3]).xy.nearest_double(), 3);
+    EXPECT_EQ(scene.camera->position[2].nearest_double(), 4);
+    EXPECT_EQ(scene.camera->look_at[2].nearest_double(), 0);
+    EXPECT_EQ(scene.camera->up[1].nearest_double(), 1);
+    EXPECT_EQ(scene.projection.fov_y->nearest_double(), 60);
+    EXPECT_FALSE(scene.projection.far);
+    EXPECT_EQ(scene.viewport.type, ViewportType::fit);
+}
+
+TEST(SceneFile, PinholeShowsAPlaneOfOneUnit) {
+    const Scene scene = scene_in(point_scene(R"("canvas": {"width": 8, "height": 6},
+        "projection": {"type": "pinhole", "distance": 2})"));
+    EXPECT_EQ(scene.viewport.type, ViewportType::pixels_per_unit);
+    EXPECT_EQ(scene.viewport.pixels_per_unit.nearest_double(), 6);
+}
+
+TEST(SceneFile, CamerasThatAreNone) {
+    const std::string canvas = R"("canvas": {"width": 8, "height": 6}, )";
+    EXPECT_EQ(
+        complaint(point_scene(canvas + R"("camera": {"position": [0, 4, 0]})")),
+        "scene.json:2:49: expected an up that is not parallel to the view, found one that is\n"
+        " \"canvas\": {\"width\": 8, \"height\": 6}, \"camera\": {\"position\": [0, 4, 0]}}\n"
+        "                                                ^\n"
+        "hint: for a camera that looks straight down, say \"up\": [0, 0, -1]");
+    EXPECT_EQ(complaint(point_scene(R"("camera": {"position": [0, 0, 0]})")),
+              "scene.json:2:12: expected a camera that looks at another place than its own, found "
+              "position = look_at\n"
+              " \"camera\": {\"position\": [0, 0, 0]}}\n"
+              "           ^");
+}
+
+TEST(SceneFile, ProjectionsThatAreNone) {
+    const auto frustum = [](const std::string& rest) {
+        return complaint(point_scene(R"("projection": {"type": "frustum", )" + rest + "}"));
+    };
+    EXPECT_EQ(
+        frustum(R"("fov_y": 50, "near": 5, "far": 5)"),
+        "scene.json:2:67: expected far above near, found 5 and 5\n"
+        "...ection\": {\"type\": \"frustum\", \"fov_y\": 50, \"near\": 5, \"far\": 5}}\n"
+        "                                                               ^");
+    EXPECT_EQ(frustum(R"("fov_y": 180, "near": 5, "far": 6)"),
+              "scene.json:2:45: expected a field of view between 0 and 180 degrees, found 180\n"
+              " \"projection\": {\"type\": \"frustum\", \"fov_y\": 180, \"near\": 5, \"far\": 6}}\n"
+              "                                            ^");
+    EXPECT_EQ(frustum(R"("fov_y": 50, "near": 0, "far": 6)"),
+              "scene.json:2:57: expected a distance above 0, found 0\n"
+              " \"projection\": {\"type\": \"frustum\", \"fov_y\": 50, \"near\": 0, \"far\": 6}}\n"
+              "                                                        ^");
+    EXPECT_EQ(complaint(point_scene(R"("projection": {"type": "pinehole"})")),
+              "scene.json:2:25: expected one of none, orthographic, pinhole, view-plane, frustum, "
+              "found \"pinehole\"\n"
+              " \"projection\": {\"type\": \"pinehole\"}}\n"
+              "                        ^\n"
+              "hint: did you mean \"pinhole\"?");
+    EXPECT_EQ(
+        complaint(point_scene(R"("projection": {"type": "pinhole", "distance": 1})")),
+        "scene.json:1:1: expected a canvas with a width and a height, found none: the picture "
+        "is fitted to it\n"
+        "{\"vertices\": {\"A\": [1, 2, 3]}, \"points\":...\n"
+        "^\n"
+        "hint: say \"canvas\": {\"width\": ..., \"height\": ...}");
+}
+
+TEST(SceneFile, MeshesInline) {
+    const Scene scene = scene_in(R"({"meshes": [
+        {"name": "roof", "vertices": {"A": [0, 0, 0], "B": [3, 0, 0], "C": [3, 3, 0], "D": [0, 3, 0]},
+         "faces": ["ABCD"], "color": "red", "draw": "outlines", "model": [{"scale": [2, 2, 2]}]}],
+        "lines": [["roof.A", "roof.C"]]})");
+    ASSERT_EQ(scene.primitives.size(), 3u);
+    EXPECT_EQ(scene.primitives[0].name, "roof.ABC");
+    EXPECT_EQ(scene.primitives[1].name, "roof.ACD");
+    EXPECT_EQ(scene.primitives[1].kind, PrimitiveKind::outline);
+    EXPECT_EQ(scene.primitives[1].vertices, (std::array<std::size_t, 3>{0, 2, 3}));
+    EXPECT_EQ(scene.primitives[2].name, "roof.A-roof.C");
+    EXPECT_EQ(scene.canvas.width, 15) << "fitted to the scaled mesh: x -6..6 and a pixel more";
+}
+
+TEST(SceneFile, MeshesThatAreNone) {
+    EXPECT_EQ(complaint(R"({"meshes": [{"obj": "no/such.obj"}]})"),
+              "scene.json:1:21: expected a file that can be read, found: No such file or directory "
+              "(no/such.obj)\n"
+              "{\"meshes\": [{\"obj\": \"no/such.obj\"}]}\n"
+              "                    ^\n"
+              "hint: a relative path starts from the scene's folder");
+    EXPECT_EQ(complaint(R"({"meshes": [{"vertices": {"A": [0, 0]}, "faces": ["AAB"]}]})"),
+              "scene.json:1:54: expected the name of a vertex, found \"B\"\n"
+              "{\"meshes\": [{\"vertices\": {\"A\": [0, 0]}, \"faces\": [\"AAB\"]}]}\n"
+              "                                                     ^\n"
+              "hint: the scene has the vertices A");
+    EXPECT_EQ(complaint(R"({"meshes": [{"vertices": {"A": [0, 0]}, "faces": []}]})"),
+              "scene.json:1:50: expected at least one face, found none\n"
+              "{\"meshes\": [{\"vertices\": {\"A\": [0, 0]}, \"faces\": []}]}\n"
+              "                                                 ^");
+}
+
+TEST(SceneFile, ScaleToNothingIsDrawn) {
+    const auto scene = scene_in(R"({"vertices": {"A": [1, 2], "B": [3, 4], "C": [5, 0]},
+        "triangles": ["ABC"], "model": [{"scale": [0, 0, 0]}]})");
+    EXPECT_EQ(picture_of(draw_as_planned(scene)), "...\n.#.\n...\n");
+}
+
 TEST(SceneFile, OverflowNamesVertexAndValue) {
     EXPECT_EQ(
         complaint(R"({"canvas": {"width": 9, "height": 9},

@@ -54,6 +54,64 @@ TEST(WriteTrace, OneDocumentOneStepPerLine) {
     EXPECT_TRUE(text.ends_with("\"}}\n"));
 }
 
+/// T4's camera and view plane on 5 x 5 pixels: A is (1, 1, -3) for the camera, B lies behind it.
+Scene small_pipeline() {
+    Scene scene;
+    scene.title = "Pipeline";
+    scene.canvas = {.width = 5, .height = 5, .origin = Origin::top_left};
+    scene.vertices = {{"A", 0, 1, {}, 1}, {"B", 0, 1, {}, 6}};
+    scene.objects = {{"", 2, {Translate{{1, 0, 0}}}}};
+    scene.camera = Camera{.position = {0, 0, 4}, .look_at = {0, 0, 0}, .up = {0, 1, 0}};
+    scene.projection = {.type = ProjectionType::view_plane, .distance = 1};
+    scene.viewport = {.type = ViewportType::fit, .pixels_per_unit = 1};
+    scene.method = {.scalar = ScalarKind::exact, .snap = Snap::floor};
+    scene.primitives = {{.kind = PrimitiveKind::point, .name = "A", .vertices = {0}, .color = {}},
+                        {.kind = PrimitiveKind::point, .name = "B", .vertices = {1}, .color = {}}};
+    return scene;
+}
+
+TEST(WriteTrace, EveryMatrixAndEverySpace) {
+    const std::string expected =
+        R"({"rastertrace":1,"title":"Pipeline","canvas":{"width":5,"height":5,"origin":"top-left"},"method":{"scalar":"exact","snap":"floor"},"projection":"view-plane","viewport":"fit","steps":[
+{"step":"matrix","name":"model","rows":[["1","0","0","1"],["0","1","0","0"],["0","0","1","0"],["0","0","0","1"]]},
+{"step":"matrix","name":"view","rows":[["1","0","0","0"],["0","1","0","0"],["0","0","1","-4"],["0","0","0","1"]]},
+{"step":"matrix","name":"projection","rows":[["1","0","0","0"],["0","1","0","0"],["0","0","1","1"],["0","0","-1","0"]]},
+{"step":"matrix","name":"viewport","rows":[["2","0","0","2"],["0","-2","0","2"],["0","0","1","0"],["0","0","0","1"]]},
+{"step":"vertex","name":"A","space":"object","at":["0","1","1"]},
+{"step":"vertex","name":"A","space":"world","at":["1","1","1"]},
+{"step":"vertex","name":"A","space":"camera","at":["1","1","-3"]},
+{"step":"vertex","name":"A","space":"clip","at":["1","1","-2","3"]},
+{"step":"vertex","name":"A","space":"canonical","at":["1/3","1/3","-2/3"]},
+{"step":"vertex","name":"A","space":"screen","at":["8/3","4/3"],"snapped":["2","1"]},
+{"step":"vertex","name":"B","space":"object","at":["0","1","6"]},
+{"step":"vertex","name":"B","space":"world","at":["1","1","6"]},
+{"step":"vertex","name":"B","space":"camera","at":["1","1","2"]},
+{"step":"vertex","name":"B","space":"clip","at":["1","1","3","-2"]},
+{"step":"primitive","kind":"point","name":"A","vertices":["A"],"at":[["2","1"]],"color":"#000000"},
+{"step":"pixel","x":2,"y":1},
+{"step":"primitive","kind":"point","name":"B","vertices":["B"],"color":"#000000"},
+{"step":"clip","name":"B","plane":"near","inside":[false],"out":0},
+{"step":"skip","why":"behind the eye"}
+],
+"end":{"steps":19,"count":{"matrix":4,"vertex":10,"primitive":2,"clip":1,"pixel":1,"skip":1},"pixels":1,"frame":")";
+    EXPECT_EQ(trace_of(small_pipeline()).substr(0, expected.size()), expected);
+
+    // In float, numbers read back to the same float.
+    Scene in_float = small_pipeline();
+    in_float.method.scalar = ScalarKind::single_precision;
+    EXPECT_NE(
+        trace_of(in_float).find(R"("space":"canonical","at":[0.33333334,0.33333334,-0.6666667])"),
+        std::string::npos);
+}
+
+TEST(WriteTrace, HeaderSaysThatIrrationalEntriesAreDoubles) {
+    Scene scene = small_pipeline();
+    EXPECT_EQ(trace_of(scene).find("matrices"), std::string::npos);
+    scene.objects[0].model = {Rotate{{0, 0, 1}, 45}};
+    EXPECT_NE(trace_of(scene).find(R"("matrices":"irrational entries are the nearest doubles")"),
+              std::string::npos);
+}
+
 TEST(WriteTrace, JsonLinesHoldTheSameSteps) {
     std::string expected = trace_of(small_scene());
     const auto replace = [&expected](const std::string& from, const std::string& to) {

@@ -211,8 +211,7 @@ private:
         const auto file = read_source(beside_scene(path));
         if (!file)
             json_.fail(obj,
-                       fmt::format("expected an OBJ file that can be read, found: {}",
-                                   to_text(file.problem())),
+                       fmt::format("{} ({})", file.problem().message, beside_scene(path)),
                        "a relative path starts from the scene's folder");
         auto read = read_obj(file.value());
         if (!read)
