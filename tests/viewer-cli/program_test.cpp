@@ -91,6 +91,30 @@ protected:
     fs::path folder_;
 };
 
+TEST_F(ProgramTest, ShowWalksAVertexThroughSixSpaces) {
+    const Outcome walk =
+        shell("$rastertrace show $examples/t4-pipeline/six-spaces.json --every vertex");
+    EXPECT_EQ(walk.status, 0);
+    EXPECT_THAT(walk.out,
+                StartsWith("A vertex through six spaces\n"
+                           "\n"
+                           "   5  vertex A in object space: (1, 1, 1)\n"
+                           "   6  vertex A in world space: (0, 2, 1), from object (1, 1, 1)\n"
+                           "   7  vertex A in camera space: (0, 2, -3), from world (0, 2, 1)\n"
+                           "   8  vertex A in clip space: (0, 2, -2, 3), from camera (0, 2, -3)\n"
+                           "   9  vertex A in canonical space: (0, 2, -2) / 3 = (0, 2/3, -2/3)\n"
+                           "  10  vertex A in screen space: (20, 10/3), from canonical "
+                           "(0, 2/3, -2/3)\n"
+                           "  11  vertex B in object space: (1, -1, -1)\n"));
+    EXPECT_THAT(shell("$rastertrace show $examples/t4-pipeline/six-spaces.json --every matrix").out,
+                StartsWith("A vertex through six spaces\n"
+                           "\n"
+                           "   1  model matrix:  [0 -1 0 1]  [2 0 0 0]  [0 0 1 0]  [0 0 0 1]\n"));
+    EXPECT_THAT(
+        shell("$rastertrace show $examples/t4-pipeline/behind-the-eye.json --every clip").out,
+        HasSubstr("wing clipped at the near plane: 2 of 3 vertices inside, 4 left\n"));
+}
+
 // A square of two triangles: the scanline fill draws their diagonal twice, the top-left one gives it
 // to ABC, whose left edge it is. The outline has 12 pixels, 4 of each side with 3 corners twice; the
 // side x = 3 lies right of the samples in ABC.

@@ -107,11 +107,22 @@ int run(const ShowCommand& command) {
 
     Replay replay(trace);
     bool is_first = true;
-    for (const Shown& steps : steps_to_show(command, trace)) {
+    const auto shown = steps_to_show(command, trace);
+    for (const Shown& steps : shown) {
         FrameText about{.caption = {}, .first_step = steps.first, .last_step = steps.last};
         if (!command.bare) {
             replay.go_to(steps.first);
             about.caption = describe_step(replay);
+        }
+
+        // Where vertices are still on their way to the screen, many frames would be many empty
+        // grids: each is its words.
+        if (!command.bare && replay.step() > 0 && replay.primitive() == 0 && shown.size() > 1) {
+            print(fmt::format("{}{:>4}  {}\n",
+                              is_first ? shortened(printable(trace.title), 79) + "\n\n" : "",
+                              steps.first, about.caption));
+            is_first = false;
+            continue;
         }
         replay.go_to(steps.last);
         const std::string blank_line = is_first ? "" : "\n";
