@@ -6,6 +6,7 @@
 
 #include <rastertrace/core/fill_top_left.h>
 #include <rastertrace/core/geometry.h>
+#include <rastertrace/core/pieces.h>
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -285,7 +286,7 @@ RC_GTEST_PROP(Clip, KeepsExactlyThePartInside, ()) {
     const auto whole = [] { return Rational(*rc::gen::inRange(-8, 9)); };
     std::vector<ClipVertex<Rational>> triangle;
     for (int i = 0; i < 3; ++i)
-        triangle.push_back({{whole(), whole(), Rational(0), Rational(1)}, Color{}, i});
+        triangle.push_back({{whole(), whole(), Rational(0), Rational(1)}, Rational(0), Color{}, i});
     const ClipPlane<Rational> plane{"near", {whole(), whole(), Rational(0), whole()}, whole()};
     const ClipPlane<Rational> other_side{"near",
                                          {Rational(-plane.factors.x), Rational(-plane.factors.y),

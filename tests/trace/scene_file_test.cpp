@@ -69,13 +69,14 @@ TEST(SceneFile, OverridesTakeThePlaceOfTheMethod) {
 }
 
 TEST(SceneFile, UnknownKey) {
-    EXPECT_EQ(complaint("{\"vertices\": {\"A\": [2, 5]},\n \"trinagles\": [\"AAA\"]}"),
-              "scene.json:2:2: expected a key out of title, canvas, vertices, colors, triangles, "
-              "outlines, lines, points, meshes, model, camera, projection, viewport, method, "
-              "found \"trinagles\"\n"
-              " \"trinagles\": [\"AAA\"]}\n"
-              " ^\n"
-              "hint: did you mean \"triangles\"?");
+    EXPECT_EQ(
+        complaint("{\"vertices\": {\"A\": [2, 5]},\n \"trinagles\": [\"AAA\"]}"),
+        "scene.json:2:2: expected a key out of title, canvas, vertices, colors, triangles, "
+        "outlines, lines, points, meshes, model, camera, projection, viewport, light, method, "
+        "found \"trinagles\"\n"
+        " \"trinagles\": [\"AAA\"]}\n"
+        " ^\n"
+        "hint: did you mean \"triangles\"?");
 }
 
 TEST(SceneFile, WrongType) {
@@ -98,7 +99,7 @@ TEST(SceneFile, WrongType) {
     EXPECT_EQ(complaint("[]"),
               "scene.json:1:1: expected an object with the keys title, canvas, "
               "vertices, colors, triangles, outlines, lines, points, meshes, model, camera, "
-              "projection, viewport, "
+              "projection, viewport, light, "
               "method, found an empty array\n"
               "[]\n"
               "^");
@@ -250,11 +251,10 @@ TEST(SceneFile, ProjectionsThatAreNone) {
     const auto frustum = [](const std::string& rest) {
         return complaint(point_scene(R"("projection": {"type": "frustum", )" + rest + "}"));
     };
-    EXPECT_EQ(
-        frustum(R"("fov_y": 50, "near": 5, "far": 5)"),
-        "scene.json:2:67: expected far above near, found 5 and 5\n"
-        "...ection\": {\"type\": \"frustum\", \"fov_y\": 50, \"near\": 5, \"far\": 5}}\n"
-        "                                                               ^");
+    EXPECT_EQ(frustum(R"("fov_y": 50, "near": 5, "far": 5)"),
+              "scene.json:2:67: expected far above near, found 5 and 5\n"
+              "...ection\": {\"type\": \"frustum\", \"fov_y\": 50, \"near\": 5, \"far\": 5}}\n"
+              "                                                               ^");
     EXPECT_EQ(frustum(R"("fov_y": 180, "near": 5, "far": 6)"),
               "scene.json:2:45: expected a field of view between 0 and 180 degrees, found 180\n"
               " \"projection\": {\"type\": \"frustum\", \"fov_y\": 180, \"near\": 5, \"far\": 6}}\n"

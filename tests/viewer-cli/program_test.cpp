@@ -229,7 +229,7 @@ TEST_F(ProgramTest, ErrorsHaveFileLineColumnAndCaret) {
     EXPECT_EQ(outcome.err, "rastertrace: bad.json:2:2: expected a key out of title, canvas, "
                            "vertices, colors, triangles, "
                            "outlines, lines, points, meshes, model, camera, projection, viewport, "
-                           "method, found \"trinagles\"\n"
+                           "light, method, found \"trinagles\"\n"
                            " \"trinagles\": [\"AAA\"]}\n"
                            " ^\n"
                            "hint: did you mean \"triangles\"?\n");
@@ -323,7 +323,8 @@ TEST_F(ProgramTest, UsageErrorsNameTheWordAndANearOne) {
     EXPECT_EQ(shell("$rastertrace show x --evry pixel").status, 2);
     EXPECT_EQ(shell("$rastertrace trace x --only pixle").err,
               "rastertrace: --only: expected kinds of step out of "
-              "matrix,vertex,primitive,clip,edge,half,ray,scanline,along,decide,sample,pixel,"
+              "matrix,vertex,order,primitive,face,light,clip,edge,half,ray,scanline,along,decide,"
+              "sample,depth,pixel,"
               "reject,skip, found \"pixle\"\n"
               "hint: did you mean pixel?\n");
     EXPECT_EQ(shell("$rastertrace trace x --region 1,2,3").err,

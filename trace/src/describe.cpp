@@ -125,6 +125,43 @@ std::string describe_clip(const StepView& step) {
     return text;
 }
 
+std::string describe_order(const StepView& step) {
+    const auto names = step.texts("names");
+    const auto distances = step.texts("distances");
+    std::string text = "the painter draws, farthest first:";
+    constexpr std::size_t most_named = 8;
+    for (std::size_t i = 0; i < names.size() && i < most_named; ++i)
+        text += fmt::format("{} {} at {}", i == 0 ? "" : ",", names[i],
+                            i < distances.size() ? distances[i] : "?");
+    if (names.size() > most_named)
+        text += fmt::format(" ... and {} more", names.size() - most_named);
+    return text;
+}
+
+/// n . v = dot, and what follows from its sign.
+std::string describe_face(const PrimitiveText& primitive, const StepView& step) {
+    const bool is_by_light = step.text("by") == "light";
+    std::string text = fmt::format("face {}: normal {} . {} {} = {}", primitive.name,
+                                   point(step.texts("normal")), is_by_light ? "to light" : "to eye",
+                                   point(step.texts("view")), step.text("dot"));
+    if (step.text("cosine") != "null")
+        text += fmt::format(", cosine {}", step.text("cosine"));
+    return text + (step.text("culled") == "true" ? ": culled" : ": drawn");
+}
+
+std::string describe_light(const PrimitiveText& primitive, const StepView& step) {
+    return fmt::format("light on {}: normal {} . light {} = {}, intensity {}, color {}",
+                       primitive.name, point(step.texts("normal")), point(step.texts("light")),
+                       step.text("dot"), step.text("intensity"), step.text("color"));
+}
+
+std::string describe_depth(const StepView& step) {
+    const std::string stored = step.text("stored");
+    return fmt::format("depth at ({}, {}): {} against {}: {}", step.text("x"), step.text("y"),
+                       step.text("depth"), stored == "null" ? "nothing" : stored,
+                       step.text("pass") == "true" ? "passes" : "fails");
+}
+
 std::string describe_edge(const Replay& replay, const StepView& step) {
     const std::string name = step.text("edge");
     if (step.field("octant"))
@@ -271,6 +308,14 @@ std::string unsafe_description(const Replay& replay) {
         return describe_vertex(replay, step);
     case StepKind::clip:
         return describe_clip(step);
+    case StepKind::order:
+        return describe_order(step);
+    case StepKind::face:
+        return describe_face(primitive_of(replay), step);
+    case StepKind::light:
+        return describe_light(primitive_of(replay), step);
+    case StepKind::depth:
+        return describe_depth(step);
     case StepKind::primitive:
         return describe_primitive(primitive_of(replay), step);
     case StepKind::edge:

@@ -36,7 +36,21 @@ constexpr std::array lerps{Word{LerpForm::direct, "direct"},
                            Word{LerpForm::incremental, "incremental"}};
 constexpr std::array snaps{Word{Snap::none, "none"}, Word{Snap::floor, "floor"},
                            Word{Snap::truncate, "truncate"}, Word{Snap::nearest, "nearest"}};
-constexpr std::array shades{Word{Shade::flat, "flat"}, Word{Shade::interpolate, "interpolate"}};
+constexpr std::array culls{Word{Cull::none, "none"}, Word{Cull::back, "back"},
+                           Word{Cull::front, "front"}, Word{Cull::both, "both"},
+                           Word{Cull::light, "light"}};
+constexpr std::array depth_kinds{Word{Depth::none, "none"}, Word{Depth::painter, "painter"},
+                                 Word{Depth::linear_z, "linear-z"},
+                                 Word{Depth::inverse_z, "inverse-z"}, Word{Depth::ndc_z, "ndc-z"}};
+constexpr std::array compares{Word{DepthCompare::automatic, "auto"},
+                              Word{DepthCompare::less, "less"},
+                              Word{DepthCompare::greater, "greater"}};
+constexpr std::array painter_keys{Word{PainterKey::nearest, "nearest"},
+                                  Word{PainterKey::farthest, "farthest"},
+                                  Word{PainterKey::mean, "mean"}};
+constexpr std::array shades{Word{Shade::flat, "flat"}, Word{Shade::faces, "faces"},
+                            Word{Shade::interpolate, "interpolate"}, Word{Shade::affine, "affine"},
+                            Word{Shade::lambert, "lambert"}};
 constexpr std::array color_lerps{Word{ColorLerp::axis, "axis"},
                                  Word{ColorLerp::distance, "distance"}};
 
@@ -152,9 +166,34 @@ std::span<const MethodKey> method_keys() {
             }),
         key<&Method::lerp, lerps>("lerp", "how x is found from row to row", fills_spans),
         key<&Method::snap, snaps>("snap", "where vertices on the screen go before they are drawn",
-                                  [](const Scene& scene) { return scene.has_pipeline(); }),
+                                  [](const Scene& scene) { return scene.has_transforms(); }),
+        key<&Method::cull, culls>("cull", "which faces are not drawn",
+                                  [](const Scene& scene) {
+                                      return has_triangles(scene) &&
+                                             (scene.has_transforms() || scene.tests_faces());
+                                  }),
+        key<&Method::depth, depth_kinds>(
+            "depth", "how triangles in front hide those behind",
+            [](const Scene& scene) {
+                return scene.has_depth_buffer() || scene.depth() == Depth::painter;
+            },
+            [](const Scene& scene) {
+                for (const auto& word : depth_kinds)
+                    if (word.value == scene.depth())
+                        return std::string(word.word);
+                return std::string();
+            }),
+        key<&Method::depth_compare, compares>(
+            "depth_compare", "which depths pass the test",
+            [](const Scene& scene) { return scene.has_depth_buffer(); }),
+        key<&Method::painter_key, painter_keys>(
+            "painter_key", "the distance that the painter sorts by",
+            [](const Scene& scene) { return scene.depth() == Depth::painter; }),
         key<&Method::shade, shades>(
-            "shade", "where the colors of pixels come from", has_vertex_colors,
+            "shade", "where the colors of pixels come from",
+            [](const Scene& scene) {
+                return has_vertex_colors(scene) || scene.shade() != Shade::flat;
+            },
             [](const Scene& scene) {
                 return std::string(scene.mixes_colors() ? "interpolate" : "flat");
             }),

@@ -192,6 +192,20 @@ Projection read_projection(const JsonReader& json, const JsonValue& value) {
     return projection;
 }
 
+Light read_light(const JsonReader& json, const JsonValue& value) {
+    json.allow_keys(value, {"direction", "position"});
+    if (value.keys.size() != 1)
+        json.fail(value, fmt::format("expected a direction or a position, found {}",
+                                     value.keys.empty() ? "neither" : "both"));
+    const bool is_position = value.keys[0].text == "position";
+    const JsonValue& at = value.items[0];
+    Light light{.kind = is_position ? Light::Kind::position : Light::Kind::direction,
+                .at = json.numbers3_in(at, "[x, y, z]")};
+    if (!is_position && is_zero(exact(light.at)))
+        json.fail_expecting(at, "a direction to the light other than [0, 0, 0]");
+    return light;
+}
+
 Viewport read_viewport(const JsonReader& json, const JsonValue& value) {
     if (value.kind == JsonValue::Kind::string && value.text == "fit")
         return {.type = ViewportType::fit, .pixels_per_unit = 1};

@@ -2,13 +2,14 @@
 #pragma once
 
 // The part of a scene file that says how vertices come to the screen: models, the camera, the
-// projection and the viewport. What is wrong is thrown as a Problem.
+// projection, the viewport; and the light. What is wrong is thrown as a Problem.
 
 #include "json_document.h"
 #include "json_reader.h"
 
 #include <rastertrace/core/camera.h>
 #include <rastertrace/core/projection.h>
+#include <rastertrace/core/scene.h>
 #include <rastertrace/core/transform.h>
 #include <rastertrace/core/viewport.h>
 
@@ -19,6 +20,7 @@ namespace rastertrace {
 std::vector<ModelStep> read_model(const JsonReader& json, const JsonValue& value);
 Camera read_camera(const JsonReader& json, const JsonValue& value);
 Projection read_projection(const JsonReader& json, const JsonValue& value);
+Light read_light(const JsonReader& json, const JsonValue& value);
 Viewport read_viewport(const JsonReader& json, const JsonValue& value);
 
 } // namespace rastertrace

@@ -57,7 +57,7 @@ public:
         // The smallest scene has vertices and triangles; everything else has a default.
         json_.allow_keys(root, {"title", "canvas", "vertices", "colors", "triangles", "outlines",
                                 "lines", "points", "meshes", "model", "camera", "projection",
-                                "viewport", "method"});
+                                "viewport", "light", "method"});
         scene_.title = base_name(source_.name);
         if (const JsonValue* title = root.find("title"))
             scene_.title = json_.string_in(*title, "a title in quotes");
@@ -210,8 +210,7 @@ private:
         const std::string& path = json_.string_in(obj, "the path of an OBJ file");
         const auto file = read_source(beside_scene(path));
         if (!file)
-            json_.fail(obj,
-                       fmt::format("{} ({})", file.problem().message, beside_scene(path)),
+            json_.fail(obj, fmt::format("{} ({})", file.problem().message, beside_scene(path)),
                        "a relative path starts from the scene's folder");
         auto read = read_obj(file.value());
         if (!read)
@@ -264,6 +263,16 @@ private:
             scene_.projection = read_projection(json_, *projection);
         if (const JsonValue* viewport = root.find("viewport"))
             scene_.viewport = read_viewport(json_, *viewport);
+        if (const JsonValue* light = root.find("light"))
+            scene_.light = read_light(json_, *light);
+        const bool needs_light =
+            scene_.method.cull == Cull::light || scene_.method.shade == Shade::lambert;
+        if (needs_light && !scene_.light)
+            json_.fail(root,
+                       fmt::format("expected a light for {}, found none",
+                                   scene_.method.cull == Cull::light ? "\"cull\": \"light\""
+                                                                     : "\"shade\": \"lambert\""),
+                       R"(say "light": {"direction": [x, y, z]}, from the scene to the light)");
     }
 
     std::size_t vertex_named(std::string_view name, std::size_t offset,
@@ -525,6 +534,12 @@ private:
                        fmt::format("expected edges of at most {:.0f} pixels for the fan, which "
                                    "draws a line for each, found {} and {}",
                                    unfit->limit, from, to));
+        case What::depth:
+            json_.fail(place,
+                       fmt::format("expected a distance above 0 for 1/distance, found vertex {} "
+                                   "at distance {}",
+                                   scene_.vertices[unfit->to].name, unfit->to_at[0]),
+                       R"(with "depth": "linear-z" any distance will do)");
         case What::slope:
             json_.fail(place,
                        fmt::format("expected an edge whose slope dx/dy fits in a {}, found {} and "

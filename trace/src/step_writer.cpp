@@ -36,6 +36,8 @@ std::string_view name_of(SkipReason reason) {
         return "off canvas";
     case SkipReason::zero_area:
         return "zero area";
+    case SkipReason::culled:
+        return "culled";
     case SkipReason::behind_eye:
         return "behind the eye";
     case SkipReason::too_near:

@@ -107,7 +107,10 @@ const std::vector<FieldRule>& required_fields(StepKind kind) {
     static const std::array<std::vector<FieldRule>, step_kinds> rules{{
         /* matrix */ {{"name", FieldType::string}},
         /* vertex */ {{"name", FieldType::string}, {"space", FieldType::string}},
+        /* order */ {},
         /* primitive */ {{"kind", FieldType::string}, {"name", FieldType::string}},
+        /* face */ {{"dot", FieldType::quantity}},
+        /* light */ {{"intensity", FieldType::quantity}},
         /* clip */ {{"plane", FieldType::string}},
         /* edge */ {{"edge", FieldType::string}},
         /* half */ {{"half", FieldType::string}},
@@ -125,6 +128,8 @@ const std::vector<FieldRule>& required_fields(StepKind kind) {
          {"d", FieldType::quantity},
          {"move", FieldType::string}},
         /* sample */ {{"x", FieldType::whole}, {"y", FieldType::whole}},
+        /* depth */
+        {{"x", FieldType::whole}, {"y", FieldType::whole}, {"depth", FieldType::quantity}},
         /* pixel */ {{"x", FieldType::whole}, {"y", FieldType::whole}},
         /* reject */ {{"why", FieldType::string}},
         /* skip */ {{"why", FieldType::string}},

@@ -36,7 +36,7 @@ std::string header_members(const Scene& scene, const StepFilter& filter) {
         }
     text += '}';
 
-    if (scene.has_pipeline())
+    if (scene.has_transforms())
         fmt::format_to(out, R"(,"projection":"{}","viewport":"{}")", name_of(scene.projection.type),
                        name_of(scene.viewport.type));
     if (scene.method.scalar == ScalarKind::exact && has_rounded_matrix(scene))

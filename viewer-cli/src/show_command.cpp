@@ -49,7 +49,7 @@ bool ends(StepKind kind, StepKind next) {
     case StepKind::along:
     case StepKind::decide:
     case StepKind::sample:
-        return next != StepKind::pixel && next != StepKind::reject;
+        return next != StepKind::depth && next != StepKind::pixel && next != StepKind::reject;
     default:
         return true;
     }

@@ -24,6 +24,7 @@ namespace rastertrace {
 /// A corner of a polygon in clip space.
 template <typename Scalar> struct ClipVertex {
     Vec<Scalar, 4> position;
+    Scalar distance; ///< from the eye along the view
     Color color;
     int original = -1; ///< its place among the primitive's own vertices; -1 if clipping made it
 };
@@ -48,6 +49,7 @@ ClipVertex<Scalar> meeting_point(const ClipVertex<Scalar>& inside,
     const auto& q = outside.position;
     return {
         .position = {between(p.x, q.x), between(p.y, q.y), between(p.z, q.z), between(p.w, q.w)},
+        .distance = between(inside.distance, outside.distance),
         .color = {level(inside.color.red(), outside.color.red()),
                   level(inside.color.green(), outside.color.green()),
                   level(inside.color.blue(), outside.color.blue()),

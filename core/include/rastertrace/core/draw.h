@@ -5,6 +5,7 @@
 //
 //     const Image picture = draw<double>(scene, plan_for(scene), NullSink{});
 
+#include <rastertrace/core/depth.h>
 #include <rastertrace/core/fill_barycentric.h>
 #include <rastertrace/core/fill_fan.h>
 #include <rastertrace/core/fill_scanline.h>
@@ -13,6 +14,7 @@
 #include <rastertrace/core/image.h>
 #include <rastertrace/core/line_bresenham.h>
 #include <rastertrace/core/line_lerp.h>
+#include <rastertrace/core/pieces.h>
 #include <rastertrace/core/plan.h>
 #include <rastertrace/core/scene.h>
 #include <rastertrace/core/sink.h>
@@ -22,6 +24,7 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -35,6 +38,8 @@ template <typename Scalar> struct PlacedPrimitive {
     std::array<std::string_view, 3> names;
     std::array<Vec<Scalar, 2>, 3> positions{};
     std::array<Color, 3> colors; ///< of the vertices; the primitive's where they have none
+    std::array<DepthOf<Scalar>, 3> depths{};
+    std::array<DepthOf<Scalar>, 3> inverse_w{};
 };
 
 /// Coordinates become numbers to calculate with.
@@ -45,6 +50,10 @@ PlacedPrimitive<Scalar> placed(const Piece<Coordinate>& piece, const Plan& plan)
     for (std::size_t i = 0; i < piece.count; ++i) {
         result.positions[i].x = scalar_from<Scalar>(piece.positions[i].x, plan.denominator);
         result.positions[i].y = scalar_from<Scalar>(piece.positions[i].y, plan.denominator);
+    }
+    if constexpr (std::same_as<DepthOf<Scalar>, Coordinate>) {
+        result.depths = piece.depths;
+        result.inverse_w = piece.inverse_w;
     }
     return result;
 }
@@ -74,17 +83,36 @@ void draw_line(const PlacedPrimitive<Scalar>& primitive, EdgeName side, const Me
                           line_rounding(method), line, method.color_lerp, image, sink);
 }
 
+/// What pixels are drawn on and tested against.
+template <typename Scalar> struct Target {
+    Image image;
+    std::optional<DepthBuffer<DepthOf<Scalar>>> depth = {};
+};
+
 /// Fills a triangle.
 template <typename Scalar, typename Sink>
-void fill(const PlacedPrimitive<Scalar>& primitive, Color flat, bool mixes_colors,
-          const Method& method, const Plan& plan, Image& image, Sink&& sink) {
+void fill(const PlacedPrimitive<Scalar>& primitive, Color flat, const Scene& scene,
+          const Plan& plan, Target<Scalar>& target, Sink&& sink) {
+    const Method& method = scene.method;
+    Image& image = target.image;
     const Triangle<Scalar> triangle{primitive.positions};
     const Scalar sample_offset = scalar_from<Scalar>(sample_offset_of(method), plan.denominator);
-    Paint<Scalar> paint{.flat = flat, .mixed = {}};
-    if (mixes_colors) {
+    Paint<Scalar> paint{.flat = flat};
+    if (plan.mixes_colors) {
         const Barycentric<Scalar> barycentric(triangle);
-        if (barycentric.area2() != scalar_from<Scalar>(0))
-            paint.mixed = MixedColors<Scalar>{primitive.colors, barycentric, sample_offset};
+        if (barycentric.area2() != scalar_from<Scalar>(0)) {
+            paint.mixed =
+                MixedColors<Scalar>{primitive.colors, barycentric, sample_offset, std::nullopt};
+            if (plan.mixes_in_perspective)
+                paint.mixed->inverse_w = primitive.inverse_w;
+        }
+    }
+    std::optional<TriangleDepth<Scalar>> depth;
+    if (target.depth) {
+        depth.emplace(triangle, primitive.depths, *target.depth);
+        if (method.fill == Fill::top_left)
+            depth->prepare();
+        paint.depth = &*depth;
     }
 
     const ScanlineRules rules{.lerp = method.lerp, .span = span_rounding(method)};
@@ -106,8 +134,11 @@ void fill(const PlacedPrimitive<Scalar>& primitive, Color flat, bool mixes_color
 
 /// Draws a primitive, or a part of one.
 template <typename Scalar, typename Coordinate, typename Sink>
-void draw_piece(const Piece<Coordinate>& piece, bool mixes_colors, const Method& method,
-                const Plan& plan, Image& image, Sink&& sink) {
+void draw_piece(const Piece<Coordinate>& piece, const Scene& scene, const Plan& plan,
+                Target<Scalar>& target, Sink&& sink) {
+    const Method& method = scene.method;
+    Image& image = target.image;
+    const bool is_tested = target.depth && piece.kind == PrimitiveKind::triangle;
     const auto primitive = placed<Scalar>(piece, plan);
     const GridPoint first = nearest_pixel(primitive.positions[0].x, primitive.positions[0].y);
     const GridPoint second = nearest_pixel(primitive.positions[1].x, primitive.positions[1].y);
@@ -117,9 +148,13 @@ void draw_piece(const Piece<Coordinate>& piece, bool mixes_colors, const Method&
         .vertices = std::span(primitive.names).first(primitive.count),
         .positions = std::span(primitive.positions).first(primitive.count),
         .color = piece.color,
-        .colors = std::span(primitive.colors).first(mixes_colors ? primitive.count : 0),
+        .colors = std::span(primitive.colors).first(plan.mixes_colors ? primitive.count : 0),
+        .depths = std::span(primitive.depths).first(is_tested ? primitive.count : 0),
         .octant = piece.kind == PrimitiveKind::line ? octant_of(first, second) : 0,
         .is_part = piece.is_part});
+    if constexpr (!std::same_as<Coordinate, Number>)
+        if (!report_face(piece.face, sink))
+            return;
 
     switch (piece.kind) {
     case PrimitiveKind::point:
@@ -139,7 +174,7 @@ void draw_piece(const Piece<Coordinate>& piece, bool mixes_colors, const Method&
         }
         break;
     case PrimitiveKind::triangle:
-        fill(primitive, piece.color, mixes_colors, method, plan, image, sink);
+        fill(primitive, piece.color, scene, plan, target, sink);
         break;
     }
 }
@@ -156,11 +191,12 @@ inline constexpr bool draws = std::same_as<Coordinate, Number> ||
 /// must have found nothing.
 template <typename Scalar, typename Sink>
 Image draw(const Scene& scene, const Plan& plan, Sink&& sink) {
-    const bool mixes_colors = scene.mixes_colors();
-    Image image(scene.canvas);
+    Target<Scalar> target{.image = Image(scene.canvas)};
+    if (scene.has_depth_buffer())
+        target.depth.emplace(plan.depth_region, depth_rule<DepthOf<Scalar>>(scene));
     const auto draw_pieces = [&]<typename Coordinate>(const Piece<Coordinate>& piece) {
         if constexpr (draws<Scalar, Coordinate>)
-            draw_piece<Scalar>(piece, mixes_colors, scene.method, plan, image, sink);
+            draw_piece<Scalar>(piece, scene, plan, target, sink);
     };
     std::visit(
         [&](const auto& geometry) {
@@ -170,7 +206,7 @@ Image draw(const Scene& scene, const Plan& plan, Sink&& sink) {
             for_each_piece(scene, geometry, sink, draw_pieces);
         },
         plan.geometry);
-    return image;
+    return std::move(target.image);
 }
 
 } // namespace rastertrace

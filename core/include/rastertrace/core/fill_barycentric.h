@@ -19,8 +19,22 @@
 #include <rastertrace/core/triangle.h>
 
 #include <algorithm>
+#include <array>
 
 namespace rastertrace {
+
+/// Tests the depth at a pixel, which its weights tell.
+template <typename Scalar, typename Sink>
+requires SinkFor<Sink, DepthTested<DepthOf<Scalar>>>
+bool is_nearest(Pixel pixel, const std::array<Scalar, 3>& weights, TriangleDepth<Scalar>& triangle,
+                const Canvas& canvas, Sink&& sink) {
+    const auto depth = triangle.by_weights(
+        {depth_scalar(weights[0]), depth_scalar(weights[1]), depth_scalar(weights[2])});
+    auto& buffer = triangle.buffer;
+    auto& cell = *buffer.row_from(pixel.x, static_cast<int>(canvas.row_of(pixel.y)));
+    return buffer.larger_passes() ? passes_depth_test<true>(pixel, depth, cell, buffer, sink)
+                                  : passes_depth_test<false>(pixel, depth, cell, buffer, sink);
+}
 
 /// Fills the closed triangle: samples on its edges are drawn, so two triangles that share an edge
 /// both draw them. A sample lies `sample_offset` right of and above (in y) a pixel's integer point.
@@ -68,7 +82,9 @@ void fill_barycentric(const Triangle<Scalar>& triangle, const Paint<Scalar>& pai
             sink(SampleTested<Scalar>{.pixel = pixel, .weights = weights, .is_inside = is_inside});
             if (!is_inside)
                 continue;
-            const Color color = paint.mixed ? paint.mixed->at(pixel) : paint.flat;
+            if (paint.depth != nullptr && !is_nearest(pixel, weights, *paint.depth, canvas, sink))
+                continue;
+            const Color color = paint.at(pixel);
             image.at(pixel) = color;
             sink(PixelPlotted{.pixel = pixel, .color = color});
         }

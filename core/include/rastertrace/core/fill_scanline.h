@@ -11,6 +11,7 @@
 //     fill_scanline(triangle, paint, rules, image, sink);
 
 #include <rastertrace/core/canvas.h>
+#include <rastertrace/core/depth.h>
 #include <rastertrace/core/edge.h>
 #include <rastertrace/core/image.h>
 #include <rastertrace/core/paint.h>
@@ -23,6 +24,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 
 namespace rastertrace {
 
@@ -79,6 +81,18 @@ void fill_row(int y, EdgeWalk<Scalar>& along_left, EdgeWalk<Scalar>& along_right
     const Scalar left = along_left.x_on_row(y);
     const Scalar right = along_right.x_on_row(y);
 
+    // How deep the triangle lies there.
+    std::optional<DepthRow<DepthOf<Scalar>>> depths;
+    std::optional<DepthOf<Scalar>> left_depth;
+    std::optional<DepthOf<Scalar>> right_depth;
+    if (paint.depth != nullptr) {
+        const auto height = scalar_from<DepthOf<Scalar>>(y);
+        left_depth = paint.depth->on_edge(along_left.name(), height);
+        right_depth = paint.depth->on_edge(along_right.name(), height);
+        depths = paint.depth->between(depth_scalar(left), *left_depth, depth_scalar(right),
+                                      *right_depth);
+    }
+
     // The pixels between them.
     const Index from = first_pixel(left, rules.span);
     const Index to = last_pixel(right, rules.span);
@@ -88,8 +102,10 @@ void fill_row(int y, EdgeWalk<Scalar>& along_left, EdgeWalk<Scalar>& along_right
                                  .from = from,
                                  .to = to,
                                  .left_edge = along_left.name(),
-                                 .right_edge = along_right.name()});
-    plot_span(y, from, to, paint, image, sink);
+                                 .right_edge = along_right.name(),
+                                 .left_depth = left_depth,
+                                 .right_depth = right_depth});
+    plot_span(y, from, to, paint, depths ? &*depths : nullptr, image, sink);
 }
 
 /// Fills a triangle row by row, from the top of the picture to its bottom, both ends of each row

@@ -161,7 +161,12 @@ void fill_top_left(const Triangle<Scalar>& triangle, const Paint<Scalar>& paint,
             const Index to = (long_edge_is_left ? on_short_edge : on_long_edge) - 1;
             const int y = canvas.y_of(row);
             report_crossings(triangle, order, is_upper, y, sample_offset, from, to, sink);
-            plot_span(y, from, to, paint, image, sink);
+            if (paint.depth == nullptr) {
+                plot_span(y, from, to, paint, nullptr, image, sink);
+            } else {
+                const auto depths = paint.depth->on_row(y, depth_scalar(sample_offset));
+                plot_span(y, from, to, paint, &depths, image, sink);
+            }
             along_long_edge.step();
             along_short_edge.step();
         }

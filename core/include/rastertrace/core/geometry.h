@@ -6,15 +6,14 @@
 //     object --model--> world --view--> camera --projection--> clip --/w--> canonical
 //            --viewport--> screen
 //
-// Primitives are clipped in clip space, so that nothing is divided by a w of 0 or less, and come out
-// as pieces that lie on the screen.
+// What lies out of view stops in clip space, so that nothing is divided by a w of 0 or less.
 //
 //     const auto geometry = geometry_of<double>(scene);
-//     for_each_piece(scene, geometry, sink, [](const Piece<double>& piece) { /* draw it */ });
+//     geometry.vertices[0].pixel;
 
 #include <rastertrace/core/camera.h>
-#include <rastertrace/core/clip.h>
 #include <rastertrace/core/matrix.h>
+#include <rastertrace/core/painter.h>
 #include <rastertrace/core/projection.h>
 #include <rastertrace/core/rounding.h>
 #include <rastertrace/core/scalar.h>
@@ -28,10 +27,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <span>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -151,6 +148,7 @@ ScreenPlaces<Scalar> places_on_screen(const Vec<Scalar, 4>& clip,
 /// A vertex before clipping.
 template <typename Scalar> struct PlacedVertex {
     Vec<Scalar, 4> clip;
+    Scalar distance;         ///< from the eye along the view
     Vec<Scalar, 2> pixel;    ///< where it is drawn, if it
     bool is_in_view = false; ///< lies outside no plane
 };
@@ -163,6 +161,9 @@ template <typename Scalar> struct Geometry {
     Transforms<Scalar> transforms;
     std::vector<PlacedVertex<Scalar>> vertices; ///< as in Scene::vertices
     std::vector<bool> is_used;                  ///< by a primitive; the others are not placed
+    std::vector<Vec<Scalar, 3>> world;          ///< of all vertices, if faces are tested
+    std::optional<PainterOrder<Scalar>> order;  ///< if the painter has sorted them
+    Depth depth = Depth::none;
 };
 
 /// Calls `visit(place, vertex, model)` with each vertex that is used, and the place of its object.
@@ -178,20 +179,37 @@ void for_each_used_vertex(const Scene& scene, const Geometry<Scalar>& geometry, 
     }
 }
 
+/// How far a place in camera space lies in front of the eye. Without a camera and a projection, z as
+/// typed is the distance.
+template <typename Scalar>
+Scalar distance_along_view(const Scene& scene, const Vec<Scalar, 4>& camera) {
+    const bool looks_along_plus_z =
+        scene.projection.type == ProjectionType::pinhole ||
+        (scene.projection.type == ProjectionType::none && !scene.camera);
+    return looks_along_plus_z ? camera.z : Scalar(-camera.z);
+}
+
 /// Takes every vertex that is used to clip space, and on to the screen if it can be seen.
 template <typename Scalar> Geometry<Scalar> geometry_of(const Scene& scene) {
     Geometry<Scalar> result;
     result.transforms = transforms_of<Scalar>(scene);
+    result.depth = scene.depth();
     result.vertices.resize(scene.vertices.size());
     result.is_used.resize(scene.vertices.size());
     for (const ScenePrimitive& primitive : scene.primitives)
         for (const std::size_t place : primitive.corners())
             result.is_used[place] = true;
+    if (scene.tests_faces())
+        result.world.resize(scene.vertices.size());
 
     const auto& transforms = result.transforms;
     for_each_used_vertex(scene, result, [&](std::size_t i, const auto& model) {
         PlacedVertex<Scalar>& vertex = result.vertices[i];
-        vertex.clip = places_of(scene.vertices[i], model, transforms).clip;
+        const VertexPlaces<Scalar> places = places_of(scene.vertices[i], model, transforms);
+        vertex.clip = places.clip;
+        vertex.distance = distance_along_view<Scalar>(scene, places.camera);
+        if (!result.world.empty())
+            result.world[i] = {places.world.x, places.world.y, places.world.z};
         vertex.is_in_view =
             std::all_of(transforms.planes.begin(), transforms.planes.end(),
                         [&vertex](const ClipPlane<Scalar>& plane) {
@@ -200,6 +218,9 @@ template <typename Scalar> Geometry<Scalar> geometry_of(const Scene& scene) {
         if (vertex.is_in_view)
             vertex.pixel = places_on_screen(vertex.clip, transforms).pixel;
     });
+    if (result.depth == Depth::painter)
+        result.order = painter_order<Scalar>(
+            scene, [&result](std::size_t place) { return result.vertices[place].distance; });
     return result;
 }
 
@@ -231,24 +252,12 @@ void report_places_on_screen(std::string_view name, const Vec<Scalar, 4>& clip,
                                              : std::span<const Scalar>(pixel)});
 }
 
-/// Reports the matrices, then every vertex through its spaces; a space that the scene has no matrix
-/// for is passed over. A vertex that cannot be seen stops at clip space.
+/// Reports every vertex through its spaces; a space that the scene has no matrix for is passed over.
+/// A vertex that cannot be seen stops at clip space.
 template <typename Scalar, typename Sink>
-requires SinkFor<Sink, MatrixSetUp<Scalar>, VertexPlaced<Scalar>>
-void report_geometry(const Scene& scene, const Geometry<Scalar>& geometry, Sink&& sink) {
+requires SinkFor<Sink, VertexPlaced<Scalar>>
+void report_vertices(const Scene& scene, const Geometry<Scalar>& geometry, Sink&& sink) {
     const Transforms<Scalar>& transforms = geometry.transforms;
-    for (std::size_t i = 0; i < transforms.models.size(); ++i)
-        if (transforms.models[i])
-            sink(MatrixSetUp<Scalar>{
-                .name = "model", .object = scene.objects[i].name, .matrix = *transforms.models[i]});
-    if (transforms.view)
-        sink(MatrixSetUp<Scalar>{.name = "view", .object = {}, .matrix = *transforms.view});
-    if (transforms.projection)
-        sink(MatrixSetUp<Scalar>{
-            .name = "projection", .object = {}, .matrix = *transforms.projection});
-    if (transforms.viewport)
-        sink(MatrixSetUp<Scalar>{.name = "viewport", .object = {}, .matrix = *transforms.viewport});
-
     for_each_used_vertex(scene, geometry, [&](std::size_t i, const auto& model) {
         const std::string_view name = scene.vertices[i].name;
         const auto places = places_of(scene.vertices[i], model, transforms);
@@ -264,206 +273,35 @@ void report_geometry(const Scene& scene, const Geometry<Scalar>& geometry, Sink&
     });
 }
 
+/// Reports the matrices, then the vertices, then what the painter has sorted.
+template <typename Scalar, typename Sink>
+requires SinkFor<Sink, MatrixSetUp<Scalar>, VertexPlaced<Scalar>, PrimitivesOrdered<Scalar>>
+void report_geometry(const Scene& scene, const Geometry<Scalar>& geometry, Sink&& sink) {
+    const Transforms<Scalar>& transforms = geometry.transforms;
+    for (std::size_t i = 0; i < transforms.models.size(); ++i)
+        if (transforms.models[i])
+            sink(MatrixSetUp<Scalar>{
+                .name = "model", .object = scene.objects[i].name, .matrix = *transforms.models[i]});
+    if (transforms.view)
+        sink(MatrixSetUp<Scalar>{.name = "view", .object = {}, .matrix = *transforms.view});
+    if (transforms.projection)
+        sink(MatrixSetUp<Scalar>{
+            .name = "projection", .object = {}, .matrix = *transforms.projection});
+    if (transforms.viewport)
+        sink(MatrixSetUp<Scalar>{.name = "viewport", .object = {}, .matrix = *transforms.viewport});
+
+    if (scene.has_transforms())
+        report_vertices(scene, geometry, sink);
+    if (geometry.order) {
+        std::vector<std::string_view> names;
+        for (const std::size_t i : geometry.order->primitives)
+            if (scene.primitives[i].kind == PrimitiveKind::triangle)
+                names.push_back(scene.primitives[i].name);
+        sink(PrimitivesOrdered<Scalar>{.names = names, .distances = geometry.order->keys});
+    }
+}
+
 /// Without a pipeline there is nothing to report.
 template <typename Sink> void report_geometry(const Scene&, const TypedGeometry&, Sink&&) {}
-
-/// A primitive on the screen, or a part of one that clipping has cut: the first `count` of each.
-template <typename Coordinate> struct Piece {
-    PrimitiveKind kind;
-    std::string_view name;
-    Color color; ///< of the primitive
-    std::size_t count = 0;
-    std::array<std::string_view, 3> names;
-    std::array<Vec<Coordinate, 2>, 3> positions{};
-    std::array<Color, 3> colors;           ///< the primitive's, where a vertex has none
-    std::array<std::size_t, 3> vertices{}; ///< places in the scene of the vertices, or of the
-                                           ///< primitive's first one if clipping made them
-    bool is_part = false;
-};
-
-/// The color of a vertex of a primitive.
-inline Color color_of(const SceneVertex& vertex, const ScenePrimitive& primitive,
-                      bool mixes_colors) {
-    return mixes_colors ? vertex.color.value_or(primitive.color) : primitive.color;
-}
-
-/// A primitive whose vertices all have a place: `position_of(i)` tells it.
-template <typename Coordinate, typename PositionOf>
-Piece<Coordinate> whole_piece(const Scene& scene, const ScenePrimitive& primitive,
-                              bool mixes_colors, PositionOf&& position_of) {
-    Piece<Coordinate> piece{.kind = primitive.kind,
-                            .name = primitive.name,
-                            .color = primitive.color,
-                            .names = {},
-                            .colors = {}};
-    for (const std::size_t place : primitive.corners()) {
-        const std::size_t i = piece.count++;
-        piece.names[i] = scene.vertices[place].name;
-        piece.positions[i] = position_of(place);
-        piece.colors[i] = color_of(scene.vertices[place], primitive, mixes_colors);
-        piece.vertices[i] = place;
-    }
-    return piece;
-}
-
-/// Without a pipeline every primitive is one piece.
-template <typename Sink, typename Visit>
-void for_each_piece(const Scene& scene, const TypedGeometry&, Sink&&, Visit&& visit) {
-    const bool mixes_colors = scene.mixes_colors();
-    for (const ScenePrimitive& primitive : scene.primitives)
-        visit(whole_piece<Number>(scene, primitive, mixes_colors, [&scene](std::size_t place) {
-            return Vec<Number, 2>{scene.vertices[place].x, scene.vertices[place].y};
-        }));
-}
-
-/// Why clipping at a plane has left nothing of a polygon.
-template <typename Scalar>
-SkipReason reason_of(const ClipPlane<Scalar>& plane,
-                     const std::vector<ClipVertex<Scalar>>& polygon) {
-    if (plane.name == "far")
-        return SkipReason::too_far;
-    if (plane.name != "near")
-        return SkipReason::outside_view;
-    // The near plane's value is the distance from the eye, less the near distance.
-    const bool is_behind_eye =
-        std::all_of(polygon.begin(), polygon.end(), [&plane](const ClipVertex<Scalar>& vertex) {
-            return !(plane.constant < plane.value_at(vertex.position));
-        });
-    return is_behind_eye ? SkipReason::behind_eye : SkipReason::too_near;
-}
-
-/// Cuts a polygon, a line or a point down to what lies inside all planes; each plane that it is not
-/// wholly inside of is reported. If nothing is left: why.
-template <typename Scalar, typename Sink>
-requires SinkFor<Sink, PrimitiveClipped> std::optional<SkipReason>
-clip_at_planes(std::string_view name, std::vector<ClipVertex<Scalar>>& polygon,
-               const std::vector<ClipPlane<Scalar>>& planes, Sink&& sink) {
-    const std::size_t fewest = std::min<std::size_t>(polygon.size(), 3);
-    for (const ClipPlane<Scalar>& plane : planes) {
-        // A triangle has 3 vertices, and each of the planes may add one to it.
-        std::array<bool, 16> is_inside{};
-        const std::size_t count = polygon.size();
-        for (std::size_t i = 0; i < count; ++i)
-            is_inside[i] = !(plane.value_at(polygon[i].position) < scalar_from<Scalar>(0));
-        if (std::all_of(is_inside.begin(), is_inside.begin() + static_cast<std::ptrdiff_t>(count),
-                        [](bool inside) { return inside; }))
-            continue;
-
-        std::vector<ClipVertex<Scalar>> left = clip(polygon, plane);
-        if (left.size() < fewest)
-            left.clear();
-        sink(PrimitiveClipped{.name = name,
-                              .plane = plane.name,
-                              .is_inside = std::span(is_inside).first(count),
-                              .left = static_cast<int>(left.size())});
-        const SkipReason reason = reason_of(plane, polygon);
-        polygon = std::move(left);
-        if (polygon.empty())
-            return reason;
-    }
-    return std::nullopt;
-}
-
-/// Clips what some vertices of a primitive span, puts the vertices that this makes on the screen, and
-/// visits what is left: a point, a line, or the triangles of a fan. `made` counts the vertices that
-/// clipping has made, `parts` the pieces. If nothing is left: why.
-template <typename Scalar, typename Sink, typename Visit>
-std::optional<SkipReason> visit_parts(const Scene& scene, const Geometry<Scalar>& geometry,
-                                      const ScenePrimitive& primitive,
-                                      std::span<const std::size_t> corners, bool mixes_colors,
-                                      int& made, int& parts, Sink&& sink, Visit&& visit) {
-    std::vector<ClipVertex<Scalar>> polygon;
-    for (const std::size_t place : corners)
-        polygon.push_back({geometry.vertices[place].clip,
-                           color_of(scene.vertices[place], primitive, mixes_colors),
-                           static_cast<int>(polygon.size())});
-    const auto reason = clip_at_planes(primitive.name, polygon, geometry.transforms.planes, sink);
-
-    std::vector<std::string> names;
-    std::vector<Vec<Scalar, 2>> positions;
-    for (const ClipVertex<Scalar>& vertex : polygon) {
-        if (vertex.original >= 0) {
-            names.push_back(
-                scene.vertices[corners[static_cast<std::size_t>(vertex.original)]].name);
-        } else {
-            names.push_back(primitive.name + ":" + std::to_string(++made));
-            report_place<Scalar>(names.back(), Space::clip, vertex.position, 4, sink);
-            report_places_on_screen(names.back(), vertex.position, geometry.transforms, sink);
-        }
-        positions.push_back(places_on_screen(vertex.position, geometry.transforms).pixel);
-    }
-
-    const std::size_t count = std::min<std::size_t>(polygon.size(), 3);
-    for (std::size_t last = count; count > 0 && last <= polygon.size(); ++last) {
-        const std::string name = primitive.name + "/" + std::to_string(++parts);
-        Piece<Scalar> piece{.kind = corners.size() < primitive.corners().size()
-                                        ? PrimitiveKind::line
-                                        : primitive.kind,
-                            .name = name,
-                            .color = primitive.color,
-                            .count = count,
-                            .names = {},
-                            .colors = {},
-                            .is_part = true};
-        for (std::size_t i = 0; i < count; ++i) {
-            const std::size_t corner = i == 0 ? 0 : last - count + i;
-            const int original = polygon[corner].original;
-            piece.names[i] = names[corner];
-            piece.positions[i] = positions[corner];
-            piece.colors[i] = polygon[corner].color;
-            piece.vertices[i] = corners[static_cast<std::size_t>(std::max(original, 0))];
-        }
-        visit(piece);
-    }
-    return reason;
-}
-
-/// Visits the pieces of all primitives, in the scene's order. A primitive in view is one piece;
-/// clipping of the others is reported.
-template <typename Scalar, typename Sink, typename Visit>
-requires SinkFor<Sink, PrimitiveBegan<Scalar>, PrimitiveClipped, VertexPlaced<Scalar>,
-                 PrimitiveSkipped>
-void for_each_piece(const Scene& scene, const Geometry<Scalar>& geometry, Sink&& sink,
-                    Visit&& visit) {
-    const bool mixes_colors = scene.mixes_colors();
-    for (const ScenePrimitive& primitive : scene.primitives) {
-        const auto corners = primitive.corners();
-        if (std::all_of(corners.begin(), corners.end(), [&geometry](std::size_t place) {
-                return geometry.vertices[place].is_in_view;
-            })) {
-            visit(
-                whole_piece<Scalar>(scene, primitive, mixes_colors, [&geometry](std::size_t place) {
-                    return geometry.vertices[place].pixel;
-                }));
-            continue;
-        }
-
-        // Cut: what is left of it comes as parts. The sides of an outline are cut one by one.
-        std::array<std::string_view, 3> names;
-        for (std::size_t i = 0; i < corners.size(); ++i)
-            names[i] = scene.vertices[corners[i]].name;
-        sink(PrimitiveBegan<Scalar>{.kind = primitive.kind,
-                                    .name = primitive.name,
-                                    .vertices = std::span(names).first(corners.size()),
-                                    .positions = {},
-                                    .color = primitive.color,
-                                    .colors = {}});
-        int made = 0;
-        int parts = 0;
-        std::optional<SkipReason> reason;
-        if (primitive.kind != PrimitiveKind::outline) {
-            reason = visit_parts(scene, geometry, primitive, corners, mixes_colors, made, parts,
-                                 sink, visit);
-        } else {
-            for (std::size_t i = 0; i < 3; ++i) {
-                const std::array<std::size_t, 2> side{corners[i], corners[(i + 1) % 3]};
-                reason = visit_parts(scene, geometry, primitive, side, mixes_colors, made, parts,
-                                     sink, visit);
-            }
-        }
-        if (parts == 0)
-            sink(PrimitiveSkipped{.why = *reason});
-    }
-}
 
 } // namespace rastertrace

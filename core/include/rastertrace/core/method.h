@@ -44,8 +44,40 @@ enum class Sample {
 /// Where the colors of pixels come from.
 enum class Shade {
     flat,        ///< the primitive's color
-    interpolate, ///< mixed from the colors of its vertices
+    faces,       ///< one of a fixed row of colors for each primitive
+    interpolate, ///< mixed from the colors of its vertices; in a perspective, as they mix in space
+    affine,      ///< mixed as if the picture were flat: wrong in a perspective
+    lambert,     ///< the primitive's color, as bright as its face is turned to the light
 };
+
+/// Which faces are not drawn. A face is seen from its front if its normal points to the eye:
+/// normal . view > 0. Seen from the edge (0) it is not drawn whenever anything is culled.
+enum class Cull {
+    none,
+    back,
+    front,
+    both,
+    light, ///< faces turned from the light: wrong, and shown as such
+};
+
+/// How triangles in front hide those behind.
+enum class Depth {
+    none,      ///< the last one drawn stays
+    painter,   ///< sorted, the farthest drawn first
+    linear_z,  ///< a buffer of the distance, interpolated on the screen: wrong in a perspective
+    inverse_z, ///< a buffer of 1/distance, which is linear on the screen
+    ndc_z,     ///< a buffer of z after the division by w, which is linear on the screen
+};
+
+/// When a pixel passes the depth test. Always strict: of equals, the first one stays.
+enum class DepthCompare {
+    automatic, ///< as the depth's kind has it: what is nearer passes
+    less,
+    greater,
+};
+
+/// Which distance of a triangle the painter sorts by.
+enum class PainterKey { nearest, farthest, mean };
 
 /// The choices of a scene, with their defaults. Where the default depends on what is drawn, nothing
 /// is said until someone says it.
@@ -60,6 +92,10 @@ struct Method {
     std::optional<Sample> sample = {};     ///< center for top-left, else integer
     LerpForm lerp = LerpForm::direct;
     Snap snap = Snap::none;
+    Cull cull = Cull::none;
+    std::optional<Depth> depth = {}; ///< inverse-z in a perspective, linear-z under orthographic
+    DepthCompare depth_compare = DepthCompare::automatic;
+    PainterKey painter_key = PainterKey::mean;
     std::optional<Shade> shade = {}; ///< interpolate if a vertex has a color, else flat
     ColorLerp color_lerp = ColorLerp::axis;
 };

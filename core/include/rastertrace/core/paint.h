@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The colors of a primitive's pixels: one for all of them, or mixed from those of the vertices.
+// The colors of a primitive's pixels: one for all of them, or mixed from those of the vertices; and
+// which of them a nearer triangle hides.
 //
 //     Paint<double> paint{.flat = Color{255, 0, 0}};
-//     plot_span(y, -1, 3, paint, image, sink);
+//     plot_span(y, -1, 3, paint, nullptr, image, sink);
 
 #include <rastertrace/core/barycentric.h>
 #include <rastertrace/core/canvas.h>
+#include <rastertrace/core/depth.h>
 #include <rastertrace/core/image.h>
 #include <rastertrace/core/rounding.h>
 #include <rastertrace/core/scalar.h>
@@ -25,9 +27,12 @@ namespace rastertrace {
 
 /// The colors of the vertices, mixed by the weights that they have in a pixel's sample point.
 template <typename Scalar> struct MixedColors {
+    using D = DepthOf<Scalar>;
+
     std::array<Color, 3> corners;
     Barycentric<Scalar> barycentric;
     Scalar sample_offset; ///< from the pixel's integer point to its sample point, in x and in y
+    std::optional<std::array<D, 3>> inverse_w = {}; ///< of the vertices, in a perspective
 
     /// Each channel is rounded to the nearest level, a half up. Where a pixel lies outside the
     /// triangle (the floor rule draws some) the mixture may leave 0..255, and is held there.
@@ -35,10 +40,30 @@ template <typename Scalar> struct MixedColors {
         const auto weights =
             barycentric.weights_at({Scalar(scalar_from<Scalar>(pixel.x) + sample_offset),
                                     Scalar(scalar_from<Scalar>(pixel.y) + sample_offset)});
+        return inverse_w ? mixed(in_space(weights)) : mixed(weights);
+    }
+
+private:
+    /// The weights in space of a point that has these weights on the screen: each is divided by the
+    /// w of its vertex, and all are divided by their sum. A point so far outside the triangle that
+    /// it has none keeps what it has.
+    std::array<D, 3> in_space(const std::array<Scalar, 3>& on_screen) const {
+        const std::array<D, 3> weights{depth_scalar(on_screen[0]), depth_scalar(on_screen[1]),
+                                       depth_scalar(on_screen[2])};
+        const std::array<D, 3> shares{D(weights[0] * (*inverse_w)[0]),
+                                      D(weights[1] * (*inverse_w)[1]),
+                                      D(weights[2] * (*inverse_w)[2])};
+        const D sum = shares[0] + shares[1] + shares[2];
+        if (!(scalar_from<D>(0) < sum))
+            return weights;
+        return {D(shares[0] / sum), D(shares[1] / sum), D(shares[2] / sum)};
+    }
+
+    template <typename Weight> Color mixed(const std::array<Weight, 3>& weights) const {
         const auto mix = [this, &weights](std::uint8_t (Color::*channel)() const) {
-            Scalar level = scalar_from<Scalar>(0);
+            Weight level = scalar_from<Weight>(0);
             for (std::size_t i = 0; i < 3; ++i)
-                level += weights[i] * scalar_from<Scalar>((corners[i].*channel)());
+                level += weights[i] * scalar_from<Weight>((corners[i].*channel)());
             return static_cast<std::uint8_t>(
                 std::clamp<Index>(nearest_index(level, Ties::up), 0, 255));
         };
@@ -47,11 +72,48 @@ template <typename Scalar> struct MixedColors {
     }
 };
 
-/// How the pixels of a primitive get their colors.
+/// How the pixels of a primitive get their colors, and which of them are hidden.
 template <typename Scalar> struct Paint {
     Color flat;                                    ///< of every pixel, unless
     std::optional<MixedColors<Scalar>> mixed = {}; ///< this is here
+    TriangleDepth<Scalar>* depth = nullptr;        ///< tests every pixel, if it is here
+
+    Color at(Pixel pixel) const { return mixed ? mixed->at(pixel) : flat; }
 };
+
+/// Tests a pixel's depth against what is stored for it, and keeps the nearer one.
+template <bool larger, typename D, typename Sink>
+requires SinkFor<Sink, DepthTested<D>>
+bool passes_depth_test(Pixel pixel, const D& depth, D& cell, DepthBuffer<D>& buffer, Sink&& sink) {
+    if constexpr (keeps_steps<Sink>) {
+        const std::optional<D> stored = buffer.stored(cell);
+        const bool passes = buffer.template keep_if_nearer<larger>(cell, depth);
+        sink(DepthTested<D>{.pixel = pixel, .depth = depth, .stored = stored, .passes = passes});
+        return passes;
+    } else {
+        return buffer.template keep_if_nearer<larger>(cell, depth);
+    }
+}
+
+/// Plots the pixels of a row that the canvas has and that no nearer triangle hides.
+template <bool larger, typename Scalar, typename Sink>
+requires SinkFor<Sink, DepthTested<DepthOf<Scalar>>, PixelPlotted>
+void plot_nearer_pixels(int y, int first, int last, const Paint<Scalar>& paint,
+                        const DepthRow<DepthOf<Scalar>>& depths, Image& image, Sink&& sink) {
+    const Canvas canvas = image.canvas();
+    auto& buffer = paint.depth->buffer;
+    if (last < first)
+        return;
+    DepthOf<Scalar>* const cells = buffer.row_from(first, static_cast<int>(canvas.row_of(y)));
+    Color* const row = &image.at({first, y});
+    for (int x = first; x <= last; ++x) {
+        if (!passes_depth_test<larger>({x, y}, depths.at(x), cells[x - first], buffer, sink))
+            continue;
+        const Color color = paint.at({x, y});
+        row[x - first] = color;
+        sink(PixelPlotted{.pixel = {x, y}, .color = color});
+    }
+}
 
 /// Plots the pixels of a row that the canvas has, from x = `first` to x = `last`, in mixed colors.
 template <typename Scalar, typename Sink>
@@ -65,11 +127,13 @@ void plot_mixed_span(int y, int first, int last, const MixedColors<Scalar>& mixe
     }
 }
 
-/// Plots the pixels of a row from x = `from` to x = `to`, as far as the canvas has them.
+/// Plots the pixels of a row from x = `from` to x = `to`, as far as the canvas has them; with
+/// `depths`, those that are not hidden. Inline: on a short row, calling it would cost as much as the
+/// row.
 template <typename Scalar, typename Sink>
 requires SinkFor<Sink, PixelPlotted, PixelsRejected>
-inline void plot_span(int y, Index from, Index to, const Paint<Scalar>& paint, Image& image,
-                      Sink&& sink) {
+inline void plot_span(int y, Index from, Index to, const Paint<Scalar>& paint,
+                      const DepthRow<DepthOf<Scalar>>* depths, Image& image, Sink&& sink) {
     const Index left = image.canvas().left();
     const Index right = image.canvas().right();
     if (from <= to && from < left)
@@ -78,7 +142,12 @@ inline void plot_span(int y, Index from, Index to, const Paint<Scalar>& paint, I
 
     const auto first = static_cast<int>(std::clamp(from, left, right + 1));
     const auto last = static_cast<int>(std::clamp(to, left - 1, right));
-    if (paint.mixed) {
+    if (depths != nullptr) {
+        if (paint.depth->buffer.larger_passes())
+            plot_nearer_pixels<true>(y, first, last, paint, *depths, image, sink);
+        else
+            plot_nearer_pixels<false>(y, first, last, paint, *depths, image, sink);
+    } else if (paint.mixed) {
         plot_mixed_span(y, first, last, *paint.mixed, image, sink);
     } else {
         Color* const row = image.row(y).data();

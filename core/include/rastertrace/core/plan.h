@@ -8,8 +8,10 @@
 //     with_scalar(plan, [&]<typename Scalar>() { draw<Scalar>(scene, plan, sink); });
 
 #include <rastertrace/core/barycentric.h>
+#include <rastertrace/core/depth.h>
 #include <rastertrace/core/fill_fan.h>
 #include <rastertrace/core/geometry.h>
+#include <rastertrace/core/pieces.h>
 #include <rastertrace/core/scalar.h>
 #include <rastertrace/core/scene.h>
 
@@ -59,6 +61,9 @@ struct Plan {
     NumberType number = NumberType::binary64;
     std::int64_t denominator = 1; ///< common to all coordinates, when they are fractions
     AnyGeometry geometry = {};
+    DepthRegion depth_region = {}; ///< the pixels that any triangle may reach
+    bool mixes_colors = false;
+    bool mixes_in_perspective = false;
 };
 
 /// The grid that `fixed` snaps to: 1/256 pixel, as graphics hardware does.
@@ -127,9 +132,13 @@ NumberChoice choose_fractions(const Scene& scene, const AGeometry& geometry,
             .denominator = denominator};
 }
 
-/// The narrowest exact type in which no step of the fill can overflow, for all of the scene.
+/// The narrowest exact type in which no step of the fill can overflow, for all of the scene. Depths,
+/// and colors in a perspective, are quotients of quotients: for them, any size.
 template <typename AGeometry>
 NumberChoice choose_exact_numbers(const Scene& scene, const AGeometry& geometry) {
+    if (scene.has_depth_buffer() || scene.mixes_in_perspective())
+        return {.number = NumberType::rational};
+
     // The least common multiple of the denominators as typed, and of the sample point's.
     std::int64_t common = sample_of(scene.method) == Sample::center ? 2 : 1;
     const bool has_common = all_coordinates(scene, geometry, [&common](const auto& coordinate) {
@@ -140,6 +149,39 @@ NumberChoice choose_exact_numbers(const Scene& scene, const AGeometry& geometry)
     if (!has_common)
         return {.number = NumberType::rational};
     return choose_fractions(scene, geometry, common);
+}
+
+/// The pixels of the canvas that any triangle may reach: those of their boxes, and one more on each
+/// side for what rounding adds. Empty without a depth buffer.
+template <typename AGeometry>
+DepthRegion depth_region_of(const Scene& scene, const AGeometry& geometry) {
+    if (!scene.has_depth_buffer())
+        return {};
+    const Canvas& canvas = scene.canvas;
+    const double far_out = 2.0 * largest_canvas_side;
+    double low_x = far_out, high_x = -far_out, low_y = far_out, high_y = -far_out;
+    for_each_piece(scene, geometry, NullSink{}, [&](const auto& piece) {
+        if (piece.kind == PrimitiveKind::triangle)
+            for (const auto& position : piece.positions) {
+                const double x = std::clamp(to_double(position.x), -far_out, far_out);
+                const double y = std::clamp(to_double(position.y), -far_out, far_out);
+                low_x = std::min(low_x, x);
+                high_x = std::max(high_x, x);
+                low_y = std::min(low_y, y);
+                high_y = std::max(high_y, y);
+            }
+    });
+    const auto column = [&canvas](Index x) {
+        return static_cast<int>(std::clamp<Index>(x, canvas.left(), canvas.right() + 1));
+    };
+    const auto row = [&canvas](Index y) {
+        return static_cast<int>(std::clamp<Index>(canvas.row_of(y), 0, canvas.height));
+    };
+    const int left = column(floor_index(low_x) - 1);
+    const int right = column(ceil_index(high_x) + 2);
+    const auto [top, bottom] =
+        std::minmax({row(floor_index(low_y) - 2), row(ceil_index(high_y) + 2)});
+    return {left, top, std::max(right - left, 0), std::max(bottom - top, 0)};
 }
 
 /// Decides how a scene is drawn, from the scene alone.
@@ -164,7 +206,14 @@ inline Plan plan_for(const Scene& scene) {
             return {};
         },
         geometry);
-    return {choice.number, choice.denominator, std::move(geometry)};
+    const DepthRegion region =
+        std::visit([&scene](const auto& one) { return depth_region_of(scene, one); }, geometry);
+    return {.number = choice.number,
+            .denominator = choice.denominator,
+            .geometry = std::move(geometry),
+            .depth_region = region,
+            .mixes_colors = scene.mixes_colors(),
+            .mixes_in_perspective = scene.mixes_in_perspective()};
 }
 
 /// Calls `draw_with.template operator()<Scalar>()` with the scalar that the plan has chosen.
@@ -195,6 +244,7 @@ struct Unfit {
         coordinate_of_fixed,   ///< beyond the limit: edges could not be evaluated in 128 bits
         coordinate_of_line,    ///< beyond the limit: Bresenham's d could not be held in 64 bits
         edge_of_fan,           ///< longer than longest_fan_edge
+        depth,                 ///< 0 or less from the eye, where 1/distance is asked for
     };
     What what;
     std::size_t from; ///< place in Scene::vertices
@@ -275,9 +325,10 @@ std::optional<Unfit> unfit_of(const Piece<Coordinate>& piece, const Method& meth
     return std::nullopt;
 }
 
-/// The first vertex that a primitive needs and that has no finite place before clipping.
+/// The first vertex that a primitive needs and that has no finite place before clipping, or no
+/// depth.
 template <typename Coordinate>
-std::optional<Unfit> unfit_vertex(const Scene&, const Geometry<Coordinate>& geometry) {
+std::optional<Unfit> unfit_vertex(const Scene& scene, const Geometry<Coordinate>& geometry) {
     if constexpr (std::floating_point<Coordinate>)
         for (std::size_t i = 0; i < geometry.vertices.size(); ++i) {
             const auto& at = geometry.vertices[i].clip;
@@ -285,6 +336,15 @@ std::optional<Unfit> unfit_vertex(const Scene&, const Geometry<Coordinate>& geom
                                          std::isfinite(at.z) && std::isfinite(at.w)))
                 return Unfit{Unfit::What::place, i, i, {at.x, at.y}, {at.x, at.y}, 0};
         }
+    // In a perspective, clipping leaves only what lies in front of the eye. Elsewhere nothing does.
+    if (geometry.depth == Depth::inverse_z && !is_perspective(scene.projection.type))
+        for (const ScenePrimitive& primitive : scene.primitives)
+            if (primitive.kind == PrimitiveKind::triangle)
+                for (const std::size_t i : primitive.corners()) {
+                    const double distance = to_double(geometry.vertices[i].distance);
+                    if (!(distance > 0) || !std::isfinite(1 / distance))
+                        return Unfit{Unfit::What::depth, i, i, {distance, 0}, {distance, 0}, 0};
+                }
     return std::nullopt;
 }
 inline std::optional<Unfit> unfit_vertex(const Scene&, const TypedGeometry&) {

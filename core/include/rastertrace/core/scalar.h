@@ -153,6 +153,21 @@ Scalar scalar_from(const Coordinate& coordinate, std::int64_t denominator) {
     }
 }
 
+/// The numbers that depths, and colors in a perspective, are worked out in. A fraction's denominator
+/// would grow too far: what is drawn on a grid takes doubles, and what is exact takes rationals from
+/// the start.
+template <typename Scalar> struct DepthScalar { using type = Scalar; };
+template <typename Integer> struct DepthScalar<Fraction<Integer>> { using type = double; };
+template <typename Scalar> using DepthOf = typename DepthScalar<Scalar>::type;
+
+/// A coordinate as a number for depths.
+template <typename Scalar> const Scalar& depth_scalar(const Scalar& x) {
+    return x;
+}
+template <typename Integer> double depth_scalar(const Fraction<Integer>& x) {
+    return static_cast<double>(x.numerator) / static_cast<double>(x.denominator);
+}
+
 /// Writes `step` over the denominator of `value`, so that adding it again and again does not make
 /// the fraction grow. The denominator of `value` must be a multiple of that of `step`, as it is for
 /// a point on a line and the line's slope. Other scalars need no such care.

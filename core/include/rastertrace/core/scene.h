@@ -71,6 +71,16 @@ struct ScenePrimitive {
     }
 };
 
+/// Where light comes from, in the world.
+struct Light {
+    enum class Kind {
+        direction, ///< from everywhere to the light
+        position,
+    };
+    Kind kind = Kind::direction;
+    Numbers3 at{0, 0, 1};
+};
+
 /// Everything needed to draw a picture.
 struct Scene {
     std::string title;
@@ -83,10 +93,44 @@ struct Scene {
     std::optional<Camera> camera;     ///< none: the world is the camera's space
     Projection projection;
     Viewport viewport;
+    std::optional<Light> light;
 
-    /// True if vertices are moved before they are drawn: the places as typed are not those on the
-    /// screen.
+    /// How hidden surfaces are found.
+    Depth depth() const {
+        if (method.depth || !has(PrimitiveKind::triangle))
+            return method.depth.value_or(Depth::none);
+        return is_perspective(projection.type)                   ? Depth::inverse_z
+               : projection.type == ProjectionType::orthographic ? Depth::linear_z
+                                                                 : Depth::none;
+    }
+
+    /// True if colors are mixed as they mix in space.
+    bool mixes_in_perspective() const {
+        return shade() == Shade::interpolate && is_perspective(projection.type) &&
+               has(PrimitiveKind::triangle);
+    }
+
+    /// True if pixels are tested against a buffer of depths. The fan draws lines, which are not.
+    bool has_depth_buffer() const {
+        const Depth in_force = depth();
+        return in_force != Depth::none && in_force != Depth::painter && method.fill != Fill::fan &&
+               has(PrimitiveKind::triangle);
+    }
+
+    /// True if faces are turned away or lit: their normals are needed.
+    bool tests_faces() const {
+        return has(PrimitiveKind::triangle) &&
+               (method.cull != Cull::none || method.shade == Shade::lambert);
+    }
+
+    /// True if vertices are moved before they are drawn, or their z counts: their places on the
+    /// screen, as typed, are not all that is needed.
     bool has_pipeline() const {
+        return has_transforms() || tests_faces() || depth() != Depth::none;
+    }
+
+    /// True if the places as typed are not those on the screen.
+    bool has_transforms() const {
         return camera || projection.type != ProjectionType::none ||
                viewport.type != ViewportType::none || method.snap != Snap::none ||
                std::any_of(objects.begin(), objects.end(),
@@ -99,12 +143,17 @@ struct Scene {
                            [kind](const ScenePrimitive& one) { return one.kind == kind; });
     }
 
-    /// True if pixels are mixed from the colors of vertices.
-    bool mixes_colors() const {
+    /// Where the colors of pixels come from.
+    Shade shade() const {
         const bool have_colors = std::any_of(vertices.begin(), vertices.end(),
                                              [](const SceneVertex& one) { return !!one.color; });
-        return method.shade.value_or(have_colors ? Shade::interpolate : Shade::flat) ==
-               Shade::interpolate;
+        return method.shade.value_or(have_colors ? Shade::interpolate : Shade::flat);
+    }
+
+    /// True if pixels are mixed from the colors of vertices.
+    bool mixes_colors() const {
+        const Shade in_force = shade();
+        return in_force == Shade::interpolate || in_force == Shade::affine;
     }
 };
 

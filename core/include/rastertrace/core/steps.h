@@ -12,10 +12,12 @@
 #include <rastertrace/core/canvas.h>
 #include <rastertrace/core/image.h>
 #include <rastertrace/core/matrix.h>
+#include <rastertrace/core/scalar.h>
 #include <rastertrace/core/vec.h>
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -42,6 +44,32 @@ template <typename Scalar> struct VertexPlaced {
     std::span<const Scalar> snapped; ///< on the screen: where `snap` moves it; else empty
 };
 
+/// The painter has sorted the triangles: this is the order in which they are drawn.
+template <typename Scalar> struct PrimitivesOrdered {
+    std::span<const std::string_view> names;
+    std::span<const Scalar> distances; ///< from the eye: the key that each was sorted by
+};
+
+/// A face was asked whether it is turned to the eye, or to the light.
+template <typename Scalar> struct FaceTested {
+    Vec<Scalar, 3> normal;        ///< (P2 - P1) x (P3 - P1) in the world, its length twice the area
+    Vec<Scalar, 3> view;          ///< from the face's centroid to the eye, or to the light
+    Scalar dot;                   ///< normal . view: the front is seen if it is above 0
+    std::optional<double> cosine; ///< of the angle between them; none if one has no length
+    bool is_by_light;             ///< `view` leads to the light
+    bool is_culled;
+    bool is_culled_opposite; ///< the verdict, had `view` been taken from the eye to the face
+};
+
+/// The light on a face is known.
+template <typename Scalar> struct FaceLit {
+    Vec<Scalar, 3> normal;
+    Vec<Scalar, 3> light; ///< toward the light, from the face's centroid
+    Scalar dot;           ///< normal . light
+    double intensity;     ///< the cosine of the angle between them, 0 if it is negative
+    Color color;          ///< of the face in this light
+};
+
 /// A primitive with a vertex outside a plane of the space that can be seen met that plane.
 struct PrimitiveClipped {
     std::string_view name;           ///< of the primitive; the sides of an outline come one by one
@@ -61,8 +89,9 @@ template <typename Scalar> struct PrimitiveBegan {
     std::span<const Vec<Scalar, 2>> positions;  ///< of the vertices on the screen, or none
     Color color;                                ///< of every pixel that does not say otherwise
     std::span<const Color> colors;              ///< of the vertices, if they are mixed; else empty
-    int octant = 0;                             ///< of a line, see octant_of; else 0
-    bool is_part = false;                       ///< of the primitive that began before it
+    std::span<const DepthOf<Scalar>> depths = {}; ///< of the vertices, if there is a depth buffer
+    int octant = 0;                               ///< of a line, see octant_of; else 0
+    bool is_part = false;                         ///< of the primitive that began before it
 };
 
 /// Two vertices of the current primitive, by their place in PrimitiveBegan::vertices.
@@ -118,6 +147,8 @@ template <typename Scalar> struct ScanlineSpanned {
     Index to;     ///< last pixel of the span: right, rounded; empty when to < from
     EdgeName left_edge;
     EdgeName right_edge;
+    std::optional<DepthOf<Scalar>> left_depth = {}; ///< where depths are interpolated by rows
+    std::optional<DepthOf<Scalar>> right_depth = {};
 };
 
 /// A line's minor coordinate is known at a step along its major one.
@@ -143,6 +174,15 @@ template <typename Scalar> struct SampleTested {
     Pixel pixel;
     std::array<Scalar, 3> weights; ///< of the vertices, in the scene's order; they sum to 1
     bool is_inside;                ///< none is negative
+};
+
+/// A pixel of a triangle met the depth buffer.
+template <typename Scalar> struct DepthTested {
+    Pixel pixel;
+    Scalar depth;                 ///< of the triangle at this pixel
+    std::optional<Scalar> stored; ///< what the buffer has; none if nothing was drawn, and no number
+                                  ///< is farther than all others
+    bool passes;
 };
 
 /// A pixel got a color.
@@ -172,6 +212,7 @@ enum class SkipReason {
     off_canvas,   ///< it has pixels, and none of them lies on the canvas
     between_rows, ///< it lies between two rows of pixels
     zero_area,    ///< its area is 0, and the fill has no use for that
+    culled,       ///< its face is turned away
     behind_eye,   ///< clipping left nothing: all of it lies behind the eye, or beside it
     too_near,     ///< clipping left nothing: all of it lies nearer than the near plane
     too_far,      ///< clipping left nothing: all of it lies beyond the far plane

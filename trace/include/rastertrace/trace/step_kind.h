@@ -14,7 +14,10 @@ namespace rastertrace {
 enum class StepKind {
     matrix,
     vertex,
+    order,
     primitive,
+    face,
+    light,
     clip,
     edge,
     half,
@@ -23,12 +26,13 @@ enum class StepKind {
     along,
     decide,
     sample,
+    depth,
     pixel,
     reject,
     skip,
 };
 
-inline constexpr std::size_t step_kinds = 14;
+inline constexpr std::size_t step_kinds = 18;
 
 /// The value of "step": matrix, vertex, ...
 std::string_view name_of(StepKind kind);

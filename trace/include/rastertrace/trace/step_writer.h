@@ -13,6 +13,7 @@
 // is never formatted.
 
 #include <rastertrace/core/steps.h>
+#include <rastertrace/trace/color_text.h>
 #include <rastertrace/trace/format_number.h>
 #include <rastertrace/trace/output.h>
 #include <rastertrace/trace/step_kind.h>
@@ -99,7 +100,60 @@ public:
         }
         if (!step.positions.empty())
             put("]");
+        if (!step.depths.empty())
+            put_numbers(R"(,"depths":[)", step.depths);
         end_primitive_line(step.color, step.colors, step.octant, step.is_part);
+    }
+
+    template <typename Scalar> void operator()(const PrimitivesOrdered<Scalar>& step) {
+        if (!wants(StepKind::order))
+            return;
+        begin_line(StepKind::order);
+        std::string_view before = R"({"step":"order","names":[)";
+        for (const std::string_view name : step.names) {
+            put(before, std::string_view(json_quoted(name)));
+            before = ",";
+        }
+        put("]");
+        put_numbers(R"(,"distances":[)", step.distances);
+        put("}");
+    }
+
+    template <typename Scalar> void operator()(const FaceTested<Scalar>& step) {
+        if (!wants(StepKind::face))
+            return;
+        begin_line(StepKind::face);
+        put(R"({"step":"face","normal":[)", step.normal.x, ",", step.normal.y, ",", step.normal.z,
+            R"(],"view":[)", step.view.x, ",", step.view.y, ",", step.view.z, R"(],"dot":)",
+            step.dot);
+        if (step.cosine)
+            put(R"(,"cosine":)", *step.cosine);
+        else
+            put(R"(,"cosine":null)");
+        put(std::string_view(step.is_by_light ? R"(,"by":"light")" : ""), R"(,"culled":)",
+            word(step.is_culled), R"(,"opposite":)", word(step.is_culled_opposite), "}");
+    }
+
+    template <typename Scalar> void operator()(const FaceLit<Scalar>& step) {
+        if (!wants(StepKind::light))
+            return;
+        begin_line(StepKind::light);
+        put(R"({"step":"light","normal":[)", step.normal.x, ",", step.normal.y, ",", step.normal.z,
+            R"(],"light":[)", step.light.x, ",", step.light.y, ",", step.light.z, R"(],"dot":)",
+            step.dot, R"(,"intensity":)", step.intensity, R"(,"color":")",
+            std::string_view(to_text(step.color)), "\"}");
+    }
+
+    template <typename Scalar> void operator()(const DepthTested<Scalar>& step) {
+        if (!wants(StepKind::depth) || !is_in_region(step.pixel))
+            return;
+        begin_line(StepKind::depth);
+        if (step.stored)
+            put(R"({"step":"depth","x":)", step.pixel.x, R"(,"y":)", step.pixel.y, R"(,"depth":)",
+                step.depth, R"(,"stored":)", *step.stored, R"(,"pass":)", word(step.passes), "}");
+        else
+            put(R"({"step":"depth","x":)", step.pixel.x, R"(,"y":)", step.pixel.y, R"(,"depth":)",
+                step.depth, R"(,"stored":null,"pass":)", word(step.passes), "}");
     }
 
     template <typename Scalar> void operator()(const EdgeSetUp<Scalar>& step) {
@@ -144,7 +198,10 @@ public:
         begin_line(StepKind::scanline);
         put(R"({"step":"scanline","y":)", step.y, R"(,"left":)", step.left, R"(,"right":)",
             step.right, R"(,"from":)", step.from, R"(,"to":)", step.to, R"(,"left_edge":)",
-            label(step.left_edge), R"(,"right_edge":)", label(step.right_edge), "}");
+            label(step.left_edge), R"(,"right_edge":)", label(step.right_edge));
+        if (step.left_depth && step.right_depth)
+            put(R"(,"left_depth":)", *step.left_depth, R"(,"right_depth":)", *step.right_depth);
+        put("}");
     }
 
     void operator()(const PixelPlotted& step) {

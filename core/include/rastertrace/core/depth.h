@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The depth buffer: for each pixel, the depth of the nearest triangle drawn there so far. A pixel is
+// drawn only if its own depth is nearer.
+//
+//     kind        depth at a vertex      the buffer starts at    nearer is
+//     linear-z    the distance z         farther than all        smaller
+//     inverse-z   1/z                    0, infinitely far       larger
+//     ndc-z       z after division       the far end             smaller (larger: view-plane)
+//
+// 1/z and z after the division are linear on the screen, z itself is not: T0, "Pintando faces",
+// after Gambetta. The comparison is strict: of equal depths, the first one drawn stays.
+//
+//     DepthBuffer<double> buffer(region, rule);
+//     buffer.passes(pixel, 0.25);
+
+#include <rastertrace/core/canvas.h>
+#include <rastertrace/core/scalar.h>
+#include <rastertrace/core/steps.h>
+#include <rastertrace/core/triangle.h>
+#include <rastertrace/core/vec.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace rastertrace {
+
+/// When a depth passes, and what an untouched pixel holds.
+template <typename Scalar> struct DepthRule {
+    bool larger_passes = false;
+    std::optional<Scalar> cleared = {}; ///< none: every depth passes
+};
+
+/// The pixels that have a depth: columns from `left` on, rows from `top_row` on.
+struct DepthRegion {
+    int left = 0;
+    int top_row = 0;
+    int width = 0;
+    int height = 0;
+};
+
+/// One number per pixel of its region.
+template <typename Scalar> class DepthBuffer {
+public:
+    DepthBuffer(const DepthRegion& region, const DepthRule<Scalar>& rule)
+        : region_(region), rule_(rule),
+          depths_(static_cast<std::size_t>(region.width) * static_cast<std::size_t>(region.height),
+                  cleared_cell(rule)),
+          is_clear_(has_clear_cells() ? depths_.size() : 0, true) {}
+
+    bool larger_passes() const { return rule_.larger_passes; }
+
+    /// The depths of a row from column x on. The region must have the pixel.
+    Scalar* row_from(int x, int row) {
+        return depths_.data() + static_cast<std::ptrdiff_t>(row - region_.top_row) * region_.width +
+               (x - region_.left);
+    }
+
+    /// Tests a depth against a cell of row_from(...), and keeps it if it passes.
+    template <bool larger> bool keep_if_nearer(Scalar& cell, const Scalar& depth) {
+        if constexpr (!std::floating_point<Scalar>)
+            if (has_clear_cells()) {
+                const auto place = static_cast<std::size_t>(&cell - depths_.data());
+                if (is_clear_[place]) {
+                    is_clear_[place] = false;
+                    cell = depth;
+                    return true;
+                }
+            }
+        const bool passes = larger ? cell < depth : depth < cell;
+        if (passes)
+            cell = depth;
+        return passes;
+    }
+
+    /// What a cell holds, if that is a number.
+    std::optional<Scalar> stored(const Scalar& cell) const {
+        if constexpr (std::floating_point<Scalar>)
+            return cell == cleared_cell(rule_) && !rule_.cleared ? std::nullopt
+                                                                 : std::optional(cell);
+        else
+            return has_clear_cells() && is_clear_[static_cast<std::size_t>(&cell - depths_.data())]
+                       ? std::nullopt
+                       : std::optional(cell);
+    }
+
+private:
+    /// Floating point has a number beyond all others; exact numbers remember which cells are clear.
+    bool has_clear_cells() const { return !std::floating_point<Scalar> && !rule_.cleared; }
+
+    static Scalar cleared_cell(const DepthRule<Scalar>& rule) {
+        if (rule.cleared)
+            return *rule.cleared;
+        if constexpr (std::floating_point<Scalar>)
+            return rule.larger_passes ? -std::numeric_limits<Scalar>::infinity()
+                                      : std::numeric_limits<Scalar>::infinity();
+        else
+            return Scalar(0);
+    }
+
+    DepthRegion region_;
+    DepthRule<Scalar> rule_;
+    std::vector<Scalar> depths_;
+    std::vector<bool> is_clear_;
+};
+
+/// The depths of a row of a triangle: linear in x.
+template <typename Scalar> struct DepthRow {
+    Scalar x;                       ///< where
+    Scalar depth;                   ///< the depth is this, and
+    Scalar slope;                   ///< from pixel to pixel it grows by this
+    std::optional<Scalar> end = {}; ///< a pixel left of `x` or right of this has the depth there
+
+    Scalar at(int column) const {
+        const Scalar here = scalar_from<Scalar>(column);
+        return depth + slope * ((end ? std::clamp(here, x, *end) : here) - x);
+    }
+};
+
+/// A slope that is too steep for its numbers belongs to a row or a triangle that is too thin to have
+/// more than one depth.
+template <typename Scalar> Scalar finite_or_zero(const Scalar& slope) {
+    if constexpr (std::floating_point<Scalar>)
+        return std::isfinite(slope) ? slope : Scalar(0);
+    else
+        return slope;
+}
+
+/// The depths of a triangle: those of its vertices, and linear between them. Both forms are equal in
+/// exact arithmetic, and both keep equal depths equal.
+template <typename Scalar> class TriangleDepth {
+public:
+    using D = DepthOf<Scalar>;
+
+    TriangleDepth(const Triangle<Scalar>& triangle, const std::array<D, 3>& depths,
+                  DepthBuffer<D>& depth_buffer)
+        : buffer(depth_buffer), depths_(depths) {
+        for (std::size_t i = 0; i < 3; ++i)
+            positions_[i] = {depth_scalar(triangle.vertices[i].x),
+                             depth_scalar(triangle.vertices[i].y)};
+    }
+
+    /// The depth where an edge is at height y. A horizontal edge has that of its first vertex.
+    D on_edge(const EdgeName& edge, const D& y) const {
+        const D height = positions_[edge.to].y - positions_[edge.from].y;
+        if (height == scalar_from<D>(0))
+            return depths_[edge.from];
+        return depths_[edge.from] +
+               (depths_[edge.to] - depths_[edge.from]) * (y - positions_[edge.from].y) / height;
+    }
+
+    /// By rows, then across: the depths between the two ends of a row.
+    static DepthRow<D> between(const D& left, const D& left_depth, const D& right,
+                               const D& right_depth) {
+        const D zero = scalar_from<D>(0);
+        const D width = right - left;
+        const D slope = zero < width ? finite_or_zero(D((right_depth - left_depth) / width)) : zero;
+        return {left, left_depth, slope, zero < width ? right : left};
+    }
+
+    /// By weights: d = d1 + w2 (d2 - d1) + w3 (d3 - d1).
+    D by_weights(const std::array<D, 3>& weights) const {
+        return depths_[0] + weights[1] * (depths_[1] - depths_[0]) +
+               weights[2] * (depths_[2] - depths_[0]);
+    }
+
+    /// The same for whole rows: the weights are linear in x and y, and so is the depth. `prepare`
+    /// finds how fast it grows in x and in y.
+    void prepare() {
+        const auto& [a, b, c] = positions_;
+        const D abx = b.x - a.x;
+        const D aby = b.y - a.y;
+        const D acx = c.x - a.x;
+        const D acy = c.y - a.y;
+        const D area2 = abx * acy - acx * aby;
+        const D ab = depths_[1] - depths_[0];
+        const D ac = depths_[2] - depths_[0];
+        if (area2 == scalar_from<D>(0))
+            return;
+        slope_x_ = finite_or_zero(D((ab * acy - ac * aby) / area2));
+        slope_y_ = finite_or_zero(D((ac * abx - ab * acx) / area2));
+    }
+    DepthRow<D> on_row(int y, const D& sample_offset) const {
+        const D sample_y = scalar_from<D>(y) + sample_offset;
+        return {D(positions_[0].x - sample_offset),
+                D(depths_[0] + slope_y_ * (sample_y - positions_[0].y)), slope_x_, std::nullopt};
+    }
+
+    DepthBuffer<D>& buffer;
+
+private:
+    std::array<Vec<D, 2>, 3> positions_;
+    std::array<D, 3> depths_;
+    D slope_x_{};
+    D slope_y_{};
+};
+
+} // namespace rastertrace
