@@ -8,6 +8,7 @@
 
 #include <glm/glm.hpp>
 
+#include <array>
 #include <concepts>
 #include <cstdint>
 #include <random>
@@ -16,8 +17,9 @@
 namespace rastertrace {
 namespace {
 
-/// Triangles of about `pixels` pixels each on a canvas of 512 x 512, on a grid of 1/16 pixel.
-template <typename Scalar> std::vector<Triangle<Scalar>> triangles(int pixels, std::size_t count) {
+/// Triangles of about `pixels` pixels each on a square canvas, on a grid of 1/16 pixel.
+template <typename Scalar>
+std::vector<Triangle<Scalar>> triangles(int pixels, std::size_t count, int canvas = 512) {
     std::mt19937_64 random(7);
     int side = 1;
     while (side * side / 2 < pixels)
@@ -27,8 +29,8 @@ template <typename Scalar> std::vector<Triangle<Scalar>> triangles(int pixels, s
         const auto sixteenths = [&random](int below) {
             return static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(16 * below + 1));
         };
-        const std::int64_t x = sixteenths(512 - side);
-        const std::int64_t y = sixteenths(512 - side);
+        const std::int64_t x = sixteenths(canvas - side);
+        const std::int64_t y = sixteenths(canvas - side);
         const auto at = [](std::int64_t value) {
             if constexpr (std::floating_point<Scalar>)
                 return static_cast<Scalar>(value) / 16;
@@ -97,6 +99,76 @@ void glm_barycentric(benchmark::State& state) {
     });
 }
 
+/// The same against a depth buffer of 1/z: triangles that come nearer and nearer, so that every
+/// pixel passes, on a canvas of `side` x `side`.
+template <typename Scalar, typename FillOne>
+void run_with_depth(benchmark::State& state, FillOne&& fill_one) {
+    const auto pixels = static_cast<int>(state.range(0));
+    const auto side = static_cast<int>(state.range(1));
+    const auto all =
+        triangles<Scalar>(pixels, static_cast<std::size_t>(2'000'000 / pixels + 1), side);
+    Image image({.width = side, .height = side, .origin = Origin::top_left});
+    DepthBuffer<DepthOf<Scalar>> buffer({.left = 0, .top_row = 0, .width = side, .height = side},
+                                        {.larger_passes = true, .cleared = 0});
+    double nearness = 1;
+    for (auto _ : state)
+        for (const auto& triangle : all) {
+            nearness += 0x1p-20;
+            fill_one(triangle, std::array{nearness, nearness + 0x1p-22, nearness + 0x1p-21}, image,
+                     buffer);
+        }
+    benchmark::DoNotOptimize(image.colors().data());
+}
+
+template <typename Scalar> void top_left_with_depth(benchmark::State& state) {
+    const Scalar half = [] {
+        if constexpr (std::floating_point<Scalar>)
+            return Scalar(0.5);
+        else
+            return Scalar{128, 256};
+    }();
+    run_with_depth<Scalar>(state, [&half](const Triangle<Scalar>& triangle,
+                                          const std::array<double, 3>& depths, Image& image,
+                                          DepthBuffer<double>& buffer) {
+        TriangleDepth<Scalar> depth(triangle, depths, buffer);
+        depth.prepare();
+        fill_top_left(triangle, Paint<Scalar>{.flat = {}, .mixed = {}, .depth = &depth}, half,
+                      image, NullSink{});
+    });
+}
+
+/// The textbook's loop with a depth buffer: it divides at every pixel of the box.
+void glm_barycentric_with_depth(benchmark::State& state) {
+    const auto side = static_cast<std::size_t>(state.range(1));
+    std::vector<float> z_buffer(side * side, 1e9F);
+    run_with_depth<double>(state, [&](const Triangle<double>& triangle,
+                                      const std::array<double, 3>& depths, Image& image,
+                                      DepthBuffer<double>&) {
+        const glm::vec2 a(triangle.vertices[0]), b(triangle.vertices[1]), c(triangle.vertices[2]);
+        const glm::vec3 inverse_z(depths[0], depths[1], depths[2]);
+        const float limit = static_cast<float>(side - 1);
+        const glm::vec2 low = glm::max(glm::floor(glm::min(a, glm::min(b, c))), glm::vec2(0));
+        const glm::vec2 high = glm::min(glm::ceil(glm::max(a, glm::max(b, c))), glm::vec2(limit));
+        for (int y = static_cast<int>(low.y); y <= static_cast<int>(high.y); ++y)
+            for (int x = static_cast<int>(low.x); x <= static_cast<int>(high.x); ++x) {
+                const glm::vec2 p(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
+                const glm::vec3 cross = glm::cross(glm::vec3(b.x - a.x, c.x - a.x, a.x - p.x),
+                                                   glm::vec3(b.y - a.y, c.y - a.y, a.y - p.y));
+                const glm::vec3 weights(1.0F - (cross.x + cross.y) / cross.z, cross.x / cross.z,
+                                        cross.y / cross.z);
+                if (weights.x < 0 || weights.y < 0 || weights.z < 0)
+                    continue;
+                const float z = 1 / glm::dot(weights, inverse_z);
+                float& stored =
+                    z_buffer[static_cast<std::size_t>(y) * side + static_cast<std::size_t>(x)];
+                if (z < stored) {
+                    stored = z;
+                    image.at({x, y}) = Color{};
+                }
+            }
+    });
+}
+
 BENCHMARK(glm_barycentric)->Arg(100'000)->Arg(100)->Arg(2)->Unit(benchmark::kMillisecond);
 BENCHMARK(top_left<Fraction64>)->Arg(100'000)->Arg(100)->Arg(2)->Unit(benchmark::kMillisecond);
 BENCHMARK(top_left<double>)->Arg(100'000)->Arg(100)->Arg(2)->Unit(benchmark::kMillisecond);
@@ -115,6 +187,15 @@ BENCHMARK(scanline<double, CountingSink>)
     ->Arg(100)
     ->Arg(2)
     ->Unit(benchmark::kMillisecond);
+void sizes_with_depth(benchmark::internal::Benchmark* benchmark) {
+    for (const int side : {512, 2048})
+        for (const int pixels : {100'000, 100, 2})
+            benchmark->Args({pixels, side});
+    benchmark->Unit(benchmark::kMillisecond);
+}
+BENCHMARK(glm_barycentric_with_depth)->Apply(sizes_with_depth);
+BENCHMARK(top_left_with_depth<Fraction64>)->Apply(sizes_with_depth);
+BENCHMARK(top_left_with_depth<double>)->Apply(sizes_with_depth);
 
 } // namespace
 } // namespace rastertrace

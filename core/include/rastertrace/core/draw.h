@@ -149,9 +149,9 @@ void draw_piece(const Piece<Coordinate>& piece, const Scene& scene, const Plan& 
         .positions = std::span(primitive.positions).first(primitive.count),
         .color = piece.color,
         .colors = std::span(primitive.colors).first(plan.mixes_colors ? primitive.count : 0),
-        .depths = std::span(primitive.depths).first(is_tested ? primitive.count : 0),
         .octant = piece.kind == PrimitiveKind::line ? octant_of(first, second) : 0,
-        .is_part = piece.is_part});
+        .is_part = piece.is_part,
+        .depths = std::span(primitive.depths).first(is_tested ? primitive.count : 0)});
     if constexpr (!std::same_as<Coordinate, Number>)
         if (!report_face(piece.face, sink))
             return;

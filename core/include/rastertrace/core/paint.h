@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <cstdint>
 #include <optional>
 
@@ -95,17 +96,36 @@ bool passes_depth_test(Pixel pixel, const D& depth, D& cell, DepthBuffer<D>& buf
     }
 }
 
+/// The plain loop of a row in one color that nobody watches: `count` pixels from x = `first` on.
+/// Stores are unconditional, so that a compiler can do several at once.
+template <bool larger, std::floating_point D>
+inline void keep_nearer_pixels(Color* colors, D* cells, int first, int count,
+                               const DepthRow<D>& depths, Color color) {
+    const auto [x, depth, slope, end] = depths;
+    for (int i = 0; i < count; ++i) {
+        const D here = depth + slope * (static_cast<D>(first + i) - x);
+        const bool passes = larger ? cells[i] < here : here < cells[i];
+        cells[i] = passes ? here : cells[i];
+        colors[i] = passes ? color : colors[i];
+    }
+}
+
 /// Plots the pixels of a row that the canvas has and that no nearer triangle hides.
 template <bool larger, typename Scalar, typename Sink>
 requires SinkFor<Sink, DepthTested<DepthOf<Scalar>>, PixelPlotted>
 void plot_nearer_pixels(int y, int first, int last, const Paint<Scalar>& paint,
                         const DepthRow<DepthOf<Scalar>>& depths, Image& image, Sink&& sink) {
-    const Canvas canvas = image.canvas();
-    auto& buffer = paint.depth->buffer;
+    using D = DepthOf<Scalar>;
     if (last < first)
         return;
-    DepthOf<Scalar>* const cells = buffer.row_from(first, static_cast<int>(canvas.row_of(y)));
+    auto& buffer = paint.depth->buffer;
+    D* const cells = buffer.row_from(first, static_cast<int>(image.canvas().row_of(y)));
     Color* const row = &image.at({first, y});
+    if constexpr (!keeps_steps<Sink> && std::floating_point<D>)
+        if (!paint.mixed && !depths.end) {
+            keep_nearer_pixels<larger>(row, cells, first, last - first + 1, depths, paint.flat);
+            return;
+        }
     for (int x = first; x <= last; ++x) {
         if (!passes_depth_test<larger>({x, y}, depths.at(x), cells[x - first], buffer, sink))
             continue;

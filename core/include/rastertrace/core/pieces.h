@@ -316,8 +316,8 @@ std::optional<SkipReason> visit_parts(const Scene& scene, const Geometry<Scalar>
             piece.names[i] = names[corner];
             piece.positions[i] = positions[corner];
             piece.colors[i] = polygon[corner].color;
-            piece.depths[i] =
-                depth_at<Scalar>(geometry.depth, polygon[corner].distance, polygon[corner].position);
+            piece.depths[i] = depth_at<Scalar>(geometry.depth, polygon[corner].distance,
+                                               polygon[corner].position);
             piece.inverse_w[i] = scalar_from<Scalar>(1) / polygon[corner].position.w;
             piece.vertices[i] = corners[static_cast<std::size_t>(std::max(original, 0))];
         }

@@ -89,9 +89,9 @@ template <typename Scalar> struct PrimitiveBegan {
     std::span<const Vec<Scalar, 2>> positions;  ///< of the vertices on the screen, or none
     Color color;                                ///< of every pixel that does not say otherwise
     std::span<const Color> colors;              ///< of the vertices, if they are mixed; else empty
+    int octant = 0;                             ///< of a line, see octant_of; else 0
+    bool is_part = false;                       ///< of the primitive that began before it
     std::span<const DepthOf<Scalar>> depths = {}; ///< of the vertices, if there is a depth buffer
-    int octant = 0;                               ///< of a line, see octant_of; else 0
-    bool is_part = false;                         ///< of the primitive that began before it
 };
 
 /// Two vertices of the current primitive, by their place in PrimitiveBegan::vertices.
