@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Any bytes as a scene: what is wrong with them is said safely, and a scene that can be read can be
-// drawn, in double and exactly, and its trace read back to the same picture.
+// drawn, by every kind of number, and its trace read back to the same picture.
 
 #include "check.h"
 
@@ -72,5 +72,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const Source source = fuzz::source_of("fuzz.json", data, size);
     fuzz::draw_and_read_back(source, "double", TraceLayout::json);
     fuzz::draw_and_read_back(source, "exact", TraceLayout::jsonl);
+    fuzz::draw_and_read_back(source, "float", TraceLayout::jsonl);
+    fuzz::draw_and_read_back(source, "fixed", TraceLayout::json);
     return 0;
 }

@@ -8,10 +8,13 @@ trap 'rm -rf "$folder"' EXIT
 disassembly() { # disassembly NAME FLAG...
     name=$1
     shift
-    "$compiler" -std=c++20 -DNDEBUG -ffp-contract=off -w "-I$include" "$@" -c "$source" \
-        -o "$folder/fill.o"
-    # Without the addresses in front, which are the same when the instructions are.
-    "$objdump" -d --no-show-raw-insn "$folder/fill.o" | tail -n +4 >"$folder/$name"
+    # Each function in a section of its own, and these by name: a compiler may put the same functions
+    # in another order.
+    "$compiler" -std=c++20 -DNDEBUG -ffp-contract=off -ffunction-sections -w "-I$include" "$@" \
+        -c "$source" -o "$folder/fill.o"
+    "$objdump" -d --no-show-raw-insn "$folder/fill.o" | tail -n +4 |
+        awk '/^Disassembly of section/ { section = $4 } { print section "\t" $0 }' |
+        LC_ALL=C sort -s -t "$(printf '\t')" -k 1,1 | cut -f 2- >"$folder/$name"
 }
 
 for level in -O2 -O3 "-O3 -march=x86-64-v3"; do

@@ -208,8 +208,8 @@ std::optional<Cornered> corners_of(const StepView& step, PositionNumbers& number
     for (std::size_t i = 0; i < 3; ++i) {
         if (rows[i].size() != 2)
             return std::nullopt;
-        const auto x = parse_number(rows[i][0]);
-        const auto y = parse_number(rows[i][1]);
+        const auto x = parse_number(rows[i][0], NumberSize::any);
+        const auto y = parse_number(rows[i][1], NumberSize::any);
         if (!std::holds_alternative<Number>(x) || !std::holds_alternative<Number>(y))
             return std::nullopt;
         result.at[i] = {std::get<Number>(x).exact(), std::get<Number>(y).exact()};

@@ -98,6 +98,9 @@ void read_frustum(const JsonReader& json, const JsonValue& value, Projection& pr
         const mpq_class degrees = projection.fov_y->exact();
         if (degrees <= 0 || degrees >= 180)
             json.fail_expecting(*fov_y, "a field of view between 0 and 180 degrees");
+        // Its cotangent must be a double.
+        if (degrees < mpq_class(1e-300))
+            json.fail_expecting(*fov_y, "a field of view from 1e-300 degrees on");
     } else {
         read_bounds(json, value, projection);
     }
@@ -118,6 +121,9 @@ std::vector<ModelStep> read_model(const JsonReader& json, const JsonValue& value
     std::vector<ModelStep> steps;
     for (const JsonValue& item :
          json.array_in(value, R"(a list, like [{"scale": [2, 2, 2]}, {"translate": [0, 0, 4]}])")) {
+        constexpr std::size_t most_steps = 256;
+        if (steps.size() == most_steps)
+            json.fail(item, fmt::format("expected at most {} steps, found more", most_steps));
         json.allow_keys(item, known);
         if (item.keys.size() != 1)
             json.fail(item,

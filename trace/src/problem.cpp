@@ -89,8 +89,10 @@ std::string to_text(const Problem& problem) {
     return text;
 }
 
-Result<Source> read_source(const std::string& path) {
-    Source source{.name = path == "-" ? "standard input" : path, .text = {}};
+namespace {
+
+Result<Source> read_path(const std::string& path, bool is_standard_input, bool must_be_regular) {
+    Source source{.name = is_standard_input ? "standard input" : path, .text = {}};
     const auto failure = [&source](Problem::Cause cause, const std::string& why) {
         Problem problem = problem_of(source.name, why);
         problem.cause = cause;
@@ -98,16 +100,18 @@ Result<Source> read_source(const std::string& path) {
     };
 
     // A file that cannot be opened was asked for wrongly; one that cannot be read on is broken.
-    const int descriptor = path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    const int flags = O_RDONLY | O_CLOEXEC | (must_be_regular ? O_NONBLOCK : 0);
+    const int descriptor = is_standard_input ? STDIN_FILENO : ::open(path.c_str(), flags);
     if (descriptor < 0)
         return failure(Problem::Cause::input,
                        fmt::format("expected a file that can be read, found: {}",
                                    std::generic_category().message(errno)));
     struct stat status {};
     const bool is_folder = ::fstat(descriptor, &status) == 0 && S_ISDIR(status.st_mode);
+    const bool is_refused = is_folder || (must_be_regular && !S_ISREG(status.st_mode));
 
     int error = 0;
-    if (!is_folder) {
+    if (!is_refused) {
         if (S_ISREG(status.st_mode))
             source.text.reserve(static_cast<std::size_t>(status.st_size) + 1);
         std::array<char, 1 << 16> buffer;
@@ -121,14 +125,28 @@ Result<Source> read_source(const std::string& path) {
             }
         }
     }
-    if (path != "-")
+    if (!is_standard_input)
         ::close(descriptor);
-    if (is_folder)
-        return failure(Problem::Cause::input, "expected a file, found a folder");
+    if (is_refused)
+        return failure(Problem::Cause::input, is_folder
+                                                  ? "expected a file, found a folder"
+                                                  : "expected a file, found a pipe or a device");
     if (error != 0)
         return failure(Problem::Cause::system,
                        "could not be read: " + std::generic_category().message(error));
     return source;
+}
+
+} // namespace
+
+Result<Source> read_source(const std::string& path) {
+    return read_path(path, path == "-", false);
+}
+
+Result<Source> read_named_file(const std::string& path) {
+    if (path.find('\0') != std::string::npos)
+        return problem_of(path, "expected the name of a file, found one with a zero byte");
+    return read_path(path, false, true);
 }
 
 } // namespace rastertrace

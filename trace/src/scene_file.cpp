@@ -155,6 +155,8 @@ private:
             object.model = read_model(json_, *model);
         if (const JsonValue* name = mesh.find("name"))
             object.name = json_.string_in(*name, "a name in quotes");
+        if (!object.name.empty() && has_object(object.name))
+            json_.fail_expecting(*mesh.find("name"), "a name that no other mesh has");
 
         // What all faces have in common.
         ScenePrimitive face;
@@ -208,7 +210,7 @@ private:
     /// A mesh from a file, which a relative path finds beside the scene.
     void read_obj_mesh(const JsonValue& obj, SceneObject& object, const ScenePrimitive& like) {
         const std::string& path = json_.string_in(obj, "the path of an OBJ file");
-        const auto file = read_source(beside_scene(path));
+        const auto file = read_named_file(beside_scene(path));
         if (!file)
             json_.fail(obj, fmt::format("{} ({})", file.problem().message, beside_scene(path)),
                        "a relative path starts from the scene's folder");
@@ -218,8 +220,12 @@ private:
         const ObjMesh& mesh = read.value();
 
         if (object.name.empty()) {
+            // The file's name; a second mesh of the same file gets a number.
             const std::string base = base_name(path);
-            object.name = base.substr(0, base.find_last_of('.'));
+            const std::string stem = base.substr(0, base.find_last_of('.'));
+            object.name = stem;
+            for (int i = 2; has_object(object.name); ++i)
+                object.name = fmt::format("{}-{}", stem, i);
         }
         const std::size_t first = scene_.vertices.size();
         scene_.vertices.reserve(first + mesh.vertices.size());
@@ -229,6 +235,7 @@ private:
                 {object.name + "." + std::to_string(number), at[0], at[1], std::nullopt, at[2]});
         }
         places_of_vertices_.resize(scene_.vertices.size(), obj.begin);
+        first_of_obj_.emplace(object.name, std::pair(first, mesh.vertices.size()));
         for (std::size_t i = 0; i < mesh.faces(); ++i) {
             const auto corners = mesh.face(i);
             const std::string name = object.name + ".f" + std::to_string(i + 1);
@@ -239,6 +246,11 @@ private:
                 faces_.push_back(std::move(face));
             }
         }
+    }
+
+    bool has_object(std::string_view name) const {
+        return std::any_of(scene_.objects.begin(), scene_.objects.end(),
+                           [name](const SceneObject& one) { return one.name == name; });
     }
 
     std::string beside_scene(const std::string& path) const {
@@ -280,9 +292,12 @@ private:
         const auto found = vertex_by_name_.find(prefix + std::string(name));
         if (found != vertex_by_name_.end())
             return found->second;
+        if (const auto of_obj = vertex_of_obj(name))
+            return *of_obj;
         std::vector<std::string_view> known;
-        for (const SceneVertex& vertex : scene_.vertices)
-            known.push_back(vertex.name);
+        for (const auto& [known_name, place] : vertex_by_name_)
+            known.push_back(scene_.vertices[place].name);
+        std::sort(known.begin(), known.end());
         constexpr std::size_t most_listed = 12;
         const bool too_many = known.size() > most_listed;
         std::string hint = did_you_mean(name, known);
@@ -291,6 +306,21 @@ private:
         json_.fail(offset,
                    fmt::format("expected the name of a vertex, found \"{}\"", shortened(name, 40)),
                    std::move(hint));
+    }
+
+    /// MESH.NUMBER, for a vertex of an OBJ file.
+    std::optional<std::size_t> vertex_of_obj(std::string_view name) const {
+        const std::size_t dot = name.find_last_of('.');
+        if (dot == std::string_view::npos)
+            return std::nullopt;
+        const auto object = first_of_obj_.find(std::string(name.substr(0, dot)));
+        const auto number = parse_number(name.substr(dot + 1));
+        const auto* given = std::get_if<Number>(&number);
+        const auto whole = given != nullptr ? given->numerator_over(1) : std::nullopt;
+        if (object == first_of_obj_.end() || !whole || *whole < 1 ||
+            static_cast<std::uint64_t>(*whole) > object->second.second)
+            return std::nullopt;
+        return object->second.first + static_cast<std::size_t>(*whole) - 1;
     }
 
     /// What a list of primitives of a kind looks like, and one of them.
@@ -494,9 +524,18 @@ private:
         const std::string to = at(unfit->to, unfit->to_at);
         const std::size_t place = places_of_vertices_[unfit->to];
         const std::string scalar = value_in_force(*find_method_key("scalar"), scene_);
-        const std::string hint = R"(with "method": {"scalar": "exact"} nothing overflows)";
+        const std::string hint = scene_.method.scalar == ScalarKind::exact
+                                     ? ""
+                                     : R"(with "method": {"scalar": "exact"} nothing overflows)";
         using What = Unfit::What;
         switch (unfit->what) {
+        case What::matrix:
+            json_.fail(
+                place,
+                fmt::format("expected a model, camera, projection and viewport whose matrices "
+                            "fit in {}, found an entry beyond the largest number",
+                            scalar),
+                hint);
         case What::place:
             json_.fail(place,
                        fmt::format("expected a vertex that has a place on the screen in {}, found "
@@ -524,6 +563,9 @@ private:
                        fmt::format("expected coordinates up to {:.0f} for fixed, found {}",
                                    unfit->limit, to),
                        hint);
+        case What::coordinate_of_snap:
+            json_.fail(place, fmt::format("expected coordinates below {:.0f} to snap, found {}",
+                                          unfit->limit, to));
         case What::coordinate_of_line:
             json_.fail(place,
                        fmt::format("expected coordinates up to {:.0f} for Bresenham's line, found "
@@ -554,7 +596,9 @@ private:
     const MethodOverrides& overrides_;
     Scene scene_;
     std::vector<std::size_t> places_of_vertices_; ///< offsets of their names in the source
-    std::unordered_map<std::string, std::size_t> vertex_by_name_;
+    std::unordered_map<std::string, std::size_t> vertex_by_name_; ///< but for those of OBJ files
+    std::unordered_map<std::string, std::pair<std::size_t, std::size_t>>
+        first_of_obj_;                  ///< by mesh: its first vertex, and how many it has
     std::vector<ScenePrimitive> faces_; ///< of meshes, until they are drawn in their turn
     std::unordered_set<std::string> names_of_primitives_; ///< those that the author gave
 };

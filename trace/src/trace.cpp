@@ -149,7 +149,7 @@ bool has_type(std::string_view json, FieldType type) {
     }
     if (!is_string)
         return json.starts_with('-') || (!json.empty() && number_text::is_digit(json.front()));
-    return std::holds_alternative<Number>(parse_number(plain_text(json)));
+    return std::holds_alternative<Number>(parse_number(plain_text(json), NumberSize::any));
 }
 
 } // namespace

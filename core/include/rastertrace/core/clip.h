@@ -36,10 +36,15 @@ template <typename Scalar>
 ClipVertex<Scalar> meeting_point(const ClipVertex<Scalar>& inside,
                                  const ClipVertex<Scalar>& outside,
                                  const ClipPlane<Scalar>& plane) {
+    // From the end nearer to the plane: from the other one, the difference would be rounded to the
+    // size of a far coordinate, and a w just above 0 could come out as 0 or below.
     const Scalar value_inside = plane.value_at(inside.position);
-    const Scalar way = value_inside / (value_inside - plane.value_at(outside.position));
-    const auto between = [&way](const Scalar& a, const Scalar& b) {
-        return Scalar(a + way * (b - a));
+    const Scalar value_outside = -plane.value_at(outside.position);
+    const Scalar sum = value_inside + value_outside;
+    const bool is_from_inside = !(value_outside < value_inside);
+    const Scalar way = (is_from_inside ? value_inside : value_outside) / sum;
+    const auto between = [&way, is_from_inside](const Scalar& a, const Scalar& b) {
+        return is_from_inside ? Scalar(a + way * (b - a)) : Scalar(b + way * (a - b));
     };
     const auto level = [&between](std::uint8_t a, std::uint8_t b) {
         return static_cast<std::uint8_t>(
@@ -47,14 +52,20 @@ ClipVertex<Scalar> meeting_point(const ClipVertex<Scalar>& inside,
     };
     const auto& p = inside.position;
     const auto& q = outside.position;
-    return {
-        .position = {between(p.x, q.x), between(p.y, q.y), between(p.z, q.z), between(p.w, q.w)},
-        .distance = between(inside.distance, outside.distance),
-        .color = {level(inside.color.red(), outside.color.red()),
-                  level(inside.color.green(), outside.color.green()),
-                  level(inside.color.blue(), outside.color.blue()),
-                  level(inside.color.alpha(), outside.color.alpha())},
-        .original = -1};
+    // On a plane that w alone decides, near or far in a perspective, w and the distance are known.
+    const Scalar zero = scalar_from<Scalar>(0);
+    const auto& f = plane.factors;
+    const bool is_plane_of_w = f.x == zero && f.y == zero && f.z == zero;
+    const Scalar plane_distance =
+        plane.constant < zero ? Scalar(-plane.constant) : Scalar(plane.constant);
+    return {.position = {between(p.x, q.x), between(p.y, q.y), between(p.z, q.z),
+                         is_plane_of_w ? Scalar(-plane.constant / f.w) : between(p.w, q.w)},
+            .distance = is_plane_of_w ? plane_distance : between(inside.distance, outside.distance),
+            .color = {level(inside.color.red(), outside.color.red()),
+                      level(inside.color.green(), outside.color.green()),
+                      level(inside.color.blue(), outside.color.blue()),
+                      level(inside.color.alpha(), outside.color.alpha())},
+            .original = -1};
 }
 
 /// The part of a convex polygon on the inner side of a plane, the plane included; of a line, if it

@@ -51,10 +51,12 @@ PlacedPrimitive<Scalar> placed(const Piece<Coordinate>& piece, const Plan& plan)
         result.positions[i].x = scalar_from<Scalar>(piece.positions[i].x, plan.denominator);
         result.positions[i].y = scalar_from<Scalar>(piece.positions[i].y, plan.denominator);
     }
-    if constexpr (std::same_as<DepthOf<Scalar>, Coordinate>) {
-        result.depths = piece.depths;
-        result.inverse_w = piece.inverse_w;
-    }
+    using D = DepthOf<Scalar>;
+    if constexpr (!std::same_as<Coordinate, Number> && std::constructible_from<D, Coordinate>)
+        for (std::size_t i = 0; i < piece.count; ++i) {
+            result.depths[i] = D(piece.depths[i]);
+            result.inverse_w[i] = D(piece.inverse_w[i]);
+        }
     return result;
 }
 
@@ -183,8 +185,7 @@ void draw_piece(const Piece<Coordinate>& piece, const Scene& scene, const Plan& 
 template <typename Scalar, typename Coordinate>
 inline constexpr bool draws = std::same_as<Coordinate, Number> ||
                               std::same_as<Scalar, Coordinate> ||
-                              (!std::floating_point<Scalar> && !std::same_as<Scalar, Rational> &&
-                               !std::same_as<Coordinate, float>);
+                              (!std::floating_point<Scalar> && !std::same_as<Coordinate, float>);
 
 /// Draws `scene` and returns its picture, reporting every step to `sink`. The picture is the same
 /// whatever the sink. `Scalar` must be the one of the plan (with_scalar finds it), and find_unfit

@@ -26,7 +26,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <concepts>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -64,7 +67,15 @@ template <typename Scalar> Transforms<Scalar> transforms_of(const Scene& scene) 
     if (scene.viewport.type != ViewportType::none)
         result.viewport = rounded<Scalar>(viewport_matrix(scene.viewport, scene.canvas));
 
-    const auto nearest = [](const Rational& exact) { return nearest_scalar<Scalar>(exact); };
+    // A plane near the eye must not be rounded into it.
+    const auto nearest = [](const Rational& exact) {
+        const Scalar rounded_one = nearest_scalar<Scalar>(exact);
+        if constexpr (std::floating_point<Scalar>)
+            if (rounded_one == 0 && exact != 0)
+                return std::copysign(std::numeric_limits<Scalar>::min(),
+                                     static_cast<Scalar>(sgn(exact)));
+        return rounded_one;
+    };
     for (const ClipPlane<Rational>& plane :
          clip_planes(scene.projection, half_extent(scene.viewport, scene.canvas.width),
                      half_extent(scene.viewport, scene.canvas.height), guard_band))
@@ -128,6 +139,9 @@ ScreenPlaces<Scalar> places_on_screen(const Vec<Scalar, 4>& clip,
                                    Scalar(clip.z / clip.w), scalar_from<Scalar>(1)};
     const Vec<Scalar, 4> screen = moved(transforms.viewport, canonical);
     const auto snapped = [&transforms](const Scalar& x) {
+        if constexpr (std::floating_point<Scalar>)
+            if (!std::isfinite(x))
+                return x; // find_unfit will say so
         switch (transforms.snap) {
         case Snap::floor:
             return scalar_from<Scalar>(floor_index(x));

@@ -19,9 +19,9 @@ namespace rastertrace {
 
 namespace trigonometry {
 
-/// Numbers below are whole multiples of 2^-fraction_bits: 200 bits behind the point leave 147 that
-/// a double does not have.
-inline constexpr unsigned fraction_bits = 200;
+/// Numbers below are whole multiples of 2^-fraction_bits: the smallest double is 2^-1074, and has
+/// more than 200 bits here.
+inline constexpr unsigned fraction_bits = 1300;
 
 inline mpz_class fixed_one() {
     return mpz_class(1) << fraction_bits;

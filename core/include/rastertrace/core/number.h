@@ -232,9 +232,16 @@ inline std::optional<NumberFault> fault_of_size(const mpq_class& value) {
 
 } // namespace number_text
 
+/// Which sizes of numbers are taken.
+enum class NumberSize {
+    of_double, ///< those of a scene
+    any,       ///< fractions of any size too: exact results may leave the range of double
+};
+
 /// Reads a decimal (`-4`, `0.25`, `1e-3`) or a fraction of whole numbers (`25/8`, `-1/4`).
 /// The whole of `text` must be the number: no space, no `+` in front.
-inline std::variant<Number, NumberFault> parse_number(std::string_view text) {
+inline std::variant<Number, NumberFault> parse_number(std::string_view text,
+                                                      NumberSize size = NumberSize::of_double) {
     using namespace number_text;
 
     // The sign and the digits before the point or the bar.
@@ -256,8 +263,9 @@ inline std::variant<Number, NumberFault> parse_number(std::string_view text) {
         value.canonicalize();
         if (negative)
             value = -value;
-        if (const auto fault = fault_of_size(value))
-            return *fault;
+        if (size == NumberSize::of_double)
+            if (const auto fault = fault_of_size(value))
+                return *fault;
         if (value.get_den() == 1 && value.get_num().fits_slong_p())
             return Number(value.get_num().get_si());
         return Number::fraction(std::move(value));

@@ -60,7 +60,9 @@ private:
         return {D(shares[0] / sum), D(shares[1] / sum), D(shares[2] / sum)};
     }
 
-    template <typename Weight> Color mixed(const std::array<Weight, 3>& weights) const {
+    /// Not inlined: pixels of mixed colors are slow anyway, and the rows that call it stay small.
+    template <typename Weight>
+    [[gnu::noinline]] Color mixed(const std::array<Weight, 3>& weights) const {
         const auto mix = [this, &weights](std::uint8_t (Color::*channel)() const) {
             Weight level = scalar_from<Weight>(0);
             for (std::size_t i = 0; i < 3; ++i)

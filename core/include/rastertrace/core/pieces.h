@@ -229,6 +229,9 @@ SkipReason reason_of(const ClipPlane<Scalar>& plane,
         return SkipReason::too_far;
     if (plane.name != "near")
         return SkipReason::outside_view;
+    // An orthographic view has no eye to be behind of.
+    if (plane.factors.z != scalar_from<Scalar>(0))
+        return SkipReason::too_near;
     // The near plane's value is the distance from the eye, less the near distance.
     const bool is_behind_eye =
         std::all_of(polygon.begin(), polygon.end(), [&plane](const ClipVertex<Scalar>& vertex) {

@@ -196,8 +196,10 @@ inline Plan plan_for(const Scene& scene) {
                               std::same_as<AGeometry, Geometry<Rational>>)
                     return choose_exact_numbers(scene, one);
                 break;
-            case ScalarKind::fixed:
-                return choose_fractions(scene, one, fixed_grid);
+            case ScalarKind::fixed: {
+                // Rationals lie on the grid too.
+                return {choose_fractions(scene, one, fixed_grid).number, fixed_grid};
+            }
             case ScalarKind::single_precision:
                 return {.number = NumberType::binary32};
             case ScalarKind::double_precision:
@@ -236,12 +238,14 @@ template <typename DrawWith> decltype(auto) with_scalar(const Plan& plan, DrawWi
 /// Why a scene cannot be drawn by its method, and between which vertices.
 struct Unfit {
     enum class What {
+        matrix,     ///< a matrix has an entry beyond the largest number
         place,      ///< a vertex has no finite place on its way to the screen
         coordinate, ///< beyond the limit: the difference of two such numbers may be infinite
         slope,      ///< dx/dy or dy/dx is beyond the largest number
         coordinate_of_weights, ///< beyond the limit: a product of two such numbers may be infinite
         area_of_weights,       ///< so small that a weight of a pixel may be infinite
         coordinate_of_fixed,   ///< beyond the limit: edges could not be evaluated in 128 bits
+        coordinate_of_snap,    ///< beyond the limit: no index is that large
         coordinate_of_line,    ///< beyond the limit: Bresenham's d could not be held in 64 bits
         edge_of_fan,           ///< longer than longest_fan_edge
         depth,                 ///< 0 or less from the eye, where 1/distance is asked for
@@ -294,8 +298,11 @@ std::optional<Unfit> unfit_of(const Piece<Coordinate>& piece, const Method& meth
     const double largest_of_lines = std::ldexp(1.0, 51);
     for (std::size_t i = 0; i < piece.count; ++i) {
         const double farthest = std::max(std::abs(at[i][0]), std::abs(at[i][1]));
-        if (!std::isfinite(farthest))
+        if (!std::isfinite(at[i][0]) || !std::isfinite(at[i][1]))
             return unfit(What::place, i, i);
+        const auto largest_index = static_cast<double>(farthest_index);
+        if (method.snap != Snap::none && farthest >= largest_index)
+            return unfit(What::coordinate_of_snap, i, i, largest_index);
         if (is_rounded && farthest > largest_of_differences)
             return unfit(What::coordinate, i, i, largest_of_differences);
         if (method.scalar == ScalarKind::fixed && farthest > largest_of_fixed)
@@ -329,13 +336,26 @@ std::optional<Unfit> unfit_of(const Piece<Coordinate>& piece, const Method& meth
 /// depth.
 template <typename Coordinate>
 std::optional<Unfit> unfit_vertex(const Scene& scene, const Geometry<Coordinate>& geometry) {
-    if constexpr (std::floating_point<Coordinate>)
+    if constexpr (std::floating_point<Coordinate>) {
+        const auto is_infinite = [](const std::optional<Matrix<Coordinate>>& matrix) {
+            return matrix &&
+                   std::any_of(matrix->rows.begin(), matrix->rows.end(), [](const auto& row) {
+                       return !std::all_of(row.begin(), row.end(),
+                                           [](Coordinate entry) { return std::isfinite(entry); });
+                   });
+        };
+        const auto& transforms = geometry.transforms;
+        if (is_infinite(transforms.view) || is_infinite(transforms.projection) ||
+            is_infinite(transforms.viewport) ||
+            std::any_of(transforms.models.begin(), transforms.models.end(), is_infinite))
+            return Unfit{Unfit::What::matrix, 0, 0, {}, {}, 0};
         for (std::size_t i = 0; i < geometry.vertices.size(); ++i) {
             const auto& at = geometry.vertices[i].clip;
             if (geometry.is_used[i] && !(std::isfinite(at.x) && std::isfinite(at.y) &&
                                          std::isfinite(at.z) && std::isfinite(at.w)))
                 return Unfit{Unfit::What::place, i, i, {at.x, at.y}, {at.x, at.y}, 0};
         }
+    }
     // In a perspective, clipping leaves only what lies in front of the eye. Elsewhere nothing does.
     if (geometry.depth == Depth::inverse_z && !is_perspective(scene.projection.type))
         for (const ScenePrimitive& primitive : scene.primitives)

@@ -144,8 +144,17 @@ template <typename Scalar, typename Coordinate>
 Scalar scalar_from(const Coordinate& coordinate, std::int64_t denominator) {
     if constexpr (std::same_as<Scalar, Coordinate>) {
         return coordinate;
-    } else if constexpr (std::floating_point<Scalar> || std::same_as<Scalar, Rational>) {
+    } else if constexpr (std::floating_point<Scalar>) {
         return scalar_from<Scalar>(coordinate);
+    } else if constexpr (std::same_as<Scalar, Rational>) {
+        if constexpr (!std::floating_point<Coordinate>)
+            if (denominator == 1)
+                return scalar_from<Scalar>(coordinate);
+        const auto numerator = nearest_numerator(coordinate, denominator);
+        assert(numerator && "find_unfit has seen that every number fits");
+        Rational snapped(static_cast<long>(*numerator), static_cast<long>(denominator));
+        snapped.canonicalize();
+        return snapped;
     } else {
         const auto numerator = nearest_numerator(coordinate, denominator);
         assert(numerator && "the plan has seen that every number fits");

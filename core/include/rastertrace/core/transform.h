@@ -73,11 +73,15 @@ inline bool has_irrational_length(const Vec<Rational, 3>& vector) {
     return !has_rational_root(dot(vector, vector));
 }
 
-/// True if the matrix of this step is not exact.
+/// True if the matrix of this step is not exact. Half turns need no sine, and so no length of the
+/// axis.
 inline bool is_rounded(const ModelStep& step) {
     const auto* rotate = std::get_if<Rotate>(&step);
-    return rotate != nullptr && (!is_quarter_turn(rotate->degrees.exact()) ||
-                                 has_irrational_length(exact(rotate->axis)));
+    if (rotate == nullptr)
+        return false;
+    const Rational degrees = rotate->degrees.exact();
+    return !is_quarter_turn(degrees) ||
+           (sine_of_degrees(degrees) != 0 && has_irrational_length(exact(rotate->axis)));
 }
 
 inline Matrix<Rational> matrix_of(const Scale& scale) {
@@ -89,20 +93,23 @@ inline Matrix<Rational> matrix_of(const Translate& translate) {
     return translation<Rational>(exact(translate.by));
 }
 
-/// Rodrigues' formula: cos I + (1 - cos) a a^T + sin [a]x, for the unit axis a.
+/// Rodrigues' formula: cos I + (1 - cos) a a^T + sin [a]x, for the unit axis a. The products of its
+/// components are rational whatever its length.
 inline Matrix<Rational> matrix_of(const Rotate& rotate) {
     const Rational degrees = rotate.degrees.exact();
     const Rational sine = sine_of_degrees(degrees);
     const Rational cosine = cosine_of_degrees(degrees);
-    const Vec<Rational, 3> axis = unit_vector(exact(rotate.axis));
-    const std::array<Rational, 3> a{axis.x, axis.y, axis.z};
+    const Vec<Rational, 3> axis = exact(rotate.axis);
+    const Vec<Rational, 3> unit = unit_vector(axis);
+    const Rational square = dot(axis, axis);
+    const std::array<Rational, 3> v{axis.x, axis.y, axis.z};
     const std::array<std::array<Rational, 3>, 3> cross{
-        {{0, -a[2], a[1]}, {a[2], 0, -a[0]}, {-a[1], a[0], 0}}};
+        {{0, -unit.z, unit.y}, {unit.z, 0, -unit.x}, {-unit.y, unit.x, 0}}};
     Matrix<Rational> matrix = identity<Rational>();
     for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t j = 0; j < 3; ++j)
             matrix.rows[i][j] = Rational((i == j ? cosine : Rational(0)) +
-                                         (1 - cosine) * a[i] * a[j] + sine * cross[i][j]);
+                                         (1 - cosine) * v[i] * v[j] / square + sine * cross[i][j]);
     return matrix;
 }
 
