@@ -414,6 +414,11 @@ TEST(Model, QuarterTurnsAreExact) {
         }
     EXPECT_TRUE(is_rounded(ModelStep(Rotate{{1, 0, 0}, 45})));
     EXPECT_TRUE(is_rounded(ModelStep(Rotate{{1, 1, 0}, 90})));
+
+    // Half a turn needs no sine, and swaps x and y about (1, 1, 0).
+    EXPECT_FALSE(is_rounded(ModelStep(Rotate{{1, 1, 0}, 180})));
+    const Matrix<Rational> swap{{{{0, 1, 0, 0}, {1, 0, 0, 0}, {0, 0, -1, 0}, {0, 0, 0, 1}}}};
+    EXPECT_TRUE(matrix_of(Rotate{{1, 1, 0}, 180}) == swap);
 }
 
 // Each entry of the matrix is off by at most half an ulp of 1, and so is its norm by a few; n turns
@@ -573,6 +578,69 @@ RC_GTEST_PROP(Pipeline, WhatClippingLeavesStaysWithinTheGuardBand, ()) {
                        }
                    });
     RC_ASSERT(1 <= parts && parts <= 7);
+}
+
+// From a far end, the difference of two coordinates is rounded to the size of the far one. What the
+// near plane makes still has w = near, in every scalar.
+TEST(Clip, LeavesWAtTheNearPlane) {
+    for (const int exponent : {3, 6, 10, 14, 17}) {
+        Scene scene;
+        scene.canvas = {.width = 64, .height = 64};
+        scene.projection = {.type = ProjectionType::frustum, .near = Number::decimal(1, -1)};
+        scene.viewport = fit;
+        scene.vertices = {{"A", 0, 1, {}, Number::decimal(-1, exponent)},
+                          {"B", -1, -1, {}, 1},
+                          {"C", 1, -1, {}, 1}};
+        scene.primitives.push_back(
+            {.kind = PrimitiveKind::triangle, .name = "ABC", .vertices = {0, 1, 2}, .color = {}});
+        EXPECT_EQ(places_in<double>(scene).at("ABC:1", Space::clip)[3], 0.1) << exponent;
+        EXPECT_EQ(places_in<float>(scene).at("ABC:1", Space::clip)[3], 0.1F) << exponent;
+        EXPECT_EQ(places_in<Rational>(scene).at("ABC:1", Space::clip)[3], Rational("1/10"));
+        for (const ScalarKind scalar : {ScalarKind::single_precision, ScalarKind::double_precision,
+                                        ScalarKind::fixed, ScalarKind::exact}) {
+            scene.method.scalar = scalar;
+            EXPECT_FALSE(find_unfit(scene)) << exponent;
+        }
+    }
+}
+
+TEST(Pipeline, AnOrthographicViewHasNothingBehindIt) {
+    Scene scene = scene_of_points({{0, 0, 0}});
+    scene.projection = {.type = ProjectionType::orthographic, .near = Number(1), .far = Number(9)};
+    scene.viewport = fit;
+    SkipSink sink;
+    EXPECT_EQ(draw_as_planned(scene, sink).drawn(), 0u);
+    EXPECT_EQ(sink.reasons, std::vector{SkipReason::too_near});
+}
+
+// 10^9 pixels away, the numbers of `fixed` outgrow 128 bits; the line is drawn all the same.
+TEST(Pipeline, FixedReachesFarOut) {
+    Scene scene;
+    scene.canvas = {.width = 20, .height = 12};
+    scene.vertices = {{"A", 1'000'000'000, 0, {}}, {"B", 0, 0, {}}};
+    scene.primitives.push_back(
+        {.kind = PrimitiveKind::line, .name = "AB", .vertices = {0, 1}, .color = {}});
+    scene.method = {.scalar = ScalarKind::fixed, .line = LineMethod::naive, .snap = Snap::floor};
+    EXPECT_EQ(draw_as_planned(scene).drawn(), 10u) << "x = 0..9 of -10..9";
+}
+
+TEST(Pipeline, WhatHasNoPlaceIsFoundAndNotCastToAnIndex) {
+    Scene scene = scene_of_points({{1, 1, 1}});
+    scene.objects = {
+        {"", 1, {Scale{{Number::decimal(1, 200), 1, 1}}, Scale{{Number::decimal(1, 200), 1, 1}}}}};
+    scene.method = {.scalar = ScalarKind::double_precision, .snap = Snap::nearest};
+    const auto unfit = find_unfit(scene);
+    ASSERT_TRUE(unfit);
+    EXPECT_EQ(unfit->what, Unfit::What::matrix);
+    scene.objects[0].model = {Scale{{Number::decimal(1, 18), 1, 1}}};
+    EXPECT_EQ(find_unfit(scene)->what, Unfit::What::coordinate_of_snap);
+}
+
+TEST(Irrational, SmallAnglesKeepTheirDigits) {
+    const mpq_class tiny = mpq_class(1) / (mpz_class("1" + std::string(50, '0')));
+    EXPECT_EQ(sine_of_degrees(tiny), 1.7453292519943295e-52) << "pi/180 x 10^-50";
+    EXPECT_EQ(cotangent_of_degrees(tiny), 5.729577951308232e+51) << "180/pi x 10^50";
+    EXPECT_EQ(cotangent_of_degrees(90 - tiny), 1.7453292519943295e-52);
 }
 
 TEST(Irrational, SinesAndCosinesAreTheNearestDoubles) {

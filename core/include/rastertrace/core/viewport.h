@@ -54,7 +54,7 @@ inline Matrix<Rational> viewport_matrix(const Viewport& viewport, const Canvas& 
     return matrix;
 }
 
-/// Half the canvas in canonical units, at least 1 pixel: `extent` is its width or height.
+/// Half the canvas in canonical units (all of it without a viewport): `extent` is its width or height.
 inline Rational half_extent(const Viewport& viewport, int extent) {
     switch (viewport.type) {
     case ViewportType::fit:
