@@ -220,12 +220,13 @@ std::optional<Cornered> corners_of(const StepView& step, PositionNumbers& number
     return result;
 }
 
-/// The pixels that a primitive drew on a row of the canvas.
+/// The pixels that a primitive covers on a row of the canvas.
 std::span<const std::uint32_t> drawn_on_row(const DrawnPrimitive& primitive, Index row,
                                             const Canvas& canvas) {
     const Index begin = row * canvas.width;
-    const auto first = std::lower_bound(primitive.pixels.begin(), primitive.pixels.end(), begin);
-    const auto last = std::lower_bound(first, primitive.pixels.end(), begin + canvas.width);
+    const auto& pixels = primitive.covering();
+    const auto first = std::lower_bound(pixels.begin(), pixels.end(), begin);
+    const auto last = std::lower_bound(first, pixels.end(), begin + canvas.width);
     return {first, last};
 }
 
@@ -246,7 +247,7 @@ void add_missing(Coverage& coverage, int y, const Span& gap, const Span& inside)
 Coverage coverage_of(const Cornered& triangle, const Grid& grid) {
     const Canvas& canvas = grid.canvas;
     const auto& [a, b, c] = triangle.at;
-    const auto& drawn = triangle.drawn->pixels;
+    const auto& drawn = triangle.drawn->covering();
 
     // The rows that the triangle passes through, and those that it was drawn on.
     Span rows = rows_between(std::min({a.y, b.y, c.y}), std::max({a.y, b.y, c.y}), grid);
@@ -448,12 +449,28 @@ void add_pixel(DrawnPrimitive& primitive, std::size_t offset) {
     primitive.pixels.push_back(static_cast<std::uint32_t>(offset));
 }
 
-void keep_each_once(DrawnPrimitive& primitive) {
-    std::vector<std::uint32_t>& pixels = primitive.pixels;
+void add_hidden_pixel(DrawnPrimitive& primitive, std::size_t offset) {
+    primitive.covered.push_back(static_cast<std::uint32_t>(offset));
+}
+
+namespace {
+
+void put_in_order(std::vector<std::uint32_t>& pixels) {
     if (!std::is_sorted(pixels.begin(), pixels.end()))
         std::sort(pixels.begin(), pixels.end());
     pixels.erase(std::unique(pixels.begin(), pixels.end()), pixels.end());
     pixels.shrink_to_fit();
+}
+
+} // namespace
+
+void keep_each_once(DrawnPrimitive& primitive) {
+    put_in_order(primitive.pixels);
+    if (primitive.covered.empty())
+        return;
+    primitive.covered.insert(primitive.covered.end(), primitive.pixels.begin(),
+                             primitive.pixels.end());
+    put_in_order(primitive.covered);
 }
 
 void compare_with_corners(const Trace& trace, std::span<const DrawnPrimitive> drawn, Stats& stats) {
@@ -466,7 +483,8 @@ void compare_with_corners(const Trace& trace, std::span<const DrawnPrimitive> dr
     std::vector<Cornered> outlines;
     for (std::size_t place = 0; place < drawn.size(); ++place) {
         const std::string& kind = stats.primitives[place].kind;
-        if (kind != "triangle" && kind != "outline")
+        const bool is_culled = stats.primitives[place].skipped == "culled";
+        if ((kind != "triangle" && kind != "outline") || is_culled)
             continue;
         if (auto cornered = corners_of(trace.step(drawn[place].step), numbers)) {
             cornered->drawn = &drawn[place];

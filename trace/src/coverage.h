@@ -20,11 +20,18 @@ namespace rastertrace {
 /// A primitive of a trace: its step, and the pixels of the canvas that it drew.
 struct DrawnPrimitive {
     std::size_t step = 0;
-    std::vector<std::uint32_t> pixels; ///< Canvas::offset_of; ascending and each once, in the end
+    std::vector<std::uint32_t> pixels;  ///< Canvas::offset_of; ascending and each once, in the end
+    std::vector<std::uint32_t> covered; ///< the same and those that were hidden, if any were
+
+    /// The pixels that it drew, or would have drawn if nothing had stood before it.
+    const std::vector<std::uint32_t>& covering() const {
+        return covered.empty() ? pixels : covered;
+    }
 };
 
-/// Notes a pixel that may have been noted before.
+/// Notes a pixel that may have been noted before: one that was drawn, or one that was hidden.
 void add_pixel(DrawnPrimitive& primitive, std::size_t offset);
+void add_hidden_pixel(DrawnPrimitive& primitive, std::size_t offset);
 
 /// Puts the pixels in order, and keeps each of them once.
 void keep_each_once(DrawnPrimitive& primitive);

@@ -42,6 +42,56 @@ void count_pixel(Stats& stats, std::vector<DrawnPrimitive>& drawn, const StepVie
     add_pixel(drawn.back(), canvas.offset_of({static_cast<int>(x), static_cast<int>(y)}));
 }
 
+/// Notes a pixel of the current primitive that failed the depth test.
+void note_hidden_pixel(std::vector<DrawnPrimitive>& drawn, const StepView& step,
+                       const Canvas& canvas) {
+    const Index x = *step.whole("x");
+    const Index y = *step.whole("y");
+    if (!drawn.empty() && canvas.contains(x, y))
+        add_hidden_pixel(drawn.back(),
+                         canvas.offset_of({static_cast<int>(x), static_cast<int>(y)}));
+}
+
+/// Watches depth tests for ties that decide what is seen.
+class DepthTies {
+public:
+    explicit DepthTies(const Canvas& canvas)
+        : canvas_(canvas), is_tied_(static_cast<std::size_t>(canvas.width) *
+                                    static_cast<std::size_t>(canvas.height)) {}
+
+    /// Takes a depth step and the color of its primitive.
+    void add(const StepView& step, Color color, const Frame& frame) {
+        const Index x = *step.whole("x");
+        const Index y = *step.whole("y");
+        if (!canvas_.contains(x, y))
+            return;
+        const Pixel pixel{static_cast<int>(x), static_cast<int>(y)};
+        const std::size_t place = canvas_.offset_of(pixel);
+        if (step.text("pass") == "true")
+            is_tied_[place] = false;
+        else if (frame.drawn_by[place] != 0 && step.text("depth") == step.text("stored") &&
+                 frame.image.at(pixel) != color)
+            is_tied_[place] = true;
+    }
+
+    PixelList found() const {
+        PixelList ties;
+        for (int row = 0; row < canvas_.height; ++row)
+            for (int x = canvas_.left(); x <= canvas_.right(); ++x) {
+                const Pixel pixel{x, canvas_.y_of(row)};
+                if (!is_tied_[canvas_.offset_of(pixel)])
+                    continue;
+                if (++ties.count <= most_pixels_kept)
+                    ties.kept.push_back(pixel);
+            }
+        return ties;
+    }
+
+private:
+    Canvas canvas_;
+    std::vector<bool> is_tied_;
+};
+
 } // namespace
 
 Stats stats_of(const Trace& trace) {
@@ -49,6 +99,7 @@ Stats stats_of(const Trace& trace) {
     Stats stats;
     stats.steps = trace.size();
     std::vector<DrawnPrimitive> drawn;
+    DepthTies ties(trace.canvas);
     Replay replay(trace);
     for (std::size_t n = 1; n <= trace.size(); ++n) {
         replay.go_to(n);
@@ -59,12 +110,17 @@ Stats stats_of(const Trace& trace) {
             PrimitiveStats& primitive = stats.primitives.emplace_back();
             primitive.kind = step.text("kind");
             primitive.name = step.text("name");
-            drawn.push_back({.step = n, .pixels = {}});
+            drawn.push_back({.step = n, .pixels = {}, .covered = {}});
         }
         if (kind == StepKind::skip && !stats.primitives.empty())
             stats.primitives.back().skipped = step.text("why");
         if (kind == StepKind::pixel)
             count_pixel(stats, drawn, step, replay);
+        if (kind == StepKind::depth) {
+            ties.add(step, replay.color(), replay.frame());
+            if (step.text("pass") != "true")
+                note_hidden_pixel(drawn, step, trace.canvas);
+        }
     }
 
     // Against what should have been drawn, where all of that can be there.
@@ -76,6 +132,8 @@ Stats stats_of(const Trace& trace) {
         drawn.pop_back();
     if (!trace.is_partial)
         compare_with_corners(trace, drawn, stats);
+
+    stats.depth_ties = ties.found();
 
     // The picture that came of it.
     const Image& picture = replay.frame().image;

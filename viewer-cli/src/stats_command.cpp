@@ -100,6 +100,9 @@ std::string as_text(const Trace& trace, const Stats& stats) {
     for (const OutlineOnFill& pair : stats.outlines)
         if (pair.outside.count > 0)
             text += as_text(pair);
+    if (stats.depth_ties.count > 0)
+        fmt::format_to(out, "depth ties: {} would have another color in another order{}\n",
+                       counted(stats.depth_ties.count), places_of(stats.depth_ties));
     if (trace.is_partial)
         text += "steps were left out when this trace was written; the counts are of those it has\n";
     return text;
@@ -162,7 +165,11 @@ std::string as_json(const Trace& trace, const Stats& stats) {
         text += '}';
         separator = ",";
     }
-    return text + "]," + pairs_as_json(stats) + "}\n";
+    const bool has_depth =
+        std::any_of(stats.count.begin(), stats.count.end(),
+                    [](const auto& entry) { return entry.first == name_of(StepKind::depth); });
+    return text + "]," + pairs_as_json(stats) +
+           (has_depth ? R"(,"depth_ties":)" + as_json(stats.depth_ties) : "") + "}\n";
 }
 
 } // namespace

@@ -46,6 +46,9 @@ public:
     std::size_t scanline() const { return scanline_; }
     std::size_t scanline_before() const { return scanline_before_; }
 
+    /// The color of the current primitive.
+    Color color() const { return color_; }
+
     /// The last place of a vertex before the current step.
     std::size_t vertex_before() const { return vertex_before_; }
 

@@ -84,6 +84,10 @@ struct Stats {
     std::vector<PrimitiveStats> primitives;
     std::vector<SharedEdge> edges;       ///< every pair of triangles with area at every edge
     std::vector<OutlineOnFill> outlines; ///< every pair of an outline and a fill
+
+    /// Where a triangle of another color had just the depth of the one that is seen, and came too
+    /// late: drawn in another order, the picture would be another one.
+    PixelList depth_ties;
     std::string frame;                   ///< name of the final picture, see frame_name
     bool frame_differs = false;          ///< the end record names another picture
 };
