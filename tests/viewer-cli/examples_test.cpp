@@ -7,10 +7,15 @@
 #include "frame_text.h"
 
 #include <rastertrace/trace/frame.h>
+#include <rastertrace/trace/stats.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <string>
+#include <vector>
 
 namespace rastertrace {
 namespace {
@@ -21,6 +26,27 @@ std::string picture(const std::string& name, const MethodOverrides& method = {})
         load_trace(std::string(RASTERTRACE_EXAMPLES) + "/" + name + ".json", method);
     EXPECT_TRUE(trace.damage.empty());
     return bare_frame_text(frame_after(trace, trace.size()));
+}
+
+/// The last frame of an example, each pixel as the letter of the primitive that is seen there: a for
+/// the first of the trace, and so on.
+std::string owners(const std::string& name, const MethodOverrides& method = {}) {
+    const Trace trace =
+        load_trace(std::string(RASTERTRACE_EXAMPLES) + "/" + name + ".json", method);
+    const Frame frame = frame_after(trace, trace.size());
+    std::vector<std::size_t> begins;
+    for (std::size_t n = 1; n <= trace.size(); ++n)
+        if (trace.kind_of(n) == StepKind::primitive)
+            begins.push_back(n);
+    std::string text;
+    for (std::size_t i = 0; i < frame.drawn_by.size(); ++i) {
+        const auto after = std::upper_bound(begins.begin(), begins.end(), frame.drawn_by[i]);
+        text +=
+            frame.drawn_by[i] == 0 ? '.' : static_cast<char>('a' + (after - begins.begin() - 1));
+        if ((i + 1) % static_cast<std::size_t>(trace.canvas.width) == 0)
+            text += '\n';
+    }
+    return text;
 }
 
 TEST(Examples, Points) {
@@ -245,6 +271,143 @@ TEST(Examples, CubeOfT0) {
                                                                      "..######..\n"
                                                                      "..#.....#.\n"
                                                                      "..........\n");
+}
+
+// The front face alone, as its two triangles; their diagonal goes to the one drawn first.
+TEST(Examples, CubeCulledAndCubeWithDepth) {
+    const std::string front = "..........\n"
+                              "..........\n"
+                              ".aaaaaaaa.\n"
+                              ".baaaaaaa.\n"
+                              ".bbaaaaaa.\n"
+                              ".bbbaaaaa.\n"
+                              ".bbbbaaaa.\n"
+                              ".bbbbbaaa.\n"
+                              ".bbbbbbaa.\n"
+                              ".bbbbbbba.\n";
+    EXPECT_EQ(owners("t0-hidden/cube-culled"), front);
+    EXPECT_EQ(owners("t0-hidden/cube-inverse-z"), front);
+}
+
+// In the order of the list, what is drawn last stays: the back face (k, l) and the sides.
+TEST(Examples, CubeByDrawOrder) {
+    EXPECT_EQ(owners("t0-hidden/cube-draw-order"), "..........\n"
+                                                   "..........\n"
+                                                   ".hhhhhhhh.\n"
+                                                   ".cclllllf.\n"
+                                                   ".cdkllllf.\n"
+                                                   ".cdkklllf.\n"
+                                                   ".cdkkkllf.\n"
+                                                   ".ddkkkklf.\n"
+                                                   ".djjjiiif.\n"
+                                                   ".jiiiiiii.\n");
+}
+
+// The painter draws the front face last; its diagonal goes to the triangle drawn last.
+TEST(Examples, CubeByThePainter) {
+    EXPECT_EQ(owners("t0-hidden/cube-painter"), "..........\n"
+                                                "..........\n"
+                                                ".lkkkkkkk.\n"
+                                                ".llkkkkkk.\n"
+                                                ".lllkkkkk.\n"
+                                                ".llllkkkk.\n"
+                                                ".lllllkkk.\n"
+                                                ".llllllkk.\n"
+                                                ".lllllllk.\n"
+                                                ".llllllll.\n");
+}
+
+/// How many pixels two primitives in a row have written: the halves of a square face.
+std::uint64_t writes_of_face(const Stats& stats, std::size_t face) {
+    return stats.primitives[2 * face - 2].writes + stats.primitives[2 * face - 1].writes;
+}
+
+// T1's walk. Faces 1 to 3 are 5 x 5 and meet nobody; 4 and 5 are 7 x 5, less twice 2 x 2 that a nearer
+// face has; 6, 7 and 8 cover whatever is there.
+TEST(Examples, EightFaces) {
+    const Trace trace =
+        load_trace(std::string(RASTERTRACE_EXAMPLES) + "/t1-hidden/eight-faces.json", {});
+    const Stats stats = stats_of(trace);
+    EXPECT_EQ(writes_of_face(stats, 1), 25u);
+    EXPECT_EQ(writes_of_face(stats, 2), 25u);
+    EXPECT_EQ(writes_of_face(stats, 3), 25u);
+    EXPECT_EQ(writes_of_face(stats, 4), 27u);
+    EXPECT_EQ(writes_of_face(stats, 5), 27u);
+    EXPECT_EQ(writes_of_face(stats, 6), 33u);
+    EXPECT_EQ(writes_of_face(stats, 7), 55u);
+    EXPECT_EQ(writes_of_face(stats, 8), 240u);
+    EXPECT_EQ(owners("t1-hidden/eight-faces"), "pooooooooooooooooooooooo\n"
+                                               "ppppoooooooooooooooooooo\n"
+                                               "ppppppoooooooooooooooooo\n"
+                                               "ppppppppoooooooooooooooo\n"
+                                               "pppppppppppooooooooooooo\n"
+                                               "pppppppppppppooooooooooo\n"
+                                               "ppppppppppppppppoooooooo\n"
+                                               "ppppppppppppppppppoooooo\n"
+                                               "ppppppppppppppppppppoooo\n"
+                                               "pppppppppppppppppppppppo\n");
+}
+
+// A solid like a U on its side: culling keeps the near wall (a, b) and the inside of the far one
+// (i, j) with its floor (g, h); drawn later, the far one covers the near one.
+TEST(Examples, ConcaveSolidNeedsDepth) {
+    EXPECT_EQ(owners("t3-light/concave-culled"), ".................\n"
+                                                 "aaaaaaaaaaaaaaab.\n"
+                                                 "aaaiiiiiiiijjabb.\n"
+                                                 "aaaiiiiiiijjjbbb.\n"
+                                                 "aaaiiiiiijjjjbbb.\n"
+                                                 "aaaiiiiijjjjjbbb.\n"
+                                                 "aaaiiiijjjjjjbbb.\n"
+                                                 "aaaiiijjjjjjjbbb.\n"
+                                                 "aaaiijjjjjjjjbbb.\n"
+                                                 "aaaijjjjjjjjjbbb.\n"
+                                                 "aaajjjjjjjjjjbbb.\n"
+                                                 "aaghhhhhhhhhhhhb.\n"
+                                                 "aaaabbbbbbbbbbbb.\n"
+                                                 "aaabbbbbbbbbbbbb.\n"
+                                                 "aabbbbbbbbbbbbbb.\n"
+                                                 "abbbbbbbbbbbbbbb.\n"
+                                                 ".................\n");
+    EXPECT_EQ(owners("t3-light/concave-depth"), ".................\n"
+                                                "aaaaaaaaaaaaaaaa.\n"
+                                                "aaaaaaaaaaaaaaab.\n"
+                                                "aaaaaaaaaaaaaabb.\n"
+                                                "aaaaaaaaaaaaabbb.\n"
+                                                "aaaaaaaaaaaabbbb.\n"
+                                                "aaaaaaaaaaabbbbb.\n"
+                                                "aaaaaaaaaabbbbbb.\n"
+                                                "aaaaaaaaabbbbbbb.\n"
+                                                "aaaaaaaabbbbbbbb.\n"
+                                                "aaaaaaabbbbbbbbb.\n"
+                                                "aaaaaabbbbbbbbbb.\n"
+                                                "aaaaabbbbbbbbbbb.\n"
+                                                "aaaabbbbbbbbbbbb.\n"
+                                                "aaabbbbbbbbbbbbb.\n"
+                                                "aabbbbbbbbbbbbbb.\n"
+                                                ".................\n");
+}
+
+// numerics.md Z10 and Z2, as scenes.
+TEST(Examples, CycleAndSteepTriangle) {
+    const auto seen = [](const std::string& name, char letter, const MethodOverrides& method = {}) {
+        const std::string text = owners(name, method);
+        return std::count(text.begin(), text.end(), letter);
+    };
+    const std::string cycle = "t0-hidden/painters-cycle";
+    EXPECT_EQ(4096 - seen(cycle, '.'), 817);
+    EXPECT_NE(owners(cycle), owners(cycle, {{"depth", "inverse-z"}}));
+    EXPECT_EQ(seen("t0-hidden/steep-triangle", 'a'), 1971);
+    EXPECT_EQ(seen("t0-hidden/steep-triangle", 'a', {{"depth", "linear-z"}}), 1236);
+}
+
+// A sphere seen by the eye is whole; culled by a light from behind it, faces are missing and the
+// inside shows.
+TEST(Examples, CulledByLight) {
+    EXPECT_NE(picture("t3-light/lambert"), picture("t3-light/culled-by-light"));
+    const std::string whole = picture("t3-light/lambert");
+    const std::string part = picture("t3-light/culled-by-light");
+    EXPECT_LT(std::count(part.begin(), part.end(), '#'),
+              std::count(whole.begin(), whole.end(), '#'));
 }
 
 } // namespace
