@@ -129,9 +129,10 @@ template <typename Scalar> void top_left_with_depth(benchmark::State& state) {
     }();
     run_with_depth<Scalar>(state, [&half](const Triangle<Scalar>& triangle,
                                           const std::array<double, 3>& depths, Image& image,
-                                          DepthBuffer<double>& buffer) {
-        TriangleDepth<Scalar> depth(triangle, depths, buffer);
-        depth.prepare();
+                                          auto& buffer) {
+        using D = DepthOf<Scalar>;
+        TriangleDepth<Scalar> depth(triangle, {D(depths[0]), D(depths[1]), D(depths[2])}, buffer);
+        depth.prepare(D(0.5));
         fill_top_left(triangle, Paint<Scalar>{.flat = {}, .mixed = {}, .depth = &depth}, half,
                       image, NullSink{});
     });

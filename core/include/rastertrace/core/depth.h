@@ -172,8 +172,8 @@ public:
     }
 
     /// The same for whole rows: the weights are linear in x and y, and so is the depth. `prepare`
-    /// finds how fast it grows in x and in y.
-    void prepare() {
+    /// finds how fast it grows in x and in y. Samples lie `sample_offset` from integer points.
+    void prepare(const D& sample_offset) {
         const auto& [a, b, c] = positions_;
         const D abx = b.x - a.x;
         const D aby = b.y - a.y;
@@ -182,15 +182,15 @@ public:
         const D area2 = abx * acy - acx * aby;
         const D ab = depths_[1] - depths_[0];
         const D ac = depths_[2] - depths_[0];
+        origin_ = {D(a.x - sample_offset), D(a.y - sample_offset)};
         if (area2 == scalar_from<D>(0))
             return;
         slope_x_ = finite_or_zero(D((ab * acy - ac * aby) / area2));
         slope_y_ = finite_or_zero(D((ac * abx - ab * acx) / area2));
     }
-    DepthRow<D> on_row(int y, const D& sample_offset) const {
-        const D sample_y = scalar_from<D>(y) + sample_offset;
-        return {D(positions_[0].x - sample_offset),
-                D(depths_[0] + slope_y_ * (sample_y - positions_[0].y)), slope_x_, std::nullopt};
+    DepthRow<D> on_row(int y) const {
+        return {origin_.x, D(depths_[0] + slope_y_ * (scalar_from<D>(y) - origin_.y)), slope_x_,
+                std::nullopt};
     }
 
     DepthBuffer<D>& buffer;
@@ -198,6 +198,7 @@ public:
 private:
     std::array<Vec<D, 2>, 3> positions_;
     std::array<D, 3> depths_;
+    Vec<D, 2> origin_{}; ///< the first vertex, as samples are counted
     D slope_x_{};
     D slope_y_{};
 };

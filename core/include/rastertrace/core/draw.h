@@ -113,7 +113,7 @@ void fill(const PlacedPrimitive<Scalar>& primitive, Color flat, const Scene& sce
     if (target.depth) {
         depth.emplace(triangle, primitive.depths, *target.depth);
         if (method.fill == Fill::top_left)
-            depth->prepare();
+            depth->prepare(depth_scalar(sample_offset));
         paint.depth = &*depth;
     }
 

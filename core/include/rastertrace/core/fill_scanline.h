@@ -105,7 +105,10 @@ void fill_row(int y, EdgeWalk<Scalar>& along_left, EdgeWalk<Scalar>& along_right
                                  .right_edge = along_right.name(),
                                  .left_depth = left_depth,
                                  .right_depth = right_depth});
-    plot_span(y, from, to, paint, depths ? &*depths : nullptr, image, sink);
+    if (depths)
+        plot_tested_span(y, from, to, paint, *depths, image, sink);
+    else
+        plot_span(y, from, to, paint, image, sink);
 }
 
 /// Fills a triangle row by row, from the top of the picture to its bottom, both ends of each row

@@ -100,14 +100,13 @@ void report_crossings(const Triangle<Scalar>& triangle, const TriangleOrder& ord
                                  .right_edge = right_edge.name});
 }
 
-/// Fills a triangle so that each sample of a shared edge is drawn exactly once. A sample lies
-/// `sample_offset` from a pixel's integer point, in x and in y. Top and left are those of the
-/// picture, whichever way y points. A triangle without area has no inside and is skipped.
-template <typename Scalar, typename Sink>
+/// Fills a triangle as fill_top_left does, testing its depths or not: compiled once for each, so
+/// that a triangle without depths does not ask for them in every row.
+template <bool has_depths, typename Scalar, typename Sink>
 requires SinkFor<Sink, EdgeFunctionSetUp<Scalar>, ScanlineSpanned<Scalar>, PixelPlotted,
                  PixelsRejected, RowsRejected, PrimitiveSkipped>
-void fill_top_left(const Triangle<Scalar>& triangle, const Paint<Scalar>& paint,
-                   const Scalar& sample_offset, Image& image, Sink&& sink) {
+void fill_sample_rows(const Triangle<Scalar>& triangle, const Paint<Scalar>& paint,
+                      const Scalar& sample_offset, Image& image, Sink&& sink) {
     const Canvas canvas = image.canvas();
 
     // Sort the vertices by height. The long edge runs from top to bottom, the two short ones meet
@@ -161,16 +160,28 @@ void fill_top_left(const Triangle<Scalar>& triangle, const Paint<Scalar>& paint,
             const Index to = (long_edge_is_left ? on_short_edge : on_long_edge) - 1;
             const int y = canvas.y_of(row);
             report_crossings(triangle, order, is_upper, y, sample_offset, from, to, sink);
-            if (paint.depth == nullptr) {
-                plot_span(y, from, to, paint, nullptr, image, sink);
-            } else {
-                const auto depths = paint.depth->on_row(y, depth_scalar(sample_offset));
-                plot_span(y, from, to, paint, &depths, image, sink);
-            }
+            if constexpr (has_depths)
+                plot_tested_span(y, from, to, paint, paint.depth->on_row(y), image, sink);
+            else
+                plot_span(y, from, to, paint, image, sink);
             along_long_edge.step();
             along_short_edge.step();
         }
     }
+}
+
+/// Fills a triangle so that each sample of a shared edge is drawn exactly once. A sample lies
+/// `sample_offset` from a pixel's integer point, in x and in y. Top and left are those of the
+/// picture, whichever way y points. A triangle without area has no inside and is skipped.
+template <typename Scalar, typename Sink>
+requires SinkFor<Sink, EdgeFunctionSetUp<Scalar>, ScanlineSpanned<Scalar>, PixelPlotted,
+                 PixelsRejected, RowsRejected, PrimitiveSkipped>
+void fill_top_left(const Triangle<Scalar>& triangle, const Paint<Scalar>& paint,
+                   const Scalar& sample_offset, Image& image, Sink&& sink) {
+    if (paint.depth == nullptr)
+        fill_sample_rows<false>(triangle, paint, sample_offset, image, sink);
+    else
+        fill_sample_rows<true>(triangle, paint, sample_offset, image, sink);
 }
 
 } // namespace rastertrace

@@ -5,7 +5,7 @@
 // which of them a nearer triangle hides.
 //
 //     Paint<double> paint{.flat = Color{255, 0, 0}};
-//     plot_span(y, -1, 3, paint, nullptr, image, sink);
+//     plot_span(y, -1, 3, paint, image, sink);
 
 #include <rastertrace/core/barycentric.h>
 #include <rastertrace/core/canvas.h>
@@ -140,8 +140,8 @@ void plot_nearer_pixels(int y, int first, int last, const Paint<Scalar>& paint,
 /// Plots the pixels of a row that the canvas has, from x = `first` to x = `last`, in mixed colors.
 template <typename Scalar, typename Sink>
 requires SinkFor<Sink, PixelPlotted>
-void plot_mixed_span(int y, int first, int last, const MixedColors<Scalar>& mixed, Image& image,
-                     Sink&& sink) {
+[[gnu::noinline]] void plot_mixed_span(int y, int first, int last, const MixedColors<Scalar>& mixed,
+                                       Image& image, Sink&& sink) {
     for (int x = first; x <= last; ++x) {
         const Color color = mixed.at({x, y});
         image.at({x, y}) = color;
@@ -149,13 +149,44 @@ void plot_mixed_span(int y, int first, int last, const MixedColors<Scalar>& mixe
     }
 }
 
-/// Plots the pixels of a row from x = `from` to x = `to`, as far as the canvas has them; with
-/// `depths`, those that are not hidden. Inline: on a short row, calling it would cost as much as the
-/// row.
+/// The part of a row from x = `from` to x = `to` that the canvas has; what it does not have is
+/// reported in two parts, one before and one after the pixels that are plotted.
+struct SpanOnCanvas {
+    int first;
+    int last;
+};
+
+inline SpanOnCanvas span_on_canvas(Index from, Index to, const Canvas& canvas) {
+    const Index left = canvas.left();
+    const Index right = canvas.right();
+    return {static_cast<int>(std::clamp(from, left, right + 1)),
+            static_cast<int>(std::clamp(to, left - 1, right))};
+}
+
+template <typename Sink>
+requires SinkFor<Sink, PixelsRejected>
+void report_rejected_left(int y, Index from, Index to, const Canvas& canvas, Sink&& sink) {
+    const Index left = canvas.left();
+    if (from <= to && from < left)
+        sink(
+            PixelsRejected{.from_x = from, .from_y = y, .to_x = std::min(to, left - 1), .to_y = y});
+}
+
+template <typename Sink>
+requires SinkFor<Sink, PixelsRejected>
+void report_rejected_right(int y, Index from, Index to, const Canvas& canvas, Sink&& sink) {
+    const Index right = canvas.right();
+    if (from <= to && to > right)
+        sink(PixelsRejected{
+            .from_x = std::max(from, right + 1), .from_y = y, .to_x = to, .to_y = y});
+}
+
+/// Plots the pixels of a row from x = `from` to x = `to`, as far as the canvas has them. Inline: on
+/// a short row, calling it would cost as much as the row.
 template <typename Scalar, typename Sink>
 requires SinkFor<Sink, PixelPlotted, PixelsRejected>
-inline void plot_span(int y, Index from, Index to, const Paint<Scalar>& paint,
-                      const DepthRow<DepthOf<Scalar>>* depths, Image& image, Sink&& sink) {
+inline void plot_span(int y, Index from, Index to, const Paint<Scalar>& paint, Image& image,
+                      Sink&& sink) {
     const Index left = image.canvas().left();
     const Index right = image.canvas().right();
     if (from <= to && from < left)
@@ -164,12 +195,7 @@ inline void plot_span(int y, Index from, Index to, const Paint<Scalar>& paint,
 
     const auto first = static_cast<int>(std::clamp(from, left, right + 1));
     const auto last = static_cast<int>(std::clamp(to, left - 1, right));
-    if (depths != nullptr) {
-        if (paint.depth->buffer.larger_passes())
-            plot_nearer_pixels<true>(y, first, last, paint, *depths, image, sink);
-        else
-            plot_nearer_pixels<false>(y, first, last, paint, *depths, image, sink);
-    } else if (paint.mixed) {
+    if (paint.mixed) {
         plot_mixed_span(y, first, last, *paint.mixed, image, sink);
     } else {
         Color* const row = image.row(y).data();
@@ -183,6 +209,20 @@ inline void plot_span(int y, Index from, Index to, const Paint<Scalar>& paint,
     if (from <= to && to > right)
         sink(PixelsRejected{
             .from_x = std::max(from, right + 1), .from_y = y, .to_x = to, .to_y = y});
+}
+
+/// The same for a triangle with depths: plots those pixels that no nearer triangle hides.
+template <typename Scalar, typename Sink>
+requires SinkFor<Sink, DepthTested<DepthOf<Scalar>>, PixelPlotted, PixelsRejected>
+void plot_tested_span(int y, Index from, Index to, const Paint<Scalar>& paint,
+                      const DepthRow<DepthOf<Scalar>>& depths, Image& image, Sink&& sink) {
+    report_rejected_left(y, from, to, image.canvas(), sink);
+    const auto [first, last] = span_on_canvas(from, to, image.canvas());
+    if (paint.depth->buffer.larger_passes())
+        plot_nearer_pixels<true>(y, first, last, paint, depths, image, sink);
+    else
+        plot_nearer_pixels<false>(y, first, last, paint, depths, image, sink);
+    report_rejected_right(y, from, to, image.canvas(), sink);
 }
 
 } // namespace rastertrace
