@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,30 +27,36 @@ void count_step(Stats& stats, std::string kind) {
         ++known->second;
 }
 
+/// The pixel that a step is about, if the canvas has it.
+std::optional<Pixel> pixel_of(const StepView& step, const Canvas& canvas) {
+    const Index x = *step.whole("x");
+    const Index y = *step.whole("y");
+    if (!canvas.contains(x, y))
+        return std::nullopt;
+    return Pixel{static_cast<int>(x), static_cast<int>(y)};
+}
+
 /// Counts a pixel step, and notes its pixel as drawn by the current primitive.
 void count_pixel(Stats& stats, std::vector<DrawnPrimitive>& drawn, const StepView& step,
                  const Replay& replay) {
     const Canvas& canvas = replay.trace().canvas;
-    const Index x = *step.whole("x");
-    const Index y = *step.whole("y");
-    if (!canvas.contains(x, y))
+    const auto pixel = pixel_of(step, canvas);
+    if (!pixel)
         return;
     ++stats.writes;
     if (stats.primitives.empty())
         return;
     ++stats.primitives.back().writes;
     stats.primitives.back().over += replay.drew_over() != 0 ? 1 : 0;
-    add_pixel(drawn.back(), canvas.offset_of({static_cast<int>(x), static_cast<int>(y)}));
+    add_pixel(drawn.back(), canvas.offset_of(*pixel));
 }
 
 /// Notes a pixel of the current primitive that failed the depth test.
 void note_hidden_pixel(std::vector<DrawnPrimitive>& drawn, const StepView& step,
                        const Canvas& canvas) {
-    const Index x = *step.whole("x");
-    const Index y = *step.whole("y");
-    if (!drawn.empty() && canvas.contains(x, y))
-        add_hidden_pixel(drawn.back(),
-                         canvas.offset_of({static_cast<int>(x), static_cast<int>(y)}));
+    const auto pixel = pixel_of(step, canvas);
+    if (!drawn.empty() && pixel)
+        add_hidden_pixel(drawn.back(), canvas.offset_of(*pixel));
 }
 
 /// Watches depth tests for ties that decide what is seen.
@@ -61,16 +68,14 @@ public:
 
     /// Takes a depth step and the color of its primitive.
     void add(const StepView& step, Color color, const Frame& frame) {
-        const Index x = *step.whole("x");
-        const Index y = *step.whole("y");
-        if (!canvas_.contains(x, y))
+        const auto pixel = pixel_of(step, canvas_);
+        if (!pixel)
             return;
-        const Pixel pixel{static_cast<int>(x), static_cast<int>(y)};
-        const std::size_t place = canvas_.offset_of(pixel);
+        const std::size_t place = canvas_.offset_of(*pixel);
         if (step.text("pass") == "true")
             is_tied_[place] = false;
         else if (frame.drawn_by[place] != 0 && step.text("depth") == step.text("stored") &&
-                 frame.image.at(pixel) != color)
+                 frame.image.at(*pixel) != color)
             is_tied_[place] = true;
     }
 

@@ -12,8 +12,8 @@
 // 1/z and z after the division are linear on the screen, z itself is not: T0, "Pintando faces",
 // after Gambetta. The comparison is strict: of equal depths, the first one drawn stays.
 //
-//     DepthBuffer<double> buffer(region, rule);
-//     buffer.passes(pixel, 0.25);
+//     DepthBuffer<double> buffer(region, {.larger_passes = true, .cleared = 0.0});
+//     buffer.keep_if_nearer<true>(*buffer.row_from(x, row), 0.25);
 
 #include <rastertrace/core/canvas.h>
 #include <rastertrace/core/scalar.h>

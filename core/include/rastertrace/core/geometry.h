@@ -176,6 +176,7 @@ template <typename Scalar> struct Geometry {
     std::vector<PlacedVertex<Scalar>> vertices; ///< as in Scene::vertices
     std::vector<bool> is_used;                  ///< by a primitive; the others are not placed
     std::vector<Vec<Scalar, 3>> world;          ///< of all vertices, if faces are tested
+    Vec<Scalar, 3> eye{};                       ///< the same; see eye_of
     std::optional<PainterOrder<Scalar>> order;  ///< if the painter has sorted them
     Depth depth = Depth::none;
 };
@@ -203,6 +204,19 @@ Scalar distance_along_view(const Scene& scene, const Vec<Scalar, 4>& camera) {
     return looks_along_plus_z ? camera.z : Scalar(-camera.z);
 }
 
+/// The eye in the world: the camera's place, or the origin without one. Where nothing converges, the
+/// direction to it, against the view, which is the same for all faces.
+template <typename Scalar> Vec<Scalar, 3> eye_of(const Scene& scene) {
+    const Vec<Rational, 3> ahead{Rational(0), Rational(0), Rational(1)};
+    const Vec<Rational, 3> eye =
+        is_perspective(scene.projection.type)
+            ? exact(scene.camera ? scene.camera->position : Numbers3{0, 0, 0})
+        : scene.camera ? axes_of(*scene.camera).back
+                       : ahead;
+    return {nearest_scalar<Scalar>(eye.x), nearest_scalar<Scalar>(eye.y),
+            nearest_scalar<Scalar>(eye.z)};
+}
+
 /// Takes every vertex that is used to clip space, and on to the screen if it can be seen.
 template <typename Scalar> Geometry<Scalar> geometry_of(const Scene& scene) {
     Geometry<Scalar> result;
@@ -213,8 +227,10 @@ template <typename Scalar> Geometry<Scalar> geometry_of(const Scene& scene) {
     for (const ScenePrimitive& primitive : scene.primitives)
         for (const std::size_t place : primitive.corners())
             result.is_used[place] = true;
-    if (scene.tests_faces())
+    if (scene.tests_faces()) {
         result.world.resize(scene.vertices.size());
+        result.eye = eye_of<Scalar>(scene);
+    }
 
     const auto& transforms = result.transforms;
     for_each_used_vertex(scene, result, [&](std::size_t i, const auto& model) {
@@ -224,11 +240,9 @@ template <typename Scalar> Geometry<Scalar> geometry_of(const Scene& scene) {
         vertex.distance = distance_along_view<Scalar>(scene, places.camera);
         if (!result.world.empty())
             result.world[i] = {places.world.x, places.world.y, places.world.z};
-        vertex.is_in_view =
-            std::all_of(transforms.planes.begin(), transforms.planes.end(),
-                        [&vertex](const ClipPlane<Scalar>& plane) {
-                            return !(plane.value_at(vertex.clip) < scalar_from<Scalar>(0));
-                        });
+        vertex.is_in_view = std::all_of(
+            transforms.planes.begin(), transforms.planes.end(),
+            [&vertex](const ClipPlane<Scalar>& plane) { return plane.has_inside(vertex.clip); });
         if (vertex.is_in_view)
             vertex.pixel = places_on_screen(vertex.clip, transforms).pixel;
     });

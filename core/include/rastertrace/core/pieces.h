@@ -47,20 +47,6 @@ bool report_face(const Face<Coordinate>& face, Sink&& sink) {
     return !face.skip;
 }
 
-/// The vector from a face to the eye: to the camera's place, or the world's origin without one.
-/// Where nothing converges, it is the same for all faces: against the view.
-template <typename Scalar>
-Vec<Scalar, 3> view_from(const Scene& scene, const Vec<Scalar, 3>& centroid) {
-    const auto vector = [](const Vec<Rational, 3>& exact) {
-        return Vec<Scalar, 3>{nearest_scalar<Scalar>(exact.x), nearest_scalar<Scalar>(exact.y),
-                              nearest_scalar<Scalar>(exact.z)};
-    };
-    if (is_perspective(scene.projection.type))
-        return vector(exact(scene.camera ? scene.camera->position : Numbers3{0, 0, 0})) - centroid;
-    return vector(scene.camera ? axes_of(*scene.camera).back
-                               : Vec<Rational, 3>{Rational(0), Rational(0), Rational(1)});
-}
-
 /// The vector from a face to the light.
 template <typename Scalar>
 Vec<Scalar, 3> light_from(const Light& light, const Vec<Scalar, 3>& centroid) {
@@ -91,7 +77,9 @@ Face<Scalar> face_of(const Scene& scene, const Geometry<Scalar>& geometry,
     if (cull != Cull::none) {
         const bool is_by_light = cull == Cull::light;
         const Vec<Scalar, 3> view = is_by_light ? light_from<Scalar>(*scene.light, centroid)
-                                                : view_from<Scalar>(scene, centroid);
+                                    : is_perspective(scene.projection.type)
+                                        ? geometry.eye - centroid
+                                        : geometry.eye;
         const Scalar product = dot(normal, view);
         face.tested = FaceTested<Scalar>{.normal = normal,
                                          .view = view,
@@ -252,7 +240,7 @@ clip_at_planes(std::string_view name, std::vector<ClipVertex<Scalar>>& polygon,
         std::array<bool, 16> is_inside{};
         const std::size_t count = polygon.size();
         for (std::size_t i = 0; i < count; ++i)
-            is_inside[i] = !(plane.value_at(polygon[i].position) < scalar_from<Scalar>(0));
+            is_inside[i] = plane.has_inside(polygon[i].position);
         if (std::all_of(is_inside.begin(), is_inside.begin() + static_cast<std::ptrdiff_t>(count),
                         [](bool inside) { return inside; }))
             continue;

@@ -131,6 +131,11 @@ template <typename Scalar> struct ClipPlane {
     Scalar value_at(const Vec<Scalar, 4>& p) const {
         return factors.x * p.x + factors.y * p.y + factors.z * p.z + factors.w * p.w + constant;
     }
+
+    /// True if the point can be seen as far as this plane goes.
+    bool has_inside(const Vec<Scalar, 4>& p) const {
+        return !(value_at(p) < scalar_from<Scalar>(0));
+    }
 };
 
 /// The planes of a projection. Near and far are distances from the eye, which in a perspective
