@@ -5,8 +5,12 @@
 
 #include <rastertrace/core/draw.h>
 
+#include <functional>
 #include <string>
 #include <string_view>
+#include <tuple>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace rastertrace {
@@ -49,14 +53,32 @@ inline Scene first_triangle(Method method = {.scalar = ScalarKind::exact}) {
     return triangle_scene({"2", "5", "-4", "-3", "5", "-3"}, {.width = 17, .height = 14}, method);
 }
 
+/// One step of any kind, for any scalar.
+template <typename Scalar>
+using StepsOf =
+    std::tuple<const MatrixSetUp<Scalar>*, const VertexPlaced<Scalar>*,
+               const PrimitivesOrdered<Scalar>*, const FaceTested<Scalar>*, const FaceLit<Scalar>*,
+               const PrimitiveBegan<Scalar>*, const EdgeSetUp<Scalar>*,
+               const EdgeFunctionSetUp<Scalar>*, const ScanlineSpanned<Scalar>*,
+               const LineSampled<Scalar>*, const SampleTested<Scalar>*, const DepthTested<Scalar>*>;
+using PlainSteps = std::tuple<const PrimitiveClipped*, const SideBegan*, const HalfBegan*,
+                              const RayBegan*, const LineDecided*, const PixelPlotted*,
+                              const PixelsRejected*, const RowsRejected*, const PrimitiveSkipped*>;
+template <typename... Types> std::variant<Types...> any_of(std::tuple<Types...>);
+using AnyStep = decltype(any_of(
+    std::tuple_cat(std::declval<StepsOf<float>>(), std::declval<StepsOf<double>>(),
+                   std::declval<StepsOf<Fraction64>>(), std::declval<StepsOf<Fraction128>>(),
+                   std::declval<StepsOf<Rational>>(), PlainSteps{})));
+
+/// Draws a scene as its plan says. Compiled once, for all the tests.
+Image draw_as_planned(const Scene& scene);
+Image draw_watched(const Scene& scene, const std::function<void(const AnyStep&)>& watch);
+
 /// Draws a scene as its plan says, with a sink.
 template <typename Sink> Image draw_as_planned(const Scene& scene, Sink&& sink) {
-    const Plan plan = plan_for(scene);
-    return with_scalar(plan, [&]<typename Scalar>() { return draw<Scalar>(scene, plan, sink); });
-}
-
-inline Image draw_as_planned(const Scene& scene) {
-    return draw_as_planned(scene, NullSink{});
+    return draw_watched(scene, [&sink](const AnyStep& step) {
+        std::visit([&sink](const auto* one) { sink(*one); }, step);
+    });
 }
 
 } // namespace rastertrace

@@ -70,13 +70,20 @@ template <typename Scalar, typename Sink> void scanline(benchmark::State& state)
     });
 }
 
+/// Samples at the centers of the pixels of a square canvas.
+template <typename Scalar> SampleGrid<Scalar> centers(int side) {
+    const Canvas canvas{.width = side, .height = side, .origin = Origin::top_left};
+    if constexpr (std::floating_point<Scalar>)
+        return {Scalar(0.5), canvas};
+    else
+        return {Scalar{128, 256}, canvas};
+}
+
 /// `fixed` is this one: fractions over 256 on 64 bits.
 template <typename Scalar> void top_left(benchmark::State& state) {
-    run<Scalar>(state, [&](const Triangle<Scalar>& triangle, Image& image) {
-        if constexpr (std::floating_point<Scalar>)
-            fill_top_left(triangle, Paint<Scalar>{}, Scalar(0.5), image, NullSink{});
-        else
-            fill_top_left(triangle, Paint<Scalar>{}, Scalar{128, 256}, image, NullSink{});
+    const auto grid = centers<Scalar>(512);
+    run<Scalar>(state, [&grid](const Triangle<Scalar>& triangle, Image& image) {
+        fill_top_left(triangle, Paint<Scalar>{}, grid, image, NullSink{});
     });
 }
 
@@ -121,20 +128,16 @@ void run_with_depth(benchmark::State& state, FillOne&& fill_one) {
 }
 
 template <typename Scalar> void top_left_with_depth(benchmark::State& state) {
-    const Scalar half = [] {
-        if constexpr (std::floating_point<Scalar>)
-            return Scalar(0.5);
-        else
-            return Scalar{128, 256};
-    }();
-    run_with_depth<Scalar>(state, [&half](const Triangle<Scalar>& triangle,
+    constexpr PixelStages stages{.tests_depth = true};
+    const auto grid = centers<Scalar>(static_cast<int>(state.range(1)));
+    run_with_depth<Scalar>(state, [&grid](const Triangle<Scalar>& triangle,
                                           const std::array<double, 3>& depths, Image& image,
                                           auto& buffer) {
         using D = DepthOf<Scalar>;
         TriangleDepth<Scalar> depth(triangle, {D(depths[0]), D(depths[1]), D(depths[2])}, buffer);
         depth.prepare(D(0.5));
-        fill_top_left(triangle, Paint<Scalar>{.flat = {}, .mixed = {}, .depth = &depth}, half,
-                      image, NullSink{});
+        fill_top_left(triangle, Paint<Scalar, stages>{.flat = {}, .depth = &depth}, grid, image,
+                      NullSink{});
     });
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <rastertrace/core/divisor.h>
 #include <rastertrace/core/scalar.h>
 
 #include <gtest/gtest.h>
@@ -70,6 +71,22 @@ TEST(FloorAndCeil, StayWithinTheFarthestIndex) {
     EXPECT_EQ(floor_index(Fraction128{Int128{1} << 100}), farthest_index);
     EXPECT_EQ(floor_index(-0.0), 0);
     EXPECT_EQ(floor_index(-5e-324), -1);
+}
+
+RC_GTEST_PROP(Divisor, QuotientsAreExact, ()) {
+    // The hardest numbers lie next to a multiple of the divisor; quotients go up to 2^49.
+    const int divisor_bits = *rc::gen::inRange(0, 63);
+    const auto value = *rc::gen::inRange<std::int64_t>(
+        std::int64_t{1} << std::max(divisor_bits - 1, 0), (std::int64_t{1} << divisor_bits) + 1);
+    const int quotient_bits = *rc::gen::inRange(0, std::min(49, 62 - divisor_bits) + 1);
+    const auto farthest = std::int64_t{1} << quotient_bits;
+    const auto quotient = *rc::gen::inRange<std::int64_t>(-farthest, farthest);
+    const auto rest = *rc::gen::element<std::int64_t>(0, value - 1, value / 2);
+    const auto found = Divisor<std::int64_t>(value).divide(quotient * value + rest);
+    RC_ASSERT(found.quotient == quotient);
+    RC_ASSERT(found.rest == rest);
+    const auto wide = Divisor<Int128>(value).divide(Int128{quotient} * value + rest);
+    RC_ASSERT(wide.quotient == quotient && wide.rest == rest);
 }
 
 } // namespace

@@ -250,8 +250,9 @@ std::size_t pixels_of_part_p(const std::vector<std::array<Number, 3>>& corners) 
                        for (std::size_t i = 0; i < 3; ++i)
                            triangle.vertices[i] = {(piece.positions[i].x + 1) * 32,
                                                    (piece.positions[i].y + 1) * 32};
+                       const Rational half(mpz_class(1), mpz_class(2));
                        fill_top_left(triangle, Paint<Rational>{.flat = {}},
-                                     Rational(mpz_class(1), mpz_class(2)), image, NullSink{});
+                                     SampleGrid<Rational>(half, image.canvas()), image, NullSink{});
                    });
     return image.drawn();
 }

@@ -37,13 +37,13 @@ void scanline_with_fractions(const Triangle<Fraction64>& triangle, const Paint<F
 }
 
 void top_left_with_doubles(const Triangle<double>& triangle, const Paint<double>& paint,
-                           const double& sample_offset, Image& image) {
-    fill_top_left(triangle, paint, sample_offset, image, NullSink{});
+                           const SampleGrid<double>& grid, Image& image) {
+    fill_top_left(triangle, paint, grid, image, NullSink{});
 }
 
 void top_left_with_fractions(const Triangle<Fraction64>& triangle, const Paint<Fraction64>& paint,
-                             const Fraction64& sample_offset, Image& image) {
-    fill_top_left(triangle, paint, sample_offset, image, NullSink{});
+                             const SampleGrid<Fraction64>& grid, Image& image) {
+    fill_top_left(triangle, paint, grid, image, NullSink{});
 }
 
 } // namespace rastertrace

@@ -12,8 +12,11 @@
 // 1/z and z after the division are linear on the screen, z itself is not: T0, "Pintando faces",
 // after Gambetta. The comparison is strict: of equal depths, the first one drawn stays.
 //
+// The buffer holds every depth turned: with the sign that makes the nearer one smaller, so that one
+// comparison serves all three. Turning is exact, and turning twice gives the depth back.
+//
 //     DepthBuffer<double> buffer(region, {.larger_passes = true, .cleared = 0.0});
-//     buffer.keep_if_nearer<true>(*buffer.row_from(x, row), 0.25);
+//     buffer.keep_if_nearer(*buffer.row_from(x, row), buffer.turned(0.25));
 
 #include <rastertrace/core/canvas.h>
 #include <rastertrace/core/scalar.h>
@@ -51,67 +54,70 @@ template <typename Scalar> class DepthBuffer {
 public:
     DepthBuffer(const DepthRegion& region, const DepthRule<Scalar>& rule)
         : region_(region), rule_(rule),
-          depths_(static_cast<std::size_t>(region.width) * static_cast<std::size_t>(region.height),
-                  cleared_cell(rule)),
-          is_clear_(has_clear_cells() ? depths_.size() : 0, true) {}
+          cells_(static_cast<std::size_t>(region.width) * static_cast<std::size_t>(region.height),
+                 clear_cell()),
+          is_clear_(has_clear_cells() ? cells_.size() : 0, true) {}
 
-    bool larger_passes() const { return rule_.larger_passes; }
+    /// A depth with the sign that makes the nearer one smaller.
+    Scalar turned(const Scalar& depth) const {
+        return rule_.larger_passes ? Scalar(-depth) : depth;
+    }
 
-    /// The depths of a row from column x on. The region must have the pixel.
+    /// The turned depths of a row from column x on. The region must have the pixel.
     Scalar* row_from(int x, int row) {
-        return depths_.data() + static_cast<std::ptrdiff_t>(row - region_.top_row) * region_.width +
+        return cells_.data() + static_cast<std::ptrdiff_t>(row - region_.top_row) * region_.width +
                (x - region_.left);
     }
 
-    /// Tests a depth against a cell of row_from(...), and keeps it if it passes.
-    template <bool larger> bool keep_if_nearer(Scalar& cell, const Scalar& depth) {
+    /// Tests a turned depth against a cell of row_from(...), and keeps it if it passes.
+    bool keep_if_nearer(Scalar& cell, const Scalar& depth) {
         if constexpr (!std::floating_point<Scalar>)
             if (has_clear_cells()) {
-                const auto place = static_cast<std::size_t>(&cell - depths_.data());
+                const auto place = static_cast<std::size_t>(&cell - cells_.data());
                 if (is_clear_[place]) {
                     is_clear_[place] = false;
                     cell = depth;
                     return true;
                 }
             }
-        const bool passes = larger ? cell < depth : depth < cell;
+        const bool passes = depth < cell;
         if (passes)
             cell = depth;
         return passes;
     }
 
-    /// What a cell holds, if that is a number.
+    /// The depth that a cell holds, if that is a number.
     std::optional<Scalar> stored(const Scalar& cell) const {
-        if constexpr (std::floating_point<Scalar>)
-            return cell == cleared_cell(rule_) && !rule_.cleared ? std::nullopt
-                                                                 : std::optional(cell);
-        else
-            return has_clear_cells() && is_clear_[static_cast<std::size_t>(&cell - depths_.data())]
-                       ? std::nullopt
-                       : std::optional(cell);
+        if constexpr (std::floating_point<Scalar>) {
+            if (!rule_.cleared && cell == clear_cell())
+                return std::nullopt;
+        } else {
+            if (has_clear_cells() && is_clear_[static_cast<std::size_t>(&cell - cells_.data())])
+                return std::nullopt;
+        }
+        return turned(cell);
     }
 
 private:
     /// Floating point has a number beyond all others; exact numbers remember which cells are clear.
     bool has_clear_cells() const { return !std::floating_point<Scalar> && !rule_.cleared; }
 
-    static Scalar cleared_cell(const DepthRule<Scalar>& rule) {
-        if (rule.cleared)
-            return *rule.cleared;
+    Scalar clear_cell() const {
+        if (rule_.cleared)
+            return turned(*rule_.cleared);
         if constexpr (std::floating_point<Scalar>)
-            return rule.larger_passes ? -std::numeric_limits<Scalar>::infinity()
-                                      : std::numeric_limits<Scalar>::infinity();
+            return std::numeric_limits<Scalar>::infinity();
         else
             return Scalar(0);
     }
 
     DepthRegion region_;
     DepthRule<Scalar> rule_;
-    std::vector<Scalar> depths_;
+    std::vector<Scalar> cells_;
     std::vector<bool> is_clear_;
 };
 
-/// The depths of a row of a triangle: linear in x.
+/// The turned depths of a row of a triangle: linear in x.
 template <typename Scalar> struct DepthRow {
     Scalar x;                       ///< where
     Scalar depth;                   ///< the depth is this, and
@@ -133,19 +139,35 @@ template <typename Scalar> Scalar finite_or_zero(const Scalar& slope) {
         return slope;
 }
 
-/// The depths of a triangle: those of its vertices, and linear between them. Both forms are equal in
-/// exact arithmetic, and both keep equal depths equal.
+/// The vertices in the numbers that depths are worked out in.
+template <typename Scalar>
+std::array<Vec<Scalar, 2>, 3> depth_positions(const Triangle<Scalar>& triangle) {
+    return triangle.vertices;
+}
+
+/// Fractions over one denominator are divided by it once.
+template <typename Integer>
+std::array<Vec<double, 2>, 3> depth_positions(const Triangle<Fraction<Integer>>& triangle) {
+    const double unit = 1 / static_cast<double>(triangle.vertices[0].x.denominator);
+    std::array<Vec<double, 2>, 3> result;
+    for (std::size_t i = 0; i < 3; ++i)
+        result[i] = {static_cast<double>(triangle.vertices[i].x.numerator) * unit,
+                     static_cast<double>(triangle.vertices[i].y.numerator) * unit};
+    return result;
+}
+
+/// The turned depths of a triangle: those of its vertices, and linear between them. Both forms are
+/// equal in exact arithmetic, and both keep equal depths equal.
 template <typename Scalar> class TriangleDepth {
 public:
     using D = DepthOf<Scalar>;
 
     TriangleDepth(const Triangle<Scalar>& triangle, const std::array<D, 3>& depths,
                   DepthBuffer<D>& depth_buffer)
-        : buffer(depth_buffer), depths_(depths) {
-        for (std::size_t i = 0; i < 3; ++i)
-            positions_[i] = {depth_scalar(triangle.vertices[i].x),
-                             depth_scalar(triangle.vertices[i].y)};
-    }
+        : buffer(depth_buffer),
+          positions_(depth_positions(triangle)), depths_{buffer.turned(depths[0]),
+                                                         buffer.turned(depths[1]),
+                                                         buffer.turned(depths[2])} {}
 
     /// The depth where an edge is at height y. A horizontal edge has that of its first vertex.
     D on_edge(const EdgeName& edge, const D& y) const {

@@ -85,38 +85,19 @@ void draw_line(const PlacedPrimitive<Scalar>& primitive, EdgeName side, const Me
                           line_rounding(method), line, method.color_lerp, image, sink);
 }
 
-/// What pixels are drawn on and tested against.
+/// What pixels are drawn on and tested against, and where their samples lie.
 template <typename Scalar> struct Target {
     Image image;
+    SampleGrid<Scalar> grid;
     std::optional<DepthBuffer<DepthOf<Scalar>>> depth = {};
 };
 
-/// Fills a triangle.
-template <typename Scalar, typename Sink>
-void fill(const PlacedPrimitive<Scalar>& primitive, Color flat, const Scene& scene,
-          const Plan& plan, Target<Scalar>& target, Sink&& sink) {
-    const Method& method = scene.method;
-    Image& image = target.image;
+/// Fills a triangle with the stages that its pixels go through.
+template <typename Scalar, PixelStages stages, typename Sink>
+void fill(const PlacedPrimitive<Scalar>& primitive, const Paint<Scalar, stages>& paint,
+          const Method& method, Target<Scalar>& target, Sink&& sink) {
     const Triangle<Scalar> triangle{primitive.positions};
-    const Scalar sample_offset = scalar_from<Scalar>(sample_offset_of(method), plan.denominator);
-    Paint<Scalar> paint{.flat = flat};
-    if (plan.mixes_colors) {
-        const Barycentric<Scalar> barycentric(triangle);
-        if (barycentric.area2() != scalar_from<Scalar>(0)) {
-            paint.mixed =
-                MixedColors<Scalar>{primitive.colors, barycentric, sample_offset, std::nullopt};
-            if (plan.mixes_in_perspective)
-                paint.mixed->inverse_w = primitive.inverse_w;
-        }
-    }
-    std::optional<TriangleDepth<Scalar>> depth;
-    if (target.depth) {
-        depth.emplace(triangle, primitive.depths, *target.depth);
-        if (method.fill == Fill::top_left)
-            depth->prepare(depth_scalar(sample_offset));
-        paint.depth = &*depth;
-    }
-
+    Image& image = target.image;
     const ScanlineRules rules{.lerp = method.lerp, .span = span_rounding(method)};
     switch (method.fill) {
     case Fill::scanline:
@@ -124,14 +105,46 @@ void fill(const PlacedPrimitive<Scalar>& primitive, Color flat, const Scene& sce
     case Fill::two_halves:
         return fill_two_halves(triangle, paint, rules, image, sink);
     case Fill::barycentric:
-        return fill_barycentric(triangle, paint, sample_offset, image, sink);
+        return fill_barycentric(triangle, paint, target.grid.sample_offset(), image, sink);
     case Fill::top_left:
-        return fill_top_left(triangle, paint, sample_offset, image, sink);
+        return fill_top_left(triangle, paint, target.grid, image, sink);
     case Fill::fan:
         break;
     }
     fill_fan(triangle, primitive.colors,
              {.passes = method.fan_passes, .color_lerp = method.color_lerp}, image, sink);
+}
+
+/// Fills a triangle.
+template <typename Scalar, typename Sink>
+void fill(const PlacedPrimitive<Scalar>& primitive, Color flat, const Scene& scene,
+          const Plan& plan, Target<Scalar>& target, Sink&& sink) {
+    const Triangle<Scalar> triangle{primitive.positions};
+    const Scalar sample_offset = target.grid.sample_offset();
+
+    // What its colors are mixed from. Without area it has one.
+    std::optional<MixedColors<Scalar>> mixed;
+    if (plan.mixes_colors) {
+        const Barycentric<Scalar> barycentric(triangle);
+        if (barycentric.area2() != scalar_from<Scalar>(0))
+            mixed = {primitive.colors, barycentric, sample_offset,
+                     plan.mixes_in_perspective ? std::optional(primitive.inverse_w) : std::nullopt};
+    }
+
+    // What its depths are.
+    std::optional<TriangleDepth<Scalar>> depth;
+    if (target.depth) {
+        depth.emplace(triangle, primitive.depths, *target.depth);
+        if (scene.method.fill == Fill::top_left)
+            depth->prepare(depth_scalar(sample_offset));
+    }
+
+    const auto fill_with = [&]<PixelStages stages>() {
+        const Paint<Scalar, stages> paint{flat, mixed ? &*mixed : nullptr,
+                                          depth ? &*depth : nullptr};
+        fill(primitive, paint, scene.method, target, sink);
+    };
+    with_stages({.mixes_colors = mixed.has_value(), .tests_depth = depth.has_value()}, fill_with);
 }
 
 /// Draws a primitive, or a part of one.
@@ -192,7 +205,10 @@ inline constexpr bool draws = std::same_as<Coordinate, Number> ||
 /// must have found nothing.
 template <typename Scalar, typename Sink>
 Image draw(const Scene& scene, const Plan& plan, Sink&& sink) {
-    Target<Scalar> target{.image = Image(scene.canvas)};
+    Target<Scalar> target{
+        .image = Image(scene.canvas),
+        .grid = {scalar_from<Scalar>(sample_offset_of(scene.method), plan.denominator),
+                 scene.canvas}};
     if (scene.has_depth_buffer())
         target.depth.emplace(plan.depth_region, depth_rule<DepthOf<Scalar>>(scene));
     const auto draw_pieces = [&]<typename Coordinate>(const Piece<Coordinate>& piece) {

@@ -23,26 +23,13 @@
 
 namespace rastertrace {
 
-/// Tests the depth at a pixel, which its weights tell.
-template <typename Scalar, typename Sink>
-requires SinkFor<Sink, DepthTested<DepthOf<Scalar>>>
-bool is_nearest(Pixel pixel, const std::array<Scalar, 3>& weights, TriangleDepth<Scalar>& triangle,
-                const Canvas& canvas, Sink&& sink) {
-    const auto depth = triangle.by_weights(
-        {depth_scalar(weights[0]), depth_scalar(weights[1]), depth_scalar(weights[2])});
-    auto& buffer = triangle.buffer;
-    auto& cell = *buffer.row_from(pixel.x, static_cast<int>(canvas.row_of(pixel.y)));
-    return buffer.larger_passes() ? passes_depth_test<true>(pixel, depth, cell, buffer, sink)
-                                  : passes_depth_test<false>(pixel, depth, cell, buffer, sink);
-}
-
 /// Fills the closed triangle: samples on its edges are drawn, so two triangles that share an edge
 /// both draw them. A sample lies `sample_offset` right of and above (in y) a pixel's integer point.
 /// The box is cut to the canvas. A triangle without area has no barycentric coordinates and is
 /// skipped.
-template <typename Scalar, typename Sink>
+template <typename Scalar, PixelStages stages, typename Sink>
 requires SinkFor<Sink, SampleTested<Scalar>, PixelPlotted, PrimitiveSkipped>
-void fill_barycentric(const Triangle<Scalar>& triangle, const Paint<Scalar>& paint,
+void fill_barycentric(const Triangle<Scalar>& triangle, const Paint<Scalar, stages>& paint,
                       const Scalar& sample_offset, Image& image, Sink&& sink) {
     const Canvas canvas = image.canvas();
     const Scalar zero = scalar_from<Scalar>(0);
@@ -71,6 +58,7 @@ void fill_barycentric(const Triangle<Scalar>& triangle, const Paint<Scalar>& pai
         return;
     }
 
+    Color color = paint.flat;
     for (Index row = first_row; row <= last_row; ++row)
         for (Index x = first_x; x <= last_x; ++x) {
             const Pixel pixel{static_cast<int>(x), canvas.y_of(static_cast<int>(row))};
@@ -82,9 +70,16 @@ void fill_barycentric(const Triangle<Scalar>& triangle, const Paint<Scalar>& pai
             sink(SampleTested<Scalar>{.pixel = pixel, .weights = weights, .is_inside = is_inside});
             if (!is_inside)
                 continue;
-            if (paint.depth != nullptr && !is_nearest(pixel, weights, *paint.depth, canvas, sink))
-                continue;
-            const Color color = paint.at(pixel);
+            if constexpr (stages.tests_depth) {
+                const auto depth = paint.depth->by_weights(
+                    {depth_scalar(weights[0]), depth_scalar(weights[1]), depth_scalar(weights[2])});
+                auto& buffer = paint.depth->buffer;
+                auto& cell = *buffer.row_from(pixel.x, static_cast<int>(row));
+                if (!passes_depth_test(pixel, depth, cell, buffer, sink))
+                    continue;
+            }
+            if constexpr (stages.mixes_colors)
+                color = paint.mixed->at(pixel);
             image.at(pixel) = color;
             sink(PixelPlotted{.pixel = pixel, .color = color});
         }

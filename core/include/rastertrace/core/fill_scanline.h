@@ -74,10 +74,11 @@ bool misses_canvas(const Triangle<Scalar>& triangle, const SpanRounding& rule,
 }
 
 /// Fills the row at `y` from where the left edge meets it to where the right edge does.
-template <typename Scalar, typename Sink>
+template <typename Scalar, PixelStages stages, typename Sink>
 requires SinkFor<Sink, ScanlineSpanned<Scalar>, PixelPlotted, PixelsRejected>
 void fill_row(int y, EdgeWalk<Scalar>& along_left, EdgeWalk<Scalar>& along_right,
-              const Paint<Scalar>& paint, const ScanlineRules& rules, Image& image, Sink&& sink) {
+              const Paint<Scalar, stages>& paint, const ScanlineRules& rules, Image& image,
+              Sink&& sink) {
     const Scalar left = along_left.x_on_row(y);
     const Scalar right = along_right.x_on_row(y);
 
@@ -85,12 +86,13 @@ void fill_row(int y, EdgeWalk<Scalar>& along_left, EdgeWalk<Scalar>& along_right
     std::optional<DepthRow<DepthOf<Scalar>>> depths;
     std::optional<DepthOf<Scalar>> left_depth;
     std::optional<DepthOf<Scalar>> right_depth;
-    if (paint.depth != nullptr) {
+    if constexpr (stages.tests_depth) {
         const auto height = scalar_from<DepthOf<Scalar>>(y);
-        left_depth = paint.depth->on_edge(along_left.name(), height);
-        right_depth = paint.depth->on_edge(along_right.name(), height);
-        depths = paint.depth->between(depth_scalar(left), *left_depth, depth_scalar(right),
-                                      *right_depth);
+        const auto on_left = paint.depth->on_edge(along_left.name(), height);
+        const auto on_right = paint.depth->on_edge(along_right.name(), height);
+        depths = paint.depth->between(depth_scalar(left), on_left, depth_scalar(right), on_right);
+        left_depth = paint.depth->buffer.turned(on_left);
+        right_depth = paint.depth->buffer.turned(on_right);
     }
 
     // The pixels between them.
@@ -105,10 +107,10 @@ void fill_row(int y, EdgeWalk<Scalar>& along_left, EdgeWalk<Scalar>& along_right
                                  .right_edge = along_right.name(),
                                  .left_depth = left_depth,
                                  .right_depth = right_depth});
-    if (depths)
-        plot_tested_span(y, from, to, paint, *depths, image, sink);
+    if constexpr (stages.tests_depth)
+        plot_tested_span(image.row(y), from, to, paint, *depths, sink);
     else
-        plot_span(y, from, to, paint, image, sink);
+        plot_span(image.row(y), from, to, paint, sink);
 }
 
 /// Fills a triangle row by row, from the top of the picture to its bottom, both ends of each row
@@ -116,10 +118,10 @@ void fill_row(int y, EdgeWalk<Scalar>& along_left, EdgeWalk<Scalar>& along_right
 /// area is drawn as its rows say: a point, or one pixel on each row. Time follows the rows and
 /// pixels on the canvas, not the size of the triangle. Coordinates must be finite, and so must the
 /// slope of every edge (plan.h tells).
-template <typename Scalar, typename Sink>
+template <typename Scalar, PixelStages stages, typename Sink>
 requires SinkFor<Sink, EdgeSetUp<Scalar>, ScanlineSpanned<Scalar>, PixelPlotted, PixelsRejected,
                  RowsRejected, PrimitiveSkipped>
-void fill_scanline(const Triangle<Scalar>& triangle, const Paint<Scalar>& paint,
+void fill_scanline(const Triangle<Scalar>& triangle, const Paint<Scalar, stages>& paint,
                    const ScanlineRules& rules, Image& image, Sink&& sink) {
     const Canvas canvas = image.canvas();
     const int down = canvas.down();

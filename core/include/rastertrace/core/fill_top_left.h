@@ -8,7 +8,7 @@
 // Source: Pineda 1988 (edge functions); Direct3D 11 specification, section 3.4.2.1 (the top-left
 // rule).
 //
-//     fill_top_left(triangle, paint, sample_offset, image, sink);
+//     fill_top_left(triangle, paint, SampleGrid<double>(0.5, canvas), image, sink);
 //
 // An edge function is linear, so on a row of samples it changes sign once: where the edge crosses
 // the row. Instead of asking every pixel of the box, the fill asks each edge for its crossing and
@@ -100,18 +100,17 @@ void report_crossings(const Triangle<Scalar>& triangle, const TriangleOrder& ord
                                  .right_edge = right_edge.name});
 }
 
-/// Fills a triangle as fill_top_left does, testing its depths or not: compiled once for each, so
-/// that a triangle without depths does not ask for them in every row.
-template <bool has_depths, typename Scalar, typename Sink>
+/// Fills a triangle so that each sample of a shared edge is drawn exactly once. `grid`
+/// says where the samples lie. Top and left are those of the picture, whichever way y points. A triangle without area has no inside and is skipped.
+template <typename Scalar, PixelStages stages, typename Sink>
 requires SinkFor<Sink, EdgeFunctionSetUp<Scalar>, ScanlineSpanned<Scalar>, PixelPlotted,
                  PixelsRejected, RowsRejected, PrimitiveSkipped>
-void fill_sample_rows(const Triangle<Scalar>& triangle, const Paint<Scalar>& paint,
-                      const Scalar& sample_offset, Image& image, Sink&& sink) {
+void fill_top_left(const Triangle<Scalar>& triangle, const Paint<Scalar, stages>& paint,
+                   const SampleGrid<Scalar>& grid, Image& image, Sink&& sink) {
     const Canvas canvas = image.canvas();
 
     // Sort the vertices by height. The long edge runs from top to bottom, the two short ones meet
     // at the middle vertex, left or right of it.
-    const SampleGrid<Scalar> grid(triangle, sample_offset, canvas);
     const auto [top, middle, bottom] = sorted_from_top(grid.placed(triangle), grid.down());
     const int middle_side = grid.side_of_edge(top, bottom, middle);
     if (middle_side == 0) {
@@ -147,41 +146,28 @@ void fill_sample_rows(const Triangle<Scalar>& triangle, const Paint<Scalar>& pai
     };
     int row = row_on_canvas(first_row);
     SampleWalk<Scalar> along_long_edge(top, bottom, grid, row);
-    for (const bool is_upper : {true, false}) {
-        const int end_of_edge = row_on_canvas(is_upper ? middle_row : end_row);
-        if (row >= end_of_edge)
-            continue;
-        SampleWalk<Scalar> along_short_edge(is_upper ? top : middle, is_upper ? middle : bottom,
-                                            grid, row);
-        for (; row < end_of_edge; ++row) {
+    const auto fill_half = [&](bool is_upper, const auto& upper, const auto& lower, int end)
+        __attribute__((always_inline)) {
+        if (row >= end)
+            return;
+        SampleWalk<Scalar> along_short_edge(upper, lower, grid, row);
+        for (; row < end; ++row) {
             const Index on_long_edge = along_long_edge.first_sample();
             const Index on_short_edge = along_short_edge.first_sample();
             const Index from = long_edge_is_left ? on_long_edge : on_short_edge;
             const Index to = (long_edge_is_left ? on_short_edge : on_long_edge) - 1;
             const int y = canvas.y_of(row);
-            report_crossings(triangle, order, is_upper, y, sample_offset, from, to, sink);
-            if constexpr (has_depths)
-                plot_tested_span(y, from, to, paint, paint.depth->on_row(y), image, sink);
+            report_crossings(triangle, order, is_upper, y, grid.sample_offset(), from, to, sink);
+            if constexpr (stages.tests_depth)
+                plot_tested_span(image.row(y), from, to, paint, paint.depth->on_row(y), sink);
             else
-                plot_span(y, from, to, paint, image, sink);
+                plot_span(image.row(y), from, to, paint, sink);
             along_long_edge.step();
             along_short_edge.step();
         }
-    }
-}
-
-/// Fills a triangle so that each sample of a shared edge is drawn exactly once. A sample lies
-/// `sample_offset` from a pixel's integer point, in x and in y. Top and left are those of the
-/// picture, whichever way y points. A triangle without area has no inside and is skipped.
-template <typename Scalar, typename Sink>
-requires SinkFor<Sink, EdgeFunctionSetUp<Scalar>, ScanlineSpanned<Scalar>, PixelPlotted,
-                 PixelsRejected, RowsRejected, PrimitiveSkipped>
-void fill_top_left(const Triangle<Scalar>& triangle, const Paint<Scalar>& paint,
-                   const Scalar& sample_offset, Image& image, Sink&& sink) {
-    if (paint.depth == nullptr)
-        fill_sample_rows<false>(triangle, paint, sample_offset, image, sink);
-    else
-        fill_sample_rows<true>(triangle, paint, sample_offset, image, sink);
+    };
+    fill_half(true, top, middle, row_on_canvas(middle_row));
+    fill_half(false, middle, bottom, row_on_canvas(end_row));
 }
 
 } // namespace rastertrace

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace rastertrace {
@@ -41,11 +40,22 @@ private:
 
 inline constexpr Color no_color{0, 0, 0, 0};
 
+/// A row of a picture: its pixels from x = `left` to x = `right`.
+struct ImageRow {
+    int index; ///< 0 is the top row
+    int y;
+    int left;
+    int right;
+    Color* colors; ///< of the leftmost pixel, and on to the right
+
+    Color& at(int x) const { return colors[x - left]; }
+};
+
 /// The colors of a canvas, row-major, top row first.
 class Image {
 public:
     explicit Image(const Canvas& canvas)
-        : canvas_(canvas),
+        : canvas_(canvas), left_(canvas.left()), top_(canvas.top()), down_(canvas.down()),
           colors_(static_cast<std::size_t>(canvas.width) * static_cast<std::size_t>(canvas.height),
                   no_color) {}
 
@@ -56,10 +66,11 @@ public:
     Color& at(Pixel pixel) { return colors_[canvas_.offset_of(pixel)]; }
     const Color& at(Pixel pixel) const { return colors_[canvas_.offset_of(pixel)]; }
 
-    /// The colors of a row of the canvas, from its leftmost pixel.
-    std::span<Color> row(int y) {
-        return std::span(colors_).subspan(canvas_.offset_of({canvas_.left(), y}),
-                                          static_cast<std::size_t>(canvas_.width));
+    /// The row at height `y` of the canvas.
+    ImageRow row(int y) {
+        const int index = (y - top_) * down_;
+        return {index, y, left_, left_ + canvas_.width - 1,
+                colors_.data() + static_cast<std::ptrdiff_t>(index) * canvas_.width};
     }
 
     /// How many pixels have been drawn.
@@ -70,6 +81,9 @@ public:
 
 private:
     Canvas canvas_;
+    int left_; ///< of the canvas, worked out once: a row of a small triangle is soon filled
+    int top_;
+    int down_;
     std::vector<Color> colors_;
 };
 

@@ -75,154 +75,127 @@ private:
     }
 };
 
-/// How the pixels of a primitive get their colors, and which of them are hidden.
-template <typename Scalar> struct Paint {
-    Color flat;                                    ///< of every pixel, unless
-    std::optional<MixedColors<Scalar>> mixed = {}; ///< this is here
-    TriangleDepth<Scalar>* depth = nullptr;        ///< tests every pixel, if it is here
-
-    Color at(Pixel pixel) const { return mixed ? mixed->at(pixel) : flat; }
+/// What is done for each pixel of a triangle beside plotting it. Decided for the scene (plan.h) and
+/// compiled in or out: a fill has no branch for what its scene does not need.
+struct PixelStages {
+    bool mixes_colors = false; ///< of the vertices
+    bool tests_depth = false;  ///< against what is nearest so far
 };
 
-/// Tests a pixel's depth against what is stored for it, and keeps the nearer one.
-template <bool larger, typename D, typename Sink>
+/// Calls `fill_with.template operator()<stages>()` with the stages as a constant.
+template <typename FillWith> void with_stages(const PixelStages& stages, FillWith&& fill_with) {
+    if (stages.mixes_colors && stages.tests_depth)
+        fill_with.template operator()<PixelStages{.mixes_colors = true, .tests_depth = true}>();
+    else if (stages.mixes_colors)
+        fill_with.template operator()<PixelStages{.mixes_colors = true}>();
+    else if (stages.tests_depth)
+        fill_with.template operator()<PixelStages{.tests_depth = true}>();
+    else
+        fill_with.template operator()<PixelStages{}>();
+}
+
+/// How the pixels of a triangle get their colors, and which of them are hidden.
+template <typename Scalar, PixelStages stages = PixelStages{}> struct Paint {
+    Color flat;                                 ///< of every pixel, unless colors are mixed
+    const MixedColors<Scalar>* mixed = nullptr; ///< if colors are mixed
+    TriangleDepth<Scalar>* depth = nullptr;     ///< if depths are tested
+};
+
+/// Tests a pixel's turned depth against what is stored for it, and keeps the nearer one.
+template <typename D, typename Sink>
 requires SinkFor<Sink, DepthTested<D>>
 bool passes_depth_test(Pixel pixel, const D& depth, D& cell, DepthBuffer<D>& buffer, Sink&& sink) {
     if constexpr (keeps_steps<Sink>) {
         const std::optional<D> stored = buffer.stored(cell);
-        const bool passes = buffer.template keep_if_nearer<larger>(cell, depth);
-        sink(DepthTested<D>{.pixel = pixel, .depth = depth, .stored = stored, .passes = passes});
+        const bool passes = buffer.keep_if_nearer(cell, depth);
+        sink(DepthTested<D>{
+            .pixel = pixel, .depth = buffer.turned(depth), .stored = stored, .passes = passes});
         return passes;
     } else {
-        return buffer.template keep_if_nearer<larger>(cell, depth);
+        return buffer.keep_if_nearer(cell, depth);
     }
 }
 
-/// The plain loop of a row in one color that nobody watches: `count` pixels from x = `first` on.
-/// Stores are unconditional, so that a compiler can do several at once.
-template <bool larger, std::floating_point D>
-inline void keep_nearer_pixels(Color* colors, D* cells, int first, int count,
-                               const DepthRow<D>& depths, Color color) {
-    const auto [x, depth, slope, end] = depths;
-    for (int i = 0; i < count; ++i) {
-        const D here = depth + slope * (static_cast<D>(first + i) - x);
-        const bool passes = larger ? cells[i] < here : here < cells[i];
-        cells[i] = passes ? here : cells[i];
-        colors[i] = passes ? color : colors[i];
-    }
-}
-
-/// Plots the pixels of a row that the canvas has and that no nearer triangle hides.
-template <bool larger, typename Scalar, typename Sink>
-requires SinkFor<Sink, DepthTested<DepthOf<Scalar>>, PixelPlotted>
-void plot_nearer_pixels(int y, int first, int last, const Paint<Scalar>& paint,
-                        const DepthRow<DepthOf<Scalar>>& depths, Image& image, Sink&& sink) {
-    using D = DepthOf<Scalar>;
-    if (last < first)
-        return;
-    auto& buffer = paint.depth->buffer;
-    D* const cells = buffer.row_from(first, static_cast<int>(image.canvas().row_of(y)));
-    Color* const row = &image.at({first, y});
-    if constexpr (!keeps_steps<Sink> && std::floating_point<D>)
-        if (!paint.mixed && !depths.end) {
-            keep_nearer_pixels<larger>(row, cells, first, last - first + 1, depths, paint.flat);
-            return;
-        }
-    for (int x = first; x <= last; ++x) {
-        if (!passes_depth_test<larger>({x, y}, depths.at(x), cells[x - first], buffer, sink))
-            continue;
-        const Color color = paint.at({x, y});
-        row[x - first] = color;
-        sink(PixelPlotted{.pixel = {x, y}, .color = color});
-    }
-}
-
-/// Plots the pixels of a row that the canvas has, from x = `first` to x = `last`, in mixed colors.
-template <typename Scalar, typename Sink>
-requires SinkFor<Sink, PixelPlotted>
-[[gnu::noinline]] void plot_mixed_span(int y, int first, int last, const MixedColors<Scalar>& mixed,
-                                       Image& image, Sink&& sink) {
-    for (int x = first; x <= last; ++x) {
-        const Color color = mixed.at({x, y});
-        image.at({x, y}) = color;
-        sink(PixelPlotted{.pixel = {x, y}, .color = color});
-    }
-}
-
-/// The part of a row from x = `from` to x = `to` that the canvas has; what it does not have is
-/// reported in two parts, one before and one after the pixels that are plotted.
+/// The pixels of a row that its canvas has, from x = `first` to x = `last`.
 struct SpanOnCanvas {
     int first;
     int last;
 };
 
-inline SpanOnCanvas span_on_canvas(Index from, Index to, const Canvas& canvas) {
-    const Index left = canvas.left();
-    const Index right = canvas.right();
+/// The pixels from x = `from` to x = `to` that are on the canvas. Inline, like all that a row of a
+/// small triangle needs: calling it would cost as much as the row.
+[[gnu::always_inline]] inline SpanOnCanvas span_on_canvas(const ImageRow& row, Index from,
+                                                          Index to) {
+    const Index left = row.left;
+    const Index right = row.right;
     return {static_cast<int>(std::clamp(from, left, right + 1)),
             static_cast<int>(std::clamp(to, left - 1, right))};
 }
 
+/// Reports those left of the canvas: before the pixels that are plotted.
 template <typename Sink>
 requires SinkFor<Sink, PixelsRejected>
-void report_rejected_left(int y, Index from, Index to, const Canvas& canvas, Sink&& sink) {
-    const Index left = canvas.left();
-    if (from <= to && from < left)
-        sink(
-            PixelsRejected{.from_x = from, .from_y = y, .to_x = std::min(to, left - 1), .to_y = y});
+[[gnu::always_inline]] inline void report_rejected_left(const ImageRow& row, Index from, Index to,
+                                                        Sink&& sink) {
+    if (from <= to && from < row.left)
+        sink(PixelsRejected{.from_x = from,
+                            .from_y = row.y,
+                            .to_x = std::min<Index>(to, row.left - 1),
+                            .to_y = row.y});
 }
 
+/// Reports those right of it: after them.
 template <typename Sink>
 requires SinkFor<Sink, PixelsRejected>
-void report_rejected_right(int y, Index from, Index to, const Canvas& canvas, Sink&& sink) {
-    const Index right = canvas.right();
-    if (from <= to && to > right)
-        sink(PixelsRejected{
-            .from_x = std::max(from, right + 1), .from_y = y, .to_x = to, .to_y = y});
+[[gnu::always_inline]] inline void report_rejected_right(const ImageRow& row, Index from, Index to,
+                                                         Sink&& sink) {
+    if (from <= to && to > row.right)
+        sink(PixelsRejected{.from_x = std::max<Index>(from, row.right + 1),
+                            .from_y = row.y,
+                            .to_x = to,
+                            .to_y = row.y});
 }
 
-/// Plots the pixels of a row from x = `from` to x = `to`, as far as the canvas has them. Inline: on
-/// a short row, calling it would cost as much as the row.
-template <typename Scalar, typename Sink>
+/// Plots the pixels of a row from x = `from` to x = `to`, as far as the canvas has them.
+template <typename Scalar, PixelStages stages, typename Sink>
 requires SinkFor<Sink, PixelPlotted, PixelsRejected>
-inline void plot_span(int y, Index from, Index to, const Paint<Scalar>& paint, Image& image,
-                      Sink&& sink) {
-    const Index left = image.canvas().left();
-    const Index right = image.canvas().right();
-    if (from <= to && from < left)
-        sink(
-            PixelsRejected{.from_x = from, .from_y = y, .to_x = std::min(to, left - 1), .to_y = y});
-
-    const auto first = static_cast<int>(std::clamp(from, left, right + 1));
-    const auto last = static_cast<int>(std::clamp(to, left - 1, right));
-    if (paint.mixed) {
-        plot_mixed_span(y, first, last, *paint.mixed, image, sink);
-    } else {
-        Color* const row = image.row(y).data();
-        const Color color = paint.flat;
-        for (int x = first; x <= last; ++x) {
-            row[x - left] = color;
-            sink(PixelPlotted{.pixel = {x, y}, .color = color});
-        }
+[[gnu::always_inline]] inline void plot_span(const ImageRow& row, Index from, Index to,
+                                             const Paint<Scalar, stages>& paint, Sink&& sink) {
+    report_rejected_left(row, from, to, sink);
+    const auto [first, last] = span_on_canvas(row, from, to);
+    Color* const colors = row.colors - row.left;
+    Color color = paint.flat; // a copy: no pixel that is written can be part of it
+    for (int x = first; x <= last; ++x) {
+        if constexpr (stages.mixes_colors)
+            color = paint.mixed->at({x, row.y});
+        colors[x] = color;
+        sink(PixelPlotted{.pixel = {x, row.y}, .color = color});
     }
-
-    if (from <= to && to > right)
-        sink(PixelsRejected{
-            .from_x = std::max(from, right + 1), .from_y = y, .to_x = to, .to_y = y});
+    report_rejected_right(row, from, to, sink);
 }
 
 /// The same for a triangle with depths: plots those pixels that no nearer triangle hides.
-template <typename Scalar, typename Sink>
+template <typename Scalar, PixelStages stages, typename Sink>
 requires SinkFor<Sink, DepthTested<DepthOf<Scalar>>, PixelPlotted, PixelsRejected>
-void plot_tested_span(int y, Index from, Index to, const Paint<Scalar>& paint,
-                      const DepthRow<DepthOf<Scalar>>& depths, Image& image, Sink&& sink) {
-    report_rejected_left(y, from, to, image.canvas(), sink);
-    const auto [first, last] = span_on_canvas(from, to, image.canvas());
-    if (paint.depth->buffer.larger_passes())
-        plot_nearer_pixels<true>(y, first, last, paint, depths, image, sink);
-    else
-        plot_nearer_pixels<false>(y, first, last, paint, depths, image, sink);
-    report_rejected_right(y, from, to, image.canvas(), sink);
+[[gnu::always_inline]] inline void plot_tested_span(const ImageRow& row, Index from, Index to,
+                                                    const Paint<Scalar, stages>& paint,
+                                                    const DepthRow<DepthOf<Scalar>>& depths,
+                                                    Sink&& sink) {
+    report_rejected_left(row, from, to, sink);
+    const auto [first, last] = span_on_canvas(row, from, to);
+    auto& buffer = paint.depth->buffer;
+    auto* const cells = buffer.row_from(0, row.index);
+    Color* const colors = row.colors - row.left;
+    Color color = paint.flat;
+    for (int x = first; x <= last; ++x) {
+        if (!passes_depth_test({x, row.y}, depths.at(x), cells[x], buffer, sink))
+            continue;
+        if constexpr (stages.mixes_colors)
+            color = paint.mixed->at({x, row.y});
+        colors[x] = color;
+        sink(PixelPlotted{.pixel = {x, row.y}, .color = color});
+    }
+    report_rejected_right(row, from, to, sink);
 }
 
 } // namespace rastertrace

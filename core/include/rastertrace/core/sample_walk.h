@@ -4,12 +4,13 @@
 // Where the samples of the pixels lie, and which of them an edge passes on each row: the arithmetic
 // of the top-left fill, in the numbers that suit each kind of Scalar best.
 //
-//     const SampleGrid<double> grid(triangle, 0.5, canvas);  // samples at the pixels' centers
+//     const SampleGrid<double> grid(0.5, canvas);  // samples at the pixels' centers
 //     SampleWalk<double> walk(top, bottom, grid, 3);
 //     walk.first_sample();  // in row 3: the first x whose sample does not lie left of the edge
 //     walk.step();          // row 4
 
 #include <rastertrace/core/canvas.h>
+#include <rastertrace/core/divisor.h>
 #include <rastertrace/core/edge.h>
 #include <rastertrace/core/fraction.h>
 #include <rastertrace/core/scalar.h>
@@ -27,8 +28,11 @@ template <typename Scalar> class SampleGrid {
 public:
     using Length = Scalar;
 
-    SampleGrid(const Triangle<Scalar>&, const Scalar& sample_offset, const Canvas& canvas)
+    SampleGrid(const Scalar& sample_offset, const Canvas& canvas)
         : canvas_(canvas), offset_(sample_offset) {}
+
+    /// Of a sample from its pixel's integer point, in x and in y.
+    Scalar sample_offset() const { return offset_; }
 
     /// The triangle in the coordinates of the grid.
     const Triangle<Length>& placed(const Triangle<Scalar>& triangle) const { return triangle; }
@@ -75,18 +79,17 @@ template <typename Integer> class SampleGrid<Fraction<Integer>> {
 public:
     using Length = Integer;
 
-    SampleGrid(const Triangle<Fraction<Integer>>& triangle, const Fraction<Integer>& sample_offset,
-               const Canvas& canvas)
-        : pixel_(triangle.vertices[0].x.denominator), offset_(sample_offset.numerator),
-          top_(canvas.top() * pixel_ + offset_), scene_down_(canvas.down()) {
-        assert(sample_offset.denominator == pixel_);
-    }
+    SampleGrid(const Fraction<Integer>& sample_offset, const Canvas& canvas)
+        : pixel_(sample_offset.denominator), offset_(sample_offset.numerator),
+          top_(canvas.top() * pixel_.value() + offset_), scene_down_(canvas.down()) {}
+
+    Fraction<Integer> sample_offset() const { return {offset_, pixel_.value()}; }
 
     Triangle<Length> placed(const Triangle<Fraction<Integer>>& triangle) const {
         Triangle<Length> result;
         for (std::size_t i = 0; i < 3; ++i) {
             const auto& [x, y] = triangle.vertices[i];
-            assert(x.denominator == pixel_ && y.denominator == pixel_);
+            assert(x.denominator == pixel_.value() && y.denominator == pixel_.value());
             result.vertices[i] = {x.numerator - offset_, scene_down_ * (y.numerator - top_)};
         }
         return result;
@@ -94,9 +97,9 @@ public:
 
     static int down() { return 1; }
 
-    Index first_row_from(Length y) const { return index_from(-floor_quotient(-y, pixel_)); }
+    Index first_row_from(Length y) const { return index_from(-pixel_.divide(-y).quotient); }
 
-    bool reaches(Index x, Length length) const { return length <= x * pixel_; }
+    bool reaches(Index x, Length length) const { return length <= x * pixel_.value(); }
 
     static int side_of_edge(const Vertex<Length>& top, const Vertex<Length>& bottom,
                             const Vertex<Length>& middle) {
@@ -108,7 +111,7 @@ public:
     }
 
     /// D, a pixel's side.
-    Length pixel() const { return pixel_; }
+    const Divisor<Length>& pixel() const { return pixel_; }
 
     /// A row or column as an index. On 64 bits it needs no clamping: there plan.h leaves a
     /// coordinate less than 32 bits.
@@ -120,7 +123,7 @@ public:
     }
 
 private:
-    Integer pixel_;
+    Divisor<Integer> pixel_;
     Integer offset_; ///< of a sample from its pixel's integer point
     Integer top_;    ///< y of the samples of the top row, in the scene
     int scene_down_; ///< the canvas's, for the scene's y
@@ -157,16 +160,20 @@ template <typename Integer> class SampleWalk<Fraction<Integer>> {
 public:
     SampleWalk(const Vertex<Integer>& upper, const Vertex<Integer>& lower,
                const SampleGrid<Fraction<Integer>>& grid, int row) {
-        const Integer pixel = grid.pixel();
+        const Divisor<Integer>& pixel = grid.pixel();
         const Integer dx = lower.position.x - upper.position.x;
-        const Integer dy = lower.position.y - upper.position.y;
-        const Integer above = upper.position.x * dy + dx * (row * pixel - upper.position.y);
-        whole_ = pixel * dy;
-        sample_ = -floor_quotient<Integer>(-above, whole_);
-        too_high_ = sample_ * whole_ - above;
+        const Divisor<Integer> dy(lower.position.y - upper.position.y);
+        const Divisor<Integer> whole = pixel * dy;
+        const Integer below_upper = row * pixel.value() - upper.position.y;
+        const auto [samples_left, too_high] =
+            whole.divide(-(upper.position.x * dy.value() + dx * below_upper));
+        sample_ = -samples_left;
+        too_high_ = too_high;
+        whole_ = whole.value();
 
-        whole_step_ = floor_quotient<Integer>(dx, dy);
-        rest_step_ = (dx - whole_step_ * dy) * pixel;
+        const auto [whole_step, rest] = dy.divide(dx);
+        whole_step_ = whole_step;
+        rest_step_ = rest * pixel.value();
     }
 
     Index first_sample() const { return SampleGrid<Fraction<Integer>>::index_from(sample_); }
