@@ -554,5 +554,35 @@ TEST(Shade, MixesAsInSpaceOrAsOnTheScreen) {
     EXPECT_EQ(middle(Shade::affine), 100);
 }
 
+// The same for any triangle: the point of the plane that a ray through the pixel meets, weighed by
+// Cramer's rule in space. No projection, no 1/w.
+RC_GTEST_PROP(Shade, MixesWhatTheRayMeets, ()) {
+    using V = Vec<Rational, 3>;
+    const Face3 face = random_faces(1).front();
+    Scene scene = seen_by_pinhole({face}, {.scalar = ScalarKind::exact, .fill = Fill::barycentric});
+    std::array<int, 3> levels{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        levels[i] = *rc::gen::inRange(0, 256);
+        scene.vertices[i].color = Color{static_cast<std::uint8_t>(levels[i]), 0, 0};
+    }
+    const Image image = draw_as_planned(scene);
+
+    const V a = exact(face.corners[0]);
+    const V b = exact(face.corners[1]);
+    const V c = exact(face.corners[2]);
+    for (int y = -8; y <= 8; ++y)
+        for (int x = -8; x <= 8; ++x) {
+            if (image.at({x, y}) == no_color)
+                continue;
+            const V ray{Rational(x), Rational(y), Rational(1)};
+            const std::array<Rational, 3> shares{dot(ray, cross(b, c)), dot(ray, cross(c, a)),
+                                                 dot(ray, cross(a, b))};
+            const Rational sum = shares[0] + shares[1] + shares[2];
+            const Rational level =
+                (shares[0] * levels[0] + shares[1] * levels[1] + shares[2] * levels[2]) / sum;
+            RC_ASSERT(image.at({x, y}).red() == floor_index(Rational(level + Rational(1, 2))));
+        }
+}
+
 } // namespace
 } // namespace rastertrace

@@ -3,6 +3,7 @@
 
 #include <rastertrace/trace/scene_file.h>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -276,6 +277,28 @@ TEST(SceneFile, ProjectionsThatAreNone) {
         "{\"vertices\": {\"A\": [1, 2, 3]}, \"points\":...\n"
         "^\n"
         "hint: say \"canvas\": {\"width\": ..., \"height\": ...}");
+}
+
+TEST(SceneFile, LightsThatAreNone) {
+    const auto scene = [](const std::string& rest) {
+        return complaint("{\"vertices\": {\"A\": [0, 0], \"B\": [3, 0], \"C\": [3, 3]},\n"
+                         " \"triangles\": [\"ABC\"],\n " +
+                         rest + "}");
+    };
+    EXPECT_THAT(scene(R"("method": {"shade": "lambert"})"),
+                testing::StartsWith(
+                    "scene.json:1:1: expected a light for \"shade\": \"lambert\", found none\n"));
+    EXPECT_THAT(scene(R"("method": {"cull": "light"})"),
+                testing::StartsWith(
+                    "scene.json:1:1: expected a light for \"cull\": \"light\", found none\n"));
+    EXPECT_EQ(scene(R"("light": {"direction": [0, 0, 0]})"),
+              "scene.json:3:25: expected a direction to the light that is not 0, found [0, 0, 0]\n"
+              " \"light\": {\"direction\": [0, 0, 0]}}\n"
+              "                        ^");
+    EXPECT_EQ(scene(R"("light": {})"),
+              "scene.json:3:11: expected a direction or a position, found neither\n"
+              " \"light\": {}}\n"
+              "          ^");
 }
 
 TEST(SceneFile, MeshesInline) {

@@ -142,6 +142,29 @@ TEST_F(ProgramTest, StatsNamesThePixelsOfSharedEdges) {
                           R"("outside":{"count":0,"pixels":[]}})"));
 }
 
+// Three triangles on the same ten pixels: the nearest hides the one behind it and, drawn first, the
+// one as near. Seen from behind, a triangle is culled. None of them misses a pixel.
+TEST_F(ProgramTest, StatsCountsHiddenPixelsAsCovered) {
+    write("hidden.json", R"({"vertices":{"A":[0,0,1],"B":[3,0,1],"C":[3,3,1],
+                                         "D":[0,0,2],"E":[3,0,2],"F":[3,3,2],
+                                         "G":[0,0,1],"H":[3,0,1],"I":[3,3,1]},
+                             "triangles":["ABC","DEF",{"vertices":"GHI","color":"blue"}],
+                             "method":{"fill":"barycentric","depth":"linear-z"}})");
+    EXPECT_THAT(
+        shell("$rastertrace stats hidden.json").out,
+        EndsWith("triangle ABC: 10 writes\n"
+                 "triangle DEF: 0 writes\n"
+                 "triangle GHI: 0 writes\n"
+                 "depth ties: 10 pixels would have another color in another order: "
+                 "(3, 3) (2, 2) (3, 2) (1, 1) (2, 1) (3, 1) (0, 0) (1, 0) (2, 0) (3, 0)\n"));
+    write("culled.json", R"({"vertices":{"A":[0,0,1],"B":[3,0,1],"C":[3,3,1]},
+                             "triangles":["ABC","ACB"],
+                             "method":{"fill":"barycentric","cull":"back"}})");
+    EXPECT_THAT(shell("$rastertrace stats culled.json").out,
+                EndsWith("triangle ABC: 10 writes\n"
+                         "triangle ACB: 0 writes, skipped: culled\n"));
+}
+
 TEST_F(ProgramTest, ShowsThePictureOfTheTextbook) {
     const Outcome outcome =
         shell("$rastertrace show $examples/t0-fill/first-triangle.json --last --bare");

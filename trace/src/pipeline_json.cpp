@@ -208,7 +208,7 @@ Light read_light(const JsonReader& json, const JsonValue& value) {
     Light light{.kind = is_position ? Light::Kind::position : Light::Kind::direction,
                 .at = json.numbers3_in(at, "[x, y, z]")};
     if (!is_position && is_zero(exact(light.at)))
-        json.fail_expecting(at, "a direction to the light other than [0, 0, 0]");
+        json.fail(at, "expected a direction to the light that is not 0, found [0, 0, 0]");
     return light;
 }
 

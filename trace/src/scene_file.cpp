@@ -236,6 +236,7 @@ private:
         }
         places_of_vertices_.resize(scene_.vertices.size(), obj.begin);
         first_of_obj_.emplace(object.name, std::pair(first, mesh.vertices.size()));
+        faces_.reserve(faces_.size() + mesh.faces());
         for (std::size_t i = 0; i < mesh.faces(); ++i) {
             const auto corners = mesh.face(i);
             const std::string name = object.name + ".f" + std::to_string(i + 1);
@@ -262,6 +263,13 @@ private:
 
     /// Moves the faces of meshes that are drawn as `kind` to the primitives.
     void take_faces(PrimitiveKind kind) {
+        const auto count = std::count_if(faces_.begin(), faces_.end(),
+                                         [kind](const auto& face) { return face.kind == kind; });
+        if (scene_.primitives.empty() && static_cast<std::size_t>(count) == faces_.size()) {
+            scene_.primitives = std::exchange(faces_, {});
+            return;
+        }
+        scene_.primitives.reserve(scene_.primitives.size() + static_cast<std::size_t>(count));
         for (ScenePrimitive& face : faces_)
             if (face.kind == kind)
                 scene_.primitives.push_back(std::move(face));

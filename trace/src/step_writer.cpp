@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 
 namespace rastertrace {
@@ -66,8 +67,17 @@ std::string_view name_of(Move move) {
 } // namespace
 
 std::string json_quoted(std::string_view text) {
+    const auto is_plain = [](char byte) {
+        return ' ' <= byte && byte <= '~' && byte != '"' && byte != '\\';
+    };
     std::string out = "\"";
     while (!text.empty()) {
+        // Most text needs no second look.
+        const auto end_of_plain = std::find_if_not(text.begin(), text.end(), is_plain);
+        out.append(text.begin(), end_of_plain);
+        text.remove_prefix(static_cast<std::size_t>(end_of_plain - text.begin()));
+        if (text.empty())
+            break;
         const CodePoint character = first_code_point(text);
         const std::string_view bytes = text.substr(0, character.length);
         if (bytes == "\"" || bytes == "\\")
@@ -107,8 +117,8 @@ void StepWriter::flush() {
     used_ = 0;
 }
 
-void StepWriter::remember(std::span<const std::string_view> vertices, Color color) {
-    color_ = color;
+void StepWriter::write_labels() {
+    const std::span vertices = std::span(vertices_).first(vertex_count_);
     const std::string_view separator = name_separator(vertices);
     std::array<std::string, most_vertices> quoted;
     for (std::size_t i = 0; i < vertices.size(); ++i)
@@ -121,6 +131,7 @@ void StepWriter::remember(std::span<const std::string_view> vertices, Color colo
             label += separator;
             label.append(quoted[to], 1);
         }
+    has_labels_ = true;
 }
 
 void StepWriter::begin_primitive_line(PrimitiveKind kind, std::string_view name,

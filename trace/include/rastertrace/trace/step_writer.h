@@ -89,7 +89,10 @@ public:
     }
 
     template <typename Scalar> void operator()(const PrimitiveBegan<Scalar>& step) {
-        remember(step.vertices, step.color);
+        color_ = step.color;
+        vertex_count_ = step.vertices.size();
+        std::copy(step.vertices.begin(), step.vertices.end(), vertices_.begin());
+        has_labels_ = false;
         if (!wants(StepKind::primitive))
             return;
         begin_primitive_line(step.kind, step.name, step.vertices);
@@ -260,7 +263,7 @@ private:
 
     static std::string_view word(bool value) { return value ? "true" : "false"; }
 
-    void remember(std::span<const std::string_view> vertices, Color color);
+    void write_labels();
     void begin_primitive_line(PrimitiveKind kind, std::string_view name,
                               std::span<const std::string_view> vertices);
     void end_primitive_line(Color color, std::span<const Color> colors, int octant, bool is_part);
@@ -279,7 +282,9 @@ private:
     void put_colored_pixel(const PixelPlotted& step);
 
     /// The quoted name of an edge of the current primitive.
-    std::string_view label(EdgeName edge) const {
+    std::string_view label(EdgeName edge) {
+        if (!has_labels_)
+            write_labels();
         return labels_[edge.from * most_vertices + edge.to];
     }
 
@@ -321,8 +326,11 @@ private:
     std::array<bool, step_kinds> wanted_{};
     std::optional<Region> region_;
     std::array<std::uint64_t, step_kinds> counts_{};
-    Color color_;                                                   ///< of the current primitive
-    std::array<std::string, most_vertices * most_vertices> labels_; ///< of its edges
+    Color color_; ///< of the current primitive
+    std::size_t vertex_count_ = 0;
+    std::array<std::string_view, most_vertices> vertices_;          ///< its vertices' names
+    std::array<std::string, most_vertices * most_vertices> labels_; ///< its edges' quoted names,
+    bool has_labels_ = false;                                       ///< once one was asked for
 };
 
 } // namespace rastertrace
