@@ -356,6 +356,7 @@ RC_GTEST_PROP(Pipeline, IsTheProductOfItsMatrices, ()) {
     scene.objects = {{"", 1, model}};
     scene.camera = random_camera();
     scene.projection = {.type = ProjectionType::frustum, .near = Number(1), .far = Number(100)};
+    scene.keep = StageSet::all();
     const auto placed = places_in<Rational>(scene);
     const Vec<Rational, 4> object{scene.vertices[0].x.exact(), scene.vertices[0].y.exact(),
                                   scene.vertices[0].z.exact(), Rational(1)};

@@ -252,7 +252,7 @@ TEST_F(ProgramTest, ErrorsHaveFileLineColumnAndCaret) {
     EXPECT_EQ(outcome.err, "rastertrace: bad.json:2:2: expected a key out of title, canvas, "
                            "vertices, colors, triangles, "
                            "outlines, lines, points, meshes, model, camera, projection, viewport, "
-                           "light, method, found \"trinagles\"\n"
+                           "light, method, keep, found \"trinagles\"\n"
                            " \"trinagles\": [\"AAA\"]}\n"
                            " ^\n"
                            "hint: did you mean \"triangles\"?\n");
@@ -312,7 +312,7 @@ TEST_F(ProgramTest, AClosedPipeEndsItQuietly) {
 
 TEST_F(ProgramTest, ATruncatedTraceIsShownAsFarAsItGoes) {
     const Outcome outcome =
-        shell("$rastertrace trace $examples/t0-fill/first-triangle.json | head -c 900 >cut.json; "
+        shell("$rastertrace trace $examples/t0-fill/first-triangle.json | head -c 2000 >cut.json; "
               "$rastertrace show cut.json --bare");
     EXPECT_EQ(outcome.status, 2);
     EXPECT_THAT(outcome.out, StartsWith(".................\n"));
@@ -338,7 +338,7 @@ TEST_F(ProgramTest, UsageErrorsNameTheWordAndANearOne) {
     EXPECT_EQ(shell("$rastertrace").status, 2);
     EXPECT_THAT(shell("$rastertrace").err, HasSubstr("rastertrace show examples/"));
     EXPECT_EQ(shell("$rastertrace shw x").err,
-              "rastertrace: expected a command out of trace, show, stats, help, found \"shw\"\n"
+              "rastertrace: expected a command out of trace, show, stats, plan, help, found \"shw\"\n"
               "hint: did you mean show?\n");
     EXPECT_EQ(shell("$rastertrace show x --evry pixel").err,
               "rastertrace show: --evry: no such option\nhint: did you mean --every?\n"

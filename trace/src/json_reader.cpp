@@ -11,11 +11,6 @@
 
 namespace rastertrace {
 
-std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& known) {
-    const std::string_view nearest = nearest_word(word, known);
-    return nearest.empty() ? std::string() : fmt::format("did you mean \"{}\"?", nearest);
-}
-
 void JsonReader::fail(std::size_t offset, std::string message, std::string hint) const {
     throw problem_at(source, offset, std::move(message), std::move(hint));
 }
@@ -32,7 +27,7 @@ void JsonReader::allow_keys(const JsonValue& value,
     for (const JsonValue& key : value.keys)
         if (std::find(known.begin(), known.end(), key.text) == known.end())
             fail_expecting(key, fmt::format("a key out of {}", fmt::join(known, ", ")),
-                           did_you_mean(key.text, known));
+                           did_you_mean(key.text, known, "\""));
 }
 
 const JsonValue& JsonReader::member(const JsonValue& object, std::string_view key) const {

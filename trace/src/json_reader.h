@@ -20,9 +20,6 @@
 
 namespace rastertrace {
 
-/// `did you mean "..."?` with the nearest of the known words, or "".
-std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& known);
-
 /// Reads values of one source. What is wrong is thrown as a Problem.
 struct JsonReader {
     const Source& source;

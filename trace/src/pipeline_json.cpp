@@ -3,6 +3,8 @@
 
 #include <rastertrace/trace/pipeline_names.h>
 
+#include <rastertrace/trace/text.h>
+
 #include <fmt/format.h>
 
 #include <array>
@@ -176,7 +178,7 @@ Projection read_projection(const JsonReader& json, const JsonValue& value) {
         type.kind == JsonValue::Kind::string ? projection_named(type.text) : std::nullopt;
     if (!named)
         json.fail_expecting(type, fmt::format("one of {}", fmt::join(projection_names(), ", ")),
-                            did_you_mean(type.text, projection_names()));
+                            did_you_mean(type.text, projection_names(), "\""));
 
     Projection projection;
     projection.type = *named;

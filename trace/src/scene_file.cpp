@@ -9,6 +9,7 @@
 #include <rastertrace/core/plan.h>
 #include <rastertrace/trace/color_text.h>
 #include <rastertrace/trace/obj_file.h>
+#include <rastertrace/trace/stage_name.h>
 #include <rastertrace/trace/text.h>
 
 #include <fmt/format.h>
@@ -57,12 +58,14 @@ public:
         // The smallest scene has vertices and triangles; everything else has a default.
         json_.allow_keys(root, {"title", "canvas", "vertices", "colors", "triangles", "outlines",
                                 "lines", "points", "meshes", "model", "camera", "projection",
-                                "viewport", "light", "method"});
+                                "viewport", "light", "method", "keep"});
         scene_.title = base_name(source_.name);
         if (const JsonValue* title = root.find("title"))
             scene_.title = json_.string_in(*title, "a title in quotes");
         if (const JsonValue* method = root.find("method"))
             read_method(*method);
+        if (const JsonValue* keep = root.find("keep"))
+            read_keep(*keep);
         apply_overrides();
         if (const JsonValue* vertices = root.find("vertices"))
             read_vertices(*vertices);
@@ -100,12 +103,29 @@ private:
                                  (value.kind == JsonValue::Kind::number && key.is_number());
             if (!is_word || !key.set(scene_.method, value.text))
                 json_.fail_expecting(value, fmt::format("one of {}", fmt::join(key.values, ", ")),
-                                     did_you_mean(value.text, key.values));
+                                     did_you_mean(value.text, key.values, "\""));
+        }
+    }
+
+    /// The stages that run although the scene does not need them.
+    void read_keep(const JsonValue& keep) {
+        const std::string expected =
+            fmt::format("stages out of {}", fmt::join(stage_names(), ", "));
+        for (const JsonValue& name : json_.array_in(keep, R"(a list of stages, like ["depth"])")) {
+            const auto stage =
+                name.kind == JsonValue::Kind::string ? stage_named(name.text) : std::nullopt;
+            if (!stage)
+                json_.fail_expecting(name, expected, did_you_mean(name.text, stage_names(), "\""));
+            scene_.keep.add(*stage);
         }
     }
 
     void apply_overrides() {
         for (const auto& [name, value] : overrides_) {
+            if (const auto stage = stage_named(value); name == "keep" && stage) {
+                scene_.keep.add(*stage);
+                continue;
+            }
             const MethodKey* key = find_method_key(name);
             if (key == nullptr || !key->set(scene_.method, value))
                 throw problem_of("", fmt::format("--{}: no such choice: {}", name, value));
@@ -165,7 +185,7 @@ private:
         if (const JsonValue* draw = mesh.find("draw")) {
             if (draw->text != "triangles" && draw->text != "outlines")
                 json_.fail_expecting(*draw, "triangles or outlines",
-                                     did_you_mean(draw->text, {"triangles", "outlines"}));
+                                     did_you_mean(draw->text, {"triangles", "outlines"}, "\""));
             face.kind = draw->text == "outlines" ? PrimitiveKind::outline : PrimitiveKind::triangle;
         }
 
@@ -308,7 +328,7 @@ private:
         std::sort(known.begin(), known.end());
         constexpr std::size_t most_listed = 12;
         const bool too_many = known.size() > most_listed;
-        std::string hint = did_you_mean(name, known);
+        std::string hint = did_you_mean(name, known, "\"");
         if (hint.empty() && !known.empty() && !too_many)
             hint = fmt::format("the scene has the vertices {}", fmt::join(known, ", "));
         json_.fail(offset,
@@ -391,7 +411,7 @@ private:
         constexpr std::string_view expected = R"(a color, like "#ff8000" or "red")";
         const auto color = parse_color(json_.string_in(value, expected));
         if (!color) {
-            std::string hint = did_you_mean(value.text, color_names());
+            std::string hint = did_you_mean(value.text, color_names(), "\"");
             if (value.text.starts_with('#'))
                 hint = "8 bits a channel: #rrggbb or #rrggbbaa";
             json_.fail_expecting(value, expected, std::move(hint));

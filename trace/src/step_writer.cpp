@@ -99,7 +99,8 @@ std::string json_quoted(std::string_view text) {
 
 StepWriter::StepWriter(Output& output, TraceLayout layout, const StepFilter& filter)
     : output_(output), buffer_(buffer_size),
-      next_separator_(layout == TraceLayout::json ? ",\n" : "\n"), region_(filter.region) {
+      next_separator_(layout == TraceLayout::json ? ",\n" : "\n"), region_(filter.region),
+      primitive_(filter.primitive), is_in_primitive_(!filter.primitive) {
     wanted_.fill(!filter.only);
     if (filter.only)
         for (const StepKind kind : *filter.only)

@@ -118,4 +118,10 @@ std::string_view nearest_word(std::string_view word, const std::vector<std::stri
     return nearest;
 }
 
+std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& known,
+                         std::string_view quote) {
+    const std::string_view nearest = nearest_word(word, known);
+    return nearest.empty() ? std::string() : fmt::format("did you mean {0}{1}{0}?", quote, nearest);
+}
+
 } // namespace rastertrace

@@ -377,7 +377,21 @@ private:
         if (const JsonValue* method = header.find("method"))
             for (std::size_t i = 0; i < method->keys.size(); ++i)
                 trace_.method.emplace_back(method->keys[i].text, method->items[i].text);
-        trace_.is_partial = header.find("only") != nullptr || header.find("region") != nullptr;
+        if (const JsonValue* stages = header.find("stages"))
+            for (const JsonValue& stage : stages->items)
+                read_stage(stage);
+        trace_.is_partial = header.find("only") != nullptr || header.find("region") != nullptr ||
+                            header.find("primitive") != nullptr;
+    }
+
+    /// A stage that ran. What is no such record is passed over.
+    void read_stage(const JsonValue& stage) {
+        const JsonValue* name = stage.find("stage");
+        const JsonValue* is_kept = stage.find("kept");
+        if (name == nullptr || is_kept == nullptr || is_kept->text != "true")
+            return;
+        if (trace_.stages.empty() || trace_.stages.back() != name->text)
+            trace_.stages.push_back(name->text);
     }
 
     bool is_valid_json(std::size_t begin, std::size_t size) const {

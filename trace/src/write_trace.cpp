@@ -7,6 +7,7 @@
 #include <rastertrace/core/plan.h>
 #include <rastertrace/trace/method_names.h>
 #include <rastertrace/trace/pipeline_names.h>
+#include <rastertrace/trace/stage_name.h>
 
 #include <fmt/format.h>
 
@@ -17,7 +18,7 @@ namespace rastertrace {
 namespace {
 
 /// The members of the header, without the braces around them.
-std::string header_members(const Scene& scene, const StepFilter& filter) {
+std::string header_members(const Scene& scene, const Plan& plan, const StepFilter& filter) {
     std::string text;
     const auto out = std::back_inserter(text);
     fmt::format_to(
@@ -42,6 +43,18 @@ std::string header_members(const Scene& scene, const StepFilter& filter) {
     if (scene.method.scalar == ScalarKind::exact && has_rounded_matrix(scene))
         text += R"(,"matrices":"irrational entries are the nearest doubles")";
 
+    text += R"(,"stages":[)";
+    separator = "";
+    for (const StageDecision& decision : plan.stages.decisions) {
+        fmt::format_to(out, R"({}{{"stage":"{}")", separator, name_of(decision.stage));
+        if (!decision.plane.empty())
+            fmt::format_to(out, R"(,"plane":"{}")", decision.plane);
+        fmt::format_to(out, R"(,"kept":{},"why":{}}})", decision.is_kept,
+                       json_quoted(decision.why));
+        separator = ",";
+    }
+    text += ']';
+
     if (filter.only) {
         text += R"(,"only":[)";
         separator = "";
@@ -54,6 +67,8 @@ std::string header_members(const Scene& scene, const StepFilter& filter) {
     if (filter.region)
         fmt::format_to(out, R"(,"region":[{},{},{},{}])", filter.region->x0, filter.region->y0,
                        filter.region->x1, filter.region->y1);
+    if (filter.primitive)
+        fmt::format_to(out, R"(,"primitive":{})", json_quoted(*filter.primitive));
     return text;
 }
 
@@ -90,10 +105,10 @@ void write_trace(const Scene& scene, const TraceOptions& options, Output& output
     const bool is_document = options.layout == TraceLayout::json;
     StepWriter writer(output, options.layout, options.filter);
 
-    writer.put_text(fmt::format("{{{}{}", header_members(scene, options.filter),
+    const Plan plan = plan_for(scene);
+    writer.put_text(fmt::format("{{{}{}", header_members(scene, plan, options.filter),
                                 is_document ? R"(,"steps":[)" : "}"));
 
-    const Plan plan = plan_for(scene);
     const Image image =
         with_scalar(plan, [&]<typename Scalar>() { return draw<Scalar>(scene, plan, writer); });
 

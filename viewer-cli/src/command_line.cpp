@@ -7,6 +7,7 @@
 
 #include <rastertrace/trace/method_names.h>
 #include <rastertrace/trace/problem.h>
+#include <rastertrace/trace/stage_name.h>
 #include <rastertrace/trace/text.h>
 
 #include <CLI/CLI.hpp>
@@ -47,11 +48,6 @@ constexpr std::string_view exit_statuses =
                          std::string hint = {}) {
     throw problem_of("", fmt::format("{}: expected {}, found \"{}\"", option, expected, found),
                      std::move(hint));
-}
-
-std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& known) {
-    const std::string_view nearest = nearest_word(word, known);
-    return nearest.empty() ? std::string() : fmt::format("did you mean {}?", nearest);
 }
 
 std::vector<std::string> split(std::string_view text, char separator) {
@@ -107,6 +103,12 @@ public:
                             fmt::format("{}: {}", key.meaning, fmt::join(key.values, ", ")))
                 ->type_name("NAME")
                 ->group("Method, instead of what the scene says");
+        command
+            .add_option("--keep", keep_,
+                        fmt::format("Run these stages even if the scene does not need them: {}",
+                                    fmt::join(stage_names(), ",")))
+            ->type_name("STAGE,...");
+        command.add_flag("--full", full_, "Run every stage that the method has");
     }
 
     MethodOverrides overrides() const {
@@ -121,6 +123,16 @@ public:
                        did_you_mean(value, key.values));
             overrides.emplace_back(key.name, value);
         }
+        for (const std::string& word :
+             keep_.empty() ? std::vector<std::string>() : split(keep_, ','))
+            if (!stage_named(word))
+                refuse("--keep", fmt::format("stages out of {}", fmt::join(stage_names(), ",")),
+                       word, did_you_mean(word, stage_names()));
+            else
+                overrides.emplace_back("keep", word);
+        if (full_)
+            for (const std::string_view stage : stage_names())
+                overrides.emplace_back("keep", stage);
         return overrides;
     }
 
@@ -133,6 +145,8 @@ private:
     }
 
     std::map<std::string, std::string> values_;
+    std::string keep_;
+    bool full_ = false;
 };
 
 constexpr std::string_view trace_input =
@@ -150,6 +164,7 @@ public:
         add_trace();
         add_show();
         add_stats();
+        add_plan();
         add_help();
     }
 
@@ -201,6 +216,10 @@ private:
             ->type_name("KIND,...");
         command.add_option("--region", region_, "Write only steps that touch these pixels")
             ->type_name("x0,y0,x1,y1");
+        command
+            .add_option("--primitive", trace_.filter.primitive,
+                        "Write only the steps of this primitive and its parts")
+            ->type_name("NAME");
         trace_method_.add_to(command);
         command.callback([this] {
             if (!format_.empty() && format_ != "json" && format_ != "jsonl")
@@ -265,6 +284,21 @@ private:
         command.callback([this] {
             stats_.method = stats_method_.overrides();
             action_ = [this] { return rastertrace::run(stats_); };
+        });
+    }
+
+    void add_plan() {
+        CLI::App& command =
+            add_command("plan", "Say which stages of drawing a scene needs, and why",
+                        "rastertrace plan examples/t4-pipeline/behind-the-eye.json");
+        command.add_option("scene", plan_.scene, "A scene; - for standard input")
+            ->required()
+            ->type_name("SCENE");
+        command.add_flag("--json", plan_.json, "Print JSON");
+        plan_method_.add_to(command);
+        command.callback([this] {
+            plan_.method = plan_method_.overrides();
+            action_ = [this] { return rastertrace::run(plan_); };
         });
     }
 
@@ -356,6 +390,9 @@ private:
 
     StatsCommand stats_;
     MethodOptions stats_method_;
+
+    PlanCommand plan_;
+    MethodOptions plan_method_;
 
     std::string help_about_;
 };

@@ -30,6 +30,13 @@ struct TraceCommand {
 };
 int run(const TraceCommand& command);
 
+struct PlanCommand {
+    std::string scene;
+    bool json = false;
+    MethodOverrides method;
+};
+int run(const PlanCommand& command);
+
 struct ShowCommand {
     enum class Which { last, step, every, all };
 

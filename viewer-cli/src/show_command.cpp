@@ -130,6 +130,8 @@ int run(const ShowCommand& command) {
               (command.bare ? bare_frame_text(replay.frame()) : frame_text(replay, about, size)));
         is_first = false;
     }
+    if (!command.bare && !trace.stages.empty())
+        print(fmt::format("\nstages: {}\n", fmt::join(trace.stages, ", ")));
     return report_damage(trace);
 }
 

@@ -5,11 +5,16 @@
 #include "load.h"
 
 #include <rastertrace/trace/output.h>
+#include <rastertrace/trace/text.h>
+
+#include <fmt/format.h>
 
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <string_view>
+#include <vector>
 
 namespace rastertrace {
 
@@ -33,6 +38,15 @@ bool is_same_file(const std::string& a, const std::string& b) {
 
 int run(const TraceCommand& command) {
     const Scene scene = load_scene(command.scene, command.method);
+    if (const auto& name = command.filter.primitive) {
+        std::vector<std::string_view> names;
+        for (const ScenePrimitive& primitive : scene.primitives)
+            names.push_back(primitive.name);
+        if (std::find(names.begin(), names.end(), *name) == names.end())
+            throw problem_of(command.scene,
+                             fmt::format("expected a primitive of the scene, found {}", *name),
+                             did_you_mean(*name, names));
+    }
     const TraceOptions options{.layout = layout_of(command), .filter = command.filter};
 
     if (command.output.empty() || command.output == "-") {

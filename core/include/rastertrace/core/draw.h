@@ -27,6 +27,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -34,6 +35,7 @@ namespace rastertrace {
 
 /// A piece with its numbers ready to draw: the first `count` of each.
 template <typename Scalar> struct PlacedPrimitive {
+    std::size_t number = 0; ///< its place in the scene
     std::size_t count = 0;
     std::array<std::string_view, 3> names;
     std::array<Vec<Scalar, 2>, 3> positions{};
@@ -45,8 +47,10 @@ template <typename Scalar> struct PlacedPrimitive {
 /// Coordinates become numbers to calculate with.
 template <typename Scalar, typename Coordinate>
 PlacedPrimitive<Scalar> placed(const Piece<Coordinate>& piece, const Plan& plan) {
-    PlacedPrimitive<Scalar> result{
-        .count = piece.count, .names = piece.names, .colors = piece.colors};
+    PlacedPrimitive<Scalar> result{.number = piece.primitive,
+                                   .count = piece.count,
+                                   .names = piece.names,
+                                   .colors = piece.colors};
     for (std::size_t i = 0; i < piece.count; ++i) {
         result.positions[i].x = scalar_from<Scalar>(piece.positions[i].x, plan.denominator);
         result.positions[i].y = scalar_from<Scalar>(piece.positions[i].y, plan.denominator);
@@ -122,29 +126,32 @@ void fill(const PlacedPrimitive<Scalar>& primitive, Color flat, const Scene& sce
     const Triangle<Scalar> triangle{primitive.positions};
     const Scalar sample_offset = target.grid.sample_offset();
 
-    // What its colors are mixed from. Without area it has one.
+    // What its colors are mixed from. Without area, and where its vertices agree, it has one.
+    PixelStages stages = plan.stages.pixels[primitive.number];
+    const auto& [a, b, c] = primitive.colors;
+    if (plan.mixes_colors && a == b && a == c)
+        flat = a;
     std::optional<MixedColors<Scalar>> mixed;
-    if (plan.mixes_colors) {
+    if (stages.colors != ColorStage::flat) {
         const Barycentric<Scalar> barycentric(triangle);
         if (barycentric.area2() != scalar_from<Scalar>(0))
-            mixed = {primitive.colors, barycentric, sample_offset,
-                     plan.mixes_in_perspective ? std::optional(primitive.inverse_w) : std::nullopt};
+            mixed = {primitive.colors, barycentric, sample_offset, primitive.inverse_w};
+        else
+            stages.colors = ColorStage::flat;
     }
 
     // What its depths are.
     std::optional<TriangleDepth<Scalar>> depth;
-    if (target.depth) {
+    if (stages.tests_depth) {
         depth.emplace(triangle, primitive.depths, *target.depth);
         if (scene.method.fill == Fill::top_left)
             depth->prepare(depth_scalar(sample_offset));
     }
 
-    const auto fill_with = [&]<PixelStages stages>() {
-        const Paint<Scalar, stages> paint{flat, mixed ? &*mixed : nullptr,
-                                          depth ? &*depth : nullptr};
+    with_stages<std::remove_cvref_t<Sink>>(stages, [&]<PixelStages with>() {
+        const Paint<Scalar, with> paint{flat, mixed ? &*mixed : nullptr, depth ? &*depth : nullptr};
         fill(primitive, paint, scene.method, target, sink);
-    };
-    with_stages({.mixes_colors = mixed.has_value(), .tests_depth = depth.has_value()}, fill_with);
+    });
 }
 
 /// Draws a primitive, or a part of one.
@@ -210,7 +217,7 @@ Image draw(const Scene& scene, const Plan& plan, Sink&& sink) {
         .grid = {scalar_from<Scalar>(sample_offset_of(scene.method), plan.denominator),
                  scene.canvas}};
     if (scene.has_depth_buffer())
-        target.depth.emplace(plan.depth_region, depth_rule<DepthOf<Scalar>>(scene));
+        target.depth.emplace(plan.stages.depth_region, depth_rule<DepthOf<Scalar>>(scene));
     const auto draw_pieces = [&]<typename Coordinate>(const Piece<Coordinate>& piece) {
         if constexpr (draws<Scalar, Coordinate>)
             draw_piece<Scalar>(piece, scene, plan, target, sink);

@@ -78,8 +78,8 @@ void fill_barycentric(const Triangle<Scalar>& triangle, const Paint<Scalar, stag
                 if (!passes_depth_test(pixel, depth, cell, buffer, sink))
                     continue;
             }
-            if constexpr (stages.mixes_colors)
-                color = paint.mixed->at(pixel);
+            if constexpr (stages.colors != ColorStage::flat)
+                color = paint.mixed->template at<stages.colors == ColorStage::perspective>(pixel);
             image.at(pixel) = color;
             sink(PixelPlotted{.pixel = pixel, .color = color});
         }

@@ -33,6 +33,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace rastertrace {
@@ -45,23 +46,35 @@ inline constexpr int guard_band = 4096;
 /// The matrices of a scene; those that it does not have leave a vertex where it is.
 template <typename Scalar> struct Transforms {
     std::vector<std::optional<Matrix<Scalar>>> models; ///< of the scene's objects
+    std::optional<Matrix<Scalar>> rest_model;          ///< of vertices that have no object
     std::optional<Matrix<Scalar>> view;
     std::optional<Matrix<Scalar>> projection;
     std::optional<Matrix<Scalar>> viewport;
-    std::vector<ClipPlane<Scalar>> planes;
+    std::vector<ClipPlane<Scalar>> planes; ///< those that a vertex lies outside of
+    bool divides = true;                   ///< by w
     Snap snap = Snap::none;
     Ties ties = Ties::up; ///< of Snap::nearest
 };
 
+/// A matrix that moves something, or that the scene keeps although it does not.
+template <typename Scalar>
+std::optional<Matrix<Scalar>> matrix_of_stage(const Scene& scene, Stage stage,
+                                              const Matrix<Rational>& exact) {
+    if (exact == identity<Rational>() && !scene.keep.has(stage))
+        return std::nullopt;
+    return rounded<Scalar>(exact);
+}
+
 template <typename Scalar> Transforms<Scalar> transforms_of(const Scene& scene) {
     Transforms<Scalar> result;
     for (const SceneObject& object : scene.objects)
-        result.models.push_back(object.model.empty()
-                                    ? std::nullopt
-                                    : std::optional(rounded<Scalar>(model_matrix(object.model))));
-    if (scene.camera)
-        result.view =
-            rounded<Scalar>(view_matrix(*scene.camera, view_axis_of(scene.projection.type)));
+        result.models.push_back(
+            matrix_of_stage<Scalar>(scene, Stage::model, model_matrix(object.model)));
+    result.rest_model = matrix_of_stage<Scalar>(scene, Stage::model, identity<Rational>());
+    result.view = matrix_of_stage<Scalar>(
+        scene, Stage::view,
+        scene.camera ? view_matrix(*scene.camera, view_axis_of(scene.projection.type))
+                     : identity<Rational>());
     if (scene.projection.type != ProjectionType::none)
         result.projection = rounded<Scalar>(projection_matrix(scene.projection, scene.canvas));
     if (scene.viewport.type != ViewportType::none)
@@ -135,8 +148,10 @@ template <typename Scalar> struct ScreenPlaces {
 template <typename Scalar>
 ScreenPlaces<Scalar> places_on_screen(const Vec<Scalar, 4>& clip,
                                       const Transforms<Scalar>& transforms) {
-    const Vec<Scalar, 4> canonical{Scalar(clip.x / clip.w), Scalar(clip.y / clip.w),
-                                   Scalar(clip.z / clip.w), scalar_from<Scalar>(1)};
+    const Vec<Scalar, 4> canonical =
+        transforms.divides ? Vec<Scalar, 4>{Scalar(clip.x / clip.w), Scalar(clip.y / clip.w),
+                                            Scalar(clip.z / clip.w), scalar_from<Scalar>(1)}
+                           : clip;
     const Vec<Scalar, 4> screen = moved(transforms.viewport, canonical);
     const auto snapped = [&transforms](const Scalar& x) {
         if constexpr (std::floating_point<Scalar>)
@@ -179,18 +194,26 @@ template <typename Scalar> struct Geometry {
     Vec<Scalar, 3> eye{};                       ///< the same; see eye_of
     std::optional<PainterOrder<Scalar>> order;  ///< if the painter has sorted them
     Depth depth = Depth::none;
+
+    /// How many vertices that are used lie outside of each plane of the view.
+    struct Outside {
+        std::string_view plane;
+        std::size_t vertices;
+    };
+    std::vector<Outside> outside;
 };
 
 /// Calls `visit(place, vertex, model)` with each vertex that is used, and the place of its object.
 template <typename Scalar, typename Visit>
 void for_each_used_vertex(const Scene& scene, const Geometry<Scalar>& geometry, Visit&& visit) {
-    const std::optional<Matrix<Scalar>> no_model;
+    const auto& transforms = geometry.transforms;
     std::size_t object = 0;
     for (std::size_t i = 0; i < scene.vertices.size(); ++i) {
         while (object < scene.objects.size() && i >= scene.objects[object].end_vertex)
             ++object;
         if (geometry.is_used[i])
-            visit(i, object < scene.objects.size() ? geometry.transforms.models[object] : no_model);
+            visit(i, object < scene.objects.size() ? transforms.models[object]
+                                                   : transforms.rest_model);
     }
 }
 
@@ -232,7 +255,10 @@ template <typename Scalar> Geometry<Scalar> geometry_of(const Scene& scene) {
         result.eye = eye_of<Scalar>(scene);
     }
 
-    const auto& transforms = result.transforms;
+    // To clip space. A plane that no vertex lies outside of cannot cut anything.
+    Transforms<Scalar>& transforms = result.transforms;
+    std::vector<std::size_t> outside(transforms.planes.size());
+    bool is_divided = false;
     for_each_used_vertex(scene, result, [&](std::size_t i, const auto& model) {
         PlacedVertex<Scalar>& vertex = result.vertices[i];
         const VertexPlaces<Scalar> places = places_of(scene.vertices[i], model, transforms);
@@ -240,15 +266,37 @@ template <typename Scalar> Geometry<Scalar> geometry_of(const Scene& scene) {
         vertex.distance = distance_along_view<Scalar>(scene, places.camera);
         if (!result.world.empty())
             result.world[i] = {places.world.x, places.world.y, places.world.z};
-        vertex.is_in_view = std::all_of(
-            transforms.planes.begin(), transforms.planes.end(),
-            [&vertex](const ClipPlane<Scalar>& plane) { return plane.has_inside(vertex.clip); });
+        vertex.is_in_view = true;
+        for (std::size_t plane = 0; plane < transforms.planes.size(); ++plane)
+            if (!transforms.planes[plane].has_inside(vertex.clip)) {
+                vertex.is_in_view = false;
+                ++outside[plane];
+            }
+        is_divided = is_divided || vertex.clip.w != scalar_from<Scalar>(1);
+    });
+    transforms.divides = is_divided || scene.keep.has(Stage::divide);
+    for (std::size_t plane = 0; plane < transforms.planes.size(); ++plane)
+        result.outside.push_back({transforms.planes[plane].name, outside[plane]});
+    if (!scene.keep.has(Stage::clip)) {
+        std::vector<ClipPlane<Scalar>> crossed;
+        for (std::size_t plane = 0; plane < transforms.planes.size(); ++plane)
+            if (outside[plane] > 0)
+                crossed.push_back(transforms.planes[plane]);
+        transforms.planes = std::move(crossed);
+    }
+
+    // On to the screen, what can be seen.
+    for (PlacedVertex<Scalar>& vertex : result.vertices)
         if (vertex.is_in_view)
             vertex.pixel = places_on_screen(vertex.clip, transforms).pixel;
-    });
-    if (result.depth == Depth::painter)
-        result.order = painter_order<Scalar>(
-            scene, [&result](std::size_t place) { return result.vertices[place].distance; });
+
+    if (result.depth == Depth::painter) {
+        const auto distance_of = [&result](std::size_t place) -> const Scalar& {
+            return result.vertices[place].distance;
+        };
+        if (scene.keep.has(Stage::order) || !comes_farthest_first<Scalar>(scene, distance_of))
+            result.order = painter_order<Scalar>(scene, distance_of);
+    }
     return result;
 }
 
@@ -268,7 +316,7 @@ requires SinkFor<Sink, VertexPlaced<Scalar>>
 void report_places_on_screen(std::string_view name, const Vec<Scalar, 4>& clip,
                              const Transforms<Scalar>& transforms, Sink&& sink) {
     const ScreenPlaces<Scalar> places = places_on_screen(clip, transforms);
-    if (transforms.projection)
+    if (transforms.projection && transforms.divides)
         report_place<Scalar>(name, Space::canonical, places.canonical, 3, sink);
     const std::array<Scalar, 2> screen{places.screen.x, places.screen.y};
     const std::array<Scalar, 2> pixel{places.pixel.x, places.pixel.y};
@@ -310,6 +358,8 @@ void report_geometry(const Scene& scene, const Geometry<Scalar>& geometry, Sink&
         if (transforms.models[i])
             sink(MatrixSetUp<Scalar>{
                 .name = "model", .object = scene.objects[i].name, .matrix = *transforms.models[i]});
+    if (transforms.rest_model && scene.objects.empty())
+        sink(MatrixSetUp<Scalar>{.name = "model", .object = {}, .matrix = *transforms.rest_model});
     if (transforms.view)
         sink(MatrixSetUp<Scalar>{.name = "view", .object = {}, .matrix = *transforms.view});
     if (transforms.projection)
@@ -318,7 +368,7 @@ void report_geometry(const Scene& scene, const Geometry<Scalar>& geometry, Sink&
     if (transforms.viewport)
         sink(MatrixSetUp<Scalar>{.name = "viewport", .object = {}, .matrix = *transforms.viewport});
 
-    if (scene.has_transforms())
+    if (scene.has_transforms() || scene.keeps_transforms())
         report_vertices(scene, geometry, sink);
     if (geometry.order) {
         std::vector<std::string_view> names;

@@ -33,15 +33,18 @@ template <typename Scalar> struct MixedColors {
     std::array<Color, 3> corners;
     Barycentric<Scalar> barycentric;
     Scalar sample_offset; ///< from the pixel's integer point to its sample point, in x and in y
-    std::optional<std::array<D, 3>> inverse_w = {}; ///< of the vertices, in a perspective
+    std::array<D, 3> inverse_w{}; ///< of the vertices, in a perspective
 
     /// Each channel is rounded to the nearest level, a half up. Where a pixel lies outside the
     /// triangle (the floor rule draws some) the mixture may leave 0..255, and is held there.
-    Color at(Pixel pixel) const {
+    template <bool in_perspective> Color at(Pixel pixel) const {
         const auto weights =
             barycentric.weights_at({Scalar(scalar_from<Scalar>(pixel.x) + sample_offset),
                                     Scalar(scalar_from<Scalar>(pixel.y) + sample_offset)});
-        return inverse_w ? mixed(in_space(weights)) : mixed(weights);
+        if constexpr (in_perspective)
+            return mixed(in_space(weights));
+        else
+            return mixed(weights);
     }
 
 private:
@@ -51,9 +54,11 @@ private:
     std::array<D, 3> in_space(const std::array<Scalar, 3>& on_screen) const {
         const std::array<D, 3> weights{depth_scalar(on_screen[0]), depth_scalar(on_screen[1]),
                                        depth_scalar(on_screen[2])};
-        const std::array<D, 3> shares{D(weights[0] * (*inverse_w)[0]),
-                                      D(weights[1] * (*inverse_w)[1]),
-                                      D(weights[2] * (*inverse_w)[2])};
+        const std::array<D, 3> shares{D(weights[0] * inverse_w[0]), D(weights[1] * inverse_w[1]),
+                                      D(weights[2] * inverse_w[2])};
+        // Where w is the same all over, so are the weights.
+        if (inverse_w[0] == inverse_w[1] && inverse_w[0] == inverse_w[2])
+            return weights;
         const D sum = shares[0] + shares[1] + shares[2];
         if (!(scalar_from<D>(0) < sum))
             return weights;
@@ -64,6 +69,10 @@ private:
     template <typename Weight>
     [[gnu::noinline]] Color mixed(const std::array<Weight, 3>& weights) const {
         const auto mix = [this, &weights](std::uint8_t (Color::*channel)() const) {
+            // What is the same everywhere is not rounded.
+            const std::uint8_t first = (corners[0].*channel)();
+            if (first == (corners[1].*channel)() && first == (corners[2].*channel)())
+                return first;
             Weight level = scalar_from<Weight>(0);
             for (std::size_t i = 0; i < 3; ++i)
                 level += weights[i] * scalar_from<Weight>((corners[i].*channel)());
@@ -75,23 +84,46 @@ private:
     }
 };
 
-/// What is done for each pixel of a triangle beside plotting it. Decided for the scene (plan.h) and
-/// compiled in or out: a fill has no branch for what its scene does not need.
-struct PixelStages {
-    bool mixes_colors = false; ///< of the vertices
-    bool tests_depth = false;  ///< against what is nearest so far
+/// Where the colors of pixels come from.
+enum class ColorStage {
+    flat,        ///< one for all of them
+    affine,      ///< mixed as they mix on the screen
+    perspective, ///< mixed as they mix in space
 };
 
-/// Calls `fill_with.template operator()<stages>()` with the stages as a constant.
-template <typename FillWith> void with_stages(const PixelStages& stages, FillWith&& fill_with) {
-    if (stages.mixes_colors && stages.tests_depth)
-        fill_with.template operator()<PixelStages{.mixes_colors = true, .tests_depth = true}>();
-    else if (stages.mixes_colors)
-        fill_with.template operator()<PixelStages{.mixes_colors = true}>();
-    else if (stages.tests_depth)
-        fill_with.template operator()<PixelStages{.tests_depth = true}>();
-    else
-        fill_with.template operator()<PixelStages{}>();
+/// What is done for each pixel of a triangle beside plotting it. Decided for each triangle before it
+/// is drawn (plan.h) and compiled in or out: a fill has no branch for what its triangle does not
+/// need.
+struct PixelStages {
+    ColorStage colors = ColorStage::flat;
+    bool tests_depth = false; ///< against what is nearest so far
+    bool tests_canvas = true; ///< drops what the canvas does not have
+};
+
+/// Calls `fill_with.template operator()<stages>()` with the stages as a constant. A sink that keeps
+/// steps costs far more than a canvas test, which is always compiled in for it.
+template <typename Sink, typename FillWith>
+void with_stages(const PixelStages& stages, FillWith&& fill_with) {
+    const auto with_depth = [&]<ColorStage colors, bool tests_canvas>() {
+        if (stages.tests_depth)
+            fill_with.template operator()<PixelStages{colors, true, tests_canvas}>();
+        else
+            fill_with.template operator()<PixelStages{colors, false, tests_canvas}>();
+    };
+    const auto with_canvas = [&]<ColorStage colors>() {
+        if constexpr (!keeps_steps<Sink>)
+            if (!stages.tests_canvas)
+                return with_depth.template operator()<colors, false>();
+        with_depth.template operator()<colors, true>();
+    };
+    switch (stages.colors) {
+    case ColorStage::flat:
+        return with_canvas.template operator()<ColorStage::flat>();
+    case ColorStage::affine:
+        return with_canvas.template operator()<ColorStage::affine>();
+    case ColorStage::perspective:
+        return with_canvas.template operator()<ColorStage::perspective>();
+    }
 }
 
 /// How the pixels of a triangle get their colors, and which of them are hidden.
@@ -122,16 +154,6 @@ struct SpanOnCanvas {
     int last;
 };
 
-/// The pixels from x = `from` to x = `to` that are on the canvas. Inline, like all that a row of a
-/// small triangle needs: calling it would cost as much as the row.
-[[gnu::always_inline]] inline SpanOnCanvas span_on_canvas(const ImageRow& row, Index from,
-                                                          Index to) {
-    const Index left = row.left;
-    const Index right = row.right;
-    return {static_cast<int>(std::clamp(from, left, right + 1)),
-            static_cast<int>(std::clamp(to, left - 1, right))};
-}
-
 /// Reports those left of the canvas: before the pixels that are plotted.
 template <typename Sink>
 requires SinkFor<Sink, PixelsRejected>
@@ -156,22 +178,37 @@ requires SinkFor<Sink, PixelsRejected>
                             .to_y = row.y});
 }
 
+/// The pixels from x = `from` to x = `to` that are on the canvas; those left of it are reported.
+/// Inline, like all that a row of a small triangle needs: calling it would cost as much as the row.
+template <bool tests_canvas, typename Sink>
+requires SinkFor<Sink, PixelsRejected>
+[[gnu::always_inline]] inline SpanOnCanvas span_on_canvas(const ImageRow& row, Index from, Index to,
+                                                          Sink&& sink) {
+    if constexpr (!tests_canvas)
+        return {static_cast<int>(from), static_cast<int>(to)};
+    report_rejected_left(row, from, to, sink);
+    const Index left = row.left;
+    const Index right = row.right;
+    return {static_cast<int>(std::clamp(from, left, right + 1)),
+            static_cast<int>(std::clamp(to, left - 1, right))};
+}
+
 /// Plots the pixels of a row from x = `from` to x = `to`, as far as the canvas has them.
 template <typename Scalar, PixelStages stages, typename Sink>
 requires SinkFor<Sink, PixelPlotted, PixelsRejected>
 [[gnu::always_inline]] inline void plot_span(const ImageRow& row, Index from, Index to,
                                              const Paint<Scalar, stages>& paint, Sink&& sink) {
-    report_rejected_left(row, from, to, sink);
-    const auto [first, last] = span_on_canvas(row, from, to);
+    const auto [first, last] = span_on_canvas<stages.tests_canvas>(row, from, to, sink);
     Color* const colors = row.colors - row.left;
     Color color = paint.flat; // a copy: no pixel that is written can be part of it
     for (int x = first; x <= last; ++x) {
-        if constexpr (stages.mixes_colors)
-            color = paint.mixed->at({x, row.y});
+        if constexpr (stages.colors != ColorStage::flat)
+            color = paint.mixed->template at<stages.colors == ColorStage::perspective>({x, row.y});
         colors[x] = color;
         sink(PixelPlotted{.pixel = {x, row.y}, .color = color});
     }
-    report_rejected_right(row, from, to, sink);
+    if constexpr (stages.tests_canvas)
+        report_rejected_right(row, from, to, sink);
 }
 
 /// The same for a triangle with depths: plots those pixels that no nearer triangle hides.
@@ -181,8 +218,7 @@ requires SinkFor<Sink, DepthTested<DepthOf<Scalar>>, PixelPlotted, PixelsRejecte
                                                     const Paint<Scalar, stages>& paint,
                                                     const DepthRow<DepthOf<Scalar>>& depths,
                                                     Sink&& sink) {
-    report_rejected_left(row, from, to, sink);
-    const auto [first, last] = span_on_canvas(row, from, to);
+    const auto [first, last] = span_on_canvas<stages.tests_canvas>(row, from, to, sink);
     auto& buffer = paint.depth->buffer;
     auto* const cells = buffer.row_from(0, row.index);
     Color* const colors = row.colors - row.left;
@@ -190,12 +226,13 @@ requires SinkFor<Sink, DepthTested<DepthOf<Scalar>>, PixelPlotted, PixelsRejecte
     for (int x = first; x <= last; ++x) {
         if (!passes_depth_test({x, row.y}, depths.at(x), cells[x], buffer, sink))
             continue;
-        if constexpr (stages.mixes_colors)
-            color = paint.mixed->at({x, row.y});
+        if constexpr (stages.colors != ColorStage::flat)
+            color = paint.mixed->template at<stages.colors == ColorStage::perspective>({x, row.y});
         colors[x] = color;
         sink(PixelPlotted{.pixel = {x, row.y}, .color = color});
     }
-    report_rejected_right(row, from, to, sink);
+    if constexpr (stages.tests_canvas)
+        report_rejected_right(row, from, to, sink);
 }
 
 } // namespace rastertrace

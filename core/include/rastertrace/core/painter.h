@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace rastertrace {
@@ -23,31 +24,48 @@ template <typename Scalar> struct PainterOrder {
     std::vector<Scalar> keys;            ///< of the triangles, in the order drawn
 };
 
+/// The distance that a triangle is sorted by. `distance_of` tells that of a vertex, by its place in
+/// the scene.
+template <typename Scalar, typename DistanceOf>
+Scalar painter_key(const Scene& scene, const ScenePrimitive& triangle, DistanceOf&& distance_of) {
+    const Scalar& a = distance_of(triangle.vertices[0]);
+    const Scalar& b = distance_of(triangle.vertices[1]);
+    const Scalar& c = distance_of(triangle.vertices[2]);
+    switch (scene.method.painter_key) {
+    case PainterKey::nearest:
+        return std::min({a, b, c});
+    case PainterKey::farthest:
+        return std::max({a, b, c});
+    case PainterKey::mean:
+        break;
+    }
+    return (a + b + c) / scalar_from<Scalar>(3);
+}
+
+/// True if sorting the triangles would leave them as they are.
+template <typename Scalar, typename DistanceOf>
+bool comes_farthest_first(const Scene& scene, DistanceOf&& distance_of) {
+    std::optional<Scalar> before;
+    for (const ScenePrimitive& primitive : scene.primitives) {
+        if (primitive.kind != PrimitiveKind::triangle)
+            continue;
+        const Scalar key = painter_key<Scalar>(scene, primitive, distance_of);
+        if (before && *before < key)
+            return false;
+        before = key;
+    }
+    return true;
+}
+
 /// Sorts the triangles by their distance from the eye.
-/// `distance_of` tells that of a vertex, by its place in the scene.
 template <typename Scalar, typename DistanceOf>
 PainterOrder<Scalar> painter_order(const Scene& scene, DistanceOf&& distance_of) {
-    const auto key_of = [&scene, &distance_of](std::size_t primitive) -> Scalar {
-        const auto& corners = scene.primitives[primitive].vertices;
-        const Scalar a = distance_of(corners[0]);
-        const Scalar b = distance_of(corners[1]);
-        const Scalar c = distance_of(corners[2]);
-        switch (scene.method.painter_key) {
-        case PainterKey::nearest:
-            return std::min({a, b, c});
-        case PainterKey::farthest:
-            return std::max({a, b, c});
-        case PainterKey::mean:
-            break;
-        }
-        return (a + b + c) / scalar_from<Scalar>(3);
-    };
     std::vector<std::size_t> triangles;
     std::vector<Scalar> keys(scene.primitives.size());
     for (std::size_t i = 0; i < scene.primitives.size(); ++i)
         if (scene.primitives[i].kind == PrimitiveKind::triangle) {
             triangles.push_back(i);
-            keys[i] = key_of(i);
+            keys[i] = painter_key<Scalar>(scene, scene.primitives[i], distance_of);
         }
     std::stable_sort(triangles.begin(), triangles.end(),
                      [&keys](std::size_t a, std::size_t b) { return keys[b] < keys[a]; });

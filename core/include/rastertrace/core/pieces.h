@@ -159,7 +159,8 @@ template <typename Scalar> DepthRule<Scalar> depth_rule(const Scene& scene) {
 template <typename Coordinate> struct Piece {
     PrimitiveKind kind;
     std::string_view name;
-    Color color; ///< of the primitive
+    std::size_t primitive = 0; ///< its place in the scene
+    Color color;               ///< of the primitive
     std::size_t count = 0;
     std::array<std::string_view, 3> names;
     std::array<Vec<Coordinate, 2>, 3> positions{};
@@ -182,10 +183,15 @@ Color color_of(const Scene& scene, std::size_t primitive, const Face<Coordinate>
 
 /// A primitive whose vertices all have a place: `position_of(i)` tells it.
 template <typename Coordinate, typename PositionOf>
-Piece<Coordinate> whole_piece(const Scene& scene, const ScenePrimitive& primitive, Color color,
+Piece<Coordinate> whole_piece(const Scene& scene, std::size_t number, Color color,
                               bool mixes_colors, PositionOf&& position_of) {
-    Piece<Coordinate> piece{
-        .kind = primitive.kind, .name = primitive.name, .color = color, .names = {}, .colors = {}};
+    const ScenePrimitive& primitive = scene.primitives[number];
+    Piece<Coordinate> piece{.kind = primitive.kind,
+                            .name = primitive.name,
+                            .primitive = number,
+                            .color = color,
+                            .names = {},
+                            .colors = {}};
     for (const std::size_t place : primitive.corners()) {
         const SceneVertex& vertex = scene.vertices[place];
         const std::size_t i = piece.count++;
@@ -203,7 +209,7 @@ void for_each_piece(const Scene& scene, const TypedGeometry&, Sink&&, Visit&& vi
     const bool mixes_colors = scene.mixes_colors();
     for (std::size_t i = 0; i < scene.primitives.size(); ++i)
         visit(whole_piece<Number>(
-            scene, scene.primitives[i], color_of(scene, i, Face<Number>{}), mixes_colors,
+            scene, i, color_of(scene, i, Face<Number>{}), mixes_colors,
             [&scene](std::size_t place) {
                 return Vec<Number, 2>{scene.vertices[place].x, scene.vertices[place].y};
             }));
@@ -229,13 +235,20 @@ SkipReason reason_of(const ClipPlane<Scalar>& plane,
 }
 
 /// Cuts a polygon, a line or a point down to what lies inside all planes; each plane that it is not
-/// wholly inside of is reported. If nothing is left: why.
+/// wholly inside of is reported. If nothing is left: why. Only a vertex that it begins with makes a
+/// plane cut: one that clipping has made lies, but for rounding, between two of those.
 template <typename Scalar, typename Sink>
 requires SinkFor<Sink, PrimitiveClipped> std::optional<SkipReason>
 clip_at_planes(std::string_view name, std::vector<ClipVertex<Scalar>>& polygon,
                const std::vector<ClipPlane<Scalar>>& planes, Sink&& sink) {
     const std::size_t fewest = std::min<std::size_t>(polygon.size(), 3);
+    const std::vector<ClipVertex<Scalar>> whole = polygon;
     for (const ClipPlane<Scalar>& plane : planes) {
+        if (std::all_of(whole.begin(), whole.end(), [&plane](const ClipVertex<Scalar>& vertex) {
+                return plane.has_inside(vertex.position);
+            }))
+            continue;
+
         // A triangle has 3 vertices, and each of the planes may add one to it.
         std::array<bool, 16> is_inside{};
         const std::size_t count = polygon.size();
@@ -260,19 +273,30 @@ clip_at_planes(std::string_view name, std::vector<ClipVertex<Scalar>>& polygon,
     return std::nullopt;
 }
 
-/// Clips what some vertices of a primitive span, puts the vertices that this makes on the screen, and
-/// visits what is left: a point, a line, or the triangles of a fan. `made` counts the vertices that
-/// clipping has made, `parts` the pieces. If nothing is left: why.
-template <typename Scalar, typename Sink, typename Visit>
-std::optional<SkipReason> visit_parts(const Scene& scene, const Geometry<Scalar>& geometry,
-                                      const ScenePrimitive& primitive, Color color,
-                                      std::span<const std::size_t> corners, bool mixes_colors,
-                                      int& made, int& parts, Sink&& sink, Visit&& visit) {
+/// What some vertices of a primitive span, before clipping.
+template <typename Scalar>
+std::vector<ClipVertex<Scalar>> polygon_of(const Scene& scene, const Geometry<Scalar>& geometry,
+                                           Color color, std::span<const std::size_t> corners,
+                                           bool mixes_colors) {
     std::vector<ClipVertex<Scalar>> polygon;
     for (const std::size_t place : corners)
         polygon.push_back({geometry.vertices[place].clip, geometry.vertices[place].distance,
                            mixes_colors ? scene.vertices[place].color.value_or(color) : color,
                            static_cast<int>(polygon.size())});
+    return polygon;
+}
+
+/// Clips what some vertices of a primitive span, puts the vertices that this makes on the screen, and
+/// visits what is left: a point, a line, or the triangles of a fan. `made` counts the vertices that
+/// clipping has made, `parts` the pieces. If nothing is left: why.
+template <typename Scalar, typename Sink, typename Visit>
+std::optional<SkipReason> visit_parts(const Scene& scene, const Geometry<Scalar>& geometry,
+                                      std::size_t number, Color color,
+                                      std::span<const std::size_t> corners, bool mixes_colors,
+                                      int& made, int& parts, Sink&& sink, Visit&& visit) {
+    const ScenePrimitive& primitive = scene.primitives[number];
+    std::vector<ClipVertex<Scalar>> polygon =
+        polygon_of(scene, geometry, color, corners, mixes_colors);
     const auto reason = clip_at_planes(primitive.name, polygon, geometry.transforms.planes, sink);
 
     std::vector<std::string> names;
@@ -296,6 +320,7 @@ std::optional<SkipReason> visit_parts(const Scene& scene, const Geometry<Scalar>
                                         ? PrimitiveKind::line
                                         : primitive.kind,
                             .name = name,
+                            .primitive = number,
                             .color = color,
                             .count = count,
                             .names = {},
@@ -332,13 +357,17 @@ void for_each_piece(const Scene& scene, const Geometry<Scalar>& geometry, Sink&&
         const Face<Scalar> face = face_of(scene, geometry, primitive);
         const Color color = color_of(scene, number, face);
 
-        // In view: one piece.
+        // In view: one piece. Clipping it would leave it as it is.
         if (std::all_of(corners.begin(), corners.end(), [&geometry](std::size_t place) {
                 return geometry.vertices[place].is_in_view;
             })) {
             auto piece = whole_piece<Scalar>(
-                scene, primitive, color, mixes_colors,
+                scene, number, color, mixes_colors,
                 [&geometry](std::size_t place) { return geometry.vertices[place].pixel; });
+            if (scene.keep.has(Stage::clip)) {
+                auto polygon = polygon_of(scene, geometry, color, corners, mixes_colors);
+                clip_at_planes(primitive.name, polygon, geometry.transforms.planes, sink);
+            }
             for (std::size_t i = 0; i < piece.count; ++i) {
                 const PlacedVertex<Scalar>& vertex = geometry.vertices[piece.vertices[i]];
                 piece.depths[i] = depth_at<Scalar>(geometry.depth, vertex.distance, vertex.clip);
@@ -366,12 +395,12 @@ void for_each_piece(const Scene& scene, const Geometry<Scalar>& geometry, Sink&&
         int parts = 0;
         std::optional<SkipReason> reason;
         if (primitive.kind != PrimitiveKind::outline) {
-            reason = visit_parts(scene, geometry, primitive, color, corners, mixes_colors, made,
-                                 parts, sink, visit);
+            reason = visit_parts(scene, geometry, number, color, corners, mixes_colors, made, parts,
+                                 sink, visit);
         } else {
             for (std::size_t i = 0; i < 3; ++i) {
                 const std::array<std::size_t, 2> side{corners[i], corners[(i + 1) % 3]};
-                reason = visit_parts(scene, geometry, primitive, color, side, mixes_colors, made,
+                reason = visit_parts(scene, geometry, number, color, side, mixes_colors, made,
                                      parts, sink, visit);
             }
         }

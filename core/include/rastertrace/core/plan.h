@@ -14,6 +14,7 @@
 #include <rastertrace/core/pieces.h>
 #include <rastertrace/core/scalar.h>
 #include <rastertrace/core/scene.h>
+#include <rastertrace/core/stages.h>
 
 #include <algorithm>
 #include <array>
@@ -44,6 +45,9 @@ using AnyGeometry =
 inline AnyGeometry geometry_for(const Scene& scene) {
     if (!scene.has_pipeline())
         return TypedGeometry{};
+    // Vertices that nothing moves stay as typed.
+    if (!scene.needs_pipeline() && scene.method.scalar == ScalarKind::fixed)
+        return geometry_of<Rational>(scene);
     switch (scene.method.scalar) {
     case ScalarKind::single_precision:
         return geometry_of<float>(scene);
@@ -61,13 +65,9 @@ struct Plan {
     NumberType number = NumberType::binary64;
     std::int64_t denominator = 1; ///< common to all coordinates, when they are fractions
     AnyGeometry geometry = {};
-    DepthRegion depth_region = {}; ///< the pixels that any triangle may reach
-    bool mixes_colors = false;
-    bool mixes_in_perspective = false;
+    Stages stages = {};        ///< which of them run
+    bool mixes_colors = false; ///< vertices have colors that count
 };
-
-/// The grid that `fixed` snaps to: 1/256 pixel, as graphics hardware does.
-inline constexpr std::int64_t fixed_grid = 256;
 
 /// How many bits drawing needs, in fractions over a common denominator. With coordinates n/D, |n| <
 /// 2^b and D <= 2^d, an edge is at
@@ -151,37 +151,19 @@ NumberChoice choose_exact_numbers(const Scene& scene, const AGeometry& geometry)
     return choose_fractions(scene, geometry, common);
 }
 
-/// The pixels of the canvas that any triangle may reach: those of their boxes, and one more on each
-/// side for what rounding adds. Empty without a depth buffer.
-template <typename AGeometry>
-DepthRegion depth_region_of(const Scene& scene, const AGeometry& geometry) {
-    if (!scene.has_depth_buffer())
-        return {};
-    const Canvas& canvas = scene.canvas;
-    const double far_out = 2.0 * largest_canvas_side;
-    double low_x = far_out, high_x = -far_out, low_y = far_out, high_y = -far_out;
-    for_each_piece(scene, geometry, NullSink{}, [&](const auto& piece) {
-        if (piece.kind == PrimitiveKind::triangle)
-            for (const auto& position : piece.positions) {
-                const double x = std::clamp(to_double(position.x), -far_out, far_out);
-                const double y = std::clamp(to_double(position.y), -far_out, far_out);
-                low_x = std::min(low_x, x);
-                high_x = std::max(high_x, x);
-                low_y = std::min(low_y, y);
-                high_y = std::max(high_y, y);
-            }
-    });
-    const auto column = [&canvas](Index x) {
-        return static_cast<int>(std::clamp<Index>(x, canvas.left(), canvas.right() + 1));
-    };
-    const auto row = [&canvas](Index y) {
-        return static_cast<int>(std::clamp<Index>(canvas.row_of(y), 0, canvas.height));
-    };
-    const int left = column(floor_index(low_x) - 1);
-    const int right = column(ceil_index(high_x) + 2);
-    const auto [top, bottom] =
-        std::minmax({row(floor_index(low_y) - 2), row(ceil_index(high_y) + 2)});
-    return {left, top, std::max(right - left, 0), std::max(bottom - top, 0)};
+/// How many bytes a depth has.
+inline std::size_t depth_size_of(NumberType number) {
+    switch (number) {
+    case NumberType::binary32:
+        return sizeof(DepthOf<float>);
+    case NumberType::rational:
+        return sizeof(DepthOf<Rational>);
+    case NumberType::binary64:
+    case NumberType::fraction64:
+    case NumberType::fraction128:
+        break;
+    }
+    return sizeof(double);
 }
 
 /// Decides how a scene is drawn, from the scene alone.
@@ -208,14 +190,15 @@ inline Plan plan_for(const Scene& scene) {
             return {};
         },
         geometry);
-    const DepthRegion region =
-        std::visit([&scene](const auto& one) { return depth_region_of(scene, one); }, geometry);
-    return {.number = choice.number,
-            .denominator = choice.denominator,
-            .geometry = std::move(geometry),
-            .depth_region = region,
-            .mixes_colors = scene.mixes_colors(),
-            .mixes_in_perspective = scene.mixes_in_perspective()};
+    Plan plan{.number = choice.number,
+              .denominator = choice.denominator,
+              .geometry = std::move(geometry),
+              .stages = {},
+              .mixes_colors = scene.mixes_colors()};
+    std::visit(
+        [&](const auto& one) { plan.stages = stages_of(scene, one, depth_size_of(plan.number)); },
+        plan.geometry);
+    return plan;
 }
 
 /// Calls `draw_with.template operator()<Scalar>()` with the scalar that the plan has chosen.

@@ -28,6 +28,9 @@ using Fraction64 = Fraction<std::int64_t>;
 using Fraction128 = Fraction<Int128>;
 using Rational = mpq_class;
 
+/// The grid that `fixed` snaps to: 1/256 pixel, as graphics hardware does.
+inline constexpr std::int64_t fixed_grid = 256;
+
 /// The largest whole number not above `x`, kept within +-farthest_index. `x` must not be NaN.
 inline Index floor_index(double x) {
     constexpr auto farthest = static_cast<double>(farthest_index);

@@ -14,6 +14,7 @@
 #include <rastertrace/core/method.h>
 #include <rastertrace/core/number.h>
 #include <rastertrace/core/projection.h>
+#include <rastertrace/core/stage.h>
 #include <rastertrace/core/steps.h>
 #include <rastertrace/core/transform.h>
 #include <rastertrace/core/viewport.h>
@@ -94,6 +95,7 @@ struct Scene {
     Projection projection;
     Viewport viewport;
     std::optional<Light> light;
+    StageSet keep; ///< stages that run although the scene does not need them
 
     /// How hidden surfaces are found.
     Depth depth() const {
@@ -125,7 +127,10 @@ struct Scene {
 
     /// True if vertices are moved before they are drawn, or their z counts: their places on the
     /// screen, as typed, are not all that is needed.
-    bool has_pipeline() const {
+    bool has_pipeline() const { return needs_pipeline() || keeps_transforms(); }
+
+    /// True if that is so although no stage is kept that the scene does not need.
+    bool needs_pipeline() const {
         return has_transforms() || tests_faces() || depth() != Depth::none;
     }
 
@@ -135,6 +140,11 @@ struct Scene {
                viewport.type != ViewportType::none || method.snap != Snap::none ||
                std::any_of(objects.begin(), objects.end(),
                            [](const SceneObject& one) { return !one.model.empty(); });
+    }
+
+    /// True if vertices go through their spaces even if nothing moves them.
+    bool keeps_transforms() const {
+        return keep.has(Stage::model) || keep.has(Stage::view) || keep.has(Stage::divide);
     }
 
     /// True if it has a primitive of this kind.

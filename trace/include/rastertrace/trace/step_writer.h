@@ -52,6 +52,7 @@ struct Region {
 struct StepFilter {
     std::optional<std::vector<StepKind>> only; ///< these kinds; all, if not said
     std::optional<Region> region; ///< of the steps that name pixels or rows, those that meet it
+    std::optional<std::string> primitive = {}; ///< those of this primitive and its parts
 };
 
 /// `text` as a JSON string, quotes included. Characters that could harm a terminal are escaped.
@@ -89,6 +90,7 @@ public:
     }
 
     template <typename Scalar> void operator()(const PrimitiveBegan<Scalar>& step) {
+        is_in_primitive_ = !primitive_ || is_part_of(step.name, *primitive_);
         color_ = step.color;
         vertex_count_ = step.vertices.size();
         std::copy(step.vertices.begin(), step.vertices.end(), vertices_.begin());
@@ -250,7 +252,15 @@ public:
     std::uint64_t count(StepKind kind) const { return counts_[static_cast<std::size_t>(kind)]; }
 
 private:
-    bool wants(StepKind kind) const { return wanted_[static_cast<std::size_t>(kind)]; }
+    bool wants(StepKind kind) const {
+        return wanted_[static_cast<std::size_t>(kind)] && is_in_primitive_;
+    }
+
+    /// ABC/1 is a part of ABC.
+    static bool is_part_of(std::string_view name, std::string_view whole) {
+        return name.starts_with(whole) &&
+               (name.size() == whole.size() || name[whole.size()] == '/');
+    }
 
     bool is_in_region(Index y, Index from, Index to) const {
         return !region_ || (region_->has_row(y) && region_->meets(from, to));
@@ -325,6 +335,8 @@ private:
     std::string_view next_separator_;
     std::array<bool, step_kinds> wanted_{};
     std::optional<Region> region_;
+    std::optional<std::string> primitive_;
+    bool is_in_primitive_;
     std::array<std::uint64_t, step_kinds> counts_{};
     Color color_; ///< of the current primitive
     std::size_t vertex_count_ = 0;

@@ -44,4 +44,8 @@ std::string shortened(std::string_view text, std::size_t width);
 /// The entry of `known` that `word` was probably meant to be, or "" if none is near.
 std::string_view nearest_word(std::string_view word, const std::vector<std::string_view>& known);
 
+/// The hint `did you mean NAME?` with that entry, in quotes where names have them, or "".
+std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& known,
+                         std::string_view quote = "");
+
 } // namespace rastertrace

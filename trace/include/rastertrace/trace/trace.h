@@ -69,7 +69,8 @@ public:
     std::string title;
     Canvas canvas;
     std::vector<std::pair<std::string, std::string>> method; ///< key and value, as in the header
-    bool is_partial = false; ///< the header says that steps were left out: "only" or "region"
+    std::vector<std::string> stages; ///< those that ran, as in the header; see stages.h
+    bool is_partial = false; ///< the header says that steps were left out: only, region, primitive
     std::optional<EndRecord> end;
 
     /// What is wrong with the trace though its whole steps can be used: cut short, pixels off the

@@ -1,0 +1,475 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The stages of drawing, in the order in which they run, and when each is needed: if the picture
+// could be another one without it. It is decided before anything is drawn.
+//
+//     stage        does                                   is needed if
+//     model        object to world space                  a model moves something
+//     view         world to camera space                  the camera does
+//     clip         cuts at a plane, each by itself        a vertex lies outside the plane
+//     divide       divides by w                           a w is not 1
+//     order        sorts for the painter                  the farthest do not come first already
+//     cull         drops faces by their normals           the method asks for it
+//     light        lights faces                           the method asks for it
+//     canvas       drops pixels that the canvas has not   a triangle may reach beyond the canvas
+//     depth        tests pixels against the nearest       two triangles may share a pixel
+//     perspective  mixes colors as they mix in space      w differs in a triangle
+//     colors       mixes the colors of vertices           they differ in a triangle
+//
+// The last four are decided for each triangle, and compiled in or out (PixelStages). A stage that the
+// scene keeps although it does not need it runs, and the picture is the same.
+//
+//     Stages stages = stages_of(scene, geometry);
+
+#include <rastertrace/core/canvas.h>
+#include <rastertrace/core/depth.h>
+#include <rastertrace/core/geometry.h>
+#include <rastertrace/core/paint.h>
+#include <rastertrace/core/pieces.h>
+#include <rastertrace/core/scalar.h>
+#include <rastertrace/core/scene.h>
+#include <rastertrace/core/stage.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace rastertrace {
+
+/// What a stage that is left out would have cost.
+struct Savings {
+    std::uint64_t bytes = 0;  ///< of memory
+    std::uint64_t steps = 0;  ///< in the trace, beside those of pixels
+    std::uint64_t pixels = 0; ///< looked at; at most so many, since boxes are counted
+};
+
+/// What was decided about a stage.
+struct StageDecision {
+    Stage stage;
+    std::string_view plane; ///< of Stage::clip; "" elsewhere
+    bool is_kept;
+    std::string why;
+    Savings saved = {}; ///< if it is left out
+};
+
+/// All that was decided.
+struct Stages {
+    std::vector<StageDecision> decisions; ///< in the order in which the stages run
+    std::vector<PixelStages> pixels;      ///< of the scene's primitives; of use for triangles
+    DepthRegion depth_region = {};        ///< the pixels whose depths are tested
+};
+
+/// A rectangle of pixels: columns from `left` to `right`, rows from `top` to `bottom` counted from
+/// the top of the picture, all four included.
+struct PixelBox {
+    Index left = 0;
+    Index top = 0;
+    Index right = -1;
+    Index bottom = -1;
+
+    bool is_empty() const { return right < left || bottom < top; }
+    bool has(const PixelBox& other) const {
+        return left <= other.left && other.right <= right && top <= other.top &&
+               other.bottom <= bottom;
+    }
+    bool meets(const PixelBox& other) const {
+        return left <= other.right && other.left <= right && top <= other.bottom &&
+               other.top <= bottom;
+    }
+    PixelBox meet(const PixelBox& other) const {
+        return {std::max(left, other.left), std::max(top, other.top), std::min(right, other.right),
+                std::min(bottom, other.bottom)};
+    }
+    PixelBox join(const PixelBox& other) const {
+        return is_empty() ? other
+                          : PixelBox{std::min(left, other.left), std::min(top, other.top),
+                                     std::max(right, other.right), std::max(bottom, other.bottom)};
+    }
+    std::uint64_t area() const {
+        return is_empty() ? 0
+                          : static_cast<std::uint64_t>(right - left + 1) *
+                                static_cast<std::uint64_t>(bottom - top + 1);
+    }
+};
+
+inline PixelBox box_of(const Canvas& canvas) {
+    return {canvas.left(), 0, canvas.right(), canvas.height - 1};
+}
+
+/// What the stages of a triangle's pixels are decided from.
+struct TriangleSurvey {
+    int pieces = 0;
+    PixelBox box = {};           ///< it draws no pixel outside of it
+    bool has_safe_depth = false; ///< no depth of it can lose against a clear buffer
+    bool w_differs = false;
+    bool colors_differ = false;
+};
+
+/// How far calculated places may lie from exact ones, for coordinates up to `farthest`: the numbers
+/// drawn with are rounded, and adding up a slope adds up its error.
+inline double slack_of(const Method& method, double farthest) {
+    const double unit =
+        std::ldexp(farthest, method.scalar == ScalarKind::single_precision ? -20 : -49);
+    return method.lerp == LerpForm::incremental ? unit * largest_canvas_side : unit;
+}
+
+/// The largest whole number that nothing calculated from a coordinate lies below, and the smallest
+/// that nothing lies above.
+struct WholeBounds {
+    Index low;
+    Index high;
+};
+
+template <typename Coordinate>
+WholeBounds whole_bounds(const Coordinate& coordinate, const Method& method, double slack) {
+    if constexpr (!std::floating_point<Coordinate>)
+        if (method.scalar == ScalarKind::exact) {
+            const Rational exact = scalar_from<Rational>(coordinate, 1);
+            return {floor_index(exact), ceil_index(exact)};
+        }
+    if (method.scalar == ScalarKind::fixed)
+        if (const auto numerator = nearest_numerator(coordinate, fixed_grid))
+            return {floor_quotient(*numerator, fixed_grid),
+                    -floor_quotient(-*numerator, fixed_grid)};
+    const double x = to_double(coordinate);
+    return {floor_index(x - slack), ceil_index(x + slack)};
+}
+
+/// The pixels that a triangle can reach under any rounding rule: samples lie at integers or half a
+/// pixel up, and a rounded end of a row lies less than a pixel away.
+template <typename Coordinate> PixelBox box_of(const Piece<Coordinate>& piece, const Scene& scene) {
+    double farthest = 1;
+    for (const auto& position : piece.positions)
+        farthest =
+            std::max({farthest, std::abs(to_double(position.x)), std::abs(to_double(position.y))});
+    const double slack = slack_of(scene.method, farthest);
+    PixelBox box{farthest_index, farthest_index, -farthest_index, -farthest_index};
+    for (const auto& position : piece.positions) {
+        const auto [left, right] = whole_bounds(position.x, scene.method, slack);
+        const auto [low, high] = whole_bounds(position.y, scene.method, slack);
+        const auto [top, bottom] =
+            std::minmax({scene.canvas.row_of(low), scene.canvas.row_of(high)});
+        box = {std::min(box.left, left), std::min(box.top, top), std::max(box.right, right),
+               std::max(box.bottom, bottom)};
+    }
+    return box;
+}
+
+/// True if every depth that can be calculated in the triangle passes against a clear buffer. Depths
+/// come from slopes, whose rounding error grows with the square of the triangle's extent over its
+/// area.
+template <typename Coordinate>
+bool has_safe_depth(const Piece<Coordinate>& piece, const DepthRule<double>& rule,
+                    const Scene& scene) {
+    std::array<std::array<double, 2>, 3> at{};
+    double largest = 0;
+    double margin = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < 3; ++i) {
+        at[i] = {to_double(piece.positions[i].x), to_double(piece.positions[i].y)};
+        const double depth = to_double(piece.depths[i]);
+        largest = std::max(largest, std::abs(depth));
+        if (rule.cleared)
+            margin = std::min(margin,
+                              rule.larger_passes ? depth - *rule.cleared : *rule.cleared - depth);
+    }
+    const double abx = at[1][0] - at[0][0], aby = at[1][1] - at[0][1];
+    const double acx = at[2][0] - at[0][0], acy = at[2][1] - at[0][1];
+    const double extent =
+        1 + std::max({std::abs(abx), std::abs(aby), std::abs(acx), std::abs(acy)});
+    const double area2 = std::abs(abx * acy - acx * aby);
+    const double epsilon =
+        std::ldexp(1.0, scene.method.scalar == ScalarKind::single_precision ? -18 : -46);
+    const double farthest = std::max(
+        {std::abs(at[0][0]), std::abs(at[0][1]), extent}); // differences are as exact as this
+    const double error = epsilon * largest * (1 + extent * farthest / area2);
+    return error < margin;
+}
+
+/// Looks at every triangle once, with its parts. Without a pipeline there are no depths and no w.
+template <typename AGeometry>
+std::vector<TriangleSurvey> survey_of(const Scene& scene, const AGeometry& geometry) {
+    std::vector<TriangleSurvey> result(scene.primitives.size());
+    const bool has_depth_buffer = scene.has_depth_buffer();
+    const DepthRule<double> rule = depth_rule<double>(scene);
+    for_each_piece(scene, geometry, NullSink{}, [&](const auto& piece) {
+        if (piece.kind != PrimitiveKind::triangle)
+            return;
+        TriangleSurvey& triangle = result[piece.primitive];
+        ++triangle.pieces;
+        triangle.box = triangle.box.join(box_of(piece, scene));
+        if constexpr (!std::same_as<AGeometry, TypedGeometry>) {
+            triangle.has_safe_depth = has_depth_buffer && has_safe_depth(piece, rule, scene);
+            const auto& [a, b, c] = piece.inverse_w;
+            triangle.w_differs = triangle.w_differs || a != b || a != c;
+        }
+        const auto& [a, b, c] = piece.colors;
+        triangle.colors_differ = triangle.colors_differ || a != b || a != c;
+    });
+    return result;
+}
+
+/// Which triangles may share a pixel with another one: their boxes meet. Boxes are sorted into the
+/// cells of a grid and compared with the first few of each cell; where more crowd, they are taken to
+/// meet.
+inline std::vector<bool> shared_pixels(const std::vector<TriangleSurvey>& triangles,
+                                       const Canvas& canvas) {
+    constexpr Index cell_side = 32;
+    constexpr std::size_t crowd = 8;
+    struct Cell {
+        std::array<std::uint32_t, crowd> triangles{};
+        std::size_t count = 0;
+    };
+    const Index columns = (canvas.width + cell_side - 1) / cell_side;
+    const Index rows = (canvas.height + cell_side - 1) / cell_side;
+    std::vector<Cell> cells(static_cast<std::size_t>(columns * rows));
+    std::vector<bool> is_shared(triangles.size());
+    const auto look_into = [&](Cell& cell, std::size_t number) {
+        const PixelBox& box = triangles[number].box;
+        for (std::size_t i = 0; i < cell.count; ++i)
+            if (box.meets(triangles[cell.triangles[i]].box))
+                is_shared[number] = is_shared[cell.triangles[i]] = true;
+        if (cell.count < crowd)
+            cell.triangles[cell.count++] = static_cast<std::uint32_t>(number);
+        else
+            is_shared[number] = true;
+    };
+    for (std::size_t number = 0; number < triangles.size(); ++number) {
+        const PixelBox box = triangles[number].box.meet(box_of(canvas));
+        if (box.is_empty())
+            continue;
+        for (Index row = box.top / cell_side; row <= box.bottom / cell_side; ++row)
+            for (Index column = (box.left - canvas.left()) / cell_side;
+                 column <= (box.right - canvas.left()) / cell_side; ++column)
+                look_into(cells[static_cast<std::size_t>(row * columns + column)], number);
+    }
+    return is_shared;
+}
+
+/// The stages of each triangle's pixels.
+inline std::vector<PixelStages> pixel_stages(const Scene& scene,
+                                             const std::vector<TriangleSurvey>& triangles) {
+    const bool has_depth_buffer = scene.has_depth_buffer();
+    const bool mixes_colors = scene.mixes_colors();
+    const bool mixes_in_perspective = scene.mixes_in_perspective();
+    const PixelBox canvas = box_of(scene.canvas);
+    const std::vector<bool> is_shared =
+        has_depth_buffer ? shared_pixels(triangles, scene.canvas) : std::vector<bool>();
+
+    std::vector<PixelStages> result(triangles.size());
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        const TriangleSurvey& triangle = triangles[i];
+        PixelStages& stages = result[i];
+        stages.tests_canvas = scene.keep.has(Stage::canvas) || !canvas.has(triangle.box);
+        // The parts of a clipped triangle share pixels, too.
+        stages.tests_depth = has_depth_buffer && (scene.keep.has(Stage::depth) || is_shared[i] ||
+                                                  triangle.pieces > 1 || !triangle.has_safe_depth);
+        if (mixes_colors && (triangle.colors_differ || scene.keep.has(Stage::colors)))
+            stages.colors =
+                mixes_in_perspective && (triangle.w_differs || scene.keep.has(Stage::perspective))
+                    ? ColorStage::perspective
+                    : ColorStage::affine;
+    }
+    return result;
+}
+
+/// "1 triangle", "3 triangles".
+inline std::string counted(std::uint64_t count, std::string_view noun) {
+    std::string text = std::to_string(count) + " ";
+    text += noun;
+    if (count == 1)
+        return text;
+    if (noun == "vertex")
+        return std::to_string(count) + " vertices";
+    return text += 's';
+}
+
+/// Decides about the stages of vertices. Without a pipeline, vertices go through none.
+template <typename Coordinate>
+void decide_vertex_stages(const Scene& scene, const Geometry<Coordinate>& geometry,
+                          std::vector<StageDecision>& decisions) {
+    const auto& transforms = geometry.transforms;
+    const auto vertices = static_cast<std::uint64_t>(
+        std::count(geometry.is_used.begin(), geometry.is_used.end(), true));
+    const bool moves =
+        std::any_of(scene.objects.begin(), scene.objects.end(), [](const SceneObject& object) {
+            return model_matrix(object.model) != identity<Rational>();
+        });
+    const bool model_is_kept = moves || transforms.rest_model;
+    decisions.push_back({Stage::model,
+                         "",
+                         model_is_kept,
+                         moves ? "a model moves its vertices" : "no model moves anything",
+                         {.steps = vertices}});
+    const bool looks =
+        scene.camera &&
+        view_matrix(*scene.camera, view_axis_of(scene.projection.type)) != identity<Rational>();
+    decisions.push_back({Stage::view,
+                         "",
+                         transforms.view.has_value(),
+                         looks          ? "the camera moves the world"
+                         : scene.camera ? "the camera looks from where the world begins"
+                                        : "there is no camera",
+                         {.steps = vertices}});
+    for (const auto& [plane, outside] : geometry.outside)
+        decisions.push_back({Stage::clip, plane, outside > 0 || scene.keep.has(Stage::clip),
+                             outside == 1  ? "1 vertex lies outside it"
+                             : outside > 0 ? std::to_string(outside) + " vertices lie outside it"
+                                           : "no vertex lies outside it"});
+    if (geometry.outside.empty())
+        decisions.push_back({Stage::clip, "", false, "nothing bounds the view"});
+    const bool is_divided =
+        std::any_of(geometry.vertices.begin(), geometry.vertices.end(), [&](const auto& vertex) {
+            const auto place = static_cast<std::size_t>(&vertex - geometry.vertices.data());
+            return geometry.is_used[place] && vertex.clip.w != scalar_from<Coordinate>(1);
+        });
+    decisions.push_back({Stage::divide,
+                         "",
+                         transforms.divides,
+                         is_divided ? "w is not 1 at every vertex" : "w is 1 at every vertex",
+                         {.steps = transforms.projection ? vertices : 0}});
+    const bool paints = scene.depth() == Depth::painter;
+    const bool is_sorted = paints && comes_farthest_first<Coordinate>(
+                                         scene, [&](std::size_t place) -> const auto& {
+                                             return geometry.vertices[place].distance;
+                                         });
+    decisions.push_back({Stage::order,
+                         "",
+                         geometry.order.has_value(),
+                         !paints     ? "the method has no painter"
+                         : is_sorted ? "the farthest triangles come first already"
+                                     : "the farthest triangles do not come first",
+                         {.steps = paints ? 1U : 0U}});
+}
+inline void decide_vertex_stages(const Scene&, const TypedGeometry&,
+                                 std::vector<StageDecision>& decisions) {
+    decisions.push_back({Stage::model, "", false, "no model moves anything"});
+    decisions.push_back({Stage::view, "", false, "there is no camera"});
+    decisions.push_back({Stage::clip, "", false, "nothing bounds the view"});
+    decisions.push_back({Stage::divide, "", false, "w is 1 at every vertex"});
+    decisions.push_back({Stage::order, "", false, "the method has no painter"});
+}
+
+/// Decides about the stages of faces: what the method does not ask for would change the picture.
+inline void decide_face_stages(const Scene& scene, std::vector<StageDecision>& decisions) {
+    const bool culls = scene.method.cull != Cull::none;
+    const bool lights = scene.method.shade == Shade::lambert;
+    const bool has_triangles = scene.has(PrimitiveKind::triangle);
+    const auto why = [has_triangles](bool is_asked) {
+        return !is_asked        ? "the method does not ask for it"
+               : !has_triangles ? "there is no triangle"
+                                : "the method asks for it";
+    };
+    decisions.push_back({Stage::cull, "", culls && has_triangles, why(culls)});
+    decisions.push_back({Stage::light, "", lights && has_triangles, why(lights)});
+}
+
+/// Decides about the stages of pixels, from what was decided for each triangle.
+inline void decide_pixel_stages(const Scene& scene, const std::vector<TriangleSurvey>& triangles,
+                                std::size_t depth_size, Stages& stages) {
+    const PixelBox canvas = box_of(scene.canvas);
+    struct Count {
+        std::uint64_t kept = 0;
+        std::uint64_t saved_pixels = 0;
+    };
+    Count in_canvas, in_depth, in_perspective, in_colors;
+    std::uint64_t all = 0, beyond = 0, shared = 0, differ_in_w = 0, differ_in_color = 0;
+    PixelBox tested;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        const TriangleSurvey& triangle = triangles[i];
+        if (triangle.pieces == 0)
+            continue;
+        ++all;
+        const PixelBox box = triangle.box.meet(canvas);
+        const PixelStages& pixels = stages.pixels[i];
+        const auto note = [&box](Count& count, bool is_kept) {
+            count.kept += is_kept ? 1 : 0;
+            count.saved_pixels += is_kept ? 0 : box.area();
+        };
+        note(in_canvas, pixels.tests_canvas);
+        note(in_depth, pixels.tests_depth);
+        note(in_perspective, pixels.colors == ColorStage::perspective);
+        note(in_colors, pixels.colors != ColorStage::flat);
+        beyond += canvas.has(triangle.box) ? 0 : 1;
+        differ_in_w += triangle.w_differs ? 1 : 0;
+        differ_in_color += triangle.colors_differ ? 1 : 0;
+        if (pixels.tests_depth && !box.is_empty())
+            tested = tested.join(box);
+    }
+    shared = in_depth.kept;
+    auto& decisions = stages.decisions;
+    const auto of_all = [all](std::uint64_t some) {
+        return std::to_string(some) + " of " + counted(all, "triangle");
+    };
+
+    decisions.push_back({Stage::canvas,
+                         "",
+                         in_canvas.kept > 0,
+                         beyond > 0 ? of_all(beyond) + " may reach beyond the canvas"
+                         : all > 0  ? "every triangle lies on the canvas"
+                                    : "no triangle is filled",
+                         {.pixels = in_canvas.saved_pixels}});
+
+    if (scene.keep.has(Stage::depth) && scene.has_depth_buffer())
+        tested = canvas;
+    stages.depth_region = {static_cast<int>(tested.left), static_cast<int>(tested.top),
+                           static_cast<int>(std::max<Index>(tested.right - tested.left + 1, 0)),
+                           static_cast<int>(std::max<Index>(tested.bottom - tested.top + 1, 0))};
+    const bool has_depths = scene.has_depth_buffer();
+    decisions.push_back({Stage::depth,
+                         "",
+                         in_depth.kept > 0,
+                         !has_depths ? "the method has no depth buffer"
+                         : in_depth.kept == 0
+                             ? "no two triangles can share a pixel"
+                             : of_all(shared) + " may share a pixel with another, or may be as far "
+                                                "as the buffer starts",
+                         {.bytes = has_depths ? (canvas.area() - tested.area()) * depth_size : 0,
+                          .pixels = has_depths ? in_depth.saved_pixels : 0}});
+
+    const bool mixes = scene.mixes_colors() && all > 0;
+    const bool in_space = scene.mixes_in_perspective() && all > 0;
+    decisions.push_back({Stage::perspective,
+                         "",
+                         in_perspective.kept > 0,
+                         !in_space         ? "no colors are mixed in a perspective"
+                         : differ_in_w > 0 ? "w differs in " + of_all(differ_in_w)
+                                           : "w is the same all over each triangle",
+                         {.pixels = in_space ? in_perspective.saved_pixels : 0}});
+    decisions.push_back({Stage::colors,
+                         "",
+                         in_colors.kept > 0,
+                         !mixes                ? "no colors are mixed"
+                         : differ_in_color > 0 ? "the vertices differ in " + of_all(differ_in_color)
+                                               : "the vertices of each triangle agree",
+                         {.pixels = mixes ? in_colors.saved_pixels : 0}});
+}
+
+/// Decides about every stage. `depth_size` is that of a number of the depth buffer, in bytes.
+template <typename AGeometry>
+Stages stages_of(const Scene& scene, const AGeometry& geometry, std::size_t depth_size) {
+    Stages stages;
+    const std::vector<TriangleSurvey> triangles = survey_of(scene, geometry);
+    stages.pixels = pixel_stages(scene, triangles);
+    decide_vertex_stages(scene, geometry, stages.decisions);
+    decide_face_stages(scene, stages.decisions);
+    decide_pixel_stages(scene, triangles, depth_size, stages);
+
+    for (StageDecision& decision : stages.decisions) {
+        if (decision.is_kept)
+            decision.saved = {};
+        if (decision.is_kept && scene.keep.has(decision.stage))
+            decision.why = "asked to be kept; " + decision.why;
+    }
+    return stages;
+}
+
+} // namespace rastertrace

@@ -1,0 +1,456 @@
+// SPDX-License-Identifier: MIT
+// Leaving a stage out changes neither the picture nor the steps of the other stages; each stage is
+// needed in one scene and not in another that differs as little as possible.
+
+#include "picture.h"
+
+#include <rastertrace/trace/output.h>
+#include <rastertrace/trace/scene_file.h>
+#include <rastertrace/trace/stage_name.h>
+#include <rastertrace/trace/trace.h>
+#include <rastertrace/trace/write_trace.h>
+
+#include <fmt/format.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <initializer_list>
+#include <map>
+#include <random>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rastertrace {
+namespace {
+
+Scene scene_in(const std::string& text) {
+    auto scene = read_scene({"scene.json", text});
+    if (!scene)
+        throw scene.problem();
+    return std::move(scene.value());
+}
+
+bool runs(Stage stage, const Plan& plan, std::string_view plane = "") {
+    for (const StageDecision& decision : plan.stages.decisions)
+        if (decision.stage == stage && (plane.empty() || decision.plane == plane) &&
+            decision.is_kept)
+            return true;
+    return false;
+}
+
+bool needs(Stage stage, const std::string& text, std::string_view plane = "") {
+    return runs(stage, plan_for(scene_in(text)), plane);
+}
+
+Trace trace_of(const Scene& scene) {
+    Source source{.name = "trace", .text = {}};
+    StringOutput output(source.text);
+    write_trace(scene, {}, output);
+    return std::move(read_trace(std::move(source)).value());
+}
+
+std::vector<std::string> steps_of(const Trace& trace) {
+    std::vector<std::string> steps;
+    for (std::size_t n = 1; n <= trace.size(); ++n)
+        steps.emplace_back(trace.step(n).json());
+    return steps;
+}
+
+/// The steps of a full trace without those, and without the fields, of the stages that the plan
+/// leaves out.
+std::vector<std::string> without_left_out(const Trace& full, const Scene& scene, const Plan& plan) {
+    std::map<std::string, std::size_t> numbers;
+    for (std::size_t i = 0; i < scene.primitives.size(); ++i)
+        numbers[scene.primitives[i].name] = i;
+    // The vertices of objects whose model moves nothing.
+    std::set<std::string> resting_vertices;
+    std::size_t first = 0;
+    for (const SceneObject& object : scene.objects) {
+        for (std::size_t i = first; i < std::min(object.end_vertex, scene.vertices.size()); ++i)
+            if (model_matrix(object.model) == identity<Rational>())
+                resting_vertices.insert(scene.vertices[i].name);
+        first = object.end_vertex;
+    }
+    for (std::size_t i = first; i < scene.vertices.size(); ++i)
+        resting_vertices.insert(scene.vertices[i].name);
+    const std::vector<std::vector<std::string>> identity_rows{
+        {"1", "0", "0", "0"}, {"0", "1", "0", "0"}, {"0", "0", "1", "0"}, {"0", "0", "0", "1"}};
+
+    std::vector<std::string> steps;
+    bool tests_depth = true;
+    for (std::size_t n = 1; n <= full.size(); ++n) {
+        const StepView step = full.step(n);
+        std::string json(step.json());
+        const std::string name = step.text("name");
+        const std::string space = step.text("space");
+        switch (step.kind().value()) {
+        case StepKind::matrix:
+            if (step.text_rows("rows") == identity_rows)
+                continue;
+            break;
+        case StepKind::vertex:
+            if (!scene.has_transforms() || (space == "object" && resting_vertices.contains(name)) ||
+                (space == "camera" && !runs(Stage::view, plan)) ||
+                (space == "canonical" && !runs(Stage::divide, plan)))
+                continue;
+            break;
+        case StepKind::order:
+            if (!runs(Stage::order, plan))
+                continue;
+            break;
+        case StepKind::primitive:
+            tests_depth =
+                plan.stages.pixels[numbers.at(name.substr(0, name.find('/')))].tests_depth;
+            break;
+        case StepKind::depth:
+            if (!tests_depth)
+                continue;
+            break;
+        case StepKind::scanline:
+            if (const auto depths = json.find(",\"left_depth\""); !tests_depth)
+                json = json.substr(0, depths) + (depths == std::string::npos ? "" : "}");
+            break;
+        default:
+            break;
+        }
+        steps.push_back(json);
+    }
+    return steps;
+}
+
+Scene full(Scene scene) {
+    scene.keep = StageSet::all();
+    return scene;
+}
+
+/// Fails unless the scene gives the same picture and the same steps, planned and in full.
+void expect_same(const Scene& scene, const std::string& about) {
+    const Plan plan = plan_for(scene);
+    const Trace planned = trace_of(scene);
+    const Trace complete = trace_of(full(scene));
+    ASSERT_EQ(planned.end->frame, complete.end->frame) << about;
+    ASSERT_EQ(steps_of(planned), without_left_out(complete, scene, plan)) << about;
+    // A sink that keeps nothing draws the same, with the canvas test compiled out.
+    ASSERT_EQ(frame_name(draw_as_planned(scene)), planned.end->frame) << about;
+}
+
+// Scenes that sit on the edges of need.
+
+/// Random scenes, the same on every machine.
+class EdgeScenes {
+public:
+    explicit EdgeScenes(std::uint64_t seed) : random_(seed) {}
+
+    Scene next() {
+        Scene scene;
+        scene.canvas = {.width = 12,
+                        .height = 12,
+                        .origin = pick({Origin::center, Origin::top_left, Origin::bottom_left})};
+        scene.method.scalar = pick({ScalarKind::single_precision, ScalarKind::double_precision,
+                                    ScalarKind::fixed, ScalarKind::exact});
+        scene.method.fill = pick({Fill::scanline, Fill::two_halves, Fill::barycentric,
+                                  Fill::top_left, Fill::top_left, Fill::fan});
+        scene.method.rounding =
+            pick({Rounding::floor, Rounding::nearest, Rounding::truncate, Rounding::inside});
+        scene.method.lerp = pick({LerpForm::direct, LerpForm::incremental});
+        if (chance(2))
+            scene.method.sample = pick({Sample::integer, Sample::center});
+        scene.method.shade = pick({Shade::flat, Shade::interpolate, Shade::affine, Shade::faces});
+        scene.method.depth =
+            pick({Depth::none, Depth::painter, Depth::linear_z, Depth::inverse_z, Depth::ndc_z});
+        scene.method.cull = pick({Cull::none, Cull::none, Cull::back, Cull::front});
+        is_in_space_ = chance(2);
+        if (is_in_space_)
+            look(scene);
+        const int triangles = whole(1, 4);
+        for (int i = 0; i < triangles; ++i)
+            add_triangle(scene, i);
+        return scene;
+    }
+
+private:
+    int whole(int low, int high) {
+        return low + static_cast<int>(random_() % static_cast<std::uint64_t>(high - low + 1));
+    }
+    bool chance(int of) { return whole(1, of) == 1; }
+    template <typename T> T pick(std::initializer_list<T> values) {
+        return values.begin()[whole(0, static_cast<int>(values.size()) - 1)];
+    }
+
+    /// The pipeline: matrices that move nothing, or a little, or everything.
+    void look(Scene& scene) {
+        scene.projection = {.type = pick({ProjectionType::orthographic, ProjectionType::pinhole,
+                                          ProjectionType::view_plane, ProjectionType::frustum})};
+        scene.projection.distance = pick<Number>({1, 2});
+        scene.projection.left = scene.projection.bottom = -1;
+        scene.projection.right = scene.projection.top = 1;
+        if (scene.projection.type == ProjectionType::frustum || chance(2)) {
+            scene.projection.near = Number(1);
+            scene.projection.far = Number(9);
+        }
+        scene.viewport = {.type = ViewportType::fit, .pixels_per_unit = 1};
+        if (chance(2))
+            scene.camera = Camera{
+                .position = {0, 0, pick<Number>({0, 4})}, .look_at = {0, 0, -1}, .up = {0, 1, 0}};
+        if (chance(2))
+            scene.objects = {{"", 100, {Translate{{0, 0, pick<Number>({0, 0, 1})}}}}};
+    }
+
+    /// Corners on a coarse grid, so that many lie on the borders of the canvas, of each other's
+    /// boxes and on the planes; depths and colors that agree, or differ by next to nothing.
+    void add_triangle(Scene& scene, int number) {
+        const std::initializer_list<Number> near_two{
+            2, 2, 2, Number::decimal(20000000000000004, -16), 3, 9};
+        const Number depth = pick(near_two);
+        const Color color{static_cast<std::uint8_t>(whole(1, 255)), 7, 7};
+        const bool agrees_in_depth = chance(2);
+        const bool agrees_in_color = chance(2);
+        const int cell_x = whole(0, 2);
+        const int cell_y = whole(0, 2);
+        ScenePrimitive primitive{.kind = PrimitiveKind::triangle,
+                                 .name = "T" + std::to_string(number),
+                                 .vertices = {},
+                                 .color = {}};
+        for (std::size_t i = 0; i < 3; ++i) {
+            SceneVertex vertex{primitive.name + static_cast<char>('a' + i), 0, 0, {}, 0};
+            const Number at = agrees_in_depth ? depth : pick(near_two);
+            if (is_in_space_) {
+                const bool looks_up = scene.projection.type == ProjectionType::pinhole;
+                const Rational z = looks_up ? at.exact() : Rational(-at.exact());
+                const Rational scale = is_perspective(scene.projection.type) ? at.exact() : 1;
+                vertex.x = Number::fraction(Rational(whole(-5, 5)) / 4 * scale);
+                vertex.y = Number::fraction(Rational(whole(-5, 5)) / 4 * scale);
+                vertex.z = Number::fraction(z);
+            } else {
+                const bool is_apart = whole(0, 3) > 0;
+                const int low_x = scene.canvas.left();
+                const int low_y = std::min(scene.canvas.top(), scene.canvas.bottom());
+                const int half_x = is_apart ? 8 * cell_x + whole(0, 6) : whole(-2, 24);
+                const int half_y = is_apart ? 8 * cell_y + whole(0, 6) : whole(-2, 24);
+                vertex.x = Number::fraction(Rational(half_x) / 2 + low_x);
+                vertex.y = Number::fraction(Rational(half_y) / 2 + low_y);
+                vertex.z = at;
+            }
+            const int more = agrees_in_color ? 0 : whole(0, 1);
+            vertex.color =
+                Color{static_cast<std::uint8_t>(std::min(color.red() + more, 255)), 7, 7};
+            primitive.vertices[i] = scene.vertices.size();
+            scene.vertices.push_back(vertex);
+        }
+        scene.primitives.push_back(primitive);
+    }
+
+    std::mt19937_64 random_;
+    bool is_in_space_ = false;
+};
+
+TEST(Stages, LeavingThemOutChangesNothing) {
+    EdgeScenes scenes(6);
+    std::map<std::pair<Stage, bool>, int> seen;
+    int drawn = 0;
+    while (drawn < 6000) {
+        const Scene scene = scenes.next();
+        if (find_unfit(scene) || find_unfit(full(scene)))
+            continue;
+        ++drawn;
+        for (const StageDecision& decision : plan_for(scene).stages.decisions)
+            ++seen[{decision.stage, decision.is_kept}];
+        ASSERT_NO_FATAL_FAILURE(expect_same(scene, fmt::format("scene {}", drawn)));
+    }
+    // The scenes do sit on the edges: every stage is left out of many and kept in many.
+    for (std::size_t i = 0; i < stage_count; ++i) {
+        const auto stage = static_cast<Stage>(i);
+        EXPECT_GT((seen[{stage, false}]), 100) << name_of(stage);
+        if (stage != Stage::light) {
+            EXPECT_GT((seen[{stage, true}]), 100) << name_of(stage);
+        }
+    }
+}
+
+TEST(Stages, LeavingThemOutOfTheExamplesChangesNothing) {
+    int count = 0;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(RASTERTRACE_EXAMPLES))
+        if (entry.path().extension() == ".json") {
+            const auto source = read_source(entry.path().string());
+            auto scene = read_scene(source.value());
+            ASSERT_TRUE(scene) << entry.path();
+            expect_same(scene.value(), entry.path().string());
+            ++count;
+        }
+    EXPECT_GT(count, 20);
+}
+
+// A scene in which each stage is needed, and one that differs as little as possible in which it is
+// not.
+
+std::string mesh(const std::string& model, const std::string& rest) {
+    return R"({"canvas":{"width":8,"height":8},"meshes":[{"vertices":{"A":[0,0,-2],"B":[1,0,-2],)"
+           R"("C":[0,1,-2]},"faces":["ABC"],"model":[)" +
+           model + "]}]," + rest + "}";
+}
+
+const std::string flat_view =
+    R"("projection":{"type":"orthographic","left":-1,"right":1,"bottom":-1,"top":1})";
+
+TEST(Stages, ModelIsNeededIfItMovesSomething) {
+    EXPECT_TRUE(needs(Stage::model, mesh(R"({"translate":[0,0,"1/1000"]})", flat_view)));
+    EXPECT_FALSE(needs(Stage::model, mesh(R"({"translate":[0,0,0]})", flat_view)));
+}
+
+TEST(Stages, ViewIsNeededIfTheCameraMovesTheWorld) {
+    const auto camera = [](const std::string& position) {
+        return mesh("",
+                    R"("camera":{"position":)" + position + R"(,"look_at":[0,0,-1]},)" + flat_view);
+    };
+    EXPECT_TRUE(needs(Stage::view, camera("[0,0,\"1/1000\"]")));
+    EXPECT_FALSE(needs(Stage::view, camera("[0,0,0]")));
+}
+
+TEST(Stages, EachPlaneIsNeededIfAVertexLiesOutsideIt) {
+    const auto near = [](const std::string& distance) {
+        return mesh("", R"("projection":{"type":"frustum","left":-1,"right":1,"bottom":-1,"top":1,)"
+                        R"("near":)" +
+                            distance + R"(,"far":9})");
+    };
+    EXPECT_TRUE(needs(Stage::clip, near("2.001"), "near"));
+    EXPECT_FALSE(needs(Stage::clip, near("2"), "near")) << "on the plane is inside";
+    EXPECT_FALSE(needs(Stage::clip, near("2.001"), "far"));
+}
+
+TEST(Stages, DivideIsNeededIfAWIsNotOne) {
+    const auto pinhole = [](const std::string& z) {
+        return R"({"canvas":{"width":8,"height":8},"vertices":{"A":[0,0,1],"B":[1,0,1],"C":[0,1,)" +
+               z + R"(]},"triangles":["ABC"],"projection":{"type":"pinhole","distance":1}})";
+    };
+    EXPECT_TRUE(needs(Stage::divide, pinhole("1.0000000000000002")));
+    EXPECT_FALSE(needs(Stage::divide, pinhole("1")));
+}
+
+/// Two triangles of one box each, the second moved by `x` and away from the eye by `z`.
+std::string two_triangles(int x, int z, const std::string& method) {
+    return fmt::format(R"({{"canvas":{{"width":32,"height":8,"origin":"top-left"}},)"
+                       R"("vertices":{{"A":[0,0,2],"B":[3,0,2],"C":[0,3,2],)"
+                       R"("D":[{},0,{}],"E":[{},0,{}],"F":[{},3,{}]}},"triangles":["ABC","DEF"],)"
+                       R"("method":{{{}}}}})",
+                       x, z, x + 3, z, x, z, method);
+}
+
+TEST(Stages, OrderIsNeededIfTheFarthestDoNotComeFirst) {
+    EXPECT_TRUE(needs(Stage::order, two_triangles(1, 3, R"("depth":"painter")")));
+    EXPECT_FALSE(needs(Stage::order, two_triangles(1, 2, R"("depth":"painter")")));
+}
+
+TEST(Stages, CullAndLightAreNeededIfTheMethodAsks) {
+    EXPECT_TRUE(needs(Stage::cull, two_triangles(1, 3, R"("cull":"back")")));
+    EXPECT_FALSE(needs(Stage::cull, two_triangles(1, 3, R"("cull":"none")")));
+    const auto lit = [](const std::string& shade) {
+        std::string text = two_triangles(1, 3, R"("shade":")" + shade + "\"");
+        return text.insert(text.size() - 1, R"(,"light":{"direction":[0,0,1]})");
+    };
+    EXPECT_TRUE(needs(Stage::light, lit("lambert")));
+    EXPECT_FALSE(needs(Stage::light, lit("flat")));
+}
+
+TEST(Stages, CanvasTestIsNeededIfATriangleMayReachBeyondIt) {
+    EXPECT_TRUE(needs(Stage::canvas, two_triangles(29, 2, R"("scalar":"exact")")));
+    EXPECT_FALSE(needs(Stage::canvas, two_triangles(28, 2, R"("scalar":"exact")")));
+}
+
+TEST(Stages, DepthIsNeededIfTwoTrianglesMayShareAPixel) {
+    const std::string method = R"("depth":"linear-z","scalar":"exact")";
+    EXPECT_TRUE(needs(Stage::depth, two_triangles(3, 2, method))) << "both reach x = 3";
+    EXPECT_FALSE(needs(Stage::depth, two_triangles(4, 2, method)));
+    const Plan plan = plan_for(scene_in(two_triangles(4, 2, method)));
+    EXPECT_EQ(plan.stages.depth_region.width * plan.stages.depth_region.height, 0);
+}
+
+std::string colored(const std::string& z, const std::string& color) {
+    return R"({"canvas":{"width":8,"height":8},"vertices":{"A":[0,0,2],"B":[1,0,2],"C":[0,1,)" + z +
+           R"(]},"triangles":["ABC"],"colors":{"A":"#102030","B":"#102030","C":")" + color +
+           R"("},"projection":{"type":"pinhole","distance":1}})";
+}
+
+TEST(Stages, ColorsAreNeededIfTheyDifferAndPerspectiveIfWDoes) {
+    EXPECT_TRUE(needs(Stage::colors, colored("3", "#102031")));
+    EXPECT_FALSE(needs(Stage::colors, colored("3", "#102030")));
+    EXPECT_TRUE(needs(Stage::perspective, colored("2.0000000000000004", "#102031")));
+    EXPECT_FALSE(needs(Stage::perspective, colored("2", "#102031")));
+}
+
+// What leaving out would change if it were done carelessly: numerics, part X.
+
+TEST(Stages, X3KeepsTheDivisionByAWThatIsTheSameEverywhere) {
+    // 5/3 is not 5 times 1/3 in double: w = 3 everywhere is still divided by.
+    EXPECT_TRUE(needs(Stage::divide, R"({"canvas":{"width":8,"height":8},"vertices":{"A":[5,0,3],)"
+                                     R"("B":[1,0,3],"C":[0,1,3]},"triangles":["ABC"],)"
+                                     R"("projection":{"type":"pinhole","distance":1}})"));
+}
+
+TEST(Stages, X4EqualDepthsStayEqual) {
+    // 1/3 at three corners: mixed by weights, some pixels would have another depth than 1/3, and of
+    // two such triangles the second would show through.
+    const std::string corners = R"("A":[3,2,3],"B":[61,9,3],"C":[17,60,3],)"
+                                R"("D":[3,2,3],"E":[17,60,3],"F":[61,9,3])";
+    for (const std::string fill : {"scanline", "two-halves", "barycentric", "top-left"})
+        for (const std::string scalar : {"float", "double", "fixed", "exact"}) {
+            const Scene scene = scene_in(
+                R"({"canvas":{"width":64,"height":64,"origin":"top-left"},"vertices":{)" + corners +
+                R"(},"triangles":[{"vertices":"ABC","color":"red"},{"vertices":"DEF","color":"blue"}],)"
+                R"("method":{"depth":"inverse-z","fill":")" +
+                fill + R"(","scalar":")" + scalar + "\"}}");
+            const Image image = draw_as_planned(scene);
+            for (const Color& color : image.colors())
+                ASSERT_TRUE(color == no_color || color == Color(255, 0, 0)) << fill << scalar;
+            expect_same(scene, fill + " " + scalar);
+        }
+}
+
+TEST(Stages, X5DecidesFromPixelsNotFromGeometry) {
+    // Two halves of a square share no area, but under the inclusive rule the 9 pixels of the
+    // diagonal: without the test the second one would win them.
+    const Scene scene = scene_in(
+        R"({"canvas":{"width":10,"height":10,"origin":"top-left"},)"
+        R"("vertices":{"A":[0,0,2],"B":[8,0,2],"C":[8,8,2],"D":[0,8,2]},)"
+        R"("triangles":[{"vertices":"ABC","color":"red"},{"vertices":"ACD","color":"blue"}],)"
+        R"("method":{"depth":"inverse-z"}})");
+    EXPECT_TRUE(runs(Stage::depth, plan_for(scene)));
+    const Image image = draw_as_planned(scene);
+    for (int i = 0; i <= 8; ++i)
+        EXPECT_EQ(image.at({i, i}), Color(255, 0, 0));
+    expect_same(scene, "X5");
+}
+
+TEST(Stages, X6CullsWhateverTheDepthBufferWouldHide) {
+    // A back face at the same depth as a front one behind it in the scene's order: culling is not
+    // left out although a buffer is there.
+    EXPECT_TRUE(needs(Stage::cull, two_triangles(0, 2, R"("cull":"back","depth":"linear-z")")));
+}
+
+TEST(Stages, X7PlanesAreLeftOutOnlyWhereNothingLiesOutside) {
+    const std::string on_planes =
+        R"({"canvas":{"width":9,"height":9},"vertices":{"A":[-1,-1,-1],"B":[9,-9,-9],"C":[0,1,-1]},)"
+        R"("triangles":["ABC"],"projection":{"type":"frustum","left":-1,"right":1,"bottom":-1,)"
+        R"("top":1,"near":1,"far":9}})";
+    EXPECT_FALSE(needs(Stage::clip, on_planes));
+    expect_same(scene_in(on_planes), "X7");
+}
+
+TEST(Stages, ADepthAsFarAsTheBufferStartsIsTested) {
+    // One triangle alone, but on the far plane: against a clear buffer of ndc-z it fails.
+    const std::string text =
+        R"({"canvas":{"width":9,"height":9},"vertices":{"A":[-9,-9,-9],"B":[9,-9,-9],"C":[0,9,-9]},)"
+        R"("triangles":["ABC"],"projection":{"type":"frustum","left":-1,"right":1,"bottom":-1,)"
+        R"("top":1,"near":1,"far":9},"method":{"depth":"ndc-z","scalar":"exact"}})";
+    EXPECT_TRUE(needs(Stage::depth, text));
+    EXPECT_EQ(draw_as_planned(scene_in(text)).drawn(), 0u);
+}
+
+} // namespace
+} // namespace rastertrace

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// rastertrace plan: which stages a scene needs, and why.
+
+#include "commands.h"
+#include "load.h"
+
+#include <rastertrace/core/plan.h>
+#include <rastertrace/trace/stage_name.h>
+#include <rastertrace/trace/step_writer.h>
+#include <rastertrace/trace/text.h>
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <string>
+#include <vector>
+
+namespace rastertrace {
+
+namespace {
+
+/// What leaving a stage out saves: "2097152 bytes, 9 steps, up to 1234 pixels".
+std::string as_text(const Savings& saved) {
+    std::string text;
+    const auto add = [&text](std::uint64_t count, std::string_view before, std::string_view noun) {
+        if (count > 0)
+            text += fmt::format("{}{}{}", text.empty() ? "" : ", ", before, counted(count, noun));
+    };
+    add(saved.bytes, "", "byte");
+    add(saved.steps, "", "step");
+    add(saved.pixels, "up to ", "pixel");
+    return text;
+}
+
+std::string as_text(const Scene& scene, const Plan& plan) {
+    std::string text = shortened(printable(scene.title), 79) + "\n";
+    const auto out = std::back_inserter(text);
+    fmt::format_to(out, "{:<12} {:<9} {}\n", "stage", "plan", "why; what it saves");
+    for (const StageDecision& decision : plan.stages.decisions) {
+        const std::string saved = as_text(decision.saved);
+        fmt::format_to(out, "{:<12} {:<9} {}{}\n",
+                       fmt::format("{}{}{}", name_of(decision.stage),
+                                   decision.plane.empty() ? "" : " ", decision.plane),
+                       decision.is_kept ? "kept" : "left out", decision.why,
+                       saved.empty() ? "" : "; saves " + saved);
+    }
+    return text;
+}
+
+std::string as_json(const Scene& scene, const Plan& plan) {
+    std::string text = fmt::format(R"({{"title":{},"stages":[)", json_quoted(scene.title));
+    std::string_view separator;
+    for (const StageDecision& decision : plan.stages.decisions) {
+        text += fmt::format(R"({}{{"stage":"{}",)", separator, name_of(decision.stage));
+        if (!decision.plane.empty())
+            text += fmt::format(R"("plane":"{}",)", decision.plane);
+        text += fmt::format(R"("kept":{},"why":{},"saves":{{"bytes":{},"steps":{},"pixels":{}}}}})",
+                            decision.is_kept, json_quoted(decision.why), decision.saved.bytes,
+                            decision.saved.steps, decision.saved.pixels);
+        separator = ",";
+    }
+    return text + "]}\n";
+}
+
+} // namespace
+
+int run(const PlanCommand& command) {
+    const Scene scene = load_scene(command.scene, command.method);
+    const Plan plan = plan_for(scene);
+    print(command.json ? as_json(scene, plan) : as_text(scene, plan));
+    return exit_fine;
+}
+
+} // namespace rastertrace
