@@ -74,6 +74,7 @@ TEST(SceneFile, UnknownKey) {
         complaint("{\"vertices\": {\"A\": [2, 5]},\n \"trinagles\": [\"AAA\"]}"),
         "scene.json:2:2: expected a key out of title, canvas, vertices, colors, triangles, "
         "outlines, lines, points, meshes, model, camera, projection, viewport, light, method, "
+        "keep, "
         "found \"trinagles\"\n"
         " \"trinagles\": [\"AAA\"]}\n"
         " ^\n"
@@ -101,7 +102,7 @@ TEST(SceneFile, WrongType) {
               "scene.json:1:1: expected an object with the keys title, canvas, "
               "vertices, colors, triangles, outlines, lines, points, meshes, model, camera, "
               "projection, viewport, light, "
-              "method, found an empty array\n"
+              "method, keep, found an empty array\n"
               "[]\n"
               "^");
 }
@@ -299,6 +300,20 @@ TEST(SceneFile, LightsThatAreNone) {
               "scene.json:3:11: expected a direction or a position, found neither\n"
               " \"light\": {}}\n"
               "          ^");
+}
+
+TEST(SceneFile, StagesToKeep) {
+    const std::string triangle =
+        R"({"vertices": {"A": [0, 0], "B": [3, 0], "C": [3, 3]}, "triangles": ["ABC"],)";
+    const Scene scene = scene_in(triangle + R"("keep": ["depth", "model"]})");
+    EXPECT_TRUE(scene.keep.has(Stage::depth) && scene.keep.has(Stage::model));
+    EXPECT_FALSE(scene.keep.has(Stage::view));
+    EXPECT_EQ(complaint(triangle + "\n\"keep\": [\"dept\"]}"),
+              "scene.json:2:10: expected stages out of model, view, clip, divide, order, cull, "
+              "light, canvas, depth, perspective, colors, found \"dept\"\n"
+              "\"keep\": [\"dept\"]}\n"
+              "         ^\n"
+              "hint: did you mean \"depth\"?");
 }
 
 TEST(SceneFile, MeshesInline) {

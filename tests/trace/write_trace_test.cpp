@@ -3,6 +3,7 @@
 
 #include <rastertrace/trace/write_trace.h>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -27,7 +28,7 @@ Scene small_scene(Method method = {.scalar = ScalarKind::exact}) {
 }
 
 const std::string small_json =
-    R"({"rastertrace":1,"title":"Small","canvas":{"width":3,"height":3,"origin":"bottom-left"},"method":{"scalar":"exact","fill":"scanline","rounding":"floor","lerp":"direct"},"steps":[
+    R"({"rastertrace":1,"title":"Small","canvas":{"width":3,"height":3,"origin":"bottom-left"},"method":{"scalar":"exact","fill":"scanline","rounding":"floor","lerp":"direct"},"stages":[{"stage":"model","kept":false,"why":"no model moves anything"},{"stage":"view","kept":false,"why":"there is no camera"},{"stage":"clip","kept":false,"why":"nothing bounds the view"},{"stage":"divide","kept":false,"why":"w is 1 at every vertex"},{"stage":"order","kept":false,"why":"the method has no painter"},{"stage":"cull","kept":false,"why":"the method does not ask for it"},{"stage":"light","kept":false,"why":"the method does not ask for it"},{"stage":"canvas","kept":true,"why":"1 of 1 triangle may reach beyond the canvas"},{"stage":"depth","kept":false,"why":"the method has no depth buffer"},{"stage":"perspective","kept":false,"why":"no colors are mixed in a perspective"},{"stage":"colors","kept":false,"why":"no colors are mixed"}],"steps":[
 {"step":"primitive","kind":"triangle","name":"ABC","vertices":["A","B","C"],"at":[["-1/2","-1"],["3","-1"],["0","2"]],"color":"#ff8000"},
 {"step":"edge","edge":"CA","dx_dy":"1/6"},
 {"step":"edge","edge":"AB","dx_dy":null},
@@ -72,7 +73,7 @@ Scene small_pipeline() {
 
 TEST(WriteTrace, EveryMatrixAndEverySpace) {
     const std::string expected =
-        R"({"rastertrace":1,"title":"Pipeline","canvas":{"width":5,"height":5,"origin":"top-left"},"method":{"scalar":"exact","snap":"floor"},"projection":"view-plane","viewport":"fit","steps":[
+        R"({"rastertrace":1,"title":"Pipeline","canvas":{"width":5,"height":5,"origin":"top-left"},"method":{"scalar":"exact","snap":"floor"},"projection":"view-plane","viewport":"fit","stages":[{"stage":"model","kept":true,"why":"a model moves its vertices"},{"stage":"view","kept":true,"why":"the camera moves the world"},{"stage":"clip","plane":"near","kept":true,"why":"1 vertex lies outside it"},{"stage":"clip","plane":"left","kept":true,"why":"1 vertex lies outside it"},{"stage":"clip","plane":"right","kept":true,"why":"1 vertex lies outside it"},{"stage":"clip","plane":"bottom","kept":true,"why":"1 vertex lies outside it"},{"stage":"clip","plane":"top","kept":true,"why":"1 vertex lies outside it"},{"stage":"divide","kept":true,"why":"w is not 1 at every vertex"},{"stage":"order","kept":false,"why":"the method has no painter"},{"stage":"cull","kept":false,"why":"the method does not ask for it"},{"stage":"light","kept":false,"why":"the method does not ask for it"},{"stage":"canvas","kept":false,"why":"no triangle is filled"},{"stage":"depth","kept":false,"why":"the method has no depth buffer"},{"stage":"perspective","kept":false,"why":"no colors are mixed in a perspective"},{"stage":"colors","kept":false,"why":"no colors are mixed"}],"steps":[
 {"step":"matrix","name":"model","rows":[["1","0","0","1"],["0","1","0","0"],["0","0","1","0"],["0","0","0","1"]]},
 {"step":"matrix","name":"view","rows":[["1","0","0","0"],["0","1","0","0"],["0","0","1","-4"],["0","0","0","1"]]},
 {"step":"matrix","name":"projection","rows":[["1","0","0","0"],["0","1","0","0"],["0","0","1","1"],["0","0","-1","0"]]},
@@ -156,6 +157,21 @@ TEST(WriteTrace, OnlySomeKinds) {
     EXPECT_NE(text.find(R"({"end":{"steps":3,"count":{"scanline":3},"pixels":6,)"),
               std::string::npos)
         << "the picture is the whole one";
+}
+
+TEST(WriteTrace, OnlyAPrimitiveAndItsParts) {
+    Scene scene = small_scene();
+    scene.vertices.push_back({"D", 0, 0, {}});
+    scene.primitives.push_back(
+        {.kind = PrimitiveKind::point, .name = "ABCD", .vertices = {3}, .color = {}});
+    const TraceOptions options{.layout = TraceLayout::json, .filter = {.primitive = "ABCD"}};
+    std::string text;
+    StringOutput output(text);
+    write_trace(scene, options, output);
+    EXPECT_THAT(text, testing::HasSubstr(R"("primitive":"ABCD","steps":[
+{"step":"primitive","kind":"point","name":"ABCD","vertices":["D"],"at":[["0","0"]],"color":"#000000"},
+{"step":"pixel","x":0,"y":0}
+],)"));
 }
 
 TEST(WriteTrace, OnlyARegion) {

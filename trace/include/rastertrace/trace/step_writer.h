@@ -50,8 +50,9 @@ struct Region {
 
 /// Which steps are written.
 struct StepFilter {
-    std::optional<std::vector<StepKind>> only; ///< these kinds; all, if not said
-    std::optional<Region> region; ///< of the steps that name pixels or rows, those that meet it
+    std::optional<std::vector<StepKind>> only = {}; ///< these kinds; all, if not said
+    std::optional<Region> region =
+        {}; ///< of the steps that name pixels or rows, those that meet it
     std::optional<std::string> primitive = {}; ///< those of this primitive and its parts
 };
 
