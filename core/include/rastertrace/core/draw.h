@@ -162,8 +162,9 @@ void draw_piece(const Piece<Coordinate>& piece, const Scene& scene, const Plan& 
     Image& image = target.image;
     const bool is_tested = target.depth && piece.kind == PrimitiveKind::triangle;
     const auto primitive = placed<Scalar>(piece, plan);
-    const GridPoint first = nearest_pixel(primitive.positions[0].x, primitive.positions[0].y);
-    const GridPoint second = nearest_pixel(primitive.positions[1].x, primitive.positions[1].y);
+    const auto pixel_of = [&primitive](std::size_t corner) {
+        return nearest_pixel(primitive.positions[corner].x, primitive.positions[corner].y);
+    };
     sink(PrimitiveBegan<Scalar>{
         .kind = piece.kind,
         .name = piece.name,
@@ -171,7 +172,7 @@ void draw_piece(const Piece<Coordinate>& piece, const Scene& scene, const Plan& 
         .positions = std::span(primitive.positions).first(primitive.count),
         .color = piece.color,
         .colors = std::span(primitive.colors).first(plan.mixes_colors ? primitive.count : 0),
-        .octant = piece.kind == PrimitiveKind::line ? octant_of(first, second) : 0,
+        .octant = piece.kind == PrimitiveKind::line ? octant_of(pixel_of(0), pixel_of(1)) : 0,
         .is_part = piece.is_part,
         .depths = std::span(primitive.depths).first(is_tested ? primitive.count : 0)});
     if constexpr (!std::same_as<Coordinate, Number>)
@@ -180,7 +181,7 @@ void draw_piece(const Piece<Coordinate>& piece, const Scene& scene, const Plan& 
 
     switch (piece.kind) {
     case PrimitiveKind::point:
-        draw_point(first, primitive.colors[0], image, sink);
+        draw_point(pixel_of(0), primitive.colors[0], image, sink);
         break;
     case PrimitiveKind::line:
         draw_line(primitive, {0, 1}, method, image, sink);
@@ -188,10 +189,7 @@ void draw_piece(const Piece<Coordinate>& piece, const Scene& scene, const Plan& 
     case PrimitiveKind::outline:
         for (const EdgeName side : {EdgeName{0, 1}, EdgeName{1, 2}, EdgeName{2, 0}}) {
             sink(SideBegan{.edge = side,
-                           .octant = octant_of(nearest_pixel(primitive.positions[side.from].x,
-                                                             primitive.positions[side.from].y),
-                                               nearest_pixel(primitive.positions[side.to].x,
-                                                             primitive.positions[side.to].y))});
+                           .octant = octant_of(pixel_of(side.from), pixel_of(side.to))});
             draw_line(primitive, side, method, image, sink);
         }
         break;

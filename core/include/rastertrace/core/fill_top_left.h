@@ -47,6 +47,8 @@ template <typename Scalar, typename Sink>
 requires SinkFor<Sink, EdgeFunctionSetUp<Scalar>>
 void report_edge_functions(const Triangle<Scalar>& triangle, const TriangleOrder& order,
                            Sink&& sink) {
+    if (!takes<EdgeFunctionSetUp<Scalar>>(sink))
+        return;
     const auto& vertices = triangle.vertices;
     const auto is_horizontal = [&vertices](std::size_t from, std::size_t to) {
         return vertices[from].y == vertices[to].y;
@@ -79,6 +81,8 @@ template <typename Scalar, typename Sink>
 requires SinkFor<Sink, ScanlineSpanned<Scalar>>
 void report_crossings(const Triangle<Scalar>& triangle, const TriangleOrder& order, bool is_upper,
                       int y, const Scalar& sample_offset, Index from, Index to, Sink&& sink) {
+    if (!takes<ScanlineSpanned<Scalar>>(sink))
+        return;
     const auto edge = [&triangle](std::size_t upper, std::size_t lower) {
         const auto vertex = [&triangle](std::size_t place) {
             return Vertex<Scalar>{triangle.vertices[place], static_cast<std::uint8_t>(place)};

@@ -333,6 +333,8 @@ void report_places_on_screen(std::string_view name, const Vec<Scalar, 4>& clip,
 template <typename Scalar, typename Sink>
 requires SinkFor<Sink, VertexPlaced<Scalar>>
 void report_vertices(const Scene& scene, const Geometry<Scalar>& geometry, Sink&& sink) {
+    if (!takes<VertexPlaced<Scalar>>(sink))
+        return;
     const Transforms<Scalar>& transforms = geometry.transforms;
     for_each_used_vertex(scene, geometry, [&](std::size_t i, const auto& model) {
         const std::string_view name = scene.vertices[i].name;

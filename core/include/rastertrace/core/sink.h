@@ -24,4 +24,15 @@ struct NullSink {
 template <typename Sink>
 inline constexpr bool keeps_steps = !std::same_as<std::remove_cvref_t<Sink>, NullSink>;
 
+/// False if the sink would not look at such a step: what is worked out only for it need not be. A
+/// sink that says nothing about it, by takes<Step>(), takes all.
+template <typename Step, typename Sink> bool takes(const Sink& sink) {
+    if constexpr (!keeps_steps<Sink>)
+        return false;
+    else if constexpr (requires { sink.template takes<Step>(); })
+        return sink.template takes<Step>();
+    else
+        return true;
+}
+
 } // namespace rastertrace

@@ -194,7 +194,7 @@ bool has_safe_depth(const Piece<Coordinate>& piece, const DepthRule<double>& rul
     return error < margin;
 }
 
-/// Looks at every triangle once, with its parts. Without a pipeline there are no depths and no w.
+/// Looks at every triangle that is drawn once, with its parts. Without a pipeline there are no depths and no w.
 template <typename AGeometry>
 std::vector<TriangleSurvey> survey_of(const Scene& scene, const AGeometry& geometry) {
     std::vector<TriangleSurvey> result(scene.primitives.size());
@@ -203,6 +203,9 @@ std::vector<TriangleSurvey> survey_of(const Scene& scene, const AGeometry& geome
     for_each_piece(scene, geometry, NullSink{}, [&](const auto& piece) {
         if (piece.kind != PrimitiveKind::triangle)
             return;
+        if constexpr (!std::same_as<AGeometry, TypedGeometry>)
+            if (piece.face.skip)
+                return; // culled, or without a normal: it is not drawn
         TriangleSurvey& triangle = result[piece.primitive];
         ++triangle.pieces;
         triangle.box = triangle.box.join(box_of(piece, scene));
@@ -222,8 +225,8 @@ std::vector<TriangleSurvey> survey_of(const Scene& scene, const AGeometry& geome
 /// meet.
 inline std::vector<bool> shared_pixels(const std::vector<TriangleSurvey>& triangles,
                                        const Canvas& canvas) {
-    constexpr Index cell_side = 32;
-    constexpr std::size_t crowd = 8;
+    constexpr Index cell_side = 16;
+    constexpr std::size_t crowd = 16;
     struct Cell {
         std::array<std::uint32_t, crowd> triangles{};
         std::size_t count = 0;

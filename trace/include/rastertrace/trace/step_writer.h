@@ -65,6 +65,11 @@ public:
     StepWriter(const StepWriter&) = delete;
     StepWriter& operator=(const StepWriter&) = delete;
 
+    /// False for steps that the filter leaves out, whatever they say.
+    template <typename Step> bool takes() const {
+        return wants(kind_of(static_cast<Step*>(nullptr)));
+    }
+
     template <typename Scalar> void operator()(const MatrixSetUp<Scalar>& step) {
         if (!wants(StepKind::matrix))
             return;
@@ -255,6 +260,17 @@ public:
 private:
     bool wants(StepKind kind) const {
         return wanted_[static_cast<std::size_t>(kind)] && is_in_primitive_;
+    }
+
+    // The kinds that an algorithm asks about.
+    template <typename Scalar> static StepKind kind_of(const VertexPlaced<Scalar>*) {
+        return StepKind::vertex;
+    }
+    template <typename Scalar> static StepKind kind_of(const EdgeFunctionSetUp<Scalar>*) {
+        return StepKind::edge;
+    }
+    template <typename Scalar> static StepKind kind_of(const ScanlineSpanned<Scalar>*) {
+        return StepKind::scanline;
     }
 
     /// ABC/1 is a part of ABC.
