@@ -386,6 +386,29 @@ TEST(Stages, ColorsAreNeededIfTheyDifferAndPerspectiveIfWDoes) {
 
 // What leaving out would change if it were done carelessly: numerics, part X.
 
+TEST(Stages, X1AnIdentityMatrixChangesNothing) {
+    // 1 x + 0 y + 0 z + 0 is x, if y and z are finite; what is not is refused before. -0 is 0.
+    for (const std::string scalar : {"float", "double", "exact"})
+        expect_same(scene_in(R"({"canvas":{"width":8,"height":8},"meshes":[{"vertices":)"
+                             R"({"A":[-0.0,1e-30,-2],"B":["1/3",1e30,-2],"C":[3,-0.1,-2e30]},)"
+                             R"("faces":["ABC"],"model":[{"scale":[1,1,1]}],"draw":"outlines"}],)"
+                             R"("camera":{"position":[0,0,0],"look_at":[0,0,-1]},)"
+                             R"("projection":{"type":"orthographic","left":-4,"right":4,)"
+                             R"("bottom":-4,"top":4},"method":{"scalar":")" +
+                             scalar + "\"}}"),
+                    "X1 " + scalar);
+}
+
+TEST(Stages, X2DividingByOneChangesNothing) {
+    const Scene scene =
+        scene_in(R"({"canvas":{"width":9,"height":9},"vertices":{"A":["1/3",0.1,1],)"
+                 R"("B":[-0.7,"2/7",1],"C":[0.3,-0.9,1]},"triangles":["ABC"],)"
+                 R"("projection":{"type":"pinhole","distance":"1/3"},)"
+                 R"("viewport":{"pixels_per_unit":9}})");
+    EXPECT_FALSE(runs(Stage::divide, plan_for(scene)));
+    expect_same(scene, "X2");
+}
+
 TEST(Stages, X3KeepsTheDivisionByAWThatIsTheSameEverywhere) {
     // 5/3 is not 5 times 1/3 in double: w = 3 everywhere is still divided by.
     EXPECT_TRUE(needs(Stage::divide, R"({"canvas":{"width":8,"height":8},"vertices":{"A":[5,0,3],)"
@@ -440,6 +463,20 @@ TEST(Stages, X7PlanesAreLeftOutOnlyWhereNothingLiesOutside) {
         R"("top":1,"near":1,"far":9}})";
     EXPECT_FALSE(needs(Stage::clip, on_planes));
     expect_same(scene_in(on_planes), "X7");
+}
+
+TEST(Stages, X8ThePainterIsLeftOutOnlyWhereItWouldMoveNothing) {
+    // Apart in depth, the painter's picture is that of the depth buffer; equal keys keep their turn.
+    for (const int z : {1, 2, 3}) {
+        const Scene painted = scene_in(two_triangles(1, z, R"("depth":"painter")"));
+        EXPECT_EQ(runs(Stage::order, plan_for(painted)), z > 2);
+        expect_same(painted, "X8");
+        if (z != 2) {
+            EXPECT_EQ(
+                draw_as_planned(painted).colors(),
+                draw_as_planned(scene_in(two_triangles(1, z, R"("depth":"inverse-z")"))).colors());
+        }
+    }
 }
 
 TEST(Stages, ADepthAsFarAsTheBufferStartsIsTested) {
