@@ -209,7 +209,9 @@ private:
         const std::initializer_list<Number> near_two{
             2, 2, 2, Number::decimal(20000000000000004, -16), 3, 9};
         const Number depth = pick(near_two);
-        const Color color{static_cast<std::uint8_t>(whole(1, 255)), 7, 7};
+        const auto level = [this] { return static_cast<std::uint8_t>(whole(1, 254)); };
+        const Color color{level(), level(), level()};
+        const bool is_colorful = chance(3);
         const bool agrees_in_depth = chance(2);
         const bool agrees_in_color = chance(2);
         const int cell_x = whole(0, 2);
@@ -239,8 +241,10 @@ private:
                 vertex.z = at;
             }
             const int more = agrees_in_color ? 0 : whole(0, 1);
-            vertex.color =
-                Color{static_cast<std::uint8_t>(std::min(color.red() + more, 255)), 7, 7};
+            const auto red = static_cast<std::uint8_t>(color.red() + more);
+            vertex.color = is_colorful && !agrees_in_color
+                               ? Color{level(), level(), level()}
+                               : Color{red, color.green(), color.blue()};
             primitive.vertices[i] = scene.vertices.size();
             scene.vertices.push_back(vertex);
         }
@@ -477,6 +481,77 @@ TEST(Stages, X8ThePainterIsLeftOutOnlyWhereItWouldMoveNothing) {
                 draw_as_planned(scene_in(two_triangles(1, z, R"("depth":"inverse-z")"))).colors());
         }
     }
+}
+
+// What a second reader broke, once.
+
+TEST(Stages, ASliverJustBelowHalfAPixelDrawsNothingBeyondItself) {
+    // y - 1/2 would be rounded to the row above the sliver, where its edges are far outside it.
+    for (const bool is_single : {false, true}) {
+        const double ulp = is_single ? 0x1p-24 : 0x1p-53;
+        for (const double half : {-0.5, -1.5, -3.5})
+            for (const bool has_depth : {false, true}) {
+                Scene scene;
+                scene.canvas = {.width = 12, .height = 12};
+                scene.method.scalar =
+                    is_single ? ScalarKind::single_precision : ScalarKind::double_precision;
+                scene.method.fill = Fill::top_left;
+                if (has_depth)
+                    scene.method.depth = Depth::inverse_z;
+                const auto exact = [](double x) { return Number::fraction(Rational(x)); };
+                const double above = half * (1 + 2 * ulp);
+                const double below = half * (1 + 4 * ulp);
+                scene.vertices = {{"A", -5, exact(above), {}, 2},
+                                  {"B", 4, exact(above), {}, 2},
+                                  {"C", 0, exact(below), {}, 2}};
+                scene.primitives = {{.kind = PrimitiveKind::triangle,
+                                     .name = "ABC",
+                                     .vertices = {0, 1, 2},
+                                     .color = {}}};
+                EXPECT_EQ(draw_as_planned(scene).drawn(), 0u) << half << " " << ulp;
+                expect_same(scene, "sliver");
+            }
+    }
+}
+
+TEST(Stages, EqualWMixesInTheNumbersOfTheScreen) {
+    for (const std::string fill : {"scanline", "barycentric", "top-left"})
+        for (const std::string colors : {R"("A":"#ca1831","B":"#81b5a7","C":"#bcee14")",
+                                         R"("A":"#9a4e68","B":"#49388e","C":"#0009b4")"})
+            expect_same(
+                scene_in(R"({"canvas":{"width":16,"height":16},"vertices":{"A":[-1,-1,1],)"
+                         R"("B":[1,-1,1],"C":[0,1,1]},"triangles":["ABC"],"colors":{)" +
+                         colors +
+                         R"(},"projection":{"type":"pinhole","distance":1},"viewport":"fit",)"
+                         R"("method":{"scalar":"fixed","shade":"interpolate","fill":")" +
+                         fill + "\"}}"),
+                fill);
+}
+
+TEST(Stages, DepthsThatOverflowAreRefusedAndTinyOnesTested) {
+    const auto text = [](const std::string& scalar, const std::string& fill,
+                         const std::string& depth, const std::string& vertices) {
+        return R"({"canvas":{"width":64,"height":64,"origin":"bottom-left"},"vertices":{)" +
+               vertices + R"(},"triangles":["ABC"],"method":{"scalar":")" + scalar +
+               R"(","fill":")" + fill + R"(","depth":")" + depth + "\"}}";
+    };
+    // An infinite product, an infinite difference: no infinity may reach a trace.
+    for (const std::string& refused :
+         {text("float", "two-halves", "linear-z",
+               R"("A":[45,10,1.47e26],"B":[-11.15,-16.13,-7.04e36],"C":[60,28,5.40e36])"),
+          text("double", "barycentric", "linear-z",
+               R"("A":[2,2,1.5e308],"B":[60,5,-1.5e308],"C":[10,60,1.5e308])")}) {
+        const auto read = read_scene({"scene.json", refused});
+        ASSERT_FALSE(read);
+        EXPECT_THAT(
+            read.problem().message,
+            testing::StartsWith("expected a depth whose product with a coordinate fits in"));
+    }
+    // A slope without digits.
+    expect_same(
+        scene_in(text("float", "scanline", "inverse-z",
+                      R"("A":[20,8,1.69e38],"B":[-2.37e7,8,3.9e37],"C":[5.59e6,4.39e7,1.43e34])")),
+        "tiny depths");
 }
 
 TEST(Stages, ADepthAsFarAsTheBufferStartsIsTested) {

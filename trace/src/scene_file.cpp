@@ -610,6 +610,12 @@ private:
                                    "at distance {}",
                                    scene_.vertices[unfit->to].name, unfit->to_at[0]),
                        R"(with "depth": "linear-z" any distance will do)");
+        case What::depth_times_size:
+            json_.fail(place,
+                       fmt::format("expected a depth whose product with a coordinate fits in a {}, "
+                                   "found that of vertex {}",
+                                   scalar, scene_.vertices[unfit->to].name),
+                       hint);
         case What::slope:
             json_.fail(place,
                        fmt::format("expected an edge whose slope dx/dy fits in a {}, found {} and "

@@ -41,10 +41,11 @@ template <typename Scalar> struct MixedColors {
         const auto weights =
             barycentric.weights_at({Scalar(scalar_from<Scalar>(pixel.x) + sample_offset),
                                     Scalar(scalar_from<Scalar>(pixel.y) + sample_offset)});
+        // Where w is the same all over, so are the weights.
         if constexpr (in_perspective)
-            return mixed(in_space(weights));
-        else
-            return mixed(weights);
+            if (inverse_w[0] != inverse_w[1] || inverse_w[0] != inverse_w[2])
+                return mixed(in_space(weights));
+        return mixed(weights);
     }
 
 private:
@@ -56,9 +57,6 @@ private:
                                        depth_scalar(on_screen[2])};
         const std::array<D, 3> shares{D(weights[0] * inverse_w[0]), D(weights[1] * inverse_w[1]),
                                       D(weights[2] * inverse_w[2])};
-        // Where w is the same all over, so are the weights.
-        if (inverse_w[0] == inverse_w[1] && inverse_w[0] == inverse_w[2])
-            return weights;
         const D sum = shares[0] + shares[1] + shares[2];
         if (!(scalar_from<D>(0) < sum))
             return weights;

@@ -232,6 +232,7 @@ struct Unfit {
         coordinate_of_line,    ///< beyond the limit: Bresenham's d could not be held in 64 bits
         edge_of_fan,           ///< longer than longest_fan_edge
         depth,                 ///< 0 or less from the eye, where 1/distance is asked for
+        depth_times_size,      ///< so large that its product with a coordinate may be infinite
     };
     What what;
     std::size_t from; ///< place in Scene::vertices
@@ -294,6 +295,17 @@ std::optional<Unfit> unfit_of(const Piece<Coordinate>& piece, const Method& meth
             return unfit(What::coordinate_of_weights, i, i, largest_of_products);
         if (is_on_grid && farthest > largest_of_lines)
             return unfit(What::coordinate_of_line, i, i, largest_of_lines);
+    }
+
+    // Depths are interpolated as differences times differences.
+    if (is_triangle && method.scalar != ScalarKind::exact) {
+        double farthest = 1;
+        for (const auto& [x, y] : at)
+            farthest = std::max({farthest, std::abs(x), std::abs(y)});
+        for (std::size_t i = 0; i < 3; ++i)
+            if (!(8 * std::abs(to_double(piece.depths[i])) * farthest <
+                  static_cast<double>(Limits::max())))
+                return unfit(What::depth_times_size, i, i);
     }
 
     // The area, and the edges.

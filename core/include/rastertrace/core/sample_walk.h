@@ -43,8 +43,12 @@ public:
     /// The first row whose samples do not lie above the placed height `y`; row 0 is the top of the
     /// canvas.
     Index first_row_from(const Length& y) const {
-        const Length height = y - offset_;
-        return canvas_.row_of(down() > 0 ? ceil_index(height) : floor_index(height));
+        // A sample's height on the canvas is exact; y less the offset may be rounded to another row.
+        const Index near = floor_index(y);
+        const Scalar sample = scalar_from<Scalar>(near) + offset_;
+        if (down() > 0)
+            return canvas_.row_of(sample < y ? near + 1 : near);
+        return canvas_.row_of(y < sample ? near - 1 : near);
     }
 
     /// True if the sample at column `x` does not lie left of the placed `length`.

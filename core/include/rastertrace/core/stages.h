@@ -147,21 +147,30 @@ WholeBounds whole_bounds(const Coordinate& coordinate, const Method& method, dou
 /// The pixels that a triangle can reach under any rounding rule: samples lie at integers or half a
 /// pixel up, and a rounded end of a row lies less than a pixel away.
 template <typename Coordinate> PixelBox box_of(const Piece<Coordinate>& piece, const Scene& scene) {
-    double farthest = 1;
-    for (const auto& position : piece.positions)
-        farthest =
-            std::max({farthest, std::abs(to_double(position.x)), std::abs(to_double(position.y))});
-    const double slack = slack_of(scene.method, farthest);
-    PixelBox box{farthest_index, farthest_index, -farthest_index, -farthest_index};
-    for (const auto& position : piece.positions) {
-        const auto [left, right] = whole_bounds(position.x, scene.method, slack);
-        const auto [low, high] = whole_bounds(position.y, scene.method, slack);
-        const auto [top, bottom] =
-            std::minmax({scene.canvas.row_of(low), scene.canvas.row_of(high)});
-        box = {std::min(box.left, left), std::min(box.top, top), std::max(box.right, right),
-               std::max(box.bottom, bottom)};
-    }
-    return box;
+    const auto& [a, b, c] = piece.positions;
+    const auto farthest = [](double x, double y, double z) {
+        return std::max({std::abs(x), std::abs(y), std::abs(z)});
+    };
+    const double slack = slack_of(
+        scene.method, std::max({1.0, farthest(to_double(a.x), to_double(b.x), to_double(c.x)),
+                                farthest(to_double(a.y), to_double(b.y), to_double(c.y))}));
+    const auto bounds = [&](const Coordinate& x, const Coordinate& y, const Coordinate& z) {
+        if constexpr (std::floating_point<Coordinate>) {
+            const auto [low, high] = std::minmax({x, y, z});
+            return WholeBounds{whole_bounds(low, scene.method, slack).low,
+                               whole_bounds(high, scene.method, slack).high};
+        } else {
+            const auto of_x = whole_bounds(x, scene.method, slack);
+            const auto of_y = whole_bounds(y, scene.method, slack);
+            const auto of_z = whole_bounds(z, scene.method, slack);
+            return WholeBounds{std::min({of_x.low, of_y.low, of_z.low}),
+                               std::max({of_x.high, of_y.high, of_z.high})};
+        }
+    };
+    const auto [left, right] = bounds(a.x, b.x, c.x);
+    const auto [low, high] = bounds(a.y, b.y, c.y);
+    const auto [top, bottom] = std::minmax({scene.canvas.row_of(low), scene.canvas.row_of(high)});
+    return {left, top, right, bottom};
 }
 
 /// True if every depth that can be calculated in the triangle passes against a clear buffer. Depths
@@ -185,16 +194,33 @@ bool has_safe_depth(const Piece<Coordinate>& piece, const DepthRule<double>& rul
     const double acx = at[2][0] - at[0][0], acy = at[2][1] - at[0][1];
     const double extent =
         1 + std::max({std::abs(abx), std::abs(aby), std::abs(acx), std::abs(acy)});
-    const double area2 = std::abs(abx * acy - acx * aby);
-    const double epsilon =
-        std::ldexp(1.0, scene.method.scalar == ScalarKind::single_precision ? -18 : -46);
+    // `fixed` draws another triangle: each corner moves by up to 1/512 pixel.
+    const bool is_snapped = scene.method.scalar == ScalarKind::fixed;
+    const double area2 = std::abs(abx * acy - acx * aby) - (is_snapped ? extent / 64 : 0);
     const double farthest = std::max(
         {std::abs(at[0][0]), std::abs(at[0][1]), extent}); // differences are as exact as this
+    const bool is_single = scene.method.scalar == ScalarKind::single_precision;
+    const double epsilon = std::ldexp(1.0, is_single ? -18 : -46);
+    if (!(area2 > epsilon * extent * farthest))
+        return false;
+
+    // No product may be infinite, and no slope so small that it loses digits.
+    const bool is_exact = scene.method.scalar == ScalarKind::exact;
+    const double most =
+        is_single ? double{std::numeric_limits<float>::max()} : std::numeric_limits<double>::max();
+    const double least =
+        is_single ? double{std::numeric_limits<float>::min()} : std::numeric_limits<double>::min();
+    const bool fits = 8 * largest * farthest < most && 8 * farthest * farthest < most &&
+                      (largest == 0 ||
+                       std::ldexp(least, 30) * farthest * farthest < margin * std::min(1.0, area2));
+    if (!is_exact && !fits)
+        return false;
     const double error = epsilon * largest * (1 + extent * farthest / area2);
     return error < margin;
 }
 
-/// Looks at every triangle that is drawn once, with its parts. Without a pipeline there are no depths and no w.
+/// Looks at every triangle that is drawn once, with its parts. Without a pipeline there are no depths
+/// and no w.
 template <typename AGeometry>
 std::vector<TriangleSurvey> survey_of(const Scene& scene, const AGeometry& geometry) {
     std::vector<TriangleSurvey> result(scene.primitives.size());
@@ -229,21 +255,31 @@ inline std::vector<bool> shared_pixels(const std::vector<TriangleSurvey>& triang
     constexpr std::size_t crowd = 16;
     struct Cell {
         std::array<std::uint32_t, crowd> triangles{};
-        std::size_t count = 0;
+        std::uint32_t count = 0;
+        bool is_decided = false; ///< it is crowded, and all of these share a pixel
     };
     const Index columns = (canvas.width + cell_side - 1) / cell_side;
     const Index rows = (canvas.height + cell_side - 1) / cell_side;
     std::vector<Cell> cells(static_cast<std::size_t>(columns * rows));
     std::vector<bool> is_shared(triangles.size());
     const auto look_into = [&](Cell& cell, std::size_t number) {
-        const PixelBox& box = triangles[number].box;
-        for (std::size_t i = 0; i < cell.count; ++i)
-            if (box.meets(triangles[cell.triangles[i]].box))
-                is_shared[number] = is_shared[cell.triangles[i]] = true;
-        if (cell.count < crowd)
-            cell.triangles[cell.count++] = static_cast<std::uint32_t>(number);
-        else
+        const bool is_crowded = cell.count == crowd;
+        if (!cell.is_decided) {
+            const PixelBox& box = triangles[number].box;
+            bool all_share = true;
+            for (std::size_t i = 0; i < cell.count; ++i) {
+                const std::size_t other = cell.triangles[i];
+                const bool other_shares = is_shared[other];
+                if (!(other_shares && is_shared[number]) && box.meets(triangles[other].box))
+                    is_shared[number] = is_shared[other] = true;
+                all_share = all_share && is_shared[other];
+            }
+            cell.is_decided = is_crowded && all_share;
+        }
+        if (is_crowded)
             is_shared[number] = true;
+        else
+            cell.triangles[cell.count++] = static_cast<std::uint32_t>(number);
     };
     for (std::size_t number = 0; number < triangles.size(); ++number) {
         const PixelBox box = triangles[number].box.meet(box_of(canvas));
