@@ -183,7 +183,9 @@ const bool are_registered = [] {
         {"an orthographic cube", orthographic_cube()},
         {"a mesh in view", relief(1)},
         {"a mesh across every plane", relief(4)}};
-    for (const auto& [name, scene] : scenes) {
+    for (const auto& entry : scenes) {
+        const std::string& name = entry.first;
+        const Scene& scene = entry.second;
         const auto add = [&name](const std::string& kept, Scene kept_scene) {
             benchmark::RegisterBenchmark(
                 ("stages/" + name + "/" + kept).c_str(),
