@@ -68,18 +68,21 @@ template <typename Integer> std::optional<Integer> whole_in(std::string_view tex
     return value;
 }
 
-std::vector<StepKind> kinds_in(const std::string& text) {
-    std::vector<StepKind> kinds;
+/// What a list of names stands for, each once.
+template <typename Value>
+std::vector<Value> list_in(std::string_view option, std::string_view what, std::string_view text,
+                           const std::vector<std::string_view>& names,
+                           std::optional<Value> (*named)(std::string_view)) {
+    std::vector<Value> values;
     for (const std::string& word : split(text, ',')) {
-        const auto kind = step_kind_named(word);
-        if (!kind)
-            refuse("--only",
-                   fmt::format("kinds of step out of {}", fmt::join(step_kind_names(), ",")), word,
-                   did_you_mean(word, step_kind_names()));
-        if (std::find(kinds.begin(), kinds.end(), *kind) == kinds.end())
-            kinds.push_back(*kind);
+        const auto value = named(word);
+        if (!value)
+            refuse(option, fmt::format("{} out of {}", what, fmt::join(names, ",")), word,
+                   did_you_mean(word, names));
+        if (std::find(values.begin(), values.end(), *value) == values.end())
+            values.push_back(*value);
     }
-    return kinds;
+    return values;
 }
 
 Region region_in(const std::string& text) {
@@ -123,13 +126,9 @@ public:
                        did_you_mean(value, key.values));
             overrides.emplace_back(key.name, value);
         }
-        for (const std::string& word :
-             keep_.empty() ? std::vector<std::string>() : split(keep_, ','))
-            if (!stage_named(word))
-                refuse("--keep", fmt::format("stages out of {}", fmt::join(stage_names(), ",")),
-                       word, did_you_mean(word, stage_names()));
-            else
-                overrides.emplace_back("keep", word);
+        if (!keep_.empty())
+            for (const Stage stage : list_in("--keep", "stages", keep_, stage_names(), stage_named))
+                overrides.emplace_back("keep", name_of(stage));
         if (full_)
             for (const std::string_view stage : stage_names())
                 overrides.emplace_back("keep", stage);
@@ -227,7 +226,8 @@ private:
             if (!format_.empty())
                 trace_.layout = format_ == "json" ? TraceLayout::json : TraceLayout::jsonl;
             if (!only_.empty())
-                trace_.filter.only = kinds_in(only_);
+                trace_.filter.only =
+                    list_in("--only", "kinds of step", only_, step_kind_names(), step_kind_named);
             if (!region_.empty())
                 trace_.filter.region = region_in(region_);
             trace_.method = trace_method_.overrides();

@@ -52,29 +52,29 @@ template <typename Scalar> struct Transforms {
     std::optional<Matrix<Scalar>> viewport;
     std::vector<ClipPlane<Scalar>> planes; ///< those that a vertex lies outside of
     bool divides = true;                   ///< by w
+    StageSet needed; ///< of the stages of vertices: those that could change the picture
     Snap snap = Snap::none;
     Ties ties = Ties::up; ///< of Snap::nearest
 };
 
-/// A matrix that moves something, or that the scene keeps although it does not.
-template <typename Scalar>
-std::optional<Matrix<Scalar>> matrix_of_stage(const Scene& scene, Stage stage,
-                                              const Matrix<Rational>& exact) {
-    if (exact == identity<Rational>() && !scene.keep.has(stage))
-        return std::nullopt;
-    return rounded<Scalar>(exact);
-}
-
 template <typename Scalar> Transforms<Scalar> transforms_of(const Scene& scene) {
     Transforms<Scalar> result;
+
+    // A matrix that moves something, or that the scene keeps although it does not.
+    const auto matrix_of = [&](Stage stage,
+                               const Matrix<Rational>& exact) -> std::optional<Matrix<Scalar>> {
+        if (exact != identity<Rational>())
+            result.needed.add(stage);
+        else if (!scene.keep.has(stage))
+            return std::nullopt;
+        return rounded<Scalar>(exact);
+    };
     for (const SceneObject& object : scene.objects)
-        result.models.push_back(
-            matrix_of_stage<Scalar>(scene, Stage::model, model_matrix(object.model)));
-    result.rest_model = matrix_of_stage<Scalar>(scene, Stage::model, identity<Rational>());
-    result.view = matrix_of_stage<Scalar>(
-        scene, Stage::view,
-        scene.camera ? view_matrix(*scene.camera, view_axis_of(scene.projection.type))
-                     : identity<Rational>());
+        result.models.push_back(matrix_of(Stage::model, model_matrix(object.model)));
+    result.rest_model = matrix_of(Stage::model, identity<Rational>());
+    result.view = matrix_of(
+        Stage::view, scene.camera ? view_matrix(*scene.camera, view_axis_of(scene.projection.type))
+                                  : identity<Rational>());
     if (scene.projection.type != ProjectionType::none)
         result.projection = rounded<Scalar>(projection_matrix(scene.projection, scene.canvas));
     if (scene.viewport.type != ViewportType::none)
@@ -258,7 +258,6 @@ template <typename Scalar> Geometry<Scalar> geometry_of(const Scene& scene) {
     // To clip space. A plane that no vertex lies outside of cannot cut anything.
     Transforms<Scalar>& transforms = result.transforms;
     std::vector<std::size_t> outside(transforms.planes.size());
-    bool is_divided = false;
     for_each_used_vertex(scene, result, [&](std::size_t i, const auto& model) {
         PlacedVertex<Scalar>& vertex = result.vertices[i];
         const VertexPlaces<Scalar> places = places_of(scene.vertices[i], model, transforms);
@@ -272,9 +271,10 @@ template <typename Scalar> Geometry<Scalar> geometry_of(const Scene& scene) {
                 vertex.is_in_view = false;
                 ++outside[plane];
             }
-        is_divided = is_divided || vertex.clip.w != scalar_from<Scalar>(1);
+        if (vertex.clip.w != scalar_from<Scalar>(1))
+            transforms.needed.add(Stage::divide);
     });
-    transforms.divides = is_divided || scene.keep.has(Stage::divide);
+    transforms.divides = transforms.needed.has(Stage::divide) || scene.keep.has(Stage::divide);
     for (std::size_t plane = 0; plane < transforms.planes.size(); ++plane)
         result.outside.push_back({transforms.planes[plane].name, outside[plane]});
     if (!scene.keep.has(Stage::clip)) {
@@ -294,7 +294,9 @@ template <typename Scalar> Geometry<Scalar> geometry_of(const Scene& scene) {
         const auto distance_of = [&result](std::size_t place) -> const Scalar& {
             return result.vertices[place].distance;
         };
-        if (scene.keep.has(Stage::order) || !comes_farthest_first<Scalar>(scene, distance_of))
+        if (!comes_farthest_first<Scalar>(scene, distance_of))
+            transforms.needed.add(Stage::order);
+        if (transforms.needed.has(Stage::order) || scene.keep.has(Stage::order))
             result.order = painter_order<Scalar>(scene, distance_of);
     }
     return result;

@@ -322,13 +322,7 @@ inline std::vector<PixelStages> pixel_stages(const Scene& scene,
 
 /// "1 triangle", "3 triangles".
 inline std::string counted(std::uint64_t count, std::string_view noun) {
-    std::string text = std::to_string(count) + " ";
-    text += noun;
-    if (count == 1)
-        return text;
-    if (noun == "vertex")
-        return std::to_string(count) + " vertices";
-    return text += 's';
+    return std::to_string(count).append(" ").append(noun).append(count == 1 ? "" : "s");
 }
 
 /// Decides about the stages of vertices. Without a pipeline, vertices go through none.
@@ -338,25 +332,19 @@ void decide_vertex_stages(const Scene& scene, const Geometry<Coordinate>& geomet
     const auto& transforms = geometry.transforms;
     const auto vertices = static_cast<std::uint64_t>(
         std::count(geometry.is_used.begin(), geometry.is_used.end(), true));
-    const bool moves =
-        std::any_of(scene.objects.begin(), scene.objects.end(), [](const SceneObject& object) {
-            return model_matrix(object.model) != identity<Rational>();
-        });
-    const bool model_is_kept = moves || transforms.rest_model;
+    const StageSet& needed = transforms.needed;
+    const bool moves = needed.has(Stage::model);
     decisions.push_back({Stage::model,
                          "",
-                         model_is_kept,
+                         moves || transforms.rest_model,
                          moves ? "a model moves its vertices" : "no model moves anything",
                          {.steps = vertices}});
-    const bool looks =
-        scene.camera &&
-        view_matrix(*scene.camera, view_axis_of(scene.projection.type)) != identity<Rational>();
     decisions.push_back({Stage::view,
                          "",
                          transforms.view.has_value(),
-                         looks          ? "the camera moves the world"
-                         : scene.camera ? "the camera looks from where the world begins"
-                                        : "there is no camera",
+                         needed.has(Stage::view) ? "the camera moves the world"
+                         : scene.camera          ? "the camera looks from where the world begins"
+                                                 : "there is no camera",
                          {.steps = vertices}});
     for (const auto& [plane, outside] : geometry.outside)
         decisions.push_back({Stage::clip, plane, outside > 0 || scene.keep.has(Stage::clip),
@@ -365,27 +353,19 @@ void decide_vertex_stages(const Scene& scene, const Geometry<Coordinate>& geomet
                                            : "no vertex lies outside it"});
     if (geometry.outside.empty())
         decisions.push_back({Stage::clip, "", false, "nothing bounds the view"});
-    const bool is_divided =
-        std::any_of(geometry.vertices.begin(), geometry.vertices.end(), [&](const auto& vertex) {
-            const auto place = static_cast<std::size_t>(&vertex - geometry.vertices.data());
-            return geometry.is_used[place] && vertex.clip.w != scalar_from<Coordinate>(1);
-        });
-    decisions.push_back({Stage::divide,
-                         "",
-                         transforms.divides,
-                         is_divided ? "w is not 1 at every vertex" : "w is 1 at every vertex",
-                         {.steps = transforms.projection ? vertices : 0}});
+    decisions.push_back(
+        {Stage::divide,
+         "",
+         transforms.divides,
+         needed.has(Stage::divide) ? "w is not 1 at every vertex" : "w is 1 at every vertex",
+         {.steps = transforms.projection ? vertices : 0}});
     const bool paints = scene.depth() == Depth::painter;
-    const bool is_sorted = paints && comes_farthest_first<Coordinate>(
-                                         scene, [&](std::size_t place) -> const auto& {
-                                             return geometry.vertices[place].distance;
-                                         });
     decisions.push_back({Stage::order,
                          "",
                          geometry.order.has_value(),
-                         !paints     ? "the method has no painter"
-                         : is_sorted ? "the farthest triangles come first already"
-                                     : "the farthest triangles do not come first",
+                         !paints                    ? "the method has no painter"
+                         : needed.has(Stage::order) ? "the farthest triangles do not come first"
+                                                    : "the farthest triangles come first already",
                          {.steps = paints ? 1U : 0U}});
 }
 inline void decide_vertex_stages(const Scene&, const TypedGeometry&,
@@ -420,7 +400,7 @@ inline void decide_pixel_stages(const Scene& scene, const std::vector<TriangleSu
         std::uint64_t saved_pixels = 0;
     };
     Count in_canvas, in_depth, in_perspective, in_colors;
-    std::uint64_t all = 0, beyond = 0, shared = 0, differ_in_w = 0, differ_in_color = 0;
+    std::uint64_t all = 0, beyond = 0, differ_in_w = 0, differ_in_color = 0;
     PixelBox tested;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         const TriangleSurvey& triangle = triangles[i];
@@ -443,7 +423,6 @@ inline void decide_pixel_stages(const Scene& scene, const std::vector<TriangleSu
         if (pixels.tests_depth && !box.is_empty())
             tested = tested.join(box);
     }
-    shared = in_depth.kept;
     auto& decisions = stages.decisions;
     const auto of_all = [all](std::uint64_t some) {
         return std::to_string(some) + " of " + counted(all, "triangle");
@@ -469,8 +448,9 @@ inline void decide_pixel_stages(const Scene& scene, const std::vector<TriangleSu
                          !has_depths ? "the method has no depth buffer"
                          : in_depth.kept == 0
                              ? "no two triangles can share a pixel"
-                             : of_all(shared) + " may share a pixel with another, or may be as far "
-                                                "as the buffer starts",
+                             : of_all(in_depth.kept) +
+                                   " may share a pixel with another, or may be as far "
+                                   "as the buffer starts",
                          {.bytes = has_depths ? (canvas.area() - tested.area()) * depth_size : 0,
                           .pixels = has_depths ? in_depth.saved_pixels : 0}});
 
