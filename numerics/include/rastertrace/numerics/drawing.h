@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A scene drawn without a sink, with whichever number its plan has chosen. Compiled once for all that
+// is measured.
+//
+//     const Image exact = drawn(scene, plan_for(scene));
+
+#include <rastertrace/core/image.h>
+#include <rastertrace/core/plan.h>
+#include <rastertrace/core/scene.h>
+
+namespace rastertrace {
+
+/// Draws a scene in which find_unfit has found nothing.
+Image drawn(const Scene& scene, const Plan& plan);
+
+} // namespace rastertrace
