@@ -16,9 +16,10 @@ template <typename Enum> struct Word {
 };
 template <typename Enum> Word(Enum, std::string_view) -> Word<Enum>;
 
-constexpr std::array scalars{Word{ScalarKind::single_precision, "float"},
-                             Word{ScalarKind::double_precision, "double"},
-                             Word{ScalarKind::fixed, "fixed"}, Word{ScalarKind::exact, "exact"}};
+constexpr std::array scalars{
+    Word{ScalarKind::single_precision, "float"}, Word{ScalarKind::double_precision, "double"},
+    Word{ScalarKind::fixed, "fixed"}, Word{ScalarKind::adaptive, "adaptive"},
+    Word{ScalarKind::exact, "exact"}};
 constexpr std::array lines{Word{LineMethod::naive, "naive"}, Word{LineMethod::dda, "dda"},
                            Word{LineMethod::bresenham, "bresenham"}};
 constexpr std::array starts{Word{LineStart::first, "first"}, Word{LineStart::low, "low"}};

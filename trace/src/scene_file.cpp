@@ -552,7 +552,7 @@ private:
         const std::string to = at(unfit->to, unfit->to_at);
         const std::size_t place = places_of_vertices_[unfit->to];
         const std::string scalar = value_in_force(*find_method_key("scalar"), scene_);
-        const std::string hint = scene_.method.scalar == ScalarKind::exact
+        const std::string hint = decides_exactly(scene_.method)
                                      ? ""
                                      : R"(with "method": {"scalar": "exact"} nothing overflows)";
         using What = Unfit::What;

@@ -40,7 +40,7 @@ std::string header_members(const Scene& scene, const Plan& plan, const StepFilte
     if (scene.has_transforms())
         fmt::format_to(out, R"(,"projection":"{}","viewport":"{}")", name_of(scene.projection.type),
                        name_of(scene.viewport.type));
-    if (scene.method.scalar == ScalarKind::exact && has_rounded_matrix(scene))
+    if (decides_exactly(scene.method) && has_rounded_matrix(scene))
         text += R"(,"matrices":"irrational entries are the nearest doubles")";
 
     text += R"(,"stages":[)";
@@ -103,7 +103,7 @@ std::string frame_name(const Image& image) {
 
 void write_trace(const Scene& scene, const TraceOptions& options, Output& output) {
     const bool is_document = options.layout == TraceLayout::json;
-    StepWriter writer(output, options.layout, options.filter);
+    StepWriter writer(output, options.layout, options.filter, number_style_of(scene.method));
 
     const Plan plan = plan_for(scene);
     writer.put_text(fmt::format("{{{}{}", header_members(scene, plan, options.filter),

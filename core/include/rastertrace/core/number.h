@@ -126,6 +126,18 @@ public:
         return value;
     }
 
+    /// True if the number is this double, and not just near it.
+    bool is_exactly(double value) const {
+        // What is no fraction was divided by a power of ten that is a double: with nothing left over?
+        if (!fraction_ && -18 <= exponent_ && exponent_ <= 0) {
+            const auto power = static_cast<double>(power_of_ten(-exponent_));
+            const auto digits = static_cast<double>(digits_);
+            return static_cast<std::int64_t>(digits) == digits_ &&
+                   std::fma(value, power, -digits) == 0;
+        }
+        return std::isfinite(value) && mpq_class(value) == exact();
+    }
+
     /// The nearest float, ties to even; beyond the largest float there is only infinity.
     float nearest_float() const {
         // As above: digits below 2^24 and powers of ten up to 10^10 are floats.

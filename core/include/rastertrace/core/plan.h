@@ -34,12 +34,12 @@
 namespace rastertrace {
 
 /// The C++ type that stands for the scene's kind of scalar.
-enum class NumberType { binary32, binary64, fraction64, fraction128, rational };
+enum class NumberType { binary32, binary64, adaptive, fraction64, fraction128, rational };
 
 /// Where the vertices lie: as typed, or moved there. `fixed` moves them in double and snaps them on
 /// the screen.
-using AnyGeometry =
-    std::variant<TypedGeometry, Geometry<float>, Geometry<double>, Geometry<Rational>>;
+using AnyGeometry = std::variant<TypedGeometry, Geometry<float>, Geometry<double>,
+                                 Geometry<Adaptive>, Geometry<Rational>>;
 
 /// Moves the vertices of a scene to the screen, in the numbers that its kind of scalar asks for.
 inline AnyGeometry geometry_for(const Scene& scene) {
@@ -51,6 +51,13 @@ inline AnyGeometry geometry_for(const Scene& scene) {
     switch (scene.method.scalar) {
     case ScalarKind::single_precision:
         return geometry_of<float>(scene);
+    case ScalarKind::adaptive:
+        // What is left open about one vertex may be of weight for all, like a plane of the view.
+        try {
+            return geometry_of<Adaptive>(scene);
+        } catch (const Undecided&) {
+            return geometry_of<Rational>(scene);
+        }
     case ScalarKind::exact:
         return geometry_of<Rational>(scene);
     case ScalarKind::fixed:
@@ -158,6 +165,8 @@ inline std::size_t depth_size_of(NumberType number) {
         return sizeof(DepthOf<float>);
     case NumberType::rational:
         return sizeof(DepthOf<Rational>);
+    case NumberType::adaptive: // beside the depth, the number of a piece
+        return sizeof(double) + sizeof(std::uint32_t);
     case NumberType::binary64:
     case NumberType::fraction64:
     case NumberType::fraction128:
@@ -178,10 +187,19 @@ inline Plan plan_for(const Scene& scene) {
                               std::same_as<AGeometry, Geometry<Rational>>)
                     return choose_exact_numbers(scene, one);
                 break;
-            case ScalarKind::fixed: {
+            case ScalarKind::adaptive:
+                // Fractions that fit leave nothing open, and are as fast.
+                if constexpr (std::same_as<AGeometry, TypedGeometry>) {
+                    const NumberChoice exact = choose_exact_numbers(scene, one);
+                    if (exact.number != NumberType::rational)
+                        return exact;
+                }
+                return {.number = NumberType::adaptive};
+            case ScalarKind::fixed:
                 // Rationals lie on the grid too.
-                return {choose_fractions(scene, one, fixed_grid).number, fixed_grid};
-            }
+                if constexpr (!std::same_as<AGeometry, Geometry<Adaptive>>)
+                    return {choose_fractions(scene, one, fixed_grid).number, fixed_grid};
+                break;
             case ScalarKind::single_precision:
                 return {.number = NumberType::binary32};
             case ScalarKind::double_precision:
@@ -206,6 +224,8 @@ template <typename DrawWith> decltype(auto) with_scalar(const Plan& plan, DrawWi
     switch (plan.number) {
     case NumberType::binary32:
         return draw_with.template operator()<float>();
+    case NumberType::adaptive:
+        return draw_with.template operator()<Adaptive>();
     case NumberType::fraction64:
         return draw_with.template operator()<Fraction64>();
     case NumberType::fraction128:
@@ -298,7 +318,7 @@ std::optional<Unfit> unfit_of(const Piece<Coordinate>& piece, const Method& meth
     }
 
     // Depths are interpolated as differences times differences.
-    if (is_triangle && method.scalar != ScalarKind::exact) {
+    if (is_triangle && !decides_exactly(method)) {
         double farthest = 1;
         for (const auto& [x, y] : at)
             farthest = std::max({farthest, std::abs(x), std::abs(y)});
@@ -372,12 +392,18 @@ inline std::optional<Unfit> find_unfit(const Scene& scene) {
     const auto find = [&scene, mixes_colors](const auto& geometry) {
         std::optional<Unfit> found = unfit_vertex(scene, geometry);
         if (!found)
-            for_each_piece(scene, geometry, NullSink{}, [&](const auto& piece) {
-                if (!found)
-                    found = scene.method.scalar == ScalarKind::single_precision
-                                ? unfit_of<float>(piece, scene.method, mixes_colors)
-                                : unfit_of<double>(piece, scene.method, mixes_colors);
-            });
+            for (std::size_t i = 0; i < scene.primitives.size() && !found; ++i)
+                try {
+                    visit_pieces(
+                        scene, geometry, i, mixes_colors, NullSink{}, [&](const auto& piece) {
+                            if (!found)
+                                found = scene.method.scalar == ScalarKind::single_precision
+                                            ? unfit_of<float>(piece, scene.method, mixes_colors)
+                                            : unfit_of<double>(piece, scene.method, mixes_colors);
+                        });
+                } catch (const Undecided&) {
+                    continue; // exact numbers fit
+                }
         return found;
     };
     return std::visit(find, geometry_for(scene));

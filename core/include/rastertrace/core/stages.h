@@ -114,6 +114,14 @@ struct TriangleSurvey {
     bool colors_differ = false;
 };
 
+/// One of which nothing is known: it needs all stages.
+inline constexpr TriangleSurvey unknown_triangle{
+    .pieces = 2,
+    .box = {-farthest_index, -farthest_index, farthest_index, farthest_index},
+    .has_safe_depth = false,
+    .w_differs = true,
+    .colors_differ = true};
+
 /// How far calculated places may lie from exact ones, for coordinates up to `farthest`: the numbers
 /// drawn with are rounded, and adding up a slope adds up its error.
 inline double slack_of(const Method& method, double farthest) {
@@ -131,17 +139,19 @@ struct WholeBounds {
 
 template <typename Coordinate>
 WholeBounds whole_bounds(const Coordinate& coordinate, const Method& method, double slack) {
-    if constexpr (!std::floating_point<Coordinate>)
-        if (method.scalar == ScalarKind::exact) {
+    if constexpr (!std::floating_point<Coordinate> && !std::same_as<Coordinate, Adaptive>)
+        if (decides_exactly(method)) {
             const Rational exact = scalar_from<Rational>(coordinate, 1);
             return {floor_index(exact), ceil_index(exact)};
         }
-    if (method.scalar == ScalarKind::fixed)
-        if (const auto numerator = nearest_numerator(coordinate, fixed_grid))
-            return {floor_quotient(*numerator, fixed_grid),
-                    -floor_quotient(-*numerator, fixed_grid)};
+    if constexpr (!std::same_as<Coordinate, Adaptive>)
+        if (method.scalar == ScalarKind::fixed)
+            if (const auto numerator = nearest_numerator(coordinate, fixed_grid))
+                return {floor_quotient(*numerator, fixed_grid),
+                        -floor_quotient(-*numerator, fixed_grid)};
     const double x = to_double(coordinate);
-    return {floor_index(x - slack), ceil_index(x + slack)};
+    const double off = slack + error_of(coordinate);
+    return {floor_index(x - off), ceil_index(x + off)};
 }
 
 /// The pixels that a triangle can reach under any rounding rule: samples lie at integers or half a
@@ -201,11 +211,17 @@ bool has_safe_depth(const Piece<Coordinate>& piece, const DepthRule<double>& rul
         {std::abs(at[0][0]), std::abs(at[0][1]), extent}); // differences are as exact as this
     const bool is_single = scene.method.scalar == ScalarKind::single_precision;
     const double epsilon = std::ldexp(1.0, is_single ? -18 : -46);
+    // What is known with an error: each must be as exact as the rounding that is allowed for.
+    for (std::size_t i = 0; i < 3; ++i)
+        if (error_of(piece.positions[i].x) + error_of(piece.positions[i].y) >
+                epsilon * farthest / 64 ||
+            error_of(piece.depths[i]) > epsilon * largest / 64)
+            return false;
     if (!(area2 > epsilon * extent * farthest))
         return false;
 
     // No product may be infinite, and no slope so small that it loses digits.
-    const bool is_exact = scene.method.scalar == ScalarKind::exact;
+    const bool is_exact = decides_exactly(scene.method);
     const double most =
         is_single ? double{std::numeric_limits<float>::max()} : std::numeric_limits<double>::max();
     const double least =
@@ -226,7 +242,8 @@ std::vector<TriangleSurvey> survey_of(const Scene& scene, const AGeometry& geome
     std::vector<TriangleSurvey> result(scene.primitives.size());
     const bool has_depth_buffer = scene.has_depth_buffer();
     const DepthRule<double> rule = depth_rule<double>(scene);
-    for_each_piece(scene, geometry, NullSink{}, [&](const auto& piece) {
+    const bool mixes_colors = scene.mixes_colors();
+    const auto look_at = [&](const auto& piece) {
         if (piece.kind != PrimitiveKind::triangle)
             return;
         if constexpr (!std::same_as<AGeometry, TypedGeometry>)
@@ -238,11 +255,17 @@ std::vector<TriangleSurvey> survey_of(const Scene& scene, const AGeometry& geome
         if constexpr (!std::same_as<AGeometry, TypedGeometry>) {
             triangle.has_safe_depth = has_depth_buffer && has_safe_depth(piece, rule, scene);
             const auto& [a, b, c] = piece.inverse_w;
-            triangle.w_differs = triangle.w_differs || a != b || a != c;
+            triangle.w_differs = triangle.w_differs || may_differ(a, b) || may_differ(a, c);
         }
         const auto& [a, b, c] = piece.colors;
         triangle.colors_differ = triangle.colors_differ || a != b || a != c;
-    });
+    };
+    for (std::size_t i = 0; i < scene.primitives.size(); ++i)
+        try {
+            visit_pieces(scene, geometry, i, mixes_colors, NullSink{}, look_at);
+        } catch (const Undecided&) {
+            result[i] = unknown_triangle;
+        }
     return result;
 }
 
