@@ -141,6 +141,10 @@ template <typename Coordinate>
 WholeBounds whole_bounds(const Coordinate& coordinate, const Method& method, double slack) {
     if constexpr (!std::floating_point<Coordinate> && !std::same_as<Coordinate, Adaptive>)
         if (decides_exactly(method)) {
+            // Whole numbers are doubles up to 2^53, and rounding to one passes none of them by.
+            const double near = to_double(coordinate);
+            if (const Index below = floor_index(near); static_cast<double>(below) != near)
+                return {below, below + 1};
             const Rational exact = scalar_from<Rational>(coordinate, 1);
             return {floor_index(exact), ceil_index(exact)};
         }
