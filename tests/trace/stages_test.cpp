@@ -35,7 +35,7 @@ Scene scene_in(const std::string& text) {
     auto scene = read_scene({"scene.json", text});
     if (!scene)
         throw scene.problem();
-    return std::move(scene.value());
+    return std::move(scene.value().scene);
 }
 
 bool runs(Stage stage, const Plan& plan, std::string_view plane = "") {
@@ -176,7 +176,7 @@ TEST(Stages, LeavingThemOutOfTheExamplesChangesNothing) {
             const auto source = read_source(entry.path().string());
             auto scene = read_scene(source.value());
             ASSERT_TRUE(scene) << entry.path();
-            expect_same(scene.value(), entry.path().string());
+            expect_same(scene.value().scene, entry.path().string());
             ++count;
         }
     EXPECT_GT(count, 20);

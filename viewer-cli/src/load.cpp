@@ -23,7 +23,7 @@ template <typename T> T value_or_throw(Result<T> result) {
 
 } // namespace
 
-Scene load_scene(const std::string& path, const MethodOverrides& method) {
+PlannedScene load_scene(const std::string& path, const MethodOverrides& method) {
     const Source source = value_or_throw(read_source(path));
     if (is_trace(source))
         throw problem_of(source.name, "expected a scene, found a trace",
@@ -41,10 +41,10 @@ Trace load_trace(const std::string& path, const MethodOverrides& method) {
                                          method.front().first, method.front().second));
         return value_or_throw(read_trace(std::move(source)));
     }
-    const Scene scene = value_or_throw(read_scene(source, method));
+    const auto [scene, plan] = value_or_throw(read_scene(source, method));
     Source drawn{.name = source.name, .text = {}};
     StringOutput output(drawn.text);
-    write_trace(scene, {}, output);
+    write_trace(scene, plan, {}, output);
     return value_or_throw(read_trace(std::move(drawn)));
 }
 

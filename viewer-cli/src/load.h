@@ -6,7 +6,7 @@
 
 #include "commands.h"
 
-#include <rastertrace/core/scene.h>
+#include <rastertrace/trace/scene_file.h>
 #include <rastertrace/trace/trace.h>
 
 #include <string>
@@ -14,8 +14,8 @@
 
 namespace rastertrace {
 
-/// Reads the scene in a file ("-" for standard input). Throws a Problem.
-Scene load_scene(const std::string& path, const MethodOverrides& method);
+/// Reads and plans the scene in a file ("-" for standard input). Throws a Problem.
+PlannedScene load_scene(const std::string& path, const MethodOverrides& method);
 
 /// Reads the trace in a file, or draws the scene in it. Throws a Problem. Damage that leaves the
 /// trace usable is left to the caller, see report_damage.

@@ -102,7 +102,7 @@ private:
 };
 
 /// Where the colors of pixels come from.
-enum class ColorStage {
+enum class ColorStage : std::uint8_t {
     flat,        ///< one for all of them
     affine,      ///< mixed as they mix on the screen
     perspective, ///< mixed as they mix in space
