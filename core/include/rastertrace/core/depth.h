@@ -152,7 +152,7 @@ public:
                (x - region_.left);
     }
 
-    bool keep_if_nearer(double& cell, const Adaptive& depth) {
+    [[gnu::always_inline]] bool keep_if_nearer(double& cell, const Adaptive& depth) {
         const double difference = cell - depth.value();
         const double error = (depth.error() + largest_error_) * Adaptive::widening;
         const auto place = static_cast<std::size_t>(&cell - cells_.data());
@@ -162,7 +162,8 @@ public:
         if (passes) {
             cell = depth.value();
             pieces_[place] = piece_;
-            largest_error_ = std::max(largest_error_, depth.error());
+            if (depth.error() > largest_error_) [[unlikely]]
+                largest_error_ = depth.error();
         }
         return passes;
     }
@@ -215,24 +216,25 @@ template <typename Scalar> struct DepthRow {
 
 /// The same in doubles that know their error: the row's numbers give the error of every pixel of it.
 template <> struct DepthRow<Adaptive> {
-public:
     DepthRow(const Adaptive& x, const Adaptive& depth, const Adaptive& slope,
              const std::optional<Adaptive>& end)
         : x_(x.value()), depth_(depth.value()), slope_(slope.value()),
-          end_(end ? end->value() : std::numeric_limits<double>::infinity()), is_held_(end) {
+          first_(end ? x_ : -std::numeric_limits<double>::infinity()),
+          last_(end ? end->value() : std::numeric_limits<double>::infinity()) {
         // d + s (x - x0), where s, x0 and the ends are off, and each operation rounds.
         const double steepest = std::abs(slope_) + slope.error();
         const double of_ends = x.error() + (end ? end->error() : 0);
         const bool is_level = steepest == 0;
-        error_ = (depth.error() + steepest * of_ends +
-                  (is_level ? 0 : 2 * Adaptive::half_ulp * std::abs(depth_) + 0x1p-1060)) *
-                 Adaptive::widening;
+        error_ =
+            (depth.error() + steepest * of_ends +
+             (is_level ? 0
+                       : 2 * Adaptive::half_ulp * std::abs(depth_) + Adaptive::smallest_error)) *
+            Adaptive::widening;
         error_per_pixel_ = (slope.error() + 4 * Adaptive::half_ulp * steepest) * Adaptive::widening;
     }
 
-    Adaptive at(int column) const {
-        const double here = is_held_ ? std::clamp<double>(column, x_, end_) : column;
-        const double way = here - x_;
+    [[gnu::always_inline]] Adaptive at(int column) const {
+        const double way = std::min(std::max<double>(column, first_), last_) - x_;
         return Adaptive(depth_ + slope_ * way, error_ + error_per_pixel_ * std::abs(way));
     }
 
@@ -240,8 +242,8 @@ private:
     double x_;
     double depth_;
     double slope_;
-    double end_;
-    bool is_held_; ///< the depths of the ends hold beyond them
+    double first_; ///< left of it, and right of
+    double last_;  ///< this, the depths of the ends hold
     double error_;
     double error_per_pixel_;
 };
@@ -327,7 +329,7 @@ public:
         slope_y_ = finite_or_zero(D((ac * abx - ab * acx) / area2));
     }
     DepthRow<D> on_row(int y) const {
-        return {origin_.x, D(depths_[0] + slope_y_ * (scalar_from<D>(y) - origin_.y)), slope_x_,
+        return {origin_.x, linear(depths_[0], slope_y_, scalar_from<D>(y), origin_.y), slope_x_,
                 std::nullopt};
     }
 

@@ -65,7 +65,7 @@ void draw_line(const PlacedPrimitive<Scalar>& primitive, EdgeName side, const Me
 
 /// How often `adaptive` could not decide with doubles.
 struct Fallbacks {
-    std::uint64_t primitives = 0; ///< drawn with exact numbers, at least from some row on
+    std::uint64_t primitives = 0; ///< or parts of one: drawn with exact numbers, from some row on
     std::uint64_t depths = 0;     ///< tests
     std::uint64_t colors = 0;     ///< of pixels
 };
@@ -179,14 +179,12 @@ void fill(const PlacedPrimitive<Scalar>& primitive, Color flat, const Scene& sce
 template <typename Scalar, typename Coordinate>
 PlacedPrimitive<Scalar> placed_for(const Piece<Coordinate>& piece, const Plan& plan,
                                    Exactness<Scalar>& exactness) {
-    if constexpr (std::same_as<Scalar, Adaptive>) {
-        auto& drawn = exactness.drawn;
-        const bool is_next_part = !drawn.empty() && drawn.back().primitive == piece.primitive;
-        drawn.push_back({piece.primitive, is_next_part ? drawn.back().part + 1 : 0});
-        if constexpr (!std::same_as<Coordinate, Adaptive>)
-            if (exactness.is_exact)
-                return exactly(placed<Rational>(piece, plan));
-    }
+    if constexpr (std::same_as<Scalar, Adaptive>)
+        if (exactness.is_exact) {
+            auto primitive = exactly(exactness.pieces.placed(exactness.drawn.back()));
+            primitive.names = piece.names;
+            return primitive;
+        }
     return placed<Scalar>(piece, plan);
 }
 
@@ -258,47 +256,72 @@ void draw_pieces(const Scene& scene, const Plan& plan, const AGeometry& geometry
     });
 }
 
-/// The same with doubles that know their error. Where that leaves a decision open, the primitive is
-/// drawn once more with exact numbers. Up to there it comes out as before: those pixels are drawn
-/// again, and their steps are not told again.
+/// Whether a piece is nearer in a pixel than what is stored there, in exact numbers.
+inline bool is_nearer(const Scene& scene, Exactness<Adaptive>& exactness, std::uint32_t piece,
+                      std::optional<std::uint32_t> stored, int x, int row) {
+    const auto depth_of = [&](std::uint32_t number) {
+        return exact_depth_at(scene, exactness.pieces.placed(exactness.drawn[number]), x,
+                              scene.canvas.y_of(row));
+    };
+    if (stored)
+        return depth_of(piece) < depth_of(*stored);
+    const DepthRule<Rational> rule = depth_rule<Rational>(scene);
+    const Rational cleared = rule.cleared.value_or(0);
+    return depth_of(piece) < (rule.larger_passes ? Rational(-cleared) : cleared);
+}
+
+/// The same with doubles that know their error. A piece of which they leave a decision open is drawn
+/// once more with exact numbers: up to there it comes out as before, so its steps are not told again.
 template <typename AGeometry, typename Sink>
 void draw_pieces(const Scene& scene, const Plan& plan, const AGeometry& geometry,
                  Target<Adaptive>& target, Sink&& sink) {
     Exactness<Adaptive>& exactness = target.exactness;
     if (target.depth)
-        target.depth->ask([&](std::uint32_t piece, std::optional<std::uint32_t> stored, int x,
-                              int row) {
-            const auto depth_of = [&](std::uint32_t number) {
-                return exact_depth_at(scene, exactness.pieces.placed(exactness.drawn[number]), x,
-                                      scene.canvas.y_of(row));
-            };
-            const DepthRule<Rational> rule = depth_rule<Rational>(scene);
-            const Rational cleared = rule.cleared.value_or(0);
-            return depth_of(piece) <
-                   (stored ? depth_of(*stored) : Rational(rule.larger_passes ? -cleared : cleared));
-        });
+        target.depth->ask([&](auto... asked) { return is_nearer(scene, exactness, asked...); });
+
+    // What could not be decided is told, and done again.
+    const auto decide = [&](auto& resumed, auto&& draw_it, auto&& draw_it_exactly) {
+        try {
+            draw_it();
+            return;
+        } catch (const Undecided& undecided) {
+            sink(BoundExceeded{.difference = undecided.difference, .error = undecided.error});
+        }
+        resumed.pass_over_what_came();
+        draw_it_exactly();
+    };
 
     const bool mixes_colors = scene.mixes_colors();
     for (std::size_t turn = 0; turn < scene.primitives.size(); ++turn) {
         const std::size_t number = primitive_at(geometry, turn);
-        ResumedSink resumed(sink);
+        std::size_t drawn = 0; // pieces of the primitive
+        std::size_t part = 0;
         const auto draw_one = [&]<typename Coordinate>(const Piece<Coordinate>& piece) {
-            if constexpr (draws<Adaptive, Coordinate>)
-                draw_piece<Adaptive>(piece, scene, plan, target, resumed);
+            if constexpr (draws<Adaptive, Coordinate>) {
+                if (part++ < drawn)
+                    return;
+                exactness.drawn.push_back({number, drawn++});
+                ResumedSink resumed(sink);
+                exactness.is_exact = false;
+                const auto draw_it = [&] {
+                    draw_piece<Adaptive>(piece, scene, plan, target, resumed);
+                };
+                decide(resumed, draw_it, [&] {
+                    ++exactness.fallbacks.primitives;
+                    exactness.is_exact = true;
+                    draw_it();
+                });
+            }
         };
-        const std::size_t drawn_before = exactness.drawn.size();
-        exactness.is_exact = false;
-        try {
-            visit_pieces(scene, geometry, number, mixes_colors, resumed, draw_one);
-            continue;
-        } catch (const Undecided& undecided) {
-            sink(BoundExceeded{.difference = undecided.difference, .error = undecided.error});
-        }
-        ++exactness.fallbacks.primitives;
-        resumed.pass_over_what_came();
-        exactness.drawn.resize(drawn_before);
-        exactness.is_exact = true;
-        exactness.pieces.visit(number, resumed, draw_one);
+        // Which pieces it has may be left open, too.
+        ResumedSink resumed(sink);
+        decide(
+            resumed,
+            [&] { visit_pieces(scene, geometry, number, mixes_colors, resumed, draw_one); },
+            [&] {
+                part = 0;
+                exactness.pieces.visit(number, resumed, draw_one);
+            });
     }
     if (target.depth)
         exactness.fallbacks.depths = target.depth->exact_tests();

@@ -151,10 +151,11 @@ public:
     /// True if the number is this double, and not just near it.
     bool is_exactly(double value) const {
         // What is no fraction was divided by a power of ten that is a double: with nothing left over?
-        if (!fraction_ && -18 <= exponent_ && exponent_ <= 0) {
+        if (-18 <= exponent_ && exponent_ <= 0) {
             const auto power = static_cast<double>(power_of_ten(-exponent_));
-            const auto digits = static_cast<double>(digits_);
-            return static_cast<std::int64_t>(digits) == digits_ &&
+            constexpr std::int64_t exact_digits = std::int64_t{1} << 53;
+            const auto digits = static_cast<double>(held_.digits);
+            return -exact_digits <= held_.digits && held_.digits <= exact_digits &&
                    std::fma(value, power, -digits) == 0;
         }
         return std::isfinite(value) && mpq_class(value) == exact();

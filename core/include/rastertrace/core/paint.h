@@ -153,8 +153,8 @@ template <typename Scalar, PixelStages stages = PixelStages{}> struct Paint {
 /// Tests a pixel's turned depth against what is stored for it, and keeps the nearer one.
 template <typename D, typename Cell, typename Sink>
 requires SinkFor<Sink, DepthTested<D>>
-bool passes_depth_test(Pixel pixel, const D& depth, Cell& cell, DepthBuffer<D>& buffer,
-                       Sink&& sink) {
+[[gnu::always_inline]] inline bool passes_depth_test(Pixel pixel, const D& depth, Cell& cell,
+                                                     DepthBuffer<D>& buffer, Sink&& sink) {
     if constexpr (keeps_steps<Sink>) {
         const std::optional<D> stored = buffer.stored(cell);
         const bool passes = buffer.keep_if_nearer(cell, depth);

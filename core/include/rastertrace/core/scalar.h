@@ -71,7 +71,7 @@ inline Index floor_index(const Rational& x) {
 }
 
 /// Throws Undecided if the bound reaches over a whole number.
-inline Index floor_index(const Adaptive& x) {
+[[gnu::always_inline]] inline Index floor_index(const Adaptive& x) {
     if (x.exact()) [[unlikely]]
         return floor_index(*x.exact());
     const Index below = floor_index(x.value());
@@ -83,13 +83,19 @@ inline Index floor_index(const Adaptive& x) {
     const double to_next = static_cast<double>(below + 1) - x.value();
     const bool is_farthest = below <= -farthest_index || farthest_index <= below;
     if (!(error <= from_below && error < to_next) || is_farthest) [[unlikely]]
-        throw Undecided{from_below < to_next ? from_below : -to_next, x.error()};
+        Adaptive::leave_open(from_below < to_next ? from_below : -to_next, x.error());
     return below;
 }
 
 /// The smallest whole number not below `x`, kept within +-farthest_index.
 template <typename Scalar> Index ceil_index(const Scalar& x) {
     return -floor_index(Scalar(-x));
+}
+
+/// start + slope (at - from): a point on a line. Adaptive has its own, in adaptive.h.
+template <typename Scalar>
+Scalar linear(const Scalar& start, const Scalar& slope, const Scalar& at, const Scalar& from) {
+    return start + slope * (at - from);
 }
 
 /// A whole number as a Scalar.
@@ -229,11 +235,7 @@ Scalar scalar_from(const Coordinate& coordinate, std::int64_t denominator) {
     if constexpr (std::same_as<Scalar, Coordinate>) {
         return coordinate;
     } else if constexpr (std::same_as<Scalar, Adaptive>) {
-        // What is exact stays so.
-        if constexpr (std::same_as<Coordinate, Rational>)
-            return Adaptive(coordinate);
-        else
-            return with_error(coordinate);
+        return with_error(coordinate);
     } else if constexpr (std::floating_point<Scalar>) {
         return scalar_from<Scalar>(coordinate);
     } else if constexpr (std::same_as<Scalar, Rational>) {

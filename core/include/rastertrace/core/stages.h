@@ -116,12 +116,11 @@ struct TriangleSurvey {
 };
 
 /// One of which nothing is known: it needs all stages.
-inline constexpr TriangleSurvey unknown_triangle{
-    .pieces = 2,
-    .box = {-farthest_index, -farthest_index, farthest_index, farthest_index},
-    .has_safe_depth = false,
-    .w_differs = true,
-    .colors_differ = true};
+inline constexpr TriangleSurvey unknown_triangle{.pieces = 2,
+                                                 .box = {-(1 << 30), -(1 << 30), 1 << 30, 1 << 30},
+                                                 .has_safe_depth = false,
+                                                 .w_differs = true,
+                                                 .colors_differ = true};
 
 /// How far calculated places may lie from exact ones, for coordinates up to `farthest`: the numbers
 /// drawn with are rounded, and adding up a slope adds up its error.
