@@ -207,6 +207,10 @@ void add_junction(StressRows& rows, std::string_view m, std::uint64_t uncovered,
         return ExactPoint{scene.vertices[vertex].x.exact(), scene.vertices[vertex].y.exact()};
     };
     // The hull without M: P, T, Q, B. What an edge of it excludes belongs to nobody.
+    std::string place_of_m(m);
+    std::erase(place_of_m, '"');
+    std::vector<Measured> gaps;
+    std::vector<Measured> overlaps;
     const CoveredPixels hull = covered_by_polygon({at(0), at(2), at(1), at(4)}, scene.canvas);
     for (const std::string_view scalar : scalar_names()) {
         std::vector<int> layers(hull.size());
@@ -226,11 +230,15 @@ void add_junction(StressRows& rows, std::string_view m, std::uint64_t uncovered,
             if (layers[i] > 1 && ++overlap.wrong == 1)
                 overlap.note = place;
         }
-        rows.add(scalar, fmt::format("M = ({}), in no triangle", m), gap,
-                 uncovered > 0 ? wrong(uncovered) : right());
-        rows.add(scalar, fmt::format("M = ({}), in two", m), overlap,
-                 twice > 0 ? wrong(twice) : right());
+        gaps.push_back(gap);
+        overlaps.push_back(overlap);
     }
+    for (std::size_t i = 0; i < gaps.size(); ++i)
+        rows.add(scalar_names()[i], fmt::format("M = ({}), in no triangle", place_of_m), gaps[i],
+                 uncovered > 0 ? wrong(uncovered) : right());
+    for (std::size_t i = 0; i < overlaps.size(); ++i)
+        rows.add(scalar_names()[i], fmt::format("M = ({}), in two", place_of_m), overlaps[i],
+                 twice > 0 ? wrong(twice) : right());
 }
 
 /// C16's triangle, its vertices in an order, moved by whole pixels.

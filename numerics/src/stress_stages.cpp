@@ -343,7 +343,7 @@ std::vector<StressCase> stage_cases() {
              [](StressRows& rows) {
                  for (const std::string_view scalar : scalar_names())
                      rows.add(scalar, "planned, in the full trace",
-                              planned_in_full(parallel_view, scalar), right());
+                              planned_in_full(in_view, scalar), right());
              }},
     };
 }
