@@ -96,6 +96,13 @@ Region region_in(const std::string& text) {
             std::max(numbers[0], numbers[2]), std::max(numbers[1], numbers[3])};
 }
 
+/// --fan-passes for fan_passes.
+std::string option_named(std::string_view key) {
+    std::string option = "--" + std::string(key);
+    std::replace(option.begin(), option.end(), '_', '-');
+    return option;
+}
+
 /// One option per key of the method: --scalar, --fill, ...
 class MethodOptions {
 public:
@@ -136,12 +143,7 @@ public:
     }
 
 private:
-    /// --fan-passes for fan_passes.
-    static std::string option_of(const MethodKey& key) {
-        std::string option = "--" + std::string(key.name);
-        std::replace(option.begin(), option.end(), '_', '-');
-        return option;
-    }
+    static std::string option_of(const MethodKey& key) { return option_named(key.name); }
 
     std::map<std::string, std::string> values_;
     std::string keep_;
@@ -164,6 +166,7 @@ public:
         add_show();
         add_stats();
         add_plan();
+        add_stress();
         add_help();
     }
 
@@ -302,6 +305,72 @@ private:
         });
     }
 
+    void add_stress() {
+        CLI::App& command = add_command(
+            "stress", "Run the stiff and extreme cases, or look for cliffs in a scene",
+            "rastertrace stress --case S1\n"
+            "         rastertrace stress --case S1 --scene | rastertrace show -\n"
+            "         rastertrace stress examples/t0-fill/first-triangle.json\n\n"
+            "Each row of a case is one scalar and one method: right; within its stated bound; "
+            "wrong\n"
+            "by a count; or refused. What is documented to be wrong must be wrong by just that. "
+            "Exit\n"
+            "status 1: a row is not as documented. How the program bears bad files, full disks "
+            "and\n"
+            "odd terminals (R1 to R12 of the catalogue) is tested elsewhere: it is no arithmetic.");
+        command
+            .add_option(
+                "scene", stress_.scene,
+                "A scene; - for standard input. Is it near any cliff, and does a scalar fall?")
+            ->type_name("SCENE");
+        command
+            .add_option(
+                "--case", stress_.cases,
+                "Only these cases, in full: L1 to L13, S1 to S14, C1 to C18, Z1 to Z13, P1 to "
+                "P12, X1 to X9")
+            ->type_name("ID")
+            ->delimiter(',')
+            ->allow_extra_args(false);
+        stress_scene_ = command
+                            .add_option("--scene", stress_number_,
+                                        "Print the scene of the case, or its Nth scene, to draw it")
+                            ->type_name("[N]")
+                            ->expected(0, 1);
+        command.add_flag("--quick", stress_.quick, "Every case, the longest with one scalar only");
+        command.add_flag("--json", stress_.json, "Print JSON");
+        stress_method_.add_to(command);
+        command.callback([this] {
+            stress_.method = stress_method_.overrides();
+            check_stress();
+            action_ = [this] { return rastertrace::run(stress_); };
+        });
+    }
+
+    /// Which options of `stress` go together.
+    void check_stress() {
+        const bool has_scene = !stress_.scene.empty();
+        if (has_scene && !stress_.cases.empty())
+            refuse("--case", "cases, or a scene, not both", stress_.scene);
+        for (const auto& [key, value] : stress_.method) {
+            if (!has_scene)
+                refuse(option_named(key), "a scene to draw by another method", "none",
+                       "the cases of the catalogue have their own methods");
+            if (key == "scalar")
+                refuse("--scalar", "no scalar: the scene is drawn with each", value);
+        }
+        if (stress_scene_->count() == 0)
+            return;
+        if (has_scene || stress_.cases.size() != 1)
+            refuse("--scene", "one case whose scene to print",
+                   fmt::format("{}", fmt::join(stress_.cases, ",")), "say --case S1 --scene");
+        stress_.scene_number = 1;
+        if (!stress_number_.empty()) {
+            stress_.scene_number = whole_in<std::size_t>(stress_number_);
+            if (!stress_.scene_number)
+                refuse("--scene", "the number of a scene, from 1", stress_number_);
+        }
+    }
+
     void add_help() {
         CLI::App& command = add_command("help", "Explain a command", "rastertrace help show");
         command.add_option("command", help_about_, "The command")->type_name("COMMAND");
@@ -393,6 +462,11 @@ private:
 
     PlanCommand plan_;
     MethodOptions plan_method_;
+
+    StressCommand stress_;
+    std::string stress_number_;
+    CLI::Option* stress_scene_ = nullptr;
+    MethodOptions stress_method_;
 
     std::string help_about_;
 };

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace rastertrace {
 
@@ -36,6 +37,16 @@ struct PlanCommand {
     MethodOverrides method;
 };
 int run(const PlanCommand& command);
+
+struct StressCommand {
+    std::string scene;                            ///< empty: the catalogue
+    std::vector<std::string> cases;               ///< ids; none: all of them, as a table
+    std::optional<std::size_t> scene_number = {}; ///< print this scene of the only case, from 1
+    bool json = false;
+    bool quick = false;
+    MethodOverrides method; ///< for the scene
+};
+int run(const StressCommand& command);
 
 struct ShowCommand {
     enum class Which { last, step, every, all };

@@ -23,12 +23,16 @@ template <typename T> T value_or_throw(Result<T> result) {
 
 } // namespace
 
-PlannedScene load_scene(const std::string& path, const MethodOverrides& method) {
-    const Source source = value_or_throw(read_source(path));
+Source load_scene_source(const std::string& path) {
+    Source source = value_or_throw(read_source(path));
     if (is_trace(source))
         throw problem_of(source.name, "expected a scene, found a trace",
                          "a trace is what this command makes; `show` and `stats` read it");
-    return value_or_throw(read_scene(source, method));
+    return source;
+}
+
+PlannedScene load_scene(const std::string& path, const MethodOverrides& method) {
+    return value_or_throw(read_scene(load_scene_source(path), method));
 }
 
 Trace load_trace(const std::string& path, const MethodOverrides& method) {

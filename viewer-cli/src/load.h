@@ -17,6 +17,9 @@ namespace rastertrace {
 /// Reads and plans the scene in a file ("-" for standard input). Throws a Problem.
 PlannedScene load_scene(const std::string& path, const MethodOverrides& method);
 
+/// The text of the scene in a file, not yet read. Throws a Problem; a trace is one.
+Source load_scene_source(const std::string& path);
+
 /// Reads the trace in a file, or draws the scene in it. Throws a Problem. Damage that leaves the
 /// trace usable is left to the caller, see report_damage.
 Trace load_trace(const std::string& path, const MethodOverrides& method);

@@ -1,0 +1,593 @@
+// SPDX-License-Identifier: MIT
+#include <rastertrace/numerics/cliffs.h>
+
+#include <rastertrace/core/geometry.h>
+#include <rastertrace/core/pieces.h>
+#include <rastertrace/core/plan.h>
+#include <rastertrace/core/rounding.h>
+#include <rastertrace/numerics/drawing.h>
+#include <rastertrace/trace/scene_file.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <tuple>
+#include <utility>
+
+namespace rastertrace {
+
+namespace {
+
+/// Bits of a significand.
+constexpr int float_bits = 24;
+constexpr int double_bits = 53;
+
+/// Numbers that differ by this factor are of different scales.
+constexpr double stiff_ratio = 1e6;
+
+/// How near to an edge a sample is near, in pixels, and a cosine to 0.
+constexpr double least_distance = 0x1p-20;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// "float", or "float and double", by how many bits something is lost.
+std::string_view who_loses(bool double_too) {
+    return double_too ? "float and double" : "float";
+}
+
+/// A line of the screen, and what it is called.
+struct ScreenEdge {
+    Vec<Rational, 2> from;
+    Vec<Rational, 2> to;
+    std::string where;
+};
+
+/// Where along one axis an edge is looked at, and where across it lies what it must not touch.
+struct Marks {
+    bool along_x;    ///< along x and across y, or along y and across x
+    Rational along;  ///< of a mark, from an index
+    Rational across; ///< the same
+};
+
+Rational absolute(const Rational& x) {
+    return abs(x);
+}
+
+class CliffFinder {
+public:
+    explicit CliffFinder(Scene scene) : scene_(std::move(scene)) {
+        scene_.method.scalar = ScalarKind::exact;
+        // With this stage kept, every vertex goes through its spaces, in rationals.
+        scene_.keep.add(Stage::model);
+        geometry_ = geometry_of<Rational>(scene_);
+    }
+
+    std::vector<CliffGroup> find() {
+        look_at_vertices();
+        for_each_piece(scene_, geometry_, NullSink{},
+                       [this](const Piece<Rational>& piece) { look_at(piece); });
+        look_at_depths();
+        look_at_faces();
+
+        std::vector<CliffGroup> groups;
+        for (std::size_t i = 0; i < cliff_kind_count; ++i) {
+            std::vector<Cliff>& found = found_[i];
+            if (found.empty())
+                continue;
+            std::stable_sort(found.begin(), found.end(), [](const Cliff& a, const Cliff& b) {
+                return a.nearness > b.nearness;
+            });
+            CliffGroup group{static_cast<CliffKind>(i), {}, more_[i]};
+            if (found.size() > most_cliffs) {
+                group.more += found.size() - most_cliffs;
+                found.resize(most_cliffs);
+            }
+            group.worst = std::move(found);
+            groups.push_back(std::move(group));
+        }
+        return groups;
+    }
+
+private:
+    void add(CliffKind kind, std::string where, std::string how_near, double nearness) {
+        auto& found = found_[static_cast<std::size_t>(kind)];
+        found.push_back({std::move(where), std::move(how_near), nearness});
+        // A mesh may have a million of them; only the worst are shown.
+        constexpr std::size_t most_held = 64 * most_cliffs;
+        if (found.size() >= most_held) {
+            const auto middle = found.begin() + static_cast<std::ptrdiff_t>(most_cliffs);
+            std::nth_element(
+                found.begin(), middle, found.end(),
+                [](const Cliff& a, const Cliff& b) { return a.nearness > b.nearness; });
+            more_[static_cast<std::size_t>(kind)] += found.size() - most_cliffs;
+            found.resize(most_cliffs);
+        }
+    }
+
+    static std::string_view noun_of(PrimitiveKind kind) {
+        switch (kind) {
+        case PrimitiveKind::point:
+            return "point";
+        case PrimitiveKind::line:
+            return "line";
+        case PrimitiveKind::outline:
+            return "outline";
+        case PrimitiveKind::triangle:
+            break;
+        }
+        return "triangle";
+    }
+
+    // Vertices in space.
+
+    void look_at_vertices() {
+        if (!is_perspective(scene_.projection.type))
+            return;
+        const Rational near = *near_of(scene_.projection);
+        for (std::size_t i = 0; i < scene_.vertices.size(); ++i) {
+            if (!geometry_.is_used[i])
+                continue;
+            const auto& vertex = geometry_.vertices[i];
+            const std::string where = fmt::format("vertex {}", scene_.vertices[i].name);
+            const double distance = nearest_double(vertex.distance);
+            const Rational size = std::max(absolute(vertex.clip.x), absolute(vertex.clip.y));
+            const Rational gap = absolute(vertex.distance - near);
+            if (absolute(vertex.clip.w) <= size * Rational(least_distance))
+                add(CliffKind::near_plane, where,
+                    fmt::format("w = {:.3g}, with x or y = {:.3g}: as good as beside the eye",
+                                nearest_double(vertex.clip.w), nearest_double(size)),
+                    infinity);
+            else if (vertex.distance < near)
+                add(CliffKind::near_plane, where,
+                    fmt::format("{} {:.6g}, cut off by the near plane at {:.6g}",
+                                distance > 0 ? "at distance" : "behind the eye, at", distance,
+                                nearest_double(near)),
+                    nearest_double(near / gap));
+            else if (gap == 0)
+                add(CliffKind::near_plane, where, "on the near plane", infinity);
+            else if (gap <= near * Rational(least_distance))
+                add(CliffKind::near_plane, where,
+                    fmt::format("{:.3g} beyond the near plane", nearest_double(gap)),
+                    nearest_double(near / gap));
+        }
+    }
+
+    void look_at_depths() {
+        const bool has_depths =
+            scene_.depth() != Depth::none || is_perspective(scene_.projection.type);
+        if (!has_depths)
+            return;
+        const auto near = near_of(scene_.projection);
+        for (const ScenePrimitive& primitive : scene_.primitives) {
+            if (primitive.kind != PrimitiveKind::triangle)
+                continue;
+            std::array<Rational, 3> z;
+            for (std::size_t i = 0; i < 3; ++i) {
+                z[i] = geometry_.vertices[primitive.vertices[i]].distance;
+                // What is nearer is cut off.
+                if (is_perspective(scene_.projection.type) && near && z[i] < *near)
+                    z[i] = *near;
+            }
+            const auto [least, largest] = std::minmax({z[0], z[1], z[2]});
+            if (least <= 0)
+                continue; // without a perspective, any distance will do
+            const double ratio = nearest_double(largest / least);
+            if (ratio >= stiff_ratio)
+                add(CliffKind::depth_ratio, fmt::format("triangle {}", primitive.name),
+                    fmt::format("depths from {:.6g} to {:.6g}: 1 to {:.3g}", nearest_double(least),
+                                nearest_double(largest), ratio),
+                    ratio);
+        }
+    }
+
+    void look_at_faces() {
+        if (!scene_.has_transforms() && !scene_.tests_faces())
+            return;
+        Scene tested = scene_;
+        tested.method.cull = Cull::back;
+        const auto geometry = geometry_of<Rational>(tested);
+        for (const ScenePrimitive& primitive : tested.primitives) {
+            const auto face = face_of(tested, geometry, primitive);
+            if (!face.tested || !face.tested->cosine)
+                continue;
+            const double cosine = std::abs(*face.tested->cosine);
+            if (cosine <= least_distance)
+                add(CliffKind::edge_on, fmt::format("triangle {}", primitive.name),
+                    face.tested->dot == 0
+                        ? std::string("seen exactly from its edge: normal . view = 0")
+                        : fmt::format("normal . view = {:.3g}, cosine {:.3g}",
+                                      nearest_double(face.tested->dot), *face.tested->cosine),
+                    1 / cosine);
+        }
+    }
+
+    // Pieces on the screen.
+
+    void look_at(const Piece<Rational>& piece) {
+        if (piece.face.skip)
+            return;
+        const std::string owner = fmt::format("{} {}", noun_of(piece.kind), piece.name);
+        for (std::size_t i = 0; i < piece.count; ++i)
+            if (piece.is_part || seen_vertices_.insert(piece.vertices[i]).second)
+                look_at_place(piece, i, owner);
+
+        const bool is_filled = piece.kind == PrimitiveKind::triangle;
+        if (is_filled)
+            look_at_area(piece, owner);
+        const std::size_t edges = piece.count == 3 ? 3 : piece.count - 1;
+        for (std::size_t i = 0; i < edges; ++i) {
+            const std::size_t next = (i + 1) % piece.count;
+            // An edge that two triangles share is one edge.
+            const auto ends = std::minmax(piece.vertices[i], piece.vertices[next]);
+            if (!piece.is_part && !seen_edges_.insert({is_filled, ends.first, ends.second}).second)
+                continue;
+            const std::array<std::string_view, 2> names{piece.names[i], piece.names[next]};
+            const ScreenEdge edge{piece.positions[i], piece.positions[next],
+                                  piece.kind == PrimitiveKind::line
+                                      ? owner
+                                      : fmt::format("edge {} of {}", joined_names(names), owner)};
+            look_at_slope(edge, is_filled);
+            look_at_marks(edge, is_filled);
+        }
+    }
+
+    void look_at_place(const Piece<Rational>& piece, std::size_t i, const std::string& owner) {
+        const auto& [x, y] = piece.positions[i];
+        const std::string where = piece.is_part
+                                      ? fmt::format("vertex {} of {}", piece.names[i], owner)
+                                      : fmt::format("vertex {}", piece.names[i]);
+        const double farthest = std::max(nearest_double(absolute(x)), nearest_double(absolute(y)));
+        constexpr double float_pixels = 0x1p23;
+        if (farthest > float_pixels)
+            add(CliffKind::far_out, where,
+                fmt::format("at ({:.6g}, {:.6g}): float's next number is {:.3g} px away",
+                            nearest_double(x), nearest_double(y),
+                            std::ldexp(1.0, std::ilogb(farthest) - float_bits + 1)),
+                farthest);
+
+        const auto moved = [](const Rational& coordinate) -> Rational {
+            const Rational units = coordinate * fixed_grid;
+            return absolute(units - Rational(static_cast<long>(
+                                        floor_index(Rational(units + Rational(1, 2)))))) /
+                   fixed_grid;
+        };
+        if (farthest > static_cast<double>(farthest_index) / static_cast<double>(fixed_grid))
+            return; // `fixed` refuses it
+        const double distance = nearest_double(std::max(moved(x), moved(y)));
+        if (distance > 0)
+            add(CliffKind::snapped, where,
+                fmt::format("at ({:.9g}, {:.9g}) moves by {:.3g} px", nearest_double(x),
+                            nearest_double(y), distance),
+                distance);
+    }
+
+    void look_at_area(const Piece<Rational>& piece, const std::string& owner) {
+        const auto& [a, b, c] = piece.positions;
+        const Rational first = (b.x - a.x) * (c.y - a.y);
+        const Rational second = (c.x - a.x) * (b.y - a.y);
+        const Rational area2 = absolute(first - second);
+        const Rational products = absolute(first) + absolute(second);
+        const auto is_sliver = [&](int bits) {
+            return area2 <= products * Rational(std::ldexp(1.0, 2 - bits));
+        };
+        if (area2 == 0)
+            add(CliffKind::sliver, owner, "its area is 0", infinity);
+        else if (is_sliver(float_bits))
+            add(CliffKind::sliver, owner,
+                fmt::format(
+                    "twice its area is {:.3g}, the difference of products of {:.3g}: lost in {}",
+                    nearest_double(area2), nearest_double(products / 2),
+                    who_loses(is_sliver(double_bits))),
+                nearest_double(products / area2));
+
+        const auto snapped = [](const Rational& x) {
+            return Rational(
+                static_cast<long>(floor_index(Rational(x * fixed_grid + Rational(1, 2)))));
+        };
+        const Rational on_grid = (snapped(b.x) - snapped(a.x)) * (snapped(c.y) - snapped(a.y)) -
+                                 (snapped(c.x) - snapped(a.x)) * (snapped(b.y) - snapped(a.y));
+        if (area2 != 0 && on_grid == 0)
+            add(CliffKind::collapsed, owner,
+                fmt::format("twice its area is {:.3g} px^2, and 0 on the grid of 1/{}",
+                            nearest_double(area2), fixed_grid),
+                1 / nearest_double(area2));
+    }
+
+    void look_at_slope(const ScreenEdge& edge, bool is_filled) {
+        const Rational dx = edge.to.x - edge.from.x;
+        const Rational dy = edge.to.y - edge.from.y;
+        if (dx == 0 || dy == 0)
+            return;
+
+        // A fill walks down the rows, a line along the axis in which it is longer.
+        const bool along_x = !is_filled && absolute(dx) >= absolute(dy);
+        const Rational slope = absolute(along_x ? Rational(dy / dx) : Rational(dx / dy));
+        const std::string_view slope_name = along_x ? "dy/dx" : "dx/dy";
+        const double steep = nearest_double(slope);
+        if (steep >= stiff_ratio || steep <= 1 / stiff_ratio)
+            add(CliffKind::slope, edge.where, fmt::format("{} = {:.3g}", slope_name, steep),
+                std::max(steep, 1 / steep));
+
+        const Rational across = along_x ? std::max(absolute(edge.from.y), absolute(edge.to.y))
+                                        : std::max(absolute(edge.from.x), absolute(edge.to.x));
+        const double steps = nearest_double(across / slope);
+        if (steps >= std::ldexp(1.0, float_bits - 1))
+            add(CliffKind::absorbed_step, edge.where,
+                fmt::format("{} = {:.3g} is added to {:.6g}: absorbed in {}", slope_name, steep,
+                            nearest_double(across),
+                            who_loses(steps >= std::ldexp(1.0, double_bits - 1))),
+                steps);
+
+        // Added up, row after row or pixel after pixel, as far as the canvas goes.
+        const Method& method = scene_.method;
+        const bool is_added =
+            is_filled ? method.lerp == LerpForm::incremental &&
+                            (method.fill == Fill::scanline || method.fill == Fill::two_halves)
+                      : method.line == LineMethod::dda;
+        if (!is_added)
+            return;
+        const double n =
+            std::min(nearest_double(absolute(along_x ? dx : dy)),
+                     static_cast<double>(along_x ? scene_.canvas.width : scene_.canvas.height));
+        const double error = n * n * steep * std::ldexp(1.0, -float_bits);
+        if (error >= 1 / (2 * n))
+            add(CliffKind::growing_error, edge.where,
+                fmt::format("{:.0f} steps of {:.3g} may be off by {:.2g} px, and a tie lies within "
+                            "{:.2g} px: {}",
+                            n, steep, error, 1 / (2 * n),
+                            who_loses(std::ldexp(error, float_bits - double_bits) >= 1 / (2 * n))),
+                error * n);
+    }
+
+    /// The samples of a fill, the ends of its rows, the ties of a line.
+    void look_at_marks(const ScreenEdge& edge, bool is_filled) {
+        const Method& method = scene_.method;
+        const Rational dx = absolute(edge.to.x - edge.from.x);
+        const Rational dy = absolute(edge.to.y - edge.from.y);
+        const auto tie_of = [](Rounding rounding) {
+            return rounding == Rounding::nearest ? Rational(1, 2) : Rational(0);
+        };
+        if (is_filled && method.fill == Fill::fan)
+            return;
+        if (is_filled && (method.fill == Fill::scanline || method.fill == Fill::two_halves)) {
+            look_along(edge, {false, 0, tie_of(span_rounding(method).rounding)}, "row end");
+        } else if (is_filled) {
+            const Rational offset = sample_offset_of(method).exact();
+            look_along(edge, {dx >= dy, offset, offset}, "sample");
+        } else {
+            ScreenEdge line = edge;
+            if (method.line == LineMethod::bresenham)
+                for (auto* const end : {&line.from, &line.to}) {
+                    const GridPoint pixel = nearest_pixel(end->x, end->y);
+                    *end = {Rational(static_cast<long>(pixel.x)),
+                            Rational(static_cast<long>(pixel.y))};
+                }
+            const Rational tie = method.line == LineMethod::bresenham
+                                     ? Rational(1, 2)
+                                     : tie_of(line_rounding(method).rounding);
+            look_along(line, {dx >= dy, 0, tie}, "tie");
+        }
+    }
+
+    void look_along(const ScreenEdge& edge, const Marks& marks, std::string_view what) {
+        const Canvas& canvas = scene_.canvas;
+        const auto along_of = [&marks](const Vec<Rational, 2>& p) -> Rational {
+            return marks.along_x ? p.x : p.y;
+        };
+        const auto across_of = [&marks](const Vec<Rational, 2>& p) {
+            return marks.along_x ? p.y : p.x;
+        };
+        Rational from = along_of(edge.from);
+        Rational to = along_of(edge.to);
+        Rational from_across = across_of(edge.from);
+        Rational to_across = across_of(edge.to);
+        if (from == to) {
+            // A fill's horizontal edge: it is a row, or is not.
+            const Index row = nearest_index(from, Ties::up);
+            const Rational distance = absolute(from - Rational(static_cast<long>(row)));
+            if (canvas.row_of(row) >= 0 && canvas.row_of(row) < canvas.height &&
+                distance <= Rational(least_distance))
+                add(CliffKind::sample_on_edge, edge.where,
+                    distance == 0
+                        ? fmt::format("lies on row {}", row)
+                        : fmt::format("lies {:.2g} px from row {}", nearest_double(distance), row),
+                    distance == 0 ? 0x1p60 : 1 / nearest_double(distance));
+            return;
+        }
+        if (to < from) {
+            std::swap(from, to);
+            std::swap(from_across, to_across);
+        }
+        const Rational slope = (to_across - from_across) / (to - from);
+
+        // The indices that lie on the canvas, and on the edge.
+        const int low_y = std::min(canvas.top(), canvas.bottom());
+        const int high_y = std::max(canvas.top(), canvas.bottom());
+        const Index low = marks.along_x ? canvas.left() : low_y;
+        const Index high = marks.along_x ? canvas.right() : high_y;
+        const Index low_across = marks.along_x ? low_y : canvas.left();
+        const Index high_across = marks.along_x ? high_y : canvas.right();
+        const Index first = std::max(low, ceil_index(Rational(from - marks.along)));
+        const Index last = std::min(high, floor_index(Rational(to - marks.along)));
+
+        // In double first, where double is sure: its error stays below the least distance.
+        constexpr double double_is_sure = 0x1p28;
+        const double slope_in_double = nearest_double(slope);
+        const double start_in_double =
+            nearest_double(from_across - slope * (from - marks.along) - marks.across);
+        const bool is_sure =
+            std::abs(start_in_double) < double_is_sure &&
+            std::abs(slope_in_double) * static_cast<double>(high - low + 1) < double_is_sure &&
+            std::abs(slope_in_double) * std::max(std::abs(static_cast<double>(low)),
+                                                 std::abs(static_cast<double>(high))) <
+                double_is_sure;
+        std::uint64_t touched = 0;
+        std::uint64_t near = 0;
+        Rational nearest = 1;
+        std::optional<GridPoint> place;
+        for (Index i = first; i <= last; ++i) {
+            if (is_sure) {
+                const double x = start_in_double + slope_in_double * static_cast<double>(i);
+                if (std::abs(x - std::nearbyint(x)) > 2 * least_distance)
+                    continue;
+            }
+            const Rational at = Rational(static_cast<long>(i)) + marks.along;
+            const Rational across = from_across + slope * (at - from) - marks.across;
+            const Index index = nearest_index(across, Ties::up);
+            if (index < low_across || index > high_across)
+                continue;
+            const Rational distance = absolute(across - Rational(static_cast<long>(index)));
+            if (distance > Rational(least_distance))
+                continue;
+            (distance == 0 ? touched : near) += 1;
+            if (!place || distance < nearest) {
+                nearest = distance;
+                place = marks.along_x ? GridPoint{i, index} : GridPoint{index, i};
+            }
+        }
+        if (!place)
+            return;
+        const std::string at = fmt::format("({}, {})", place->x, place->y);
+        std::string how_near;
+        if (touched > 0)
+            how_near = fmt::format("passes exactly through {}, one at pixel {}",
+                                   counted(touched, what), at);
+        if (near > 0)
+            how_near += touched > 0
+                            ? fmt::format("; {} more within 2^-20 px", near)
+                            : fmt::format("comes within 2^-20 px of {}", counted(near, what));
+        if (touched == 0)
+            how_near += fmt::format(", the nearest {:.2g} px away, at pixel {}",
+                                    nearest_double(nearest), at);
+        // Whatever is touched comes before what is only near.
+        add(CliffKind::sample_on_edge, edge.where, how_near,
+            touched > 0 ? 0x1p60 * static_cast<double>(touched) : 1 / nearest_double(nearest));
+    }
+
+    Scene scene_;
+    Geometry<Rational> geometry_;
+    std::set<std::size_t> seen_vertices_; ///< places in the scene
+    std::set<std::tuple<bool, std::size_t, std::size_t>>
+        seen_edges_; ///< filled or not, and its ends
+    std::array<std::vector<Cliff>, cliff_kind_count> found_;
+    std::array<std::uint64_t, cliff_kind_count> more_{};
+};
+
+/// Counts the pixels that differ. A canvas that is fitted to rounded vertices may have a row or
+/// column that the other has not.
+void compare(const Image& picture, const Image& exact, ComparedPicture& result) {
+    const auto color_in = [](const Image& image, Pixel pixel) {
+        return image.canvas().contains(pixel.x, pixel.y) ? image.at(pixel) : no_color;
+    };
+    const auto visit = [&](const Canvas& canvas, const auto& is_new) {
+        for (int row = 0; row < canvas.height; ++row)
+            for (int x = canvas.left(); x <= canvas.right(); ++x) {
+                const Pixel pixel{x, canvas.y_of(row)};
+                if (!is_new(pixel) || color_in(picture, pixel) == color_in(exact, pixel))
+                    continue;
+                ++result.differing;
+                result.first = result.first.value_or(pixel);
+            }
+    };
+    visit(exact.canvas(), [](Pixel) { return true; });
+    visit(picture.canvas(),
+          [&exact](Pixel pixel) { return !exact.canvas().contains(pixel.x, pixel.y); });
+}
+
+} // namespace
+
+std::string_view name_of(CliffKind kind) {
+    switch (kind) {
+    case CliffKind::depth_ratio:
+        return "depth-ratio";
+    case CliffKind::slope:
+        return "slope";
+    case CliffKind::absorbed_step:
+        return "absorbed-step";
+    case CliffKind::growing_error:
+        return "growing-error";
+    case CliffKind::sliver:
+        return "sliver";
+    case CliffKind::sample_on_edge:
+        return "sample-on-edge";
+    case CliffKind::collapsed:
+        return "collapsed";
+    case CliffKind::snapped:
+        return "snapped";
+    case CliffKind::edge_on:
+        return "edge-on";
+    case CliffKind::near_plane:
+        return "near-plane";
+    case CliffKind::far_out:
+        break;
+    }
+    return "far-out";
+}
+
+std::string_view meaning_of(CliffKind kind) {
+    switch (kind) {
+    case CliffKind::depth_ratio:
+        return "depths that differ a million times in one triangle: linear z and 24-bit buffers "
+               "fall";
+    case CliffKind::slope:
+        return "a slope of a million or a millionth: a step that suits one axis loses the other";
+    case CliffKind::absorbed_step:
+        return "a step too small for the number it is added to";
+    case CliffKind::growing_error:
+        return "a slope added up until its rounding reaches the next tie";
+    case CliffKind::sliver:
+        return "a triangle of almost no area: rounded, its sign is anybody's guess";
+    case CliffKind::sample_on_edge:
+        return "edges on samples, or within 2^-20 px of them: the tie rule or the rounding decides";
+    case CliffKind::collapsed:
+        return "triangles that `fixed` leaves nothing of";
+    case CliffKind::snapped:
+        return "vertices that `fixed` moves to its grid of 1/256";
+    case CliffKind::edge_on:
+        return "faces seen from their edge: rounded, they may be turned either way";
+    case CliffKind::near_plane:
+        return "vertices at the near plane, or before it: clipping makes new ones";
+    case CliffKind::far_out:
+        break;
+    }
+    return "coordinates beyond 2^23: float has no half pixels there";
+}
+
+std::vector<CliffGroup> cliffs_of(const Scene& scene) {
+    return CliffFinder(scene).find();
+}
+
+std::vector<ComparedPicture> compared_pictures(const Source& source,
+                                               const MethodOverrides& method) {
+    const auto read_with = [&](std::string_view scalar) {
+        MethodOverrides with = method;
+        with.emplace_back("scalar", scalar);
+        return read_scene(source, with);
+    };
+    const auto drawn_with = [](const PlannedScene& one) { return drawn(one.scene, one.plan); };
+    std::optional<Image> exact;
+    if (const auto scene = read_with("exact"))
+        exact = drawn_with(scene.value());
+
+    std::vector<ComparedPicture> compared;
+    for (const std::string_view scalar : find_method_key("scalar")->values) {
+        ComparedPicture one{.scalar = std::string(scalar), .refusal = {}, .first = {}};
+        const auto scene = read_with(scalar);
+        if (!scene) {
+            one.refusal = scene.problem().message;
+        } else {
+            const Image picture = drawn_with(scene.value());
+            one.pixels = picture.drawn();
+            if (exact)
+                compare(picture, *exact, one);
+        }
+        compared.push_back(std::move(one));
+    }
+    return compared;
+}
+
+} // namespace rastertrace

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What a picture must be, worked out in rationals by the definition of each method and by nothing
+// else: for each pixel, is its sample inside; for each row, where does it meet the triangle. Shares
+// no line with the fills that it judges, and is as slow as that.
+
+#include <rastertrace/core/image.h>
+#include <rastertrace/core/scalar.h>
+#include <rastertrace/core/scene.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace rastertrace {
+
+/// A point in the scene's coordinates.
+struct ExactPoint {
+    Rational x;
+    Rational y;
+};
+
+/// Which pixels of a canvas something covers: row-major, top row first.
+using CoveredPixels = std::vector<bool>;
+
+/// The pixels of a triangle by a method's fill (scanline, two-halves, barycentric or top-left), its
+/// rounding and sample.
+CoveredPixels covered_by(const std::array<ExactPoint, 3>& triangle, const Method& method,
+                         const Canvas& canvas);
+
+/// The samples, at the centers of pixels, of a convex polygon by the top-left rule.
+CoveredPixels covered_by_polygon(const std::vector<ExactPoint>& polygon, const Canvas& canvas);
+
+/// The picture of a scene without matrices: its triangles, hidden as its method says, then its lines
+/// and points. Lines must run between integer points.
+std::vector<Color> reference_picture(const Scene& scene);
+
+/// The scene with every vertex at the nearest multiple of 1/256, a half up.
+Scene snapped_to_grid(Scene scene);
+
+/// The vertices of a primitive.
+std::array<ExactPoint, 3> exact_corners(const Scene& scene, std::size_t primitive);
+
+/// Twice the signed area.
+Rational exact_area2(const std::array<ExactPoint, 3>& triangle);
+
+/// A value that is linear on the screen: a x + b y + c.
+struct ExactPlane {
+    Rational a;
+    Rational b;
+    Rational c;
+
+    Rational at(const ExactPoint& p) const { return a * p.x + b * p.y + c; }
+};
+
+/// The plane that has these values in the corners of a triangle, which must have area.
+ExactPlane plane_through(const std::array<ExactPoint, 3>& triangle,
+                         const std::array<Rational, 3>& values);
+
+} // namespace rastertrace

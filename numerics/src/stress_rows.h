@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What the cases of the catalogue are made of: rows, and the ways to come by them.
+
+#include "reference.h"
+
+#include <rastertrace/core/image.h>
+#include <rastertrace/core/plan.h>
+#include <rastertrace/core/scalar.h>
+#include <rastertrace/core/scene.h>
+#include <rastertrace/numerics/stress.h>
+#include <rastertrace/trace/method_names.h>
+#include <rastertrace/trace/problem.h>
+#include <rastertrace/trace/trace.h>
+
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace rastertrace {
+
+/// What is documented of some scalars. A scalar that is not named is right.
+struct DocumentedOf {
+    std::string_view scalars; ///< separated by blanks; "all" for every one
+    Documented documented;
+};
+using DocumentedOfScalars = std::vector<DocumentedOf>;
+
+/// Documentation in few words.
+inline Documented right(std::string_view note = {}) {
+    return {.verdict = Verdict::right, .note = note};
+}
+inline Documented wrong(std::uint64_t count, std::string_view worst = {},
+                        std::string_view note = {}) {
+    return {.verdict = Verdict::wrong, .wrong = count, .worst = worst, .note = note};
+}
+inline Documented within(double bound) {
+    return {.verdict = Verdict::within, .bound = bound};
+}
+inline Documented refused(std::string_view message) {
+    return {.verdict = Verdict::refused, .note = message};
+}
+
+/// What is documented of one scalar.
+Documented documented_of(const DocumentedOfScalars& documented, std::string_view scalar);
+
+/// The values of the method's key `scalar`.
+const std::vector<std::string_view>& scalar_names();
+
+/// Reads a case's scene.
+Result<Scene> scene_in(std::string_view json, const MethodOverrides& method = {});
+
+/// A case's scene that can be read, whatever the scalar.
+Scene readable_scene(std::string_view json, const MethodOverrides& method = {});
+
+/// Its scalar set.
+MethodOverrides with_scalar_named(MethodOverrides method, std::string_view scalar);
+
+/// Draws it and reads the trace back, or what kept it from being read.
+Result<Trace> trace_in(std::string_view json, const MethodOverrides& method = {},
+                       const std::vector<StepKind>& only = {});
+
+/// How many steps of a trace are of a kind.
+std::uint64_t count_of(const Trace& trace, StepKind kind);
+
+/// Calls `use.template operator()<Scalar>(plan)` with the C++ type that a scene is drawn with.
+template <typename Use> decltype(auto) with_numbers_of(const Scene& scene, Use&& use) {
+    const Plan plan = plan_for(scene);
+    return with_scalar(plan, [&]<typename Scalar>() -> decltype(auto) {
+        return use.template operator()<Scalar>(plan);
+    });
+}
+
+/// Calls `use.template operator()<Scalar>()` with the C++ type that vertices are moved in, and faces
+/// tested in.
+template <typename Scalar> Scalar coordinate_type_of(const Geometry<Scalar>&);
+Rational coordinate_type_of(const TypedGeometry&);
+template <typename Use> decltype(auto) with_coordinates_of(const Scene& scene, Use&& use) {
+    const AnyGeometry geometry = geometry_for(scene);
+    return std::visit(
+        [&](const auto& one) -> decltype(auto) {
+            return use.template operator()<decltype(coordinate_type_of(one))>();
+        },
+        geometry);
+}
+
+/// A vertex of a scene where it is drawn.
+template <typename Scalar>
+Vec<Scalar, 2> place_of(const Scene& scene, std::size_t vertex, const Plan& plan) {
+    return {scalar_from<Scalar>(scene.vertices[vertex].x, plan.denominator),
+            scalar_from<Scalar>(scene.vertices[vertex].y, plan.denominator)};
+}
+
+/// A number as it is, without rounding.
+template <typename Scalar> Rational exactly(const Scalar& value) {
+    if constexpr (std::floating_point<Scalar>)
+        return Rational(value);
+    else
+        return Rational(value);
+}
+inline Rational exactly(const Fraction64& value) {
+    Rational result(value.numerator, value.denominator);
+    result.canonicalize();
+    return result;
+}
+inline Rational exactly(const Fraction128& value) {
+    const auto whole = [](Int128 number) {
+        const auto high = static_cast<long>(number >> 64);
+        const auto low = static_cast<unsigned long>(number);
+        return mpz_class((mpz_class(high) << 64) + mpz_class(low));
+    };
+    Rational result(whole(value.numerator), whole(value.denominator));
+    result.canonicalize();
+    return result;
+}
+
+/// How far a number lies from the exact one, rounded to a double.
+template <typename Scalar> double error_of(const Scalar& value, const Rational& exact) {
+    return nearest_double(abs(exactly(value) - exact));
+}
+
+/// The same over the exact one.
+template <typename Scalar> double relative_error_of(const Scalar& value, const Rational& exact) {
+    return nearest_double(abs(exactly(value) - exact) / abs(exact));
+}
+
+/// The largest relative error of one correctly rounded operation: 2^-24 for float, 2^-53 for double,
+/// 0 for what is exact.
+template <typename Scalar> constexpr double rounding_unit() {
+    if constexpr (std::floating_point<Scalar>)
+        return static_cast<double>(std::numeric_limits<Scalar>::epsilon()) / 2;
+    else
+        return 0;
+}
+
+/// The rows of a case, as they are found.
+class StressRows {
+public:
+    explicit StressRows(const StressOptions& options) : options_(options) {}
+
+    bool is_quick() const { return options_.quick; }
+
+    void add(std::string_view scalar, std::string_view method, Measured measured,
+             const Documented& documented);
+
+    /// Adds a row that is right if `found` is `expected`, and wrong by one otherwise.
+    void expect_same(std::string_view scalar, std::string_view method, std::uint64_t found,
+                     std::uint64_t expected, std::string_view unit);
+
+    /// Draws a scene with every scalar and compares each pixel with the reference. For `fixed` the
+    /// reference is that of the vertices snapped to 1/256 pixel. The reference must have
+    /// `pixels` pixels, if that is said.
+    void add_pictures(std::string_view json, std::string_view label, const MethodOverrides& method,
+                      std::optional<std::uint64_t> pixels,
+                      const DocumentedOfScalars& documented = {});
+
+    /// The same against another reference, given for a scene and, with `fixed`, for the scene snapped.
+    using ReferenceOf = std::vector<Color> (*)(const Scene& scene);
+    void add_pictures(std::string_view json, std::string_view label, const MethodOverrides& method,
+                      std::optional<std::uint64_t> pixels, ReferenceOf reference,
+                      const DocumentedOfScalars& documented = {});
+
+    /// Tries to read a scene with every scalar: it must be refused, with this in the message.
+    void add_refusals(std::string_view json, std::string_view label, std::string_view message,
+                      const MethodOverrides& method = {});
+
+    std::vector<StressRow> take() { return std::move(rows_); }
+
+private:
+    StressOptions options_;
+    std::vector<StressRow> rows_;
+};
+
+/// A scene's picture.
+std::vector<Color> drawn_picture(const Scene& scene);
+
+/// A picture moved on its canvas; what was outside comes in empty.
+std::vector<Color> moved_picture(const std::vector<Color>& picture, const Canvas& canvas,
+                                 Index right, Index down);
+
+/// How many pixels differ.
+std::uint64_t differing(const std::vector<Color>& a, const std::vector<Color>& b);
+
+/// How many pixels are drawn.
+std::uint64_t drawn_in(const std::vector<Color>& picture);
+
+// The families.
+std::vector<StressCase> line_cases();
+std::vector<StressCase> scanline_cases();
+std::vector<StressCase> edge_function_cases();
+std::vector<StressCase> depth_cases();
+std::vector<StressCase> pipeline_cases();
+std::vector<StressCase> stage_cases();
+
+} // namespace rastertrace

@@ -1,0 +1,427 @@
+// SPDX-License-Identifier: MIT
+// `rastertrace stress`: the catalogue of stiff and extreme cases; or, whether a scene is near any cliff.
+
+#include "commands.h"
+#include "load.h"
+
+#include <rastertrace/numerics/cliffs.h>
+#include <rastertrace/numerics/stress.h>
+#include <rastertrace/trace/problem.h>
+#include <rastertrace/trace/scene_file.h>
+#include <rastertrace/trace/step_writer.h>
+#include <rastertrace/trace/text.h>
+
+#include <fmt/format.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <iterator>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rastertrace {
+
+namespace {
+
+/// How wide the text is, in columns.
+constexpr std::size_t text_width = 100;
+
+/// A case that was run.
+struct RunCase {
+    const StressCase* about;
+    std::vector<StressRow> rows;
+
+    std::size_t count(Verdict verdict) const {
+        return static_cast<std::size_t>(
+            std::count_if(rows.begin(), rows.end(),
+                          [verdict](const StressRow& row) { return verdict_of(row) == verdict; }));
+    }
+    std::size_t failed() const {
+        return static_cast<std::size_t>(std::count_if(
+            rows.begin(), rows.end(), [](const StressRow& row) { return !is_as_documented(row); }));
+    }
+};
+
+/// Says on a terminal which case is run; nothing elsewhere.
+class Progress {
+public:
+    void show(std::string_view what) const {
+        if (is_terminal_)
+            fmt::print(stderr, "\r{:<{}}", what, width);
+    }
+    ~Progress() { show(""); }
+
+private:
+    static constexpr int width = 48;
+    bool is_terminal_ = ::isatty(STDERR_FILENO) != 0;
+};
+
+/// Text over as many lines as it needs. The first begins with `first`, which is padded to `indent`
+/// columns; the others are indented by as many.
+std::string wrapped(std::string_view first, std::size_t indent, std::string_view text) {
+    std::string result = fmt::format("{:<{}}", first, indent);
+    std::size_t column = std::max(indent, characters_in(first));
+    bool is_first_word = true;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find(' '), text.size());
+        const std::string_view word = text.substr(0, end);
+        const std::size_t width = characters_in(word);
+        if (!is_first_word && column + 1 + width > text_width) {
+            result += '\n' + std::string(indent, ' ');
+            column = indent;
+            is_first_word = true;
+        }
+        if (!is_first_word) {
+            result += ' ';
+            ++column;
+        }
+        result += word;
+        column += width;
+        is_first_word = false;
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    while (result.ends_with(' '))
+        result.pop_back();
+    return result + '\n';
+}
+
+/// "right 12, wrong 3": the verdicts that there are.
+std::string counts_of(const std::array<std::size_t, 4>& counts) {
+    std::string text;
+    for (const Verdict verdict :
+         {Verdict::right, Verdict::within, Verdict::wrong, Verdict::refused})
+        if (const std::size_t count = counts[static_cast<std::size_t>(verdict)])
+            text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name_of(verdict), count);
+    return text;
+}
+
+std::array<std::size_t, 4> counts_of(const RunCase& one) {
+    return {one.count(Verdict::right), one.count(Verdict::within), one.count(Verdict::wrong),
+            one.count(Verdict::refused)};
+}
+
+// The table.
+
+std::string as_table(const std::vector<RunCase>& cases) {
+    std::string text = fmt::format("{:<4} {:<40} {:<14} {}\n", "case", "what", "result",
+                                   "rows: one scalar and one method each");
+    const auto out = std::back_inserter(text);
+    std::array<std::size_t, 4> sum{};
+    std::size_t rows = 0;
+    std::string failed;
+    std::string_view family;
+    for (const RunCase& one : cases) {
+        if (family_of(*one.about) != family) {
+            family = family_of(*one.about);
+            fmt::format_to(out, "\n{}\n", family);
+        }
+        const auto counts = counts_of(one);
+        for (std::size_t i = 0; i < counts.size(); ++i)
+            sum[i] += counts[i];
+        rows += one.rows.size();
+        fmt::format_to(out, "{:<4} {:<40} {:<14} {}\n", one.about->id, one.about->title,
+                       one.failed() > 0 ? "FAILED" : "as documented", counts_of(counts));
+        if (one.failed() > 0)
+            failed += fmt::format(" {}", one.about->id);
+    }
+    fmt::format_to(out, "\n{} cases, {} rows: {}\n", cases.size(), rows, counts_of(sum));
+    text += failed.empty()
+                ? "Every row is as documented: what must hold holds, and what is documented to be "
+                  "wrong is\nwrong by just that much. `--case ID` shows a case in full.\n"
+                : fmt::format("Not as documented:{}; `--case ID` shows a case in full.\n", failed);
+    return text;
+}
+
+// A case in full.
+
+/// Rows that say the same of several scalars, one after the other.
+std::string as_text(const std::vector<StressRow>& rows) {
+    std::string text;
+    constexpr std::size_t scalars_end = 36;
+    constexpr std::size_t verdict_end = scalars_end + 10;
+    for (std::size_t i = 0; i < rows.size();) {
+        const StressRow& row = rows[i];
+        if (i == 0 || rows[i - 1].method != row.method)
+            text += fmt::format("\n  {}\n", row.method);
+        std::string scalars = row.scalar;
+        std::size_t next = i + 1;
+        for (; next < rows.size() && rows[next].method == row.method &&
+               verdict_of(rows[next]) == verdict_of(row) &&
+               is_as_documented(rows[next]) == is_as_documented(row) &&
+               described(rows[next]) == described(row);
+             ++next)
+            scalars += ", " + rows[next].scalar;
+        const std::string first =
+            fmt::format("  {} {:<{}}{:<{}}", is_as_documented(row) ? ' ' : '!', scalars,
+                        scalars_end - 4, name_of(verdict_of(row)), verdict_end - scalars_end);
+        text += wrapped(first, verdict_end, described(row));
+        if (!is_as_documented(row))
+            text +=
+                wrapped("", verdict_end, "documented: " + described(row.documented, row.measured));
+        i = next;
+    }
+    return text;
+}
+
+std::string as_text(const RunCase& one) {
+    const StressCase& about = *one.about;
+    constexpr std::size_t indent = 10;
+    std::string text = fmt::format("{}  {}  ({})\n\n", about.id, about.title, family_of(about));
+    text += wrapped("  input", indent, about.input);
+    text += wrapped("  why", indent, about.why);
+    text += wrapped("  holds", indent, about.holds);
+    text += as_text(one.rows);
+
+    text += '\n';
+    const auto scenes = about.scenes();
+    if (scenes.empty())
+        text += wrapped("  see", indent,
+                        "there is no scene to look at: this is a computation, or is refused");
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+        // Of many scenes alike, the first will do.
+        if (i == 3 && scenes.size() > 4) {
+            text += fmt::format("{:{}}... and {} more\n", "", indent, scenes.size() - i);
+            break;
+        }
+        text += fmt::format("{:<{}}rastertrace stress --case {} --scene{} | rastertrace show -{}\n",
+                            i == 0 ? "  see" : "", indent, about.id,
+                            scenes.size() > 1 ? fmt::format(" {}", i + 1) : "",
+                            scenes[i].name.empty() ? "" : "   # " + scenes[i].name);
+    }
+    const std::size_t failed = one.failed();
+    text += failed == 0 ? "\nas documented\n"
+                        : fmt::format("\nFAILED: {} of {} rows not as documented (!)\n", failed,
+                                      one.rows.size());
+    return text;
+}
+
+// JSON.
+
+/// A number that JSON can hold.
+std::string number_or_null(double value) {
+    return std::isfinite(value) ? fmt::format("{}", value) : "null";
+}
+
+std::string as_json(const Documented& documented) {
+    std::string text = fmt::format(R"({{"verdict":"{}")", name_of(documented.verdict));
+    if (documented.verdict == Verdict::wrong) {
+        text += fmt::format(R"(,"wrong":{})", documented.wrong);
+        if (!documented.worst.empty())
+            text += fmt::format(R"(,"worst":{})", documented.worst);
+    }
+    if (documented.verdict == Verdict::within)
+        text += fmt::format(R"(,"bound":{})", number_or_null(documented.bound));
+    if (!documented.note.empty())
+        text += fmt::format(R"(,"note":{})", json_quoted(documented.note));
+    return text + "}";
+}
+
+std::string as_json(const StressRow& row) {
+    const Measured& measured = row.measured;
+    std::string text = fmt::format(
+        R"({{"scalar":{},"method":{},"verdict":"{}","as_documented":{},"wrong":{},"unit":{})",
+        json_quoted(row.scalar), json_quoted(row.method), name_of(verdict_of(row)),
+        is_as_documented(row), measured.wrong, json_quoted(measured.unit));
+    if (!measured.worst_unit.empty())
+        text += fmt::format(R"(,"worst":{},"worst_unit":{})", number_or_null(measured.worst),
+                            json_quoted(measured.worst_unit));
+    if (!measured.note.empty())
+        text += fmt::format(R"(,"{}":{})", measured.is_refused ? "message" : "note",
+                            json_quoted(measured.note));
+    return text + fmt::format(R"(,"documented":{}}})", as_json(row.documented));
+}
+
+/// `[a,b,c]`
+template <typename List, typename AsJson>
+std::string json_list(const List& list, AsJson&& as_json_of) {
+    std::string text = "[";
+    std::string_view separator;
+    for (const auto& one : list) {
+        text += separator;
+        text += as_json_of(one);
+        separator = ",";
+    }
+    return text + "]";
+}
+
+std::string as_json(const RunCase& one) {
+    const StressCase& about = *one.about;
+    return fmt::format(
+        R"({{"id":{},"family":{},"title":{},"input":{},"why":{},"holds":{},"scenes":{},)"
+        R"("as_documented":{},"rows":{}}})",
+        json_quoted(about.id), json_quoted(family_of(about)), json_quoted(about.title),
+        json_quoted(about.input), json_quoted(about.why), json_quoted(about.holds),
+        json_list(about.scenes(), [](const StressScene& scene) { return json_quoted(scene.name); }),
+        one.failed() == 0, json_list(one.rows, [](const StressRow& row) { return as_json(row); }));
+}
+
+std::string as_json(const std::vector<RunCase>& cases) {
+    std::vector<std::string_view> failed;
+    for (const RunCase& one : cases)
+        if (one.failed() > 0)
+            failed.push_back(one.about->id);
+    return fmt::format("{{\"cases\":{},\n\"failed\":{}}}\n",
+                       json_list(cases, [](const RunCase& one) { return "\n" + as_json(one); }),
+                       json_list(failed, json_quoted));
+}
+
+// Which cases.
+
+std::vector<const StressCase*> chosen_cases(const std::vector<std::string>& ids) {
+    std::vector<const StressCase*> cases;
+    if (ids.empty())
+        for (const StressCase& one : stress_cases())
+            cases.push_back(&one);
+    for (const std::string& id : ids) {
+        const StressCase* const one = find_stress_case(id);
+        if (one == nullptr) {
+            std::vector<std::string_view> known;
+            for (const StressCase& each : stress_cases())
+                known.push_back(each.id);
+            throw problem_of(
+                "",
+                fmt::format("--case: expected a case of the catalogue, L1 to L13, S1 to "
+                            "S14, C1 to C18, Z1 to Z13, P1 to P12 or X1 to X9, found "
+                            "\"{}\"",
+                            id),
+                did_you_mean(id, known));
+        }
+        if (std::find(cases.begin(), cases.end(), one) == cases.end())
+            cases.push_back(one);
+    }
+    return cases;
+}
+
+int print_scene(const StressCase& one, std::size_t number) {
+    const auto scenes = one.scenes();
+    if (scenes.empty())
+        throw problem_of("",
+                         fmt::format("--scene: expected a case with a scene, found {}, which is "
+                                     "a computation, or is refused",
+                                     one.id));
+    if (number < 1 || number > scenes.size())
+        throw problem_of("", fmt::format("--scene: expected a scene from 1 to {} of {}, found {}",
+                                         scenes.size(), one.id, number));
+    print(scenes[number - 1].json + "\n");
+    return exit_fine;
+}
+
+// A user's scene.
+
+std::string as_text(const std::string& title, const std::vector<CliffGroup>& groups,
+                    const std::vector<ComparedPicture>& pictures) {
+    std::string text = shortened(printable(title), 79) + "\n";
+    const auto out = std::back_inserter(text);
+    if (groups.empty())
+        text += "\nNear no cliff: no sample within 2^-20 px of an edge, no sliver, nothing steep, "
+                "deep, "
+                "far out\nor edge-on.\n";
+    for (const CliffGroup& group : groups) {
+        fmt::format_to(out, "\n{}\n", meaning_of(group.kind));
+        for (const Cliff& cliff : group.worst)
+            text += wrapped(fmt::format("  {} ", shortened(printable(cliff.where), 38)), 42,
+                            cliff.how_near);
+        if (group.more > 0)
+            fmt::format_to(out, "  ... and {} more\n", group.more);
+    }
+
+    fmt::format_to(out, "\n{:<10} pixels that differ from `exact`\n", "drawn with");
+    for (const ComparedPicture& picture : pictures) {
+        std::string found = fmt::format("{} of {}", picture.differing, picture.pixels);
+        if (picture.first)
+            found += fmt::format(", first ({}, {})", picture.first->x, picture.first->y);
+        text += wrapped(fmt::format("{:<10} ", picture.scalar), 11,
+                        picture.refusal.empty() ? found : "refused: " + printable(picture.refusal));
+    }
+    return text;
+}
+
+std::string as_json(const std::string& title, const std::vector<CliffGroup>& groups,
+                    const std::vector<ComparedPicture>& pictures) {
+    const auto cliff_as_json = [](const Cliff& cliff) {
+        return fmt::format(R"({{"where":{},"how_near":{}}})", json_quoted(cliff.where),
+                           json_quoted(cliff.how_near));
+    };
+    const auto group_as_json = [&](const CliffGroup& group) {
+        return fmt::format(R"({{"cliff":"{}","meaning":{},"worst":{},"more":{}}})",
+                           name_of(group.kind), json_quoted(meaning_of(group.kind)),
+                           json_list(group.worst, cliff_as_json), group.more);
+    };
+    const auto picture_as_json = [](const ComparedPicture& picture) {
+        std::string text = fmt::format(R"({{"scalar":{},)", json_quoted(picture.scalar));
+        if (!picture.refusal.empty())
+            return text + fmt::format(R"("refused":{}}})", json_quoted(picture.refusal));
+        text += fmt::format(R"("pixels":{},"differing":{})", picture.pixels, picture.differing);
+        if (picture.first)
+            text += fmt::format(R"(,"first":[{},{}])", picture.first->x, picture.first->y);
+        return text + "}";
+    };
+    return fmt::format("{{\"title\":{},\"cliffs\":{},\"pictures\":{}}}\n", json_quoted(title),
+                       json_list(groups, group_as_json), json_list(pictures, picture_as_json));
+}
+
+/// Looks at the user's own scene.
+int look_at_scene(const StressCommand& command) {
+    const Source source = load_scene_source(command.scene);
+    // What a scalar refuses is part of the answer; only what none can draw is a bad scene.
+    MethodOverrides exact = command.method;
+    exact.emplace_back("scalar", "exact");
+    const auto planned = read_scene(source, exact);
+    if (!planned)
+        throw planned.problem();
+    const Scene& scene = planned.value().scene;
+    std::vector<CliffGroup> groups;
+    std::vector<ComparedPicture> pictures;
+    {
+        const Progress progress;
+        progress.show("looking for cliffs");
+        groups = cliffs_of(scene);
+        progress.show("drawing with every scalar");
+        pictures = compared_pictures(source, command.method);
+    }
+    print(command.json ? as_json(scene.title, groups, pictures)
+                       : as_text(scene.title, groups, pictures));
+    return exit_fine;
+}
+
+} // namespace
+
+int run(const StressCommand& command) {
+    if (!command.scene.empty())
+        return look_at_scene(command);
+    const auto chosen = chosen_cases(command.cases);
+    if (command.scene_number)
+        return print_scene(*chosen.front(), *command.scene_number);
+
+    std::vector<RunCase> cases;
+    {
+        const Progress progress;
+        for (const StressCase* one : chosen) {
+            progress.show(fmt::format("{} {}", one->id, one->title));
+            cases.push_back({one, rows_of(*one, {.quick = command.quick})});
+        }
+    }
+    if (command.json) {
+        print(as_json(cases));
+    } else if (command.cases.empty()) {
+        print(as_table(cases));
+    } else {
+        std::string_view separator;
+        for (const RunCase& one : cases) {
+            print(std::string(separator) + as_text(one));
+            separator = "\n";
+        }
+    }
+    const bool has_failed = std::any_of(cases.begin(), cases.end(),
+                                        [](const RunCase& one) { return one.failed() > 0; });
+    return has_failed ? exit_difference : exit_fine;
+}
+
+} // namespace rastertrace
