@@ -64,6 +64,7 @@ inline AnyGeometry geometry_for(const Scene& scene) {
 struct Plan {
     NumberType number = NumberType::binary64;
     std::int64_t denominator = 1; ///< common to all coordinates, when they are fractions
+    std::int64_t coarseness = 1;  ///< vertices lie on multiples of this many of its units
     AnyGeometry geometry = {};
     Stages stages = {};        ///< which of them run
     bool mixes_colors = false; ///< vertices have colors that count
@@ -108,6 +109,7 @@ bool all_coordinates(const Scene& scene, const Geometry<Coordinate>& geometry, I
 struct NumberChoice {
     NumberType number = NumberType::binary64;
     std::int64_t denominator = 1;
+    std::int64_t coarseness = 1; ///< as in Plan
 };
 
 /// The narrowest type of fractions over `denominator` in which no step of drawing can overflow.
@@ -166,11 +168,12 @@ inline std::size_t depth_size_of(NumberType number) {
     return sizeof(double);
 }
 
-/// Decides how a scene is drawn, from the scene alone.
-inline Plan plan_for(const Scene& scene) {
+/// Decides how a scene is drawn, from the scene alone. `grid` is what `fixed` snaps to: so many
+/// places to a pixel.
+inline Plan plan_for(const Scene& scene, std::int64_t grid = fixed_grid) {
     AnyGeometry geometry = geometry_for(scene);
     const NumberChoice choice = std::visit(
-        [&scene](const auto& one) -> NumberChoice {
+        [&scene, grid](const auto& one) -> NumberChoice {
             using AGeometry = std::remove_cvref_t<decltype(one)>;
             switch (scene.method.scalar) {
             case ScalarKind::exact:
@@ -179,8 +182,12 @@ inline Plan plan_for(const Scene& scene) {
                     return choose_exact_numbers(scene, one);
                 break;
             case ScalarKind::fixed: {
-                // Rationals lie on the grid too.
-                return {choose_fractions(scene, one, fixed_grid).number, fixed_grid};
+                // Rationals lie on the grid too. The centers of pixels, which are halves, are not
+                // snapped, however coarse it is.
+                const std::int64_t halves = sample_of(scene.method) == Sample::center ? 2 : 1;
+                const std::int64_t denominator = std::lcm(grid, halves);
+                return {choose_fractions(scene, one, denominator).number, denominator,
+                        denominator / grid};
             }
             case ScalarKind::single_precision:
                 return {.number = NumberType::binary32};
@@ -192,6 +199,7 @@ inline Plan plan_for(const Scene& scene) {
         geometry);
     Plan plan{.number = choice.number,
               .denominator = choice.denominator,
+              .coarseness = choice.coarseness,
               .geometry = std::move(geometry),
               .stages = {},
               .mixes_colors = scene.mixes_colors()};
