@@ -46,7 +46,9 @@ Setting bits_setting(int bits) {
 Setting interval_setting(int interval, std::string_view of) {
     Setting setting;
     const bool is_never = interval == std::numeric_limits<int>::max();
-    setting.name = is_never ? "never" : fmt::format("every {} {}", interval, of);
+    setting.name = is_never        ? "never"
+                   : interval == 1 ? fmt::format("every {}", of)
+                                   : fmt::format("every {} {}s", interval, of);
     setting.label = is_never ? "never" : fmt::format("{}", interval);
     return setting;
 }

@@ -51,6 +51,7 @@ public:
         for (const ErrorValue& error : setting.errors)
             if (error.value && !std::isfinite(*error.value))
                 setting.failure = "its error is infinite, or no number";
+        setting.units = units;
         if (setting.failure.empty()) {
             places_.emplace_back(report_.curves.size() - 1, report_.curves.back().settings.size());
             runs_.push_back({std::move(run), static_cast<double>(units)});

@@ -3,6 +3,7 @@
 
 #include "job_builder.h"
 
+#include <rastertrace/numerics/drawing.h>
 #include <rastertrace/trace/output.h>
 #include <rastertrace/trace/write_trace.h>
 
@@ -41,22 +42,21 @@ private:
     std::uint64_t bytes_ = 0;
 };
 
-/// Writes the trace of the scene as it is, to nowhere.
+/// Draws the scene as it is, and writes its trace to nowhere.
 TraceCost trace_cost_of(const Scene& scene, const ReportOptions& options) {
-    NullOutput counting;
+    NullOutput nowhere;
     TraceCost cost;
-    cost.steps = write_trace(scene, {}, counting);
-    cost.bytes = counting.bytes();
-    std::vector<TimedRun> runs{
-        {.run =
-             [&scene] {
-                 NullOutput nowhere;
-                 write_trace(scene, {}, nowhere);
-                 keep(nowhere.bytes());
-             },
-         .units = static_cast<double>(std::max<std::uint64_t>(cost.steps, 1))}};
+    cost.steps = write_trace(scene, {}, nowhere);
+    cost.bytes = nowhere.bytes();
+    std::vector<TimedRun> runs(2);
+    runs[0].run = [&scene] { keep(drawn(scene, plan_for(scene))); };
+    runs[1].run = [&scene] {
+        NullOutput output;
+        keep(write_trace(scene, {}, output));
+    };
     time_in_turn(runs, options.timing);
-    cost.timing = runs.front().timing;
+    cost.drawing = runs[0].timing;
+    cost.writing = runs[1].timing;
     return cost;
 }
 
@@ -77,12 +77,17 @@ std::vector<Candidate> candidates(const JobReport& job, std::size_t measure) {
     return result;
 }
 
-/// "0.024 px", "12 of 300", "error 1.2e-07".
+/// "is 0.024 px off", "has 12 of 300 wrong", "is off by 1.2e-07".
 std::string error_in_words(const ErrorMeasure& measure, const ErrorValue& error) {
     if (error.count)
-        return fmt::format("{} of {} wrong", *error.count, error.of);
-    return fmt::format("{:.2g}{}{} off", *error.value, measure.unit.empty() ? "" : " ",
-                       measure.unit);
+        return fmt::format("has {} of {} wrong", *error.count, error.of);
+    return measure.unit.empty() ? fmt::format("is off by {:.3g}", *error.value)
+                                : fmt::format("is {:.3g} {} off", *error.value, measure.unit);
+}
+
+/// True if a time is as good as another, but for the noise of the clock.
+bool is_as_fast(double time, double other) {
+    return time <= other * (1 + timing_noise);
 }
 
 } // namespace
@@ -139,8 +144,9 @@ void mark_fronts(JobReport& job) {
                 const double time = setting.timing.median;
                 setting.on_front[measure] =
                     std::none_of(all.begin(), all.end(), [&](const Candidate& other) {
-                        return other.error <= error && other.time() <= time &&
-                               (other.error < error || other.time() < time);
+                        return other.error < error
+                                   ? is_as_fast(other.time(), time)
+                                   : other.error == error && !is_as_fast(time, other.time());
                     });
             }
     }
@@ -162,29 +168,31 @@ Advice advice_for(const JobReport& job, std::size_t measure) {
         return error_in_words(job.measures[measure], one.setting->errors[measure]);
     };
 
-    const Candidate fastest = *std::min_element(all.begin(), all.end(), faster);
-    const Candidate best = *std::min_element(all.begin(), all.end(), more_exact);
-    const bool is_exact = best.error == 0;
-    if (fastest.error == best.error)
-        return {fmt::format("Choose {}: {}, and nothing is faster ({}).", name(fastest),
-                            is_exact ? "no error" : "the smallest error, " + error(fastest),
-                            cost(fastest))};
-
-    // Almost as fast as the fastest, and as exact as that allows.
+    // The most exact of all, of the fastest, and of those that are almost as fast.
+    const auto most_exact_within = [&](double factor) {
+        const double least = std::min_element(all.begin(), all.end(), faster)->time();
+        std::vector<Candidate> fast;
+        std::copy_if(all.begin(), all.end(), std::back_inserter(fast),
+                     [&](const Candidate& one) { return one.time() <= factor * least; });
+        return *std::min_element(fast.begin(), fast.end(), more_exact);
+    };
     constexpr double almost = 2;
-    std::vector<Candidate> fast;
-    std::copy_if(all.begin(), all.end(), std::back_inserter(fast),
-                 [&](const Candidate& one) { return one.time() <= almost * fastest.time(); });
-    const Candidate near = *std::min_element(fast.begin(), fast.end(), more_exact);
+    const Candidate best = *std::min_element(all.begin(), all.end(), more_exact);
+    const Candidate fastest = most_exact_within(1 + timing_noise);
+    const Candidate near = most_exact_within(almost);
+
+    const std::string of_best = best.error == 0 ? "has no error" : error(best);
+    if (fastest.error == best.error)
+        return {fmt::format("Choose {}: it {}, and nothing is faster ({}).", name(fastest), of_best,
+                            cost(fastest))};
     const std::string choice =
-        is_exact ? fmt::format("Choose {} for no error at all ({})", name(best), cost(best))
-                 : fmt::format("Nothing is without error; {} comes nearest ({}, {})", name(best),
-                               error(best), cost(best));
+        fmt::format("Choose {}: it {} ({})", name(best),
+                    best.error == 0 ? of_best : of_best + ", the least of all", cost(best));
     const std::string speed =
-        fmt::format("the fastest, {} ({}), has {}", name(fastest), cost(fastest), error(fastest));
+        fmt::format("the fastest, {} ({}), {}", name(fastest), cost(fastest), error(fastest));
     if (near.error == best.error || near.error == fastest.error)
         return {fmt::format("{}; {}.", choice, speed)};
-    return {fmt::format("{}; {}; within twice that time {} has {} ({}).", choice, speed, name(near),
+    return {fmt::format("{}; {}; within twice that time {} {} ({}).", choice, speed, name(near),
                         error(near), cost(near))};
 }
 

@@ -34,12 +34,13 @@ template <typename Scalar> struct ColorInput {
 template <typename Scalar>
 ColorInput<CountedOf<Scalar>> counting_copy_of(const ColorInput<Scalar>& input) {
     ColorInput<CountedOf<Scalar>> result;
-    result.sample_offset = counted(input.sample_offset);
+    result.sample_offset = as_counted(input.sample_offset);
     for (const ColorPiece<Scalar>& piece : input.pieces) {
         auto& copy = result.pieces.emplace_back();
         copy.colors = piece.colors;
         for (std::size_t i = 0; i < 3; ++i) {
-            copy.positions[i] = {counted(piece.positions[i].x), counted(piece.positions[i].y)};
+            copy.positions[i] = {as_counted(piece.positions[i].x),
+                                 as_counted(piece.positions[i].y)};
             copy.inverse_w[i] = piece.inverse_w[i];
         }
     }
@@ -75,14 +76,13 @@ public:
         });
 
         JobReport& report = builder_.report();
-        report.unit = "pixel of a triangle";
+        report.unit = "fragment";
         report.units = fragments_;
         report.reference = in_perspective
                                ? "colors mixed as in space, in rationals, rounded to 8 bits"
                                : "colors mixed as on the screen, in rationals, rounded to 8 bits";
-        report.measures = {
-            {"levels", "largest error of a channel", "levels of 255"},
-            {"wrong_pixels", "pixels off by a level or more / pixels of triangles", ""}};
+        report.measures = {{"levels", "largest error of a channel", "levels of 255"},
+                           {"wrong_pixels", "pixels off by a level or more / fragments", ""}};
         add_scalars<false>("on the screen (affine)");
         if (in_perspective) {
             add_scalars<true>("in space, divided in each pixel");
@@ -249,7 +249,7 @@ private:
     void add_intervals(ScalarKind scalar, std::string_view name) {
         builder_.begin_curve(fmt::format("in space, {}", name), "divided every so many pixels");
         for (const int interval : divide_intervals)
-            add(scalar, interval_setting(interval, "pixels"),
+            add(scalar, interval_setting(interval, "pixel"),
                 [interval]<typename Scalar>(const ColorInput<Scalar>& input, const auto& pieces) {
                     // Only floats and doubles are asked for.
                     if constexpr (std::same_as<DepthOf<Scalar>, Scalar>)

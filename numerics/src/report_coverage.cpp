@@ -81,8 +81,8 @@ PlacedPrimitive<CountedOf<Scalar>> counting_copy_of(const PlacedPrimitive<Scalar
                                               .names = primitive.names,
                                               .colors = primitive.colors};
     for (std::size_t i = 0; i < primitive.count; ++i)
-        result.positions[i] = {counted(primitive.positions[i].x),
-                               counted(primitive.positions[i].y)};
+        result.positions[i] = {as_counted(primitive.positions[i].x),
+                               as_counted(primitive.positions[i].y)};
     return result;
 }
 
@@ -178,7 +178,7 @@ private:
     static PixelSets count(const PlacedTriangles<Scalar>& placed, const Scene& scene, Work& work) {
         using Number = CountedOf<Scalar>;
         Target<Number> target{.image = Image(scene.canvas),
-                              .grid = {counted(placed.sample_offset), scene.canvas}};
+                              .grid = {as_counted(placed.sample_offset), scene.canvas}};
         PixelSets sets(scene.primitives.size());
         for (const auto& triangle : placed.triangles) {
             auto& pixels = sets[triangle.number];

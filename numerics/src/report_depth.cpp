@@ -93,7 +93,7 @@ public:
         find_exact(right);
 
         JobReport& report = builder_.report();
-        report.unit = "pixel of a triangle";
+        report.unit = "fragment";
         report.units = shared_->fragments;
         report.reference = shared_->is_inverse_linear
                                ? "1/z in rationals, on the pixels of the exact top-left fill"
@@ -466,7 +466,7 @@ private:
         builder_.begin_curve(fmt::format("{} += slope, {}", name_of_depth(kind), name),
                              "begun anew every so many pixels");
         for (const int interval : reseed_intervals)
-            with_input(scene_with(kind, scalar), interval_setting(interval, "pixels"),
+            with_input(scene_with(kind, scalar), interval_setting(interval, "pixel"),
                        [&]<typename D>(Setting setting, std::shared_ptr<DepthInput<D>> input) {
                            add_reseeded(kind, std::move(setting), input, interval);
                        });

@@ -38,7 +38,7 @@ template <typename Scalar> struct ScalarEnds { Vertex<Scalar> from, to; };
 template <typename Scalar>
 ScalarEnds<CountedOf<Scalar>> counting_copy_of(const ScalarEnds<Scalar>& ends) {
     const auto vertex = [](const Vertex<Scalar>& one) {
-        return Vertex<CountedOf<Scalar>>{{counted(one.position.x), counted(one.position.y)}};
+        return Vertex<CountedOf<Scalar>>{{as_counted(one.position.x), as_counted(one.position.y)}};
     };
     return {vertex(ends.from), vertex(ends.to)};
 }
@@ -316,7 +316,7 @@ private:
         builder_.begin_curve(fmt::format("x += a, {}", name), "begun anew every so many rows");
         const auto inputs = inputs_of<Scalar>();
         for (const int interval : reseed_intervals) {
-            Setting setting = interval_setting(interval, "rows");
+            Setting setting = interval_setting(interval, "row");
             if (!inputs) {
                 builder_.add_failure(setting.name, setting.label, overflow<Scalar>());
                 continue;

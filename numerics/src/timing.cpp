@@ -32,13 +32,12 @@ void time_in_turn(std::vector<TimedRun>& all, const TimingRules& rules,
                   const std::function<void(int, int)>& before_round) {
     struct State {
         int repetitions = 1;
-        int runs = 1;
+        double spent = 0;            ///< seconds of all its runs
         std::vector<double> seconds; ///< of one repetition
     };
     std::vector<State> states(all.size());
 
-    // How often each has to be repeated to be seen by the clock, and how many such runs it may have.
-    // This also fills the caches.
+    // How often each has to be repeated to be seen by the clock. This also fills the caches.
     for (std::size_t i = 0; i < all.size(); ++i) {
         State& state = states[i];
         double seconds = seconds_of(all[i], 1);
@@ -48,8 +47,11 @@ void time_in_turn(std::vector<TimedRun>& all, const TimingRules& rules,
                 std::ceil(static_cast<double>(state.repetitions) * std::clamp(factor, 1.5, 100.0)));
             seconds = seconds_of(all[i], state.repetitions);
         }
-        state.runs = static_cast<int>(
-            std::clamp(rules.most_time / seconds, 1.0, static_cast<double>(rules.runs)));
+        // What takes so long that it is run only once has been.
+        if (seconds >= rules.most_time) {
+            state.spent = seconds;
+            state.seconds.push_back(seconds / state.repetitions);
+        }
     }
 
     for (int round = 0; round < rules.runs; ++round) {
@@ -58,8 +60,11 @@ void time_in_turn(std::vector<TimedRun>& all, const TimingRules& rules,
         for (std::size_t turn = 0; turn < all.size(); ++turn) {
             const std::size_t i = (turn + static_cast<std::size_t>(round)) % all.size();
             State& state = states[i];
-            if (round < state.runs)
-                state.seconds.push_back(seconds_of(all[i], state.repetitions) / state.repetitions);
+            if (state.spent >= rules.most_time)
+                continue;
+            const double seconds = seconds_of(all[i], state.repetitions);
+            state.spent += seconds;
+            state.seconds.push_back(seconds / state.repetitions);
         }
     }
 

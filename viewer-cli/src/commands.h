@@ -4,12 +4,15 @@
 // What each command is asked to do, and the function that does it. A command returns its exit
 // status and throws a Problem when it cannot go on.
 
+#include "report_file.h"
+
 #include <rastertrace/trace/method_names.h>
 #include <rastertrace/trace/write_trace.h>
 
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace rastertrace {
 
@@ -36,6 +39,16 @@ struct PlanCommand {
     MethodOverrides method;
 };
 int run(const PlanCommand& command);
+
+struct ReportCommand {
+    std::vector<std::string> scenes;
+    std::vector<ReportJob> jobs;      ///< none: all of them
+    std::vector<std::string> outputs; ///< none: standard output
+    std::optional<ReportFormat> format;
+    bool quick = false;
+    MethodOverrides method;
+};
+int run(const ReportCommand& command);
 
 struct ShowCommand {
     enum class Which { last, step, every, all };

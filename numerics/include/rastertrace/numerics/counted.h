@@ -138,10 +138,10 @@ template <typename Integer> struct CountedType<Fraction<Integer>> {
 template <typename Scalar> using CountedOf = typename CountedType<Scalar>::type;
 
 /// A number that counts, of this value.
-template <typename Scalar> CountedOf<Scalar> counted(const Scalar& value) {
+template <typename Scalar> CountedOf<Scalar> as_counted(const Scalar& value) {
     return value;
 }
-template <typename Integer> Fraction<Counted<Integer>> counted(const Fraction<Integer>& value) {
+template <typename Integer> Fraction<Counted<Integer>> as_counted(const Fraction<Integer>& value) {
     return {value.numerator, value.denominator};
 }
 

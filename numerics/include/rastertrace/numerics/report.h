@@ -68,7 +68,8 @@ struct Setting {
     /// Of a method that snaps vertices: how many pixels differ from exact arithmetic on the snapped
     /// ones. 0, or the method is wrong.
     std::optional<std::uint64_t> wrong_when_snapped;
-    Timing timing; ///< ns per unit of the job
+    std::uint64_t units = 0; ///< how much work it was
+    Timing timing;           ///< ns per unit
 };
 
 /// A method, with its knob from one end to the other: a line on the plot.
@@ -95,11 +96,12 @@ struct JobReport {
     std::vector<Advice> advice; ///< one for each measure
 };
 
-/// What writing the trace costs, apart from all the rest.
+/// What writing the trace costs, apart from all the rest. Times are ns for the whole scene.
 struct TraceCost {
     std::uint64_t steps = 0;
     std::uint64_t bytes = 0;
-    Timing timing; ///< ns per step, drawing included; nothing is stored
+    Timing drawing; ///< without a sink
+    Timing writing; ///< drawing and writing; nothing is stored
 };
 
 /// All jobs on one scene.
@@ -126,8 +128,12 @@ struct ReportOptions {
 /// Measures a scene.
 SceneReport report_of(const Scene& scene, const ReportOptions& options);
 
-/// Finds out for each measure which settings are on the Pareto front: no other has an error as small
-/// in a median time as short, and one of them smaller. Failures are not on it.
+/// Median times that differ by less than this part of them are the same: runs of one and the same
+/// loop differ by as much.
+inline constexpr double timing_noise = 0.02;
+
+/// Finds out for each measure which settings are on the Pareto front: no other has a smaller error in
+/// a time that is no longer, or the same error in a shorter time. Failures are not on it.
 void mark_fronts(JobReport& job);
 
 /// What to choose, from errors and median times: the cheapest setting without error, the fastest of
