@@ -71,19 +71,19 @@ Scene plain_scene(const Scene& scene, ScalarKind scalar) {
 
 std::vector<ScalarSetting> scalar_settings() {
     const MethodKey& key = *find_method_key("scalar");
-    std::vector<ScalarSetting> rounding;
-    std::vector<ScalarSetting> fixed;
+    std::vector<ScalarSetting> others;
+    std::vector<ScalarSetting> all;
     for (const std::string_view name : key.values) {
         Method method;
         key.set(method, name);
         if (method.scalar != ScalarKind::fixed)
-            rounding.push_back({method.scalar, std::string(name), {}});
+            others.push_back({method.scalar, std::string(name), {}});
         else
             for (const int bits : subpixel_bits)
-                fixed.push_back({method.scalar, std::string(name), bits});
+                all.push_back({method.scalar, std::string(name), bits});
     }
-    rounding.insert(rounding.end(), fixed.begin(), fixed.end());
-    return rounding;
+    all.insert(all.end(), others.begin(), others.end());
+    return all;
 }
 
 std::string refusal_in_words(const Scene& scene) {

@@ -104,7 +104,7 @@ struct ScalarSetting {
     std::optional<int> bits;
 };
 
-/// Every scalar that a method can name.
+/// Every scalar that a method can name, `fixed` with every grid before the others.
 std::vector<ScalarSetting> scalar_settings();
 
 /// Why a scene cannot be drawn with its scalar, or "".

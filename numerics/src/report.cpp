@@ -77,12 +77,12 @@ std::vector<Candidate> candidates(const JobReport& job, std::size_t measure) {
     return result;
 }
 
-/// "is 0.024 px off", "has 12 of 300 wrong", "is off by 1.2e-07".
+/// "is off by 0.024 px", "has 12 wrong for 300 rows", "is off by 1.2e-07".
 std::string error_in_words(const ErrorMeasure& measure, const ErrorValue& error) {
     if (error.count)
-        return fmt::format("has {} of {} wrong", *error.count, error.of);
-    return measure.unit.empty() ? fmt::format("is off by {:.3g}", *error.value)
-                                : fmt::format("is {:.3g} {} off", *error.value, measure.unit);
+        return fmt::format("has {} wrong for {} {}", *error.count, error.of, measure.against);
+    return fmt::format("is off by {:.3g}{}{}", *error.value, measure.unit.empty() ? "" : " ",
+                       measure.unit);
 }
 
 /// True if a time is as good as another, but for the noise of the clock.

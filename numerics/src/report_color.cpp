@@ -81,8 +81,9 @@ public:
         report.reference = in_perspective
                                ? "colors mixed as in space, in rationals, rounded to 8 bits"
                                : "colors mixed as on the screen, in rationals, rounded to 8 bits";
-        report.measures = {{"levels", "largest error of a channel", "levels of 255"},
-                           {"wrong_pixels", "pixels off by a level or more / fragments", ""}};
+        report.measures = {
+            {"levels", "largest error of a channel", "of 255"},
+            {"wrong_pixels", "pixels off by a level or more / fragments", "", "fragments"}};
         add_scalars<false>("on the screen (affine)");
         if (in_perspective) {
             add_scalars<true>("in space, divided in each pixel");

@@ -113,7 +113,8 @@ public:
         report.unit = "covered pixel";
         report.units = size_of(exact_.front());
         report.reference = "the same fill in rationals, on the scene as typed";
-        report.measures = {{"wrong_pixels", "wrong pixels / perimeter pixels", ""}};
+        report.measures = {
+            {"wrong_pixels", "wrong pixels / perimeter pixels", "", "perimeter pixels"}};
         for (std::size_t i = 0; i < fills.size(); ++i)
             add_fill(fills[i], exact_[i]);
         return builder_.finish(options_);

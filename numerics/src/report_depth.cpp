@@ -98,7 +98,8 @@ public:
         report.reference = shared_->is_inverse_linear
                                ? "1/z in rationals, on the pixels of the exact top-left fill"
                                : "z in rationals, on the pixels of the exact top-left fill";
-        report.measures = {{"wrong_winners", "pixels with the wrong winner / pixels covered", ""},
+        report.measures = {{"wrong_winners", "pixels with the wrong winner / pixels covered", "",
+                            "pixels covered"},
                            {"inverse_z_error", "largest relative error of 1/z", ""}};
         std::vector<Depth> kinds{Depth::inverse_z, Depth::linear_z};
         if (scene_.projection.type != ProjectionType::none)
@@ -546,6 +547,15 @@ private:
                 return winners;
             };
             setting.errors = {wrong_winners(run()), {}};
+            setting.work = work_of([&] {
+                std::vector<Counted<double>> distances;
+                for (const auto& vertex : geometry->vertices)
+                    distances.emplace_back(vertex.distance);
+                keep(painter_order<Counted<double>>(
+                    scene, [&distances](std::size_t vertex) -> const Counted<double>& {
+                        return distances[vertex];
+                    }));
+            });
             builder_.add(
                 std::move(setting), [run] { keep(run()); }, shared_->fragments);
         }

@@ -126,7 +126,7 @@ public:
         report.unit = "row";
         report.units = pixels_.size();
         report.reference = "x1 + (dx/dy) (y - y1) in rationals, and its floor";
-        report.measures = {{"wrong_rows", "rows with a wrong pixel / rows", ""},
+        report.measures = {{"wrong_rows", "rows with a wrong pixel / rows", "", "rows"},
                            {"x_error", "largest |x - exact|", "px"}};
         add_direct();
         add_weighted();

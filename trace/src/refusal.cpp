@@ -6,12 +6,15 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 namespace rastertrace {
 
 Refusal refusal_of(const Scene& scene, const Unfit& unfit) {
     const auto at = [&scene](std::size_t vertex, const std::array<double, 2>& place) {
+        if (!std::isfinite(place[0]) || !std::isfinite(place[1]))
+            return fmt::format("vertex {}", scene.vertices[vertex].name);
         return fmt::format("vertex {} at ({}, {}){}", scene.vertices[vertex].name, place[0],
                            place[1], scene.has_pipeline() ? " on the screen" : "");
     };

@@ -20,7 +20,7 @@ constexpr double left = 58; ///< of the area of marks: left of it are the number
 constexpr double top = 34;
 constexpr double right = plot_size.width - 14;
 constexpr double bottom = plot_size.height - 92; ///< below it are numbers, label and caption
-constexpr double shelf_slot = 11;                ///< on the shelf every curve has a column
+constexpr double shelf_slot = 13;                ///< on the shelf every curve has a column
 constexpr double mark_radius = 4;
 constexpr double ring_radius = 7;
 constexpr double label_size = 9.5;
@@ -280,8 +280,9 @@ private:
                 if (!is_free)
                     continue;
                 taken_.push_back(box);
-                put(R"(<text x="{:.1f}" y="{:.1f}" font-size="{}" fill="{}">{}</text>)", box.x0,
-                    box.y1 - 2, label_size, style_of(curve).color, escaped(mark.label));
+                // A white rim lifts it off the lines that it lies on.
+                put(R"(<text x="{:.1f}" y="{:.1f}" font-size="{}" fill="{}" stroke="#ffffff" stroke-width="2.5" paint-order="stroke">{}</text>)",
+                    box.x0, box.y1 - 2, label_size, style_of(curve).color, escaped(mark.label));
                 break;
             }
         }

@@ -16,7 +16,7 @@ namespace rastertrace {
 
 namespace {
 
-constexpr double title_height = 30;
+constexpr double title_height = 46;
 
 Plot plot_of(const JobReport& job, std::size_t measure) {
     const ErrorMeasure& one = job.measures[measure];
@@ -39,6 +39,12 @@ Plot plot_of(const JobReport& job, std::size_t measure) {
     return plot;
 }
 
+/// True if no setting of a curve could be measured.
+bool has_failed(const Curve& curve) {
+    return std::none_of(curve.settings.begin(), curve.settings.end(),
+                        [](const Setting& setting) { return setting.failure.empty(); });
+}
+
 /// The plots of a job side by side, and what their lines mean.
 std::string plots_svg(const JobReport& job) {
     std::string svg;
@@ -50,6 +56,9 @@ std::string plots_svg(const JobReport& job) {
         x += plot_size.width;
         curves = plot.curves;
     }
+    for (std::size_t i = 0; i < curves.size(); ++i)
+        if (has_failed(job.curves[i]))
+            curves[i].name += " (failed)";
     return svg + moved_svg(x, 0, legend_svg(curves));
 }
 
@@ -129,9 +138,8 @@ std::string report_svg(const MeasuredReport& report) {
                 continue;
             size.width = std::max(size.width, width_of(job));
             size.height += title_height;
-            body += text_svg(
-                14, size.height - 8, 14,
-                fmt::format("{} - {}", shortened(printable(scene.title), 60), heading_of(job)));
+            body += text_svg(14, size.height - 22, 14, shortened(scene.title, 85));
+            body += text_svg(14, size.height - 6, 11, heading_of(job));
             body += moved_svg(0, size.height, plots_svg(job));
             size.height += plot_size.height;
         }

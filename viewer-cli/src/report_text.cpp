@@ -132,21 +132,24 @@ Json json_of(const JobReport& job, const Setting& setting) {
         json["failure"] = printable(setting.failure);
         return json;
     }
-    Json& errors = json["errors"] = Json::object();
-    Json& front = json["on_front"] = Json::array();
+    Json errors = Json::object();
+    Json front = Json::array();
     for (std::size_t measure = 0; measure < job.measures.size(); ++measure) {
         const ErrorValue& error = setting.errors[measure];
         if (!error.value)
             continue;
         const std::string key(job.measures[measure].key);
-        Json& value = errors[key] = {{"value", *error.value}};
+        Json value{{"value", *error.value}};
         if (error.count) {
             value["count"] = *error.count;
             value["of"] = error.of;
         }
+        errors[key] = std::move(value);
         if (setting.on_front[measure])
             front.push_back(key);
     }
+    json["errors"] = std::move(errors);
+    json["on_front"] = std::move(front);
     if (setting.work)
         json["work"] = {{"adds", setting.work->adds},
                         {"multiplies", setting.work->multiplies},
