@@ -270,21 +270,26 @@ private:
                                                {x + away - 2, y + away - 3},
                                                {x - away - width + 2, y - away - height + 3},
                                                {x - away - width + 2, y + away - 3}}};
-            for (const Place& place : places) {
-                const Box box{place.x0, place.y0, place.x0 + width, place.y0 + height};
-                const bool is_free =
-                    box.x0 > left && box.x1 < right && box.y0 > top && box.y1 < bottom &&
-                    !(box.x0 < shelf_right_ && shelf_right_ < box.x1) &&
-                    std::none_of(taken_.begin(), taken_.end(),
-                                 [&box](const Box& other) { return box.meets(other); });
-                if (!is_free)
-                    continue;
-                taken_.push_back(box);
-                // A white rim lifts it off the lines that it lies on.
-                put(R"(<text x="{:.1f}" y="{:.1f}" font-size="{}" fill="{}" stroke="#ffffff" stroke-width="2.5" paint-order="stroke">{}</text>)",
-                    box.x0, box.y1 - 2, label_size, style_of(curve).color, escaped(mark.label));
-                break;
-            }
+            // Rather within its part of the plot than across the edge of the shelf.
+            const auto is_free = [&](const Box& box, bool may_cross) {
+                return box.x0 > left && box.x1 < right && box.y0 > top && box.y1 < bottom &&
+                       (may_cross || box.x1 < shelf_right_ || shelf_right_ < box.x0) &&
+                       std::none_of(taken_.begin(), taken_.end(),
+                                    [&box](const Box& other) { return box.meets(other); });
+            };
+            std::optional<Box> found;
+            for (const bool may_cross : {false, true})
+                for (const Place& place : places) {
+                    const Box box{place.x0, place.y0, place.x0 + width, place.y0 + height};
+                    if (!found && is_free(box, may_cross))
+                        found = box;
+                }
+            if (!found)
+                continue;
+            taken_.push_back(*found);
+            // A white rim lifts it off the lines that it lies on.
+            put(R"(<text x="{:.1f}" y="{:.1f}" font-size="{}" fill="{}" stroke="#ffffff" stroke-width="2.5" paint-order="stroke">{}</text>)",
+                found->x0, found->y1 - 2, label_size, style_of(curve).color, escaped(mark.label));
         }
     }
 

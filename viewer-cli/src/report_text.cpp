@@ -65,11 +65,11 @@ void put_curve(std::string& text, const JobReport& job, const Curve& curve) {
     bool is_snapped = false;
     for (const Setting& setting : curve.settings) {
         if (!setting.failure.empty()) {
-            put_wrapped(text, fmt::format("  {:<16}", setting.name),
-                        "failed: " + printable(setting.failure), std::string(18, ' '));
+            put_wrapped(text, fmt::format("  {:<15}", setting.name),
+                        "failed: " + printable(setting.failure), std::string(17, ' '));
             continue;
         }
-        text += fmt::format("  {:<16}", setting.name);
+        text += fmt::format("  {:<15}", setting.name);
         for (std::size_t measure = 0; measure < 2; ++measure)
             text += fmt::format("{:>14}",
                                 measure < job.measures.size() ? error_text(setting, measure) : "");
@@ -109,7 +109,7 @@ void put_job(std::string& text, const JobReport& job) {
         text += fmt::format("  error {}: {}{}\n", measure + 1, one.name,
                             one.unit.empty() ? "" : fmt::format(" ({})", one.unit));
     }
-    text += fmt::format("{:<18}{:>13} {:>13} {:>10}{:>10}{:>5}{:>6}{:>6}{:>6}{:>6}{:>6}\n", "",
+    text += fmt::format("{:<17}{:>13} {:>13} {:>10}{:>10}{:>5}{:>6}{:>6}{:>6}{:>6}{:>6}\n", "",
                         "error 1", job.measures.size() > 1 ? "error 2" : "", "min ns", "median ns",
                         "runs", "add", "mul", "div", "cmp", "test");
     for (const Curve& curve : job.curves)
