@@ -106,6 +106,9 @@ template <typename Scalar> Rational exactly(const Scalar& value) {
     else
         return Rational(value);
 }
+inline Rational exactly(const Adaptive& value) {
+    return value.exact() ? *value.exact() : Rational(value.value());
+}
 inline Rational exactly(const Fraction64& value) {
     Rational result(value.numerator, value.denominator);
     result.canonicalize();

@@ -410,5 +410,31 @@ TEST(Examples, CulledByLight) {
               std::count(whole.begin(), whole.end(), '#'));
 }
 
+// The scenes that the report of error against run time is shown on.
+TEST(Examples, NumericsScenes) {
+    const auto writes = [](const std::string& scene, const std::string& primitive,
+                           const MethodOverrides& method) {
+        const Stats stats =
+            stats_of(load_trace(std::string(RASTERTRACE_EXAMPLES) + "/numerics/" + scene, method));
+        for (const PrimitiveStats& one : stats.primitives)
+            if (one.name == primitive)
+                return one.writes;
+        throw std::runtime_error("no such primitive: " + primitive);
+    };
+    // The worked triangle, five times as large: its area is 900 and 60 points of the grid lie on its
+    // sides, so that by Pick it has 900 + 60/2 + 1 points in all.
+    EXPECT_EQ(writes("friendly.json", "worked triangle", {{"rounding", "inside"}}), 931u);
+    // The two triangles that share the slope 1/3 have all pixels of the canvas, each once, but for
+    // its top row, whose centers lie half a pixel above them.
+    const MethodOverrides each_once{{"fill", "top-left"}, {"depth", "none"}};
+    EXPECT_EQ(writes("stiff.json", "to the horizon", each_once) +
+                  writes("stiff.json", "from the horizon", each_once),
+              128u * 383u);
+    // A speck round one pixel's center; a sliver and half a square pixel that miss all of them.
+    EXPECT_EQ(writes("extreme.json", "a speck", {{"depth", "none"}}), 1u);
+    EXPECT_EQ(writes("extreme.json", "area 1/2", {{"depth", "none"}}), 0u);
+    EXPECT_EQ(writes("extreme.json", "a sliver on the samples", {{"depth", "none"}}), 0u);
+}
+
 } // namespace
 } // namespace rastertrace

@@ -541,7 +541,7 @@ TEST_F(ProgramTest, UsageErrorsNameTheWordAndANearOne) {
     EXPECT_THAT(shell("$rastertrace").err, HasSubstr("rastertrace show examples/"));
     EXPECT_EQ(
         shell("$rastertrace shw x").err,
-        "rastertrace: expected a command out of trace, show, stats, plan, stress, help, found "
+        "rastertrace: expected a command out of trace, show, stats, plan, stress, report, help, found "
         "\"shw\"\n"
         "hint: did you mean show?\n");
     EXPECT_EQ(shell("$rastertrace show x --evry pixel").err,
@@ -566,10 +566,66 @@ TEST_F(ProgramTest, RegionMayBeginWithANegativeNumber) {
     EXPECT_THAT(outcome.out, HasSubstr("\"count\":{\"pixel\":2}"));
 }
 
+TEST_F(ProgramTest, ReportMeasuresErrorAgainstRunTime) {
+    const std::string report = "$rastertrace report --quick $examples/t0-fill/first-triangle.json";
+    const Outcome table = shell(report);
+    EXPECT_EQ(table.status, 0) << table.err;
+    EXPECT_EQ(table.err, "") << "progress is for terminals";
+    EXPECT_THAT(table.out, HasSubstr("\nFirst triangle\n==============\n"));
+    EXPECT_THAT(table.out, HasSubstr("\nx += a, float (begun anew every so many rows)\n"));
+    EXPECT_THAT(table.out, HasSubstr("\ndepth: nothing to measure: the scene has no depth\n"));
+    EXPECT_THAT(table.out, HasSubstr("\n-> wrong pixels / perimeter pixels: Choose "));
+
+    EXPECT_EQ(shell(report + " -o r.svg -o r.html -o r.csv -o r.json").out, "");
+    EXPECT_EQ(visible_files(), 4u);
+    EXPECT_THAT(content("r.svg"), StartsWith("<svg xmlns="));
+    EXPECT_THAT(content("r.svg"), EndsWith("</svg>\n"));
+    EXPECT_THAT(content("r.html"), EndsWith("</html>\n"));
+    EXPECT_THAT(content("r.csv"), StartsWith("scene,job,method,knob,setting,measure,error,"));
+    EXPECT_THAT(content("r.json"), StartsWith("{\n \"report\": 1,\n"));
+}
+
+TEST_F(ProgramTest, ReportHasTheSameNumbersTwiceButForTheTimes) {
+    write("line.json", R"({"vertices":{"A":[0,0],"B":[100,300]},"lines":["AB"]})");
+    const std::string numbers =
+        "$rastertrace report --quick line.json --jobs edge --format json | grep -E "
+        "'\"(method|setting|value|count|of|adds|multiplies|divides|comparisons)\"'";
+    const Outcome once = shell(numbers);
+    EXPECT_THAT(once.out, HasSubstr("\"value\": "));
+    EXPECT_EQ(shell(numbers).out, once.out);
+}
+
+TEST_F(ProgramTest, ReportRefusesBeforeItMeasures) {
+    write("point.json", R"({"vertices":{"A":[0,0]},"points":["A"]})");
+    const Outcome nothing = shell("$rastertrace report point.json -o r.svg");
+    EXPECT_EQ(nothing.status, 2);
+    EXPECT_EQ(nothing.err,
+              "rastertrace: point.json: expected something to measure, found none (edge: the scene "
+              "has no edge that passes a row of pixels; coverage: the scene has no triangle to "
+              "fill; depth: the scene has no depth; color: the scene has no triangle with colored "
+              "vertices)\n");
+    EXPECT_EQ(visible_files(), 1u) << "nothing was written";
+    EXPECT_EQ(shell("$rastertrace report point.json -o r.pdf").err,
+              "rastertrace: r.pdf: expected a name that ends in .svg, .html, .json, .csv or .txt\n"
+              "hint: or say --format\n");
+    EXPECT_THAT(shell("$rastertrace report point.json -o point.json").err,
+                HasSubstr("expected another file than the scene itself"));
+    EXPECT_EQ(shell("$rastertrace report point.json --jobs edges").err,
+              "rastertrace: --jobs: expected jobs out of edge,coverage,depth,color, found "
+              "\"edges\"\nhint: did you mean edge?\n");
+    EXPECT_EQ(shell("$rastertrace report point.json --format pdf").err,
+              "rastertrace: --format: expected one of text, json, csv, svg, html, found \"pdf\"\n");
+    EXPECT_EQ(shell("$rastertrace report").status, 2);
+    EXPECT_EQ(shell("$rastertrace report --quick $examples/t0-fill/first-triangle.json --jobs edge "
+                    "-o /dev/full --format svg")
+                  .status,
+              3);
+}
+
 TEST_F(ProgramTest, HelpOfEveryCommandHasAnExampleThatWorks) {
     EXPECT_THAT(shell("$rastertrace --version").out, StartsWith("rastertrace "));
     EXPECT_EQ(shell("$rastertrace --help").status, 0);
-    for (const std::string command : {"trace", "show", "stats", "plan", "stress"}) {
+    for (const std::string command : {"trace", "show", "stats", "plan", "stress", "report"}) {
         const Outcome help = shell("$rastertrace " + command + " --help");
         EXPECT_EQ(help.status, 0);
         EXPECT_EQ(help.err, "");

@@ -293,9 +293,10 @@ std::string describe_skip(const Replay& replay, const StepView& step) {
 }
 
 std::string describe_undecided(const StepView& step) {
-    return fmt::format("doubles leave it open: a difference of {}, off by up to {}; from here on in "
-                       "exact numbers",
-                       step.text("difference"), step.text("error"));
+    return fmt::format(
+        "doubles leave it open: a difference of {}, off by up to {}; from here on in "
+        "exact numbers",
+        step.text("difference"), step.text("error"));
 }
 
 std::string unsafe_description(const Replay& replay) {

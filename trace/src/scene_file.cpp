@@ -9,6 +9,7 @@
 #include <rastertrace/core/plan.h>
 #include <rastertrace/trace/color_text.h>
 #include <rastertrace/trace/obj_file.h>
+#include <rastertrace/trace/refusal.h>
 #include <rastertrace/trace/stage_name.h>
 #include <rastertrace/trace/text.h>
 
@@ -559,85 +560,8 @@ private:
     }
 
     void refuse(const Unfit& unfit) const {
-        const auto at = [this](std::size_t vertex, const std::array<double, 2>& place) {
-            return fmt::format("vertex {} at ({}, {}){}", scene_.vertices[vertex].name, place[0],
-                               place[1], scene_.has_pipeline() ? " on the screen" : "");
-        };
-        const std::string from = at(unfit.from, unfit.from_at);
-        const std::string to = at(unfit.to, unfit.to_at);
-        const std::size_t place = places_of_vertices_[unfit.to];
-        const std::string scalar = value_in_force(*find_method_key("scalar"), scene_);
-        const std::string hint = decides_exactly(scene_.method)
-                                     ? ""
-                                     : R"(with "method": {"scalar": "exact"} nothing overflows)";
-        using What = Unfit::What;
-        switch (unfit.what) {
-        case What::matrix:
-            json_.fail(
-                place,
-                fmt::format("expected a model, camera, projection and viewport whose matrices "
-                            "fit in {}, found an entry beyond the largest number",
-                            scalar),
-                hint);
-        case What::place:
-            json_.fail(place,
-                       fmt::format("expected a vertex that has a place on the screen in {}, found "
-                                   "{}: beyond the largest number",
-                                   scalar, to),
-                       hint);
-        case What::coordinate:
-            json_.fail(place,
-                       fmt::format("expected coordinates up to {:.3g} for {}, found {}",
-                                   unfit.limit, scalar, to),
-                       hint);
-        case What::coordinate_of_weights:
-            json_.fail(place,
-                       fmt::format("expected coordinates up to {:.3g} for weights in {}, found {}",
-                                   unfit.limit, scalar, to),
-                       hint);
-        case What::area_of_weights:
-            json_.fail(place,
-                       fmt::format("expected a triangle whose weights fit in a {}, found one from "
-                                   "{} to {} that is almost without area",
-                                   scalar, from, to),
-                       hint);
-        case What::coordinate_of_fixed:
-            json_.fail(place,
-                       fmt::format("expected coordinates up to {:.0f} for fixed, found {}",
-                                   unfit.limit, to),
-                       hint);
-        case What::coordinate_of_snap:
-            json_.fail(place, fmt::format("expected coordinates below {:.0f} to snap, found {}",
-                                          unfit.limit, to));
-        case What::coordinate_of_line:
-            json_.fail(place,
-                       fmt::format("expected coordinates up to {:.0f} for Bresenham's line, found "
-                                   "{}",
-                                   unfit.limit, to));
-        case What::edge_of_fan:
-            json_.fail(place,
-                       fmt::format("expected edges of at most {:.0f} pixels for the fan, which "
-                                   "draws a line for each, found {} and {}",
-                                   unfit.limit, from, to));
-        case What::depth:
-            json_.fail(place,
-                       fmt::format("expected a distance above 0 for 1/distance, found vertex {} "
-                                   "at distance {}",
-                                   scene_.vertices[unfit.to].name, unfit.to_at[0]),
-                       R"(with "depth": "linear-z" any distance will do)");
-        case What::depth_times_size:
-            json_.fail(place,
-                       fmt::format("expected a depth whose product with a coordinate fits in a {}, "
-                                   "found that of vertex {}",
-                                   scalar, scene_.vertices[unfit.to].name),
-                       hint);
-        case What::slope:
-            json_.fail(place,
-                       fmt::format("expected an edge whose slope dx/dy fits in a {}, found {} and "
-                                   "{}",
-                                   scalar, from, to),
-                       hint);
-        }
+        const Refusal refusal = refusal_of(scene_, unfit);
+        json_.fail(places_of_vertices_[unfit.to], refusal.message, refusal.hint);
     }
 
     const Source& source_;

@@ -72,19 +72,24 @@ std::string header_members(const Scene& scene, const Plan& plan, const StepFilte
     return text;
 }
 
+std::uint64_t steps_of(const StepWriter& writer) {
+    std::uint64_t steps = 0;
+    for (std::size_t i = 0; i < step_kinds; ++i)
+        steps += writer.count(static_cast<StepKind>(i));
+    return steps;
+}
+
 /// The end record: what was written, and what came of it.
 std::string end_record(const StepWriter& writer, const Image& image) {
-    std::uint64_t steps = 0;
     std::string counts;
     for (std::size_t i = 0; i < step_kinds; ++i) {
         const auto kind = static_cast<StepKind>(i);
         const std::uint64_t count = writer.count(kind);
         if (count > 0)
             counts += fmt::format(R"({}"{}":{})", counts.empty() ? "" : ",", name_of(kind), count);
-        steps += count;
     }
-    return fmt::format(R"("end":{{"steps":{},"count":{{{}}},"pixels":{},"frame":"{}"}})", steps,
-                       counts, image.drawn(), frame_name(image));
+    return fmt::format(R"("end":{{"steps":{},"count":{{{}}},"pixels":{},"frame":"{}"}})",
+                       steps_of(writer), counts, image.drawn(), frame_name(image));
 }
 
 } // namespace
@@ -108,12 +113,12 @@ std::string frame_name(const Image& image) {
     return fmt::format("{:016x}", hash);
 }
 
-void write_trace(const Scene& scene, const TraceOptions& options, Output& output) {
-    write_trace(scene, plan_for(scene), options, output);
+std::uint64_t write_trace(const Scene& scene, const TraceOptions& options, Output& output) {
+    return write_trace(scene, plan_for(scene), options, output);
 }
 
-void write_trace(const Scene& scene, const Plan& plan, const TraceOptions& options,
-                 Output& output) {
+std::uint64_t write_trace(const Scene& scene, const Plan& plan, const TraceOptions& options,
+                          Output& output) {
     const bool is_document = options.layout == TraceLayout::json;
     StepWriter writer(output, options.layout, options.filter, number_style_of(scene.method));
 
@@ -126,6 +131,7 @@ void write_trace(const Scene& scene, const Plan& plan, const TraceOptions& optio
     const std::string end = end_record(writer, image);
     writer.put_text(fmt::format("\n{}{}}}\n", is_document ? "],\n" : "{", end));
     writer.flush();
+    return steps_of(writer);
 }
 
 } // namespace rastertrace

@@ -167,6 +167,7 @@ public:
         add_stats();
         add_plan();
         add_stress();
+        add_report();
         add_help();
     }
 
@@ -371,6 +372,54 @@ private:
         }
     }
 
+    void add_report() {
+        CLI::App& command =
+            add_command("report", "Measure error against run time, for every method and scalar",
+                        "rastertrace report examples/numerics/friendly.json --quick --jobs edge");
+        command.add_option("scene", report_.scenes, "Scenes; - for standard input")
+            ->required()
+            ->type_name("SCENE...");
+        command
+            .add_option("-o,--output", report_.outputs,
+                        "Write to this file instead of standard output: .svg, .html, .json, .csv "
+                        "or .txt; may be given again")
+            ->type_name("FILE")
+            ->take_all()
+            ->allow_extra_args(false);
+        command
+            .add_option("--format", report_format_,
+                        "text, json, csv, svg or html, whatever the file's name")
+            ->type_name("NAME");
+        command
+            .add_option("--jobs", report_jobs_text_,
+                        fmt::format("Measure only these jobs: {}", fmt::join(job_names(), ",")))
+            ->type_name("JOB,...");
+        command.add_flag("--quick", report_.quick, "Take seconds, not minutes; times are rough");
+        report_method_.add_to(command);
+        command.callback([this] {
+            if (!report_format_.empty()) {
+                const std::vector<std::string_view> names{"text", "json", "csv", "svg", "html"};
+                const auto found = std::find(names.begin(), names.end(), report_format_);
+                if (found == names.end())
+                    refuse("--format", fmt::format("one of {}", fmt::join(names, ", ")),
+                           report_format_, did_you_mean(report_format_, names));
+                report_.format = static_cast<ReportFormat>(found - names.begin());
+            }
+            if (!report_jobs_text_.empty())
+                report_.jobs =
+                    list_in("--jobs", "jobs", report_jobs_text_, job_names(), report_job_named);
+            report_.method = report_method_.overrides();
+            action_ = [this] { return rastertrace::run(report_); };
+        });
+    }
+
+    static std::vector<std::string_view> job_names() {
+        std::vector<std::string_view> names;
+        for (const ReportJob job : report_jobs())
+            names.push_back(name_of(job));
+        return names;
+    }
+
     void add_help() {
         CLI::App& command = add_command("help", "Explain a command", "rastertrace help show");
         command.add_option("command", help_about_, "The command")->type_name("COMMAND");
@@ -467,6 +516,10 @@ private:
     std::string stress_number_;
     CLI::Option* stress_scene_ = nullptr;
     MethodOptions stress_method_;
+    ReportCommand report_;
+    std::string report_format_;
+    std::string report_jobs_text_;
+    MethodOptions report_method_;
 
     std::string help_about_;
 };

@@ -4,6 +4,8 @@
 // What each command is asked to do, and the function that does it. A command returns its exit
 // status and throws a Problem when it cannot go on.
 
+#include "report_file.h"
+
 #include <rastertrace/trace/method_names.h>
 #include <rastertrace/trace/write_trace.h>
 
@@ -47,6 +49,15 @@ struct StressCommand {
     MethodOverrides method; ///< for the scene
 };
 int run(const StressCommand& command);
+struct ReportCommand {
+    std::vector<std::string> scenes;
+    std::vector<ReportJob> jobs;      ///< none: all of them
+    std::vector<std::string> outputs; ///< none: standard output
+    std::optional<ReportFormat> format;
+    bool quick = false;
+    MethodOverrides method;
+};
+int run(const ReportCommand& command);
 
 struct ShowCommand {
     enum class Which { last, step, every, all };

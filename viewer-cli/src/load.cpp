@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -14,6 +15,13 @@
 namespace rastertrace {
 
 namespace {
+
+bool is_same_file(const std::string& a, const std::string& b) {
+    struct stat of_a {};
+    struct stat of_b {};
+    return ::stat(a.c_str(), &of_a) == 0 && ::stat(b.c_str(), &of_b) == 0 &&
+           S_ISREG(of_a.st_mode) && of_a.st_dev == of_b.st_dev && of_a.st_ino == of_b.st_ino;
+}
 
 template <typename T> T value_or_throw(Result<T> result) {
     if (!result)
@@ -56,6 +64,11 @@ ExitStatus report_damage(const Trace& trace) {
     for (const Problem& problem : trace.damage)
         fmt::print(stderr, "rastertrace: {}\n", to_text(problem));
     return trace.damage.empty() ? exit_fine : exit_bad_input;
+}
+
+void refuse_overwriting(const std::string& scene, const std::string& output) {
+    if (is_same_file(scene, output))
+        throw problem_of(output, "expected another file than the scene itself, found the scene");
 }
 
 void print(std::string_view text) {

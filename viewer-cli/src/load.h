@@ -28,6 +28,9 @@ Trace load_trace(const std::string& path, const MethodOverrides& method);
 /// exit status that this means: bad input if there was something to tell.
 ExitStatus report_damage(const Trace& trace);
 
+/// Throws a Problem if the file to write is the scene that is read.
+void refuse_overwriting(const std::string& scene, const std::string& output);
+
 /// Writes to standard output. Throws a Problem.
 void print(std::string_view text);
 

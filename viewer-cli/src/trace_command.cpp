@@ -9,7 +9,6 @@
 
 #include <fmt/format.h>
 
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -25,13 +24,6 @@ TraceLayout layout_of(const TraceCommand& command) {
     if (command.layout)
         return *command.layout;
     return command.output.ends_with(".jsonl") ? TraceLayout::jsonl : TraceLayout::json;
-}
-
-bool is_same_file(const std::string& a, const std::string& b) {
-    struct stat of_a {};
-    struct stat of_b {};
-    return ::stat(a.c_str(), &of_a) == 0 && ::stat(b.c_str(), &of_b) == 0 &&
-           S_ISREG(of_a.st_mode) && of_a.st_dev == of_b.st_dev && of_a.st_ino == of_b.st_ino;
 }
 
 } // namespace
@@ -54,9 +46,7 @@ int run(const TraceCommand& command) {
         write_trace(scene, plan, options, output);
         return exit_fine;
     }
-    if (is_same_file(command.scene, command.output))
-        throw problem_of(command.output,
-                         "expected another file than the scene itself, found the scene");
+    refuse_overwriting(command.scene, command.output);
     FileOutput output(command.output);
     write_trace(scene, plan, options, output);
     output.commit();

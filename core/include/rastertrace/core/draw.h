@@ -88,6 +88,21 @@ template <typename Scalar> struct Target {
     Exactness<Scalar> exactness;
 };
 
+/// An empty picture for a scene, with what drawing on it needs but depths.
+template <typename Scalar> Target<Scalar> target_for(const Scene& scene, const Plan& plan) {
+    const auto exactness = [&]() -> Exactness<Scalar> {
+        if constexpr (std::same_as<Scalar, Adaptive>)
+            return {.pieces = ExactPieces(scene, plan),
+                    .sample_offset = scalar_from<Rational>(sample_offset_of(scene.method))};
+        else
+            return {};
+    };
+    return {.image = Image(scene.canvas),
+            .grid = {scalar_from<Scalar>(sample_offset_of(scene.method), plan.denominator),
+                     scene.canvas},
+            .exactness = exactness()};
+}
+
 /// Fills a triangle with the stages that its pixels go through.
 template <typename Scalar, PixelStages stages, typename Sink>
 void fill(const PlacedPrimitive<Scalar>& primitive, const Paint<Scalar, stages>& paint,
@@ -333,18 +348,7 @@ void draw_pieces(const Scene& scene, const Plan& plan, const AGeometry& geometry
 /// numbers.
 template <typename Scalar, typename Sink>
 Image draw(const Scene& scene, const Plan& plan, Sink&& sink, Fallbacks* fallbacks = nullptr) {
-    const auto exactness = [&]() -> Exactness<Scalar> {
-        if constexpr (std::same_as<Scalar, Adaptive>)
-            return {.pieces = ExactPieces(scene, plan),
-                    .sample_offset = scalar_from<Rational>(sample_offset_of(scene.method))};
-        else
-            return {};
-    };
-    Target<Scalar> target{
-        .image = Image(scene.canvas),
-        .grid = {scalar_from<Scalar>(sample_offset_of(scene.method), plan.denominator),
-                 scene.canvas},
-        .exactness = exactness()};
+    Target<Scalar> target = target_for<Scalar>(scene, plan);
     if (scene.has_depth_buffer())
         target.depth.emplace(plan.stages.depth_region, depth_rule<DepthOf<Scalar>>(scene));
     std::visit(

@@ -31,6 +31,13 @@ template <typename Scalar> struct PlacedPrimitive {
     std::array<DepthOf<Scalar>, 3> inverse_w{};
 };
 
+/// A coordinate of a vertex as a Scalar, over the plan's denominator if that is a fraction.
+template <typename Scalar, typename Coordinate>
+Scalar on_grid(const Coordinate& coordinate, const Plan& plan) {
+    return written_finer(scalar_from<Scalar>(coordinate, plan.denominator / plan.coarseness),
+                         plan.coarseness);
+}
+
 /// Coordinates become numbers to calculate with.
 template <typename Scalar, typename Coordinate>
 PlacedPrimitive<Scalar> placed(const Piece<Coordinate>& piece, const Plan& plan) {
@@ -39,8 +46,8 @@ PlacedPrimitive<Scalar> placed(const Piece<Coordinate>& piece, const Plan& plan)
                                    .names = piece.names,
                                    .colors = piece.colors};
     for (std::size_t i = 0; i < piece.count; ++i) {
-        result.positions[i].x = scalar_from<Scalar>(piece.positions[i].x, plan.denominator);
-        result.positions[i].y = scalar_from<Scalar>(piece.positions[i].y, plan.denominator);
+        result.positions[i].x = on_grid<Scalar>(piece.positions[i].x, plan);
+        result.positions[i].y = on_grid<Scalar>(piece.positions[i].y, plan);
     }
     using D = DepthOf<Scalar>;
     for (std::size_t i = 0; i < piece.count; ++i) {

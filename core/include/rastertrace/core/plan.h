@@ -71,6 +71,7 @@ inline AnyGeometry geometry_for(const Scene& scene) {
 struct Plan {
     NumberType number = NumberType::binary64;
     std::int64_t denominator = 1; ///< common to all coordinates, when they are fractions
+    std::int64_t coarseness = 1;  ///< vertices lie on multiples of this many of its units
     AnyGeometry geometry = {};
     Stages stages = {};        ///< which of them run
     bool mixes_colors = false; ///< vertices have colors that count
@@ -122,6 +123,7 @@ bool all_coordinates(const Scene& scene, const Geometry<Coordinate>& geometry, I
 struct NumberChoice {
     NumberType number = NumberType::binary64;
     std::int64_t denominator = 1;
+    std::int64_t coarseness = 1; ///< as in Plan
 };
 
 /// The narrowest type of fractions over `denominator` in which no step of drawing can overflow.
@@ -182,9 +184,9 @@ inline std::size_t depth_size_of(NumberType number) {
     return sizeof(double);
 }
 
-/// The type of numbers for the scene's kind of scalar.
+/// The type of numbers for the scene's kind of scalar. `grid` is what `fixed` snaps to.
 template <typename AGeometry>
-NumberChoice choose_numbers(const Scene& scene, const AGeometry& geometry) {
+NumberChoice choose_numbers(const Scene& scene, const AGeometry& geometry, std::int64_t grid) {
     switch (scene.method.scalar) {
     case ScalarKind::exact:
         if constexpr (std::same_as<AGeometry, TypedGeometry> ||
@@ -200,9 +202,14 @@ NumberChoice choose_numbers(const Scene& scene, const AGeometry& geometry) {
         }
         return {.number = NumberType::adaptive};
     case ScalarKind::fixed:
-        // Rationals lie on the grid too.
-        if constexpr (!std::same_as<AGeometry, Geometry<Adaptive>>)
-            return {choose_fractions(scene, geometry, fixed_grid).number, fixed_grid};
+        // Rationals lie on the grid too. The centers of pixels, which are halves, are not snapped,
+        // however coarse it is.
+        if constexpr (!std::same_as<AGeometry, Geometry<Adaptive>>) {
+            const std::int64_t halves = sample_of(scene.method) == Sample::center ? 2 : 1;
+            const std::int64_t denominator = std::lcm(grid, halves);
+            return {choose_fractions(scene, geometry, denominator).number, denominator,
+                    denominator / grid};
+        }
         break;
     case ScalarKind::single_precision:
         return {.number = NumberType::binary32};
@@ -380,8 +387,8 @@ inline std::optional<Unfit> unfit_vertex(const Scene&, const TypedGeometry&) {
 }
 
 /// Decides how a scene is drawn, from the scene alone; or tells the first place where drawing it
-/// would make an infinity or overflow.
-inline std::variant<Plan, Unfit> plan_or_unfit(const Scene& scene) {
+/// would make an infinity or overflow. `grid` is what `fixed` snaps to: so many places to a pixel.
+inline std::variant<Plan, Unfit> plan_or_unfit(const Scene& scene, std::int64_t grid = fixed_grid) {
     Plan plan{.geometry = geometry_for(scene), .mixes_colors = scene.mixes_colors()};
     const auto decide = [&](const auto& geometry) {
         // One look at each piece serves the check and the stages.
@@ -397,9 +404,10 @@ inline std::variant<Plan, Unfit> plan_or_unfit(const Scene& scene) {
         if (unfit)
             return unfit;
 
-        const NumberChoice choice = choose_numbers(scene, geometry);
+        const NumberChoice choice = choose_numbers(scene, geometry, grid);
         plan.number = choice.number;
         plan.denominator = choice.denominator;
+        plan.coarseness = choice.coarseness;
         plan.stages = stages_of(scene, geometry, triangles, depth_size_of(plan.number));
         return unfit;
     };
@@ -409,8 +417,8 @@ inline std::variant<Plan, Unfit> plan_or_unfit(const Scene& scene) {
 }
 
 /// The plan of a scene that can be drawn.
-inline Plan plan_for(const Scene& scene) {
-    return std::get<Plan>(plan_or_unfit(scene));
+inline Plan plan_for(const Scene& scene, std::int64_t grid = fixed_grid) {
+    return std::get<Plan>(plan_or_unfit(scene, grid));
 }
 
 /// Why a scene cannot be drawn, if it cannot.

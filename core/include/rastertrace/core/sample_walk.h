@@ -128,7 +128,7 @@ public:
     /// coordinate less than 32 bits.
     static Index index_from(Length whole) {
         if constexpr (sizeof(Length) <= sizeof(Index))
-            return whole;
+            return static_cast<Index>(whole);
         else
             return static_cast<Index>(std::clamp<Length>(whole, -farthest_index, farthest_index));
     }

@@ -254,6 +254,15 @@ Scalar scalar_from(const Coordinate& coordinate, std::int64_t denominator) {
     }
 }
 
+/// The same number over a denominator that is `factor` times as large, if it has one.
+template <typename Scalar> Scalar written_finer(Scalar value, std::int64_t) {
+    return value;
+}
+template <typename Integer>
+Fraction<Integer> written_finer(const Fraction<Integer>& value, std::int64_t factor) {
+    return {value.numerator * factor, value.denominator * factor};
+}
+
 /// The numbers that depths, and colors in a perspective, are worked out in. A fraction's denominator
 /// would grow too far: what is drawn on a grid takes doubles, and what is exact takes rationals from
 /// the start.

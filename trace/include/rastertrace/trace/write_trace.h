@@ -27,11 +27,12 @@ struct TraceOptions {
 };
 
 /// Draws the scene by its plan and writes its trace. The same scene and options give the same bytes
-/// on every machine. Throws the Problem that the output throws.
-void write_trace(const Scene& scene, const Plan& plan, const TraceOptions& options, Output& output);
+/// on every machine. Returns how many steps it wrote. Throws the Problem that the output throws.
+std::uint64_t write_trace(const Scene& scene, const Plan& plan, const TraceOptions& options,
+                          Output& output);
 
 /// The same for a scene that nobody has planned yet.
-void write_trace(const Scene& scene, const TraceOptions& options, Output& output);
+std::uint64_t write_trace(const Scene& scene, const TraceOptions& options, Output& output);
 
 /// The name that a trace gives to a final picture: FNV-1a (64 bit, sixteen hexadecimal digits) over
 /// the red, green, blue and alpha byte of every pixel, row by row from the top; a pixel that

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "job_builder.h"
+
+#include <rastertrace/core/draw.h>
+#include <rastertrace/core/pieces.h>
+#include <rastertrace/trace/method_names.h>
+#include <rastertrace/trace/refusal.h>
+
+#include <fmt/format.h>
+
+#include <concepts>
+
+namespace rastertrace {
+
+JobReport JobBuilder::finish(const ReportOptions& options) {
+    if (!runs_.empty())
+        time_in_turn(runs_, options.timing, [&](int round, int rounds) {
+            if (options.progress)
+                options.progress(
+                    fmt::format("{}: round {} of {}", name_of(report_.job), round + 1, rounds));
+        });
+    for (std::size_t i = 0; i < runs_.size(); ++i) {
+        const auto [curve, setting] = places_[i];
+        report_.curves[curve].settings[setting].timing = runs_[i].timing;
+    }
+    mark_fronts(report_);
+    for (std::size_t measure = 0; measure < report_.measures.size(); ++measure)
+        report_.advice.push_back(advice_for(report_, measure));
+    return std::move(report_);
+}
+
+JobReport nothing_of(ReportJob job, std::string why) {
+    JobReport report;
+    report.job = job;
+    report.nothing = std::move(why);
+    return report;
+}
+
+Setting bits_setting(int bits) {
+    Setting setting;
+    setting.name = fmt::format("{} bits", bits);
+    setting.label = fmt::format("{}", bits);
+    return setting;
+}
+
+Setting interval_setting(int interval, std::string_view of) {
+    Setting setting;
+    const bool is_never = interval == std::numeric_limits<int>::max();
+    setting.name = is_never        ? "never"
+                   : interval == 1 ? fmt::format("every {}", of)
+                                   : fmt::format("every {} {}s", interval, of);
+    setting.label = is_never ? "never" : fmt::format("{}", interval);
+    return setting;
+}
+
+Setting named_setting(std::string_view name) {
+    Setting setting;
+    setting.name = name;
+    setting.label = name;
+    return setting;
+}
+
+Scene plain_scene(const Scene& scene, ScalarKind scalar) {
+    Scene plain = scene;
+    plain.method.scalar = scalar;
+    plain.method.depth = Depth::none;
+    plain.method.shade = Shade::flat;
+    plain.keep = {};
+    return plain;
+}
+
+std::vector<ScalarSetting> scalar_settings() {
+    const MethodKey& key = *find_method_key("scalar");
+    std::vector<ScalarSetting> others;
+    std::vector<ScalarSetting> all;
+    for (const std::string_view name : key.values) {
+        Method method;
+        key.set(method, name);
+        if (method.scalar != ScalarKind::fixed)
+            others.push_back({method.scalar, std::string(name), {}});
+        else
+            for (const int bits : subpixel_bits)
+                all.push_back({method.scalar, std::string(name), bits});
+    }
+    all.insert(all.end(), others.begin(), others.end());
+    return all;
+}
+
+std::string refusal_in_words(const Scene& scene) {
+    const auto unfit = find_unfit(scene);
+    return unfit ? refusal_of(scene, *unfit).message : std::string();
+}
+
+namespace {
+
+/// Puts pixels that come one after the other into rows.
+struct SpanSink {
+    std::vector<PieceSpan>& spans;
+
+    template <typename Step> void operator()(const Step&) {}
+    void operator()(const PixelPlotted& step) {
+        if (!spans.empty() && spans.back().y == step.pixel.y && spans.back().to + 1 == step.pixel.x)
+            ++spans.back().to;
+        else
+            spans.push_back({step.pixel.y, step.pixel.x, step.pixel.x});
+    }
+    template <typename Step> bool takes() const { return std::same_as<Step, PixelPlotted>; }
+};
+
+} // namespace
+
+std::vector<SpansOfPiece> exact_spans(const Scene& scene) {
+    Scene exact = plain_scene(scene, ScalarKind::exact);
+    exact.method.fill = Fill::top_left;
+    exact.method.sample.reset();
+    const Plan plan = plan_for(exact);
+    std::vector<SpansOfPiece> pieces;
+    with_scalar(plan, [&]<typename Scalar>() {
+        auto target = target_for<Scalar>(exact, plan);
+        const auto fill_piece = [&]<typename Coordinate>(const Piece<Coordinate>& piece) {
+            if constexpr (draws<Scalar, Coordinate>) {
+                if (piece.kind != PrimitiveKind::triangle)
+                    return;
+                auto& spans = pieces.emplace_back(SpansOfPiece{piece.primitive, {}}).spans;
+                if constexpr (!std::same_as<Coordinate, Number>)
+                    if (!report_face(piece.face, NullSink{}))
+                        return;
+                fill(placed<Scalar>(piece, plan), Paint<Scalar, PixelStages{}>{Color{}},
+                     exact.method, target, SpanSink{spans});
+            }
+        };
+        std::visit(
+            [&](const auto& geometry) { for_each_piece(exact, geometry, NullSink{}, fill_piece); },
+            plan.geometry);
+    });
+    return pieces;
+}
+
+} // namespace rastertrace

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: MIT
+// The fourth job of the report: what the colors of the vertices mix to in the pixels of a triangle.
+// All methods are asked about the same pixels, those of the exact top-left fill.
+
+#include "job_builder.h"
+
+#include <rastertrace/core/draw.h>
+#include <rastertrace/core/paint.h>
+#include <rastertrace/core/pieces.h>
+#include <rastertrace/numerics/knobs.h>
+#include <rastertrace/trace/method_names.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <memory>
+
+namespace rastertrace {
+
+namespace {
+
+/// A triangle with colors, ready to be mixed. Without area it has no pixels.
+template <typename Scalar> struct ColorPiece {
+    std::array<Vec<Scalar, 2>, 3> positions;
+    std::array<Color, 3> colors;
+    std::array<DepthOf<Scalar>, 3> inverse_w;
+};
+template <typename Scalar> struct ColorInput {
+    std::vector<ColorPiece<Scalar>> pieces;
+    Scalar sample_offset{};
+};
+
+template <typename Scalar>
+ColorInput<CountedOf<Scalar>> counting_copy_of(const ColorInput<Scalar>& input) {
+    ColorInput<CountedOf<Scalar>> result;
+    result.sample_offset = as_counted(input.sample_offset);
+    for (const ColorPiece<Scalar>& piece : input.pieces) {
+        auto& copy = result.pieces.emplace_back();
+        copy.colors = piece.colors;
+        for (std::size_t i = 0; i < 3; ++i) {
+            copy.positions[i] = {as_counted(piece.positions[i].x),
+                                 as_counted(piece.positions[i].y)};
+            copy.inverse_w[i] = piece.inverse_w[i];
+        }
+    }
+    return result;
+}
+
+class ColorJob {
+public:
+    ColorJob(const Scene& scene, const ReportOptions& options) : scene_(scene), options_(options) {}
+
+    JobReport measured() {
+        const bool has_colors =
+            std::any_of(scene_.vertices.begin(), scene_.vertices.end(),
+                        [](const SceneVertex& vertex) { return vertex.color.has_value(); });
+        if (!has_colors || !scene_.has(PrimitiveKind::triangle))
+            return nothing_of(ReportJob::color, "the scene has no triangle with colored vertices");
+        const bool in_perspective = is_perspective(scene_.projection.type);
+        const Scene exact = scene_with(ScalarKind::exact);
+        const std::string refusal = refusal_in_words(exact);
+        if (!refusal.empty())
+            return nothing_of(ReportJob::color, refusal);
+        *pieces_ = exact_spans(scene_);
+        for (const SpansOfPiece& piece : *pieces_)
+            for (const PieceSpan& span : piece.spans)
+                fragments_ += static_cast<std::uint64_t>(span.to - span.from + 1);
+        if (fragments_ == 0)
+            return nothing_of(ReportJob::color, "no pixel of the canvas is covered");
+        const Plan plan = plan_for(exact);
+        with_scalar(plan, [&]<typename Scalar>() {
+            if constexpr (!std::same_as<Scalar, Adaptive>) {
+                const auto input = input_of<Scalar>(exact, plan);
+                exact_ =
+                    in_perspective ? mixed<true>(*input, *pieces_) : mixed<false>(*input, *pieces_);
+            }
+        });
+
+        JobReport& report = builder_.report();
+        report.unit = "fragment";
+        report.units = fragments_;
+        report.reference = in_perspective
+                               ? "colors mixed as in space, in rationals, rounded to 8 bits"
+                               : "colors mixed as on the screen, in rationals, rounded to 8 bits";
+        report.measures = {
+            {"levels", "largest error of a channel", "of 255"},
+            {"wrong_pixels", "pixels off by a level or more / fragments", "", "fragments"}};
+        add_scalars<false>("on the screen (affine)");
+        if (in_perspective) {
+            add_scalars<true>("in space, divided in each pixel");
+            add_intervals(ScalarKind::single_precision, "float");
+            add_intervals(ScalarKind::double_precision, "double");
+        }
+        return builder_.finish(options_);
+    }
+
+private:
+    Scene scene_with(ScalarKind scalar) const {
+        Scene scene = plain_scene(scene_, scalar);
+        scene.method.shade = Shade::interpolate;
+        scene.method.fill = Fill::top_left;
+        scene.method.sample.reset();
+        return scene;
+    }
+
+    /// The pieces of a scene in one kind of scalar. Nothing, if clipping has left other pieces than
+    /// in exact arithmetic.
+    template <typename Scalar>
+    std::shared_ptr<ColorInput<Scalar>> input_of(const Scene& scene, const Plan& plan) const {
+        auto input = std::make_shared<ColorInput<Scalar>>();
+        input->sample_offset =
+            scalar_from<Scalar>(sample_offset_of(scene.method), plan.denominator);
+        std::vector<std::size_t> primitives;
+        std::visit(
+            [&](const auto& geometry) {
+                for_each_piece(scene, geometry, NullSink{},
+                               [&]<typename Coordinate>(const Piece<Coordinate>& piece) {
+                                   if constexpr (draws<Scalar, Coordinate>) {
+                                       if (piece.kind != PrimitiveKind::triangle)
+                                           return;
+                                       const auto primitive = placed<Scalar>(piece, plan);
+                                       input->pieces.push_back({primitive.positions,
+                                                                primitive.colors,
+                                                                primitive.inverse_w});
+                                       primitives.push_back(piece.primitive);
+                                   }
+                               });
+            },
+            plan.geometry);
+        const auto same = [](std::size_t number, const SpansOfPiece& piece) {
+            return number == piece.primitive;
+        };
+        if (!std::equal(primitives.begin(), primitives.end(), pieces_->begin(), pieces_->end(),
+                        same))
+            return nullptr;
+        return input;
+    }
+
+    /// The colors of all pixels of all triangles, mixed by core.
+    template <bool in_perspective, typename Scalar>
+    static std::vector<Color> mixed(const ColorInput<Scalar>& input,
+                                    const std::vector<SpansOfPiece>& pieces) {
+        std::vector<Color> colors;
+        for (std::size_t i = 0; i < input.pieces.size(); ++i) {
+            const ColorPiece<Scalar>& piece = input.pieces[i];
+            const Barycentric<Scalar> barycentric(Triangle<Scalar>{piece.positions});
+            const bool has_area = barycentric.area2() != scalar_from<Scalar>(0);
+            const MixedColors<Scalar> paint{piece.colors, barycentric, input.sample_offset,
+                                            piece.inverse_w};
+            for (const PieceSpan& span : pieces[i].spans)
+                for (int x = span.from; x <= span.to; ++x)
+                    colors.push_back(has_area ? paint.template at<in_perspective>({x, span.y})
+                                              : piece.colors[0]);
+        }
+        return colors;
+    }
+
+    /// The same, divided only in every `interval`th pixel of a row.
+    template <typename D>
+    static std::vector<Color> divided(const ColorInput<D>& input,
+                                      const std::vector<SpansOfPiece>& pieces, int interval) {
+        std::vector<Color> colors;
+        for (std::size_t i = 0; i < input.pieces.size(); ++i) {
+            const ColorPiece<D>& piece = input.pieces[i];
+            const D area2 = Barycentric<D>(Triangle<D>{piece.positions}).area2();
+            if (area2 == scalar_from<D>(0)) {
+                for (const PieceSpan& span : pieces[i].spans)
+                    colors.insert(colors.end(), static_cast<std::size_t>(span.to - span.from + 1),
+                                  piece.colors[0]);
+                continue;
+            }
+            const auto over_w = [&](std::uint8_t (Color::*channel)() const) {
+                std::array<D, 3> values;
+                for (std::size_t k = 0; k < 3; ++k)
+                    values[k] = scalar_from<D>((piece.colors[k].*channel)()) * piece.inverse_w[k];
+                return ScreenPlane<D>(piece.positions, values, area2);
+            };
+            const std::array planes{over_w(&Color::red), over_w(&Color::green),
+                                    over_w(&Color::blue)};
+            const ScreenPlane<D> inverse_w(piece.positions, piece.inverse_w, area2);
+            for (const PieceSpan& span : pieces[i].spans) {
+                const PerspectiveRow<D, 3> row(planes, inverse_w,
+                                               scalar_from<D>(span.y) + input.sample_offset,
+                                               input.sample_offset, interval);
+                row.walk(span.from, span.to, [&colors](int, const std::array<D, 3>& values) {
+                    const auto level = [](const D& value) {
+                        return static_cast<std::uint8_t>(
+                            std::clamp<Index>(nearest_index(value, Ties::up), 0, 255));
+                    };
+                    colors.emplace_back(level(values[0]), level(values[1]), level(values[2]));
+                });
+            }
+        }
+        return colors;
+    }
+
+    /// How far off the colors are.
+    std::vector<ErrorValue> errors_of(const std::vector<Color>& colors) const {
+        int largest = 0;
+        std::uint64_t wrong = 0;
+        for (std::size_t i = 0; i < colors.size(); ++i) {
+            const auto off = [&](std::uint8_t (Color::*channel)() const) {
+                return std::abs((colors[i].*channel)() - (exact_[i].*channel)());
+            };
+            const int here = std::max({off(&Color::red), off(&Color::green), off(&Color::blue)});
+            largest = std::max(largest, here);
+            wrong += here > 0 ? 1 : 0;
+        }
+        return {{static_cast<double>(largest)}, ErrorValue::ratio(wrong, fragments_)};
+    }
+
+    /// Measures what `mix(input)` makes of a kind of scalar.
+    template <typename Mix> void add(ScalarKind scalar, Setting setting, const Mix& mix) {
+        const Scene scene = scene_with(scalar);
+        const std::string refusal = refusal_in_words(scene);
+        if (!refusal.empty())
+            return builder_.add_failure(setting.name, setting.label, refusal);
+        const Plan plan = plan_for(scene);
+        with_scalar(plan, [&]<typename Scalar>() {
+            if constexpr (std::same_as<Scalar, Adaptive>) {
+                builder_.add_failure(setting.name, setting.label, "not measured");
+            } else {
+                const auto input = input_of<Scalar>(scene, plan);
+                if (!input)
+                    return builder_.add_failure(
+                        setting.name, setting.label,
+                        "clipping has left other triangles than in exact arithmetic");
+                setting.errors = errors_of(mix(*input, *pieces_));
+                Work work;
+                {
+                    const Counting counting(work);
+                    keep(mix(counting_copy_of(*input), *pieces_));
+                }
+                work.pixels_tested = fragments_;
+                setting.work = work;
+                builder_.add(
+                    std::move(setting),
+                    [input, mix, pieces = pieces_] { keep(mix(*input, *pieces)); }, fragments_);
+            }
+        });
+    }
+
+    template <bool in_perspective> void add_scalars(std::string_view name) {
+        builder_.begin_curve(std::string(name), "scalar");
+        for (const ScalarSetting& scalar : scalar_settings()) {
+            // Of the grids, the one that is drawn on.
+            if (scalar.bits && std::int64_t{1} << *scalar.bits != fixed_grid)
+                continue;
+            add(scalar.kind, named_setting(scalar.name), [](const auto& input, const auto& pieces) {
+                return mixed<in_perspective>(input, pieces);
+            });
+        }
+    }
+
+    void add_intervals(ScalarKind scalar, std::string_view name) {
+        builder_.begin_curve(fmt::format("in space, {}", name), "divided every so many pixels");
+        for (const int interval : divide_intervals)
+            add(scalar, interval_setting(interval, "pixel"),
+                [interval]<typename Scalar>(const ColorInput<Scalar>& input, const auto& pieces) {
+                    // Only floats and doubles are asked for.
+                    if constexpr (std::same_as<DepthOf<Scalar>, Scalar>)
+                        return divided(input, pieces, interval);
+                    else
+                        return std::vector<Color>();
+                });
+    }
+
+    const Scene& scene_;
+    const ReportOptions& options_;
+    std::shared_ptr<std::vector<SpansOfPiece>> pieces_ =
+        std::make_shared<std::vector<SpansOfPiece>>();
+    std::uint64_t fragments_ = 0;
+    std::vector<Color> exact_; ///< of each of them
+    JobBuilder builder_{ReportJob::color};
+};
+
+} // namespace
+
+JobReport measure_color(const Scene& scene, const ReportOptions& options) {
+    return ColorJob(scene, options).measured();
+}
+
+} // namespace rastertrace

@@ -1,0 +1,578 @@
+// SPDX-License-Identifier: MIT
+// The third job of the report: which triangle is seen in a pixel, and how deep it lies there. All
+// methods are asked about the same pixels, those of the exact top-left fill.
+
+#include "job_builder.h"
+
+#include <rastertrace/core/draw.h>
+#include <rastertrace/core/painter.h>
+#include <rastertrace/core/pieces.h>
+#include <rastertrace/numerics/knobs.h>
+#include <rastertrace/trace/method_names.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <tuple>
+
+namespace rastertrace {
+
+namespace {
+
+/// A triangle on the screen, in the numbers that depths are worked out in.
+template <typename D> struct DepthPiece {
+    Triangle<D> triangle;
+    std::array<D, 3> depths;
+};
+
+/// What a method needs to find depths: the pieces, and how depths are compared.
+template <typename D> struct DepthInput {
+    std::vector<DepthPiece<D>> pieces;
+    DepthRule<D> rule;
+};
+
+template <typename D> DepthInput<Counted<D>> counting_copy_of(const DepthInput<D>& input) {
+    DepthInput<Counted<D>> result;
+    for (const DepthPiece<D>& piece : input.pieces) {
+        auto& copy = result.pieces.emplace_back();
+        for (std::size_t i = 0; i < 3; ++i) {
+            copy.triangle.vertices[i] = {piece.triangle.vertices[i].x,
+                                         piece.triangle.vertices[i].y};
+            copy.depths[i] = piece.depths[i];
+        }
+    }
+    result.rule.larger_passes = input.rule.larger_passes;
+    if (input.rule.cleared)
+        result.rule.cleared = *input.rule.cleared;
+    return result;
+}
+
+/// Which piece is seen in each pixel: its place in the list, plus 1.
+using Winners = std::vector<std::uint32_t>;
+
+/// Everything there is to know about the pixels of a scene.
+struct DepthScene {
+    Canvas canvas;
+    std::vector<SpansOfPiece> pieces;
+    std::uint64_t fragments = 0;
+    Winners winners;
+
+    /// The depths of the fragments, in the order of the spans: what each kind of buffer should hold.
+    std::vector<ExactValue> distance;
+    std::vector<ExactValue> inverse_distance;
+    std::vector<ExactValue> ndc;
+    /// Is 1/z (in a perspective) or z what is linear on the screen, and how much of it is one of ndc?
+    bool is_inverse_linear = true;
+    std::optional<double> per_ndc;
+};
+
+class DepthJob {
+public:
+    DepthJob(const Scene& scene, const ReportOptions& options) : scene_(scene), options_(options) {}
+
+    JobReport measured() {
+        if (scene_.depth() == Depth::none)
+            return nothing_of(ReportJob::depth, "the scene has no depth");
+        shared_ = std::make_shared<DepthScene>();
+        shared_->canvas = scene_.canvas;
+        shared_->is_inverse_linear =
+            is_perspective(scene_.projection.type) || scene_.depth() == Depth::inverse_z;
+        const Depth right = shared_->is_inverse_linear ? Depth::inverse_z : Depth::linear_z;
+        const Scene exact = scene_with(right, ScalarKind::exact);
+        const std::string refusal = refusal_in_words(exact);
+        if (!refusal.empty())
+            return nothing_of(ReportJob::depth, refusal);
+        shared_->pieces = exact_spans(scene_);
+        for (const SpansOfPiece& piece : shared_->pieces)
+            for (const PieceSpan& span : piece.spans)
+                shared_->fragments += static_cast<std::uint64_t>(span.to - span.from + 1);
+        if (shared_->fragments == 0)
+            return nothing_of(ReportJob::depth, "no pixel of the canvas is covered");
+        find_exact(right);
+
+        JobReport& report = builder_.report();
+        report.unit = "fragment";
+        report.units = shared_->fragments;
+        report.reference = shared_->is_inverse_linear
+                               ? "1/z in rationals, on the pixels of the exact top-left fill"
+                               : "z in rationals, on the pixels of the exact top-left fill";
+        report.measures = {{"wrong_winners", "pixels with the wrong winner / pixels covered", "",
+                            "pixels covered"},
+                           {"inverse_z_error", "largest relative error of 1/z", ""}};
+        std::vector<Depth> kinds{Depth::inverse_z, Depth::linear_z};
+        if (scene_.projection.type != ProjectionType::none)
+            kinds.push_back(Depth::ndc_z);
+        for (const Depth kind : kinds)
+            add_scalars(kind);
+        for (const Depth kind : kinds)
+            add_buffers(kind);
+        add_accumulated(right, ScalarKind::single_precision, "float");
+        add_accumulated(right, ScalarKind::double_precision, "double");
+        add_painter();
+        return builder_.finish(options_);
+    }
+
+private:
+    Scene scene_with(Depth depth, ScalarKind scalar) const {
+        Scene scene = plain_scene(scene_, scalar);
+        scene.method.depth = depth;
+        scene.method.depth_compare = DepthCompare::automatic;
+        scene.method.fill = Fill::top_left;
+        scene.method.sample.reset();
+        return scene;
+    }
+
+    static std::string name_of_depth(Depth depth) {
+        Method method;
+        method.depth = depth;
+        return std::string(find_method_key("depth")->get(method));
+    }
+
+    /// The pieces of a scene, in the numbers that its scalar has for depths. Nothing, if clipping has
+    /// left other pieces than in exact arithmetic.
+    template <typename Scalar>
+    std::shared_ptr<DepthInput<DepthOf<Scalar>>> input_of(const Scene& scene,
+                                                          const Plan& plan) const {
+        using D = DepthOf<Scalar>;
+        auto input = std::make_shared<DepthInput<D>>();
+        input->rule = depth_rule<D>(scene);
+        std::vector<std::size_t> primitives;
+        std::visit(
+            [&](const auto& geometry) {
+                for_each_piece(
+                    scene, geometry, NullSink{},
+                    [&]<typename Coordinate>(const Piece<Coordinate>& piece) {
+                        if constexpr (draws<Scalar, Coordinate>) {
+                            if (piece.kind != PrimitiveKind::triangle)
+                                return;
+                            const auto primitive = placed<Scalar>(piece, plan);
+                            input->pieces.push_back(
+                                {{depth_positions(Triangle<Scalar>{primitive.positions})},
+                                 primitive.depths});
+                            primitives.push_back(piece.primitive);
+                        }
+                    });
+            },
+            plan.geometry);
+        const auto same = [](std::size_t number, const SpansOfPiece& piece) {
+            return number == piece.primitive;
+        };
+        if (!std::equal(primitives.begin(), primitives.end(), shared_->pieces.begin(),
+                        shared_->pieces.end(), same))
+            return nullptr;
+        return input;
+    }
+
+    /// Calls `visit(row, span, piece)` with the depths of each row of each piece.
+    template <typename D, typename Visit>
+    static void for_each_row(const DepthInput<D>& input, const DepthScene& shared,
+                             DepthBuffer<D>& buffer, Visit&& visit) {
+        for (std::size_t i = 0; i < input.pieces.size(); ++i) {
+            TriangleDepth<D> depth(input.pieces[i].triangle, input.pieces[i].depths, buffer);
+            depth.prepare(D(0.5));
+            for (const PieceSpan& span : shared.pieces[i].spans)
+                visit(depth.on_row(span.y), span, i);
+        }
+    }
+
+    static DepthRegion whole(const Canvas& canvas) {
+        return {
+            .left = canvas.left(), .top_row = 0, .width = canvas.width, .height = canvas.height};
+    }
+
+    /// What is seen, and the exact depths.
+    void find_exact(Depth right) {
+        const auto exact_depths = [this](Depth kind, auto&& keep_depth) {
+            const Scene scene = scene_with(kind, ScalarKind::exact);
+            const Plan plan = plan_for(scene);
+            const auto input = input_of<Rational>(scene, plan);
+            DepthBuffer<Rational> buffer(whole(shared_->canvas), input->rule);
+            for_each_row(*input, *shared_, buffer,
+                         [&](const DepthRow<Rational>& row, const PieceSpan& span, std::size_t) {
+                             for (int x = span.from; x <= span.to; ++x)
+                                 keep_depth(buffer.turned(row.at(x)));
+                         });
+            return input;
+        };
+        const auto input = exact_depths(right, [&](const Rational& depth) {
+            // The other one is its reciprocal. In a perspective, clipping leaves neither of them 0.
+            const Rational other = depth == 0 ? Rational(0) : Rational(1 / depth);
+            shared_->inverse_distance.emplace_back(shared_->is_inverse_linear ? depth : other);
+            shared_->distance.emplace_back(shared_->is_inverse_linear ? other : depth);
+        });
+        shared_->winners = run_buffer(*input, *shared_);
+        if (scene_.projection.type == ProjectionType::none)
+            return;
+        const auto ndc = exact_depths(
+            Depth::ndc_z, [&](const Rational& depth) { shared_->ndc.emplace_back(depth); });
+        // What is linear on the screen is linear in the other: two depths tell how steep.
+        const Rational* first_ndc = nullptr;
+        const Rational* first_right = nullptr;
+        for (std::size_t i = 0; i < ndc->pieces.size(); ++i)
+            for (std::size_t k = 0; k < 3; ++k) {
+                const Rational& here = ndc->pieces[i].depths[k];
+                const Rational& right_here = input->pieces[i].depths[k];
+                if (first_ndc == nullptr) {
+                    first_ndc = &here;
+                    first_right = &right_here;
+                } else if (here != *first_ndc && !shared_->per_ndc) {
+                    shared_->per_ndc =
+                        nearest_double(Rational((right_here - *first_right) / (here - *first_ndc)));
+                }
+            }
+    }
+
+    /// The whole work of a depth buffer.
+    template <typename D>
+    static Winners run_buffer(const DepthInput<D>& input, const DepthScene& shared) {
+        DepthBuffer<D> buffer(whole(shared.canvas), input.rule);
+        Winners winners(static_cast<std::size_t>(shared.canvas.width) *
+                        static_cast<std::size_t>(shared.canvas.height));
+        for_each_row(input, shared, buffer,
+                     [&](const DepthRow<D>& row, const PieceSpan& span, std::size_t piece) {
+                         const int line = static_cast<int>(shared.canvas.row_of(span.y));
+                         D* const cells = buffer.row_from(0, line);
+                         std::uint32_t* const seen = row_of(winners, shared.canvas, line);
+                         const auto number = static_cast<std::uint32_t>(piece + 1);
+                         for (int x = span.from; x <= span.to; ++x)
+                             if (buffer.keep_if_nearer(cells[x], row.at(x)))
+                                 seen[x] = number;
+                     });
+        return winners;
+    }
+
+    static std::uint32_t* row_of(Winners& winners, const Canvas& canvas, int line) {
+        return winners.data() + static_cast<std::ptrdiff_t>(line) * canvas.width - canvas.left();
+    }
+
+    /// How many pixels show another primitive than in exact arithmetic.
+    ErrorValue wrong_winners(const Winners& winners) const {
+        std::uint64_t wrong = 0;
+        std::uint64_t covered = 0;
+        const auto primitive_of = [this](std::uint32_t winner) {
+            return winner == 0 ? std::size_t{0} : shared_->pieces[winner - 1].primitive + 1;
+        };
+        for (std::size_t i = 0; i < winners.size(); ++i) {
+            covered += shared_->winners[i] == 0 ? 0 : 1;
+            wrong += primitive_of(winners[i]) == primitive_of(shared_->winners[i]) ? 0 : 1;
+        }
+        return ErrorValue::ratio(wrong, covered);
+    }
+
+    /// The relative error of 1/z of a fragment, if the buffer holds `depth` for it: with d what it
+    /// should hold, |d' - d| is one of 1/z, of z or of what is linear in one of these.
+    std::optional<double> inverse_z_error(Depth kind, std::size_t fragment, double depth) const {
+        const double z = std::abs(shared_->distance[fragment].near);
+        const double inverse = std::abs(shared_->inverse_distance[fragment].near);
+        if (z == 0)
+            return std::nullopt;
+        switch (kind) {
+        case Depth::inverse_z:
+            return shared_->inverse_distance[fragment].error_of(depth) / inverse;
+        case Depth::linear_z:
+            return shared_->distance[fragment].error_of(depth) / std::abs(depth);
+        case Depth::ndc_z:
+            if (!shared_->per_ndc)
+                return std::nullopt;
+            return shared_->ndc[fragment].error_of(depth) * std::abs(*shared_->per_ndc) /
+                   (shared_->is_inverse_linear ? inverse : z);
+        case Depth::none:
+        case Depth::painter:
+            break;
+        }
+        return std::nullopt;
+    }
+
+    /// The largest of these, where `depth_of(row, span, visit)` visits the depths of a row, turned.
+    template <typename D, typename VisitDepths>
+    ErrorValue largest_error(Depth kind, const DepthInput<D>& input,
+                             VisitDepths&& visit_depths) const {
+        DepthBuffer<D> buffer(whole(shared_->canvas), input.rule);
+        std::optional<double> largest;
+        std::size_t fragment = 0;
+        for_each_row(input, *shared_, buffer,
+                     [&](const DepthRow<D>& row, const PieceSpan& span, std::size_t) {
+                         visit_depths(row, span, [&](const D& depth) {
+                             const auto error = error_of(kind, fragment++, buffer.turned(depth));
+                             if (error && !(largest && *error <= *largest))
+                                 largest = error;
+                         });
+                     });
+        return {largest};
+    }
+    template <typename D>
+    std::optional<double> error_of(Depth kind, std::size_t fragment, const D& depth) const {
+        if constexpr (std::same_as<D, Rational>) {
+            // Exact numbers are wrong only in a buffer of the wrong kind.
+            const ExactValue found(depth);
+            const ExactValue& exact = exact_of(kind)[fragment];
+            if (found.near == exact.near && found.rest == exact.rest)
+                return 0;
+            return inverse_z_error(kind, fragment, found.near);
+        } else {
+            return inverse_z_error(kind, fragment, static_cast<double>(depth));
+        }
+    }
+    const std::vector<ExactValue>& exact_of(Depth kind) const {
+        return kind == Depth::ndc_z       ? shared_->ndc
+               : kind == Depth::inverse_z ? shared_->inverse_distance
+                                          : shared_->distance;
+    }
+
+    /// Calls `use(input)` with the input of a kind of depth in a kind of scalar, or adds a failure
+    /// for the setting.
+    template <typename Use> void with_input(const Scene& scene, Setting setting, Use&& use) {
+        const std::string refusal = refusal_in_words(scene);
+        if (!refusal.empty())
+            return builder_.add_failure(setting.name, setting.label, refusal);
+        const Plan plan = plan_for(scene);
+        with_scalar(plan, [&]<typename Scalar>() {
+            if constexpr (std::same_as<Scalar, Adaptive>)
+                builder_.add_failure(setting.name, setting.label, "not measured");
+            else if (const auto input = input_of<Scalar>(scene, plan))
+                use(std::move(setting), input);
+            else
+                builder_.add_failure(setting.name, setting.label,
+                                     "clipping has left other triangles than in exact arithmetic");
+        });
+    }
+
+    void add_scalars(Depth kind) {
+        builder_.begin_curve(name_of_depth(kind), "scalar");
+        for (const ScalarSetting& scalar : scalar_settings()) {
+            // Depths of fixed-point vertices are doubles; the grid that is drawn on will do.
+            if (scalar.bits && std::int64_t{1} << *scalar.bits != fixed_grid)
+                continue;
+            with_input(scene_with(kind, scalar.kind), named_setting(scalar.name),
+                       [&]<typename D>(Setting setting, std::shared_ptr<DepthInput<D>> input) {
+                           add_buffer(kind, std::move(setting), input);
+                       });
+        }
+    }
+
+    template <typename D>
+    void add_buffer(Depth kind, Setting setting, std::shared_ptr<DepthInput<D>> input) {
+        setting.errors = {
+            wrong_winners(run_buffer(*input, *shared_)),
+            largest_error(kind, *input,
+                          [](const DepthRow<D>& row, const PieceSpan& span, auto&& visit) {
+                              for (int x = span.from; x <= span.to; ++x)
+                                  visit(row.at(x));
+                          })};
+        setting.work = work_of([&] { keep(run_buffer(counting_copy_of(*input), *shared_)); });
+        builder_.add(
+            std::move(setting), [input, shared = shared_] { keep(run_buffer(*input, *shared)); },
+            shared_->fragments);
+    }
+
+    template <typename Run> Work work_of(Run&& run) const {
+        Work work;
+        const Counting counting(work);
+        run();
+        work.pixels_tested = shared_->fragments;
+        return work;
+    }
+
+    /// Buffers of whole numbers, between the nearest and the farthest vertex of the scene, and of
+    /// floats. Depths are worked out in double.
+    void add_buffers(Depth kind) {
+        builder_.begin_curve(fmt::format("{}, stored", name_of_depth(kind)), "bits of the buffer");
+        for (const int bits : depth_buffer_bits)
+            with_input(scene_with(kind, ScalarKind::double_precision), bits_setting(bits),
+                       [&]<typename D>(Setting setting, std::shared_ptr<DepthInput<D>> input) {
+                           add_stored<std::uint32_t>(
+                               kind, std::move(setting), input,
+                               [bits](const auto& in) { return codes_of(in, bits); });
+                       });
+        with_input(scene_with(kind, ScalarKind::double_precision), named_setting("float"),
+                   [&]<typename D>(Setting setting, std::shared_ptr<DepthInput<D>> input) {
+                       add_stored<float>(kind, std::move(setting), input,
+                                         [](const auto&) { return FloatStore{}; });
+                   });
+    }
+
+    /// Floats as a buffer holds them.
+    struct FloatStore {
+        template <typename D> float code_of(const D& depth) const {
+            return static_cast<float>(static_cast<double>(depth));
+        }
+        double depth_of(float stored) const { return static_cast<double>(stored); }
+    };
+
+    template <typename D> static DepthCodes<D> codes_of(const DepthInput<D>& input, int bits) {
+        std::vector<D> turned;
+        for (const DepthPiece<D>& piece : input.pieces)
+            for (const D& depth : piece.depths)
+                turned.push_back(input.rule.larger_passes ? D(-depth) : depth);
+        const auto [nearest, farthest] = std::minmax_element(turned.begin(), turned.end());
+        return {*nearest, *farthest, bits};
+    }
+
+    /// A buffer whose cells are a Code.
+    template <typename Code, typename D, typename Store>
+    static Winners run_stored(const DepthInput<D>& input, const DepthScene& shared,
+                              const Store& store) {
+        DepthBuffer<D> unused(DepthRegion{}, input.rule);
+        const auto size = static_cast<std::size_t>(shared.canvas.width) *
+                          static_cast<std::size_t>(shared.canvas.height);
+        std::vector<Code> codes(size, std::numeric_limits<Code>::max());
+        Winners winners(size);
+        for_each_row(input, shared, unused,
+                     [&](const DepthRow<D>& row, const PieceSpan& span, std::size_t piece) {
+                         const int line = static_cast<int>(shared.canvas.row_of(span.y));
+                         Code* const cells =
+                             codes.data() +
+                             static_cast<std::ptrdiff_t>(line) * shared.canvas.width -
+                             shared.canvas.left();
+                         std::uint32_t* const seen = row_of(winners, shared.canvas, line);
+                         for (int x = span.from; x <= span.to; ++x) {
+                             // The first one always passes: nothing is farther than a clear cell.
+                             const Code code = store.code_of(row.at(x));
+                             if (code < cells[x] || seen[x] == 0) {
+                                 cells[x] = code;
+                                 seen[x] = static_cast<std::uint32_t>(piece + 1);
+                             }
+                         }
+                     });
+        return winners;
+    }
+
+    template <typename Code, typename D, typename MakeStore>
+    void add_stored(Depth kind, Setting setting, std::shared_ptr<DepthInput<D>> input,
+                    const MakeStore& make_store) {
+        if constexpr (std::same_as<D, double>) {
+            const auto store = make_store(*input);
+            setting.errors = {wrong_winners(run_stored<Code>(*input, *shared_, store)),
+                              largest_error(kind, *input,
+                                            [&store](const DepthRow<D>& row, const PieceSpan& span,
+                                                     auto&& visit) {
+                                                for (int x = span.from; x <= span.to; ++x)
+                                                    visit(store.depth_of(store.code_of(row.at(x))));
+                                            })};
+            setting.work = work_of([&] {
+                const auto counting = counting_copy_of(*input);
+                keep(run_stored<Code>(counting, *shared_, make_store(counting)));
+            });
+            builder_.add(
+                std::move(setting),
+                [input, shared = shared_, store] {
+                    keep(run_stored<Code>(*input, *shared, store));
+                },
+                shared_->fragments);
+        }
+    }
+
+    /// Depths accumulated from pixel to pixel.
+    void add_accumulated(Depth kind, ScalarKind scalar, std::string_view name) {
+        builder_.begin_curve(fmt::format("{} += slope, {}", name_of_depth(kind), name),
+                             "begun anew every so many pixels");
+        for (const int interval : reseed_intervals)
+            with_input(scene_with(kind, scalar), interval_setting(interval, "pixel"),
+                       [&]<typename D>(Setting setting, std::shared_ptr<DepthInput<D>> input) {
+                           add_reseeded(kind, std::move(setting), input, interval);
+                       });
+    }
+
+    template <typename D>
+    static Winners run_reseeded(const DepthInput<D>& input, const DepthScene& shared,
+                                int interval) {
+        DepthBuffer<D> buffer(whole(shared.canvas), input.rule);
+        Winners winners(static_cast<std::size_t>(shared.canvas.width) *
+                        static_cast<std::size_t>(shared.canvas.height));
+        for_each_row(input, shared, buffer,
+                     [&](const DepthRow<D>& row, const PieceSpan& span, std::size_t piece) {
+                         const int line = static_cast<int>(shared.canvas.row_of(span.y));
+                         D* const cells = buffer.row_from(0, line);
+                         std::uint32_t* const seen = row_of(winners, shared.canvas, line);
+                         ReseededDepths<D> depths(row, interval);
+                         for (int x = span.from; x <= span.to; ++x)
+                             if (buffer.keep_if_nearer(cells[x], depths.at(x)))
+                                 seen[x] = static_cast<std::uint32_t>(piece + 1);
+                     });
+        return winners;
+    }
+
+    template <typename D>
+    void add_reseeded(Depth kind, Setting setting, std::shared_ptr<DepthInput<D>> input,
+                      int interval) {
+        setting.errors = {
+            wrong_winners(run_reseeded(*input, *shared_, interval)),
+            largest_error(kind, *input,
+                          [interval](const DepthRow<D>& row, const PieceSpan& span, auto&& visit) {
+                              ReseededDepths<D> depths(row, interval);
+                              for (int x = span.from; x <= span.to; ++x)
+                                  visit(depths.at(x));
+                          })};
+        setting.work =
+            work_of([&] { keep(run_reseeded(counting_copy_of(*input), *shared_, interval)); });
+        builder_.add(
+            std::move(setting),
+            [input, shared = shared_, interval] { keep(run_reseeded(*input, *shared, interval)); },
+            shared_->fragments);
+    }
+
+    /// The painter has no depth in a pixel: the last one drawn is seen.
+    void add_painter() {
+        builder_.begin_curve("painter", "sorted by the distance that is");
+        const MethodKey& key = *find_method_key("painter_key");
+        for (const std::string_view name : key.values) {
+            Scene scene = scene_with(Depth::painter, ScalarKind::double_precision);
+            key.set(scene.method, name);
+            Setting setting = named_setting(name);
+            const std::string refusal = refusal_in_words(scene);
+            if (!refusal.empty()) {
+                builder_.add_failure(setting.name, setting.label, refusal);
+                continue;
+            }
+            std::map<std::size_t, std::vector<std::size_t>> pieces_of;
+            for (std::size_t i = 0; i < shared_->pieces.size(); ++i)
+                pieces_of[shared_->pieces[i].primitive].push_back(i);
+            const auto geometry = std::make_shared<Geometry<double>>(geometry_of<double>(scene));
+            const auto run = [scene, geometry, pieces_of, shared = shared_] {
+                const auto order =
+                    painter_order<double>(scene, [&geometry](std::size_t vertex) -> const double& {
+                        return geometry->vertices[vertex].distance;
+                    });
+                Winners winners(static_cast<std::size_t>(shared->canvas.width) *
+                                static_cast<std::size_t>(shared->canvas.height));
+                for (const std::size_t primitive : order.primitives)
+                    if (const auto found = pieces_of.find(primitive); found != pieces_of.end())
+                        for (const std::size_t piece : found->second)
+                            for (const PieceSpan& span : shared->pieces[piece].spans) {
+                                const int line = static_cast<int>(shared->canvas.row_of(span.y));
+                                std::uint32_t* const seen = row_of(winners, shared->canvas, line);
+                                std::fill(seen + span.from, seen + span.to + 1,
+                                          static_cast<std::uint32_t>(piece + 1));
+                            }
+                return winners;
+            };
+            setting.errors = {wrong_winners(run()), {}};
+            setting.work = work_of([&] {
+                std::vector<Counted<double>> distances;
+                for (const auto& vertex : geometry->vertices)
+                    distances.emplace_back(vertex.distance);
+                keep(painter_order<Counted<double>>(
+                    scene, [&distances](std::size_t vertex) -> const Counted<double>& {
+                        return distances[vertex];
+                    }));
+            });
+            builder_.add(
+                std::move(setting), [run] { keep(run()); }, shared_->fragments);
+        }
+    }
+
+    const Scene& scene_;
+    const ReportOptions& options_;
+    std::shared_ptr<DepthScene> shared_;
+    JobBuilder builder_{ReportJob::depth};
+};
+
+} // namespace
+
+JobReport measure_depth(const Scene& scene, const ReportOptions& options) {
+    return DepthJob(scene, options).measured();
+}
+
+} // namespace rastertrace

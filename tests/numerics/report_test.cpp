@@ -1,0 +1,395 @@
+// SPDX-License-Identifier: MIT
+// The report of error against run time. Expected counts are those of numerics.md, part B, worked out
+// there in exact rationals and in single operations of IEEE arithmetic.
+
+#include "../picture.h"
+
+#include <rastertrace/numerics/knobs.h>
+#include <rastertrace/numerics/report.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace rastertrace {
+namespace {
+
+using testing::Each;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// As quick as can be: times are not what is tested.
+ReportOptions only(ReportJob job) {
+    return {
+        .jobs = {job}, .timing = {.runs = 1, .shortest_run = 0, .most_time = 0}, .progress = {}};
+}
+
+JobReport report_of_job(const Scene& scene, ReportJob job) {
+    return report_of(scene, only(job)).jobs.front();
+}
+
+const Curve& curve_of(const JobReport& job, std::string_view method) {
+    for (const Curve& curve : job.curves)
+        if (curve.method == method)
+            return curve;
+    throw std::runtime_error("no such curve: " + std::string(method));
+}
+const Setting& setting_of(const JobReport& job, std::string_view method, std::string_view name) {
+    for (const Setting& setting : curve_of(job, method).settings)
+        if (setting.name == name)
+            return setting;
+    throw std::runtime_error("no such setting: " + std::string(name));
+}
+std::uint64_t wrong(const JobReport& job, std::string_view method, std::string_view name) {
+    for (const ErrorValue& error : setting_of(job, method, name).errors)
+        if (error.count)
+            return *error.count;
+    throw std::runtime_error("it counts nothing");
+}
+std::vector<std::uint64_t> wrongs(const JobReport& job, std::string_view method) {
+    std::vector<std::uint64_t> counts;
+    for (const Setting& setting : curve_of(job, method).settings)
+        counts.push_back(wrong(job, method, setting.name));
+    return counts;
+}
+double error(const JobReport& job, std::string_view method, std::string_view name,
+             std::size_t measure) {
+    return setting_of(job, method, name).errors.at(measure).value.value();
+}
+
+/// Case S4: x is a whole number in every third row.
+Scene s4() {
+    Scene scene;
+    scene.title = "S4";
+    scene.canvas = {.width = 1001, .height = 3001, .origin = Origin::top_left};
+    scene.vertices = {{"A", 0, 0}, {"B", 1000, 3000}};
+    scene.primitives = {
+        {.kind = PrimitiveKind::line, .name = "AB", .vertices = {0, 1}, .color = {}}};
+    return scene;
+}
+
+TEST(EdgeReport, CountsTheWrongRowsOfS4) {
+    const JobReport job = report_of_job(s4(), ReportJob::edge);
+    EXPECT_EQ(job.units, 3001U);
+    EXPECT_EQ(wrong(job, "x += a, float", "never"), 590U);
+    EXPECT_EQ(wrong(job, "x += a, double", "never"), 409U);
+    EXPECT_NEAR(error(job, "x += a, float", "never", 1), 0.024, 0.0005);
+    EXPECT_NEAR(error(job, "x += a, double", "never", 1), 4.4e-11, 0.05e-11);
+    EXPECT_THAT(wrongs(job, "x1 + a (y - y1)"), ElementsAre(0U, 0U, 0U));
+    EXPECT_EQ(wrong(job, "(1 - t) x1 + t x2", "float"), 5U);
+    EXPECT_EQ(wrong(job, "x += a, fixed point", "4 bits"), 2983U);
+    EXPECT_EQ(wrong(job, "x += a, fixed point", "8 bits"), 2743U);
+    EXPECT_EQ(wrong(job, "x += a, fixed point", "12 bits"), 1000U);
+    EXPECT_EQ(wrong(job, "x += a, fixed point", "16 bits"), 1000U);
+}
+
+TEST(EdgeReport, WholeNumbersHaveNoErrorAtAll) {
+    const JobReport job = report_of_job(s4(), ReportJob::edge);
+    EXPECT_EQ(error(job, "pixel and rest, whole numbers", "64 bits", 0), 0);
+    EXPECT_EQ(error(job, "pixel and rest, whole numbers", "64 bits", 1), 0);
+    EXPECT_EQ(error(job, "x1 + a (y - y1)", "exact", 1), 0);
+}
+
+TEST(EdgeReport, BeginningAnewInEveryRowIsTheDirectForm) {
+    const JobReport job = report_of_job(s4(), ReportJob::edge);
+    for (const auto& [curve, scalar] :
+         {std::pair{"x += a, float", "float"}, std::pair{"x += a, double", "double"}}) {
+        EXPECT_EQ(wrong(job, curve, "every row"), wrong(job, "x1 + a (y - y1)", scalar));
+        EXPECT_EQ(error(job, curve, "every row", 1), error(job, "x1 + a (y - y1)", scalar, 1));
+    }
+}
+
+TEST(EdgeReport, TheLargestErrorGrowsWithTheIntervalAndShrinksWithTheBits) {
+    const JobReport job = report_of_job(s4(), ReportJob::edge);
+    for (const auto& [curve, growth] :
+         {std::pair{"x += a, float", 1}, std::pair{"x += a, double", 1},
+          std::pair{"x += a, fixed point", -1}}) {
+        double before = growth > 0 ? 0 : 1e9;
+        for (const Setting& setting : curve_of(job, curve).settings) {
+            const double now = setting.errors[1].value.value();
+            EXPECT_GE(growth * now, growth * before) << curve << " " << setting.name;
+            before = now;
+        }
+    }
+}
+
+// The direct form subtracts, multiplies and adds in every row; setting the edge up takes two
+// subtractions, a comparison and a division.
+TEST(EdgeReport, CountsWhatIsDone) {
+    const JobReport job = report_of_job(s4(), ReportJob::edge);
+    const Work work = setting_of(job, "x1 + a (y - y1)", "double").work.value();
+    EXPECT_EQ(work.multiplies, 3001U);
+    EXPECT_EQ(work.adds, 2 * 3001U + 2);
+    EXPECT_EQ(work.divides, 1U);
+    EXPECT_EQ(work.comparisons, 1U);
+    EXPECT_EQ(setting_of(job, "x += a, float", "every 64 rows").work.value().multiplies, 47U);
+}
+
+TEST(EdgeReport, ListsWhatDoesNotFit) {
+    Scene scene = s4();
+    scene.vertices = {{"A", 0, 0}, {"B", Number::decimal(1, 300), 1000}};
+    const JobReport job = report_of_job(scene, ReportJob::edge);
+    EXPECT_EQ(setting_of(job, "x1 + a (y - y1)", "float").failure,
+              "an edge or its slope is beyond the largest float");
+    EXPECT_EQ(setting_of(job, "x += a, float", "every 4 rows").failure,
+              "an edge or its slope is beyond the largest float");
+    EXPECT_EQ(setting_of(job, "x += a, fixed point", "8 bits").failure,
+              "an edge, or its slope times its height, needs more than 64 bits");
+    EXPECT_EQ(setting_of(job, "pixel and rest, whole numbers", "128 bits").failure,
+              "an edge needs more than 128 bits");
+    EXPECT_EQ(error(job, "x1 + a (y - y1)", "exact", 1), 0) << "rationals hold any edge";
+}
+
+TEST(EdgeReport, ASceneWithoutEdgesHasNothingToMeasure) {
+    Scene scene = s4();
+    scene.primitives = {{.kind = PrimitiveKind::point, .name = "A", .vertices = {0}, .color = {}}};
+    const SceneReport report =
+        report_of(scene, {.timing = only(ReportJob::edge).timing, .progress = {}});
+    EXPECT_FALSE(report.has_measured());
+    EXPECT_EQ(report.jobs[0].nothing, "the scene has no edge that passes a row of pixels");
+    EXPECT_EQ(report.jobs[1].nothing, "the scene has no triangle to fill");
+    EXPECT_EQ(report.jobs[2].nothing, "the scene has no depth");
+    EXPECT_EQ(report.jobs[3].nothing, "the scene has no triangle with colored vertices");
+}
+
+// The diagonal of C13 is moved by the grid: 36 pixels, snapped to 1/256 only 28. That is what `fixed`
+// costs; against exact arithmetic on the snapped triangle it has no error.
+TEST(CoverageReport, FixedIsExactOnWhatItHasSnapped) {
+    const Scene scene = triangle_scene({"0", "0", "8", "0", "0", "8193/1024"},
+                                       {.width = 16, .height = 16, .origin = Origin::top_left},
+                                       {.scalar = ScalarKind::exact, .fill = Fill::top_left});
+    const JobReport job = report_of_job(scene, ReportJob::coverage);
+    EXPECT_EQ(job.units, 36U);
+    EXPECT_EQ(wrong(job, "top-left, fixed point", "8 bits"), 8U);
+    EXPECT_EQ(wrong(job, "top-left, fixed point", "12 bits"), 0U);
+    EXPECT_EQ(wrong(job, "top-left, scalars", "exact"), 0U);
+    for (const Setting& setting : curve_of(job, "top-left, fixed point").settings)
+        EXPECT_EQ(setting.wrong_when_snapped, 0U) << setting.name;
+}
+
+TEST(CoverageReport, TheErrorShrinksWithTheBits) {
+    const Scene scene = triangle_scene({"1/3", "1/7", "59.3", "22.9", "11.1", "61.7"},
+                                       {.width = 64, .height = 64, .origin = Origin::top_left});
+    const JobReport job = report_of_job(scene, ReportJob::coverage);
+    for (const std::string fill : {"scanline", "top-left"}) {
+        const auto counts = wrongs(job, fill + ", fixed point");
+        EXPECT_GT(counts.front(), 0U);
+        EXPECT_TRUE(std::is_sorted(counts.rbegin(), counts.rend()));
+        EXPECT_EQ(counts.back(), 0U);
+        for (const Setting& setting : curve_of(job, fill + ", fixed point").settings)
+            EXPECT_EQ(setting.wrong_when_snapped, 0U) << fill << " " << setting.name;
+    }
+}
+
+/// Case Z2: a steep triangle through a flat one. Linear z shows the wrong one in 735 of 2016 pixels.
+Scene z2() {
+    Scene scene;
+    scene.title = "Z2";
+    scene.canvas = {.width = 64, .height = 64, .origin = Origin::top_left};
+    scene.vertices = {{"A", 0, 0, {}, 1}, {"B", 64, 0, {}, 9}, {"C", 0, 64, {}, 1},
+                      {"D", 0, 0, {}, 4}, {"E", 64, 0, {}, 4}, {"F", 0, 64, {}, 4}};
+    scene.primitives = {
+        {.kind = PrimitiveKind::triangle, .name = "ABC", .vertices = {0, 1, 2}, .color = {}},
+        {.kind = PrimitiveKind::triangle, .name = "DEF", .vertices = {3, 4, 5}, .color = {}}};
+    scene.method.fill = Fill::top_left;
+    scene.method.depth = Depth::inverse_z;
+    return scene;
+}
+
+TEST(DepthReport, CountsTheWrongWinnersOfZ2) {
+    const JobReport job = report_of_job(z2(), ReportJob::depth);
+    EXPECT_EQ(setting_of(job, "linear-z", "exact").errors[0].of, 2016U);
+    EXPECT_THAT(wrongs(job, "linear-z"), Each(735U));
+    EXPECT_THAT(wrongs(job, "inverse-z"), Each(0U));
+    EXPECT_EQ(error(job, "inverse-z", "exact", 1), 0);
+    EXPECT_LT(error(job, "inverse-z", "double", 1), 1e-15);
+    // Nearest vertex first: ABC covers DEF everywhere, and is 45 pixels too much.
+    EXPECT_EQ(wrong(job, "painter", "nearest"), 2016U - 1971U);
+    // Half a code of a buffer from 1/9 to 1, against 1/9 at the far end.
+    EXPECT_LE(error(job, "inverse-z, stored", "16 bits", 1), 0.5 * (8.0 / 9) / 65535 * 9 * 1.01);
+    EXPECT_GT(error(job, "inverse-z, stored", "16 bits", 1),
+              error(job, "inverse-z, stored", "24 bits", 1));
+    EXPECT_GT(error(job, "inverse-z, stored", "24 bits", 1),
+              error(job, "inverse-z, stored", "32 bits", 1));
+}
+
+/// Z2 in a perspective, from an eye at the origin, with colors.
+Scene z2_in_perspective() {
+    Scene scene = z2();
+    scene.projection = {.type = ProjectionType::pinhole, .distance = 1};
+    for (SceneVertex& vertex : scene.vertices) {
+        vertex.x = Number::fraction(vertex.x.exact() * vertex.z.exact());
+        vertex.y = Number::fraction(vertex.y.exact() * vertex.z.exact());
+    }
+    scene.vertices[0].color = Color(255, 0, 0);
+    scene.vertices[1].color = Color(0, 255, 0);
+    scene.vertices[2].color = Color(0, 0, 255);
+    return scene;
+}
+
+TEST(ColorReport, DividingLessOftenIsLessExact) {
+    const JobReport job = report_of_job(z2_in_perspective(), ReportJob::color);
+    EXPECT_EQ(error(job, "in space, divided in each pixel", "exact", 0), 0);
+    double before = 0;
+    for (const Setting& setting : curve_of(job, "in space, double").settings) {
+        EXPECT_GE(setting.errors[0].value.value(), before) << setting.name;
+        before = setting.errors[0].value.value();
+    }
+    EXPECT_GT(before, 1);
+    EXPECT_GT(error(job, "on the screen (affine)", "exact", 0), before);
+}
+
+TEST(Report, IsTheSameTwiceButForTheTimes) {
+    const Scene scene = z2_in_perspective();
+    const ReportOptions options{.timing = only(ReportJob::edge).timing, .progress = {}};
+    const SceneReport a = report_of(scene, options);
+    const SceneReport b = report_of(scene, options);
+    ASSERT_EQ(a.jobs.size(), 4U);
+    for (std::size_t job = 0; job < a.jobs.size(); ++job) {
+        EXPECT_EQ(a.jobs[job].units, b.jobs[job].units);
+        ASSERT_EQ(a.jobs[job].curves.size(), b.jobs[job].curves.size());
+        for (std::size_t curve = 0; curve < a.jobs[job].curves.size(); ++curve)
+            for (std::size_t i = 0; i < a.jobs[job].curves[curve].settings.size(); ++i) {
+                const Setting& one = a.jobs[job].curves[curve].settings[i];
+                const Setting& other = b.jobs[job].curves[curve].settings[i];
+                EXPECT_EQ(one.name, other.name);
+                EXPECT_EQ(one.failure, other.failure);
+                EXPECT_EQ(one.work, other.work);
+                EXPECT_EQ(one.wrong_when_snapped, other.wrong_when_snapped);
+                ASSERT_EQ(one.errors.size(), other.errors.size());
+                for (std::size_t measure = 0; measure < one.errors.size(); ++measure) {
+                    EXPECT_EQ(one.errors[measure].value, other.errors[measure].value);
+                    EXPECT_EQ(one.errors[measure].count, other.errors[measure].count);
+                }
+            }
+    }
+    EXPECT_EQ(a.trace.steps, b.trace.steps);
+    EXPECT_EQ(a.trace.bytes, b.trace.bytes);
+}
+
+TEST(Report, EveryScalarThatAMethodCanNameIsThere) {
+    const JobReport job = report_of_job(first_triangle(), ReportJob::coverage);
+    std::vector<std::string> names;
+    for (const Setting& setting : curve_of(job, "scanline, scalars").settings)
+        names.push_back(setting.name);
+    EXPECT_THAT(names, testing::IsSupersetOf({"float", "double", "exact"}));
+}
+
+/// A setting with an error and a median time.
+Setting hand_made(std::string name, double error_value, double time) {
+    Setting setting;
+    setting.name = std::move(name);
+    setting.errors = {{error_value}};
+    setting.timing = {.minimum = time, .median = time, .runs = 1};
+    return setting;
+}
+
+JobReport hand_made_job() {
+    JobReport job;
+    job.unit = "row";
+    job.measures = {{"e", "error", "px"}};
+    job.curves = {{"one",
+                   "knob",
+                   {hand_made("exact", 0, 10), hand_made("slow and exact", 0, 20),
+                    hand_made("good", 1e-6, 3), hand_made("worse", 1e-5, 5)}},
+                  {"two", "knob", {hand_made("fast", 1e-3, 2), hand_made("as fast", 1e-2, 1.99)}}};
+    Setting failed;
+    failed.name = "failed";
+    failed.failure = "overflow";
+    job.curves[1].settings.push_back(failed);
+    mark_fronts(job);
+    return job;
+}
+
+TEST(Pareto, NothingIsBothFasterAndNearer) {
+    const JobReport job = hand_made_job();
+    std::vector<std::string> front;
+    for (const Curve& curve : job.curves)
+        for (const Setting& setting : curve.settings)
+            if (setting.on_front[0])
+                front.push_back(setting.name);
+    // "as fast" is faster by less than the clock can tell.
+    EXPECT_THAT(front, ElementsAre("exact", "good", "fast"));
+}
+
+TEST(Pareto, TheAdviceNamesTheExactTheFastestAndWhatLiesBetween) {
+    EXPECT_EQ(
+        advice_for(hand_made_job(), 0).sentence,
+        "Choose one: exact: it has no error (10 ns per row); the fastest, two: fast (2 ns per "
+        "row), is off by 0.001 px; within twice that time one: good is off by 1e-06 px (3 ns "
+        "per row).");
+    JobReport one_wins = hand_made_job();
+    one_wins.curves.resize(1);
+    one_wins.curves[0].settings.resize(2);
+    EXPECT_EQ(advice_for(one_wins, 0).sentence,
+              "Choose one: exact: it has no error, and nothing is faster (10 ns per row).");
+}
+
+// Knobs at their ends, against the core's own walk.
+TEST(Knobs, NeverBeginningAnewIsTheIncrementalWalkOfCore) {
+    const Edge<float> edge = edge_between(Vertex<float>{{0.1F, 0.3F}}, Vertex<float>{{77.7F, 99}});
+    ReseededWalk<float> reseeded(edge, 1, never);
+    EdgeWalk<float> incremental(edge, LerpForm::incremental, 1);
+    for (int y = 1; y < 99; ++y)
+        EXPECT_EQ(reseeded.x_on_row(y), incremental.x_on_row(y)) << y;
+}
+
+TEST(Knobs, PixelAndRestWalkUpAndDown) {
+    // x = -7/2 + (5/3)(y + 1/2), in halves.
+    const WholeEdge<std::int64_t> edge{-7, -1, 3, 5, 2};
+    QuotientWalk<std::int64_t> down(edge, 1, 0);
+    std::vector<std::int64_t> pixels;
+    for (int y = 0; y <= 2; ++y, down.step())
+        pixels.push_back(down.pixel());
+    EXPECT_THAT(pixels, ElementsAre(-3, -1, 0)); // -8/3, -1, 2/3
+    QuotientWalk<std::int64_t> up(edge, -1, 2);
+    pixels.clear();
+    for (int y = 2; y >= 0; --y, up.step())
+        pixels.push_back(up.pixel());
+    EXPECT_THAT(pixels, ElementsAre(0, -1, -3));
+}
+
+TEST(Knobs, CodesOfDepthsRoundToTheNearest) {
+    const DepthCodes<double> codes(-1, 0, 2); // -1, -2/3, -1/3, 0
+    EXPECT_EQ(codes.code_of(-1), 0U);
+    EXPECT_EQ(codes.code_of(-0.8), 1U);
+    EXPECT_EQ(codes.code_of(0), 3U);
+    EXPECT_EQ(codes.code_of(-5), 0U);
+    EXPECT_EQ(codes.code_of(5), 3U);
+    EXPECT_DOUBLE_EQ(codes.depth_of(2), -1.0 / 3);
+}
+
+TEST(Counted, CountsEachOperationOnce) {
+    Work work;
+    {
+        const Counting counting(work);
+        const Counted<double> a = 3.0;
+        const Counted<double> b = a * a + a / 2 - 1;
+        EXPECT_TRUE(a < b && !(b <= a));
+        EXPECT_EQ(-b.value(), -9.5);
+    }
+    EXPECT_EQ(work.adds, 2U);
+    EXPECT_EQ(work.multiplies, 1U);
+    EXPECT_EQ(work.divides, 1U);
+    EXPECT_EQ(work.comparisons, 2U);
+    const Counted<double> after = Counted<double>(1.0) + 1;
+    EXPECT_EQ(after.value(), 2);
+    EXPECT_EQ(work.adds, 2U) << "nobody is counting any more";
+}
+
+TEST(Timing, EachIsRunAsOftenAsAsked) {
+    int runs = 0;
+    std::vector<TimedRun> all{{.run = [&runs] { ++runs; }, .units = 1}};
+    time_in_turn(all, {.runs = 5, .shortest_run = 0, .most_time = 1});
+    EXPECT_EQ(runs, 6) << "once to begin with";
+    EXPECT_EQ(all[0].timing.runs, 5);
+    EXPECT_LE(all[0].timing.minimum, all[0].timing.median);
+}
+
+} // namespace
+} // namespace rastertrace

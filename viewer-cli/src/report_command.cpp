@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// rastertrace report: error against run time, for every method and scalar.
+
+#include "commands.h"
+#include "load.h"
+#include "report_file.h"
+
+#include <rastertrace/trace/output.h>
+#include <rastertrace/trace/text.h>
+
+#include <fmt/format.h>
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <memory>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace rastertrace {
+
+namespace {
+
+/// What a setting may take when there is no time: enough to see what is fast and what is slow.
+constexpr TimingRules quick_timing{.runs = 20, .shortest_run = 2e-5, .most_time = 0.03};
+
+/// The format of a file, by how its name ends.
+ReportFormat format_of(const std::string& path) {
+    constexpr std::pair<std::string_view, ReportFormat> endings[]{{".txt", ReportFormat::text},
+                                                                  {".json", ReportFormat::json},
+                                                                  {".csv", ReportFormat::csv},
+                                                                  {".svg", ReportFormat::svg},
+                                                                  {".html", ReportFormat::html}};
+    for (const auto& [ending, format] : endings)
+        if (path.ends_with(ending))
+            return format;
+    throw problem_of(path, "expected a name that ends in .svg, .html, .json, .csv or .txt",
+                     "or say --format");
+}
+
+/// Says on a terminal what is being done, on one line that is cleared in the end.
+class Progress {
+public:
+    Progress() : is_shown_(::isatty(STDERR_FILENO) != 0) {}
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+    ~Progress() { say({}); }
+
+    void say(std::string_view what) const {
+        if (is_shown_)
+            fmt::print(stderr, "\r\x1b[K{}", what);
+    }
+
+private:
+    bool is_shown_;
+};
+
+/// Why nothing of a scene could be measured.
+std::string reasons_of(const SceneReport& scene) {
+    std::string text;
+    for (const JobReport& job : scene.jobs)
+        text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", name_of(job.job), job.nothing);
+    return text;
+}
+
+} // namespace
+
+int run(const ReportCommand& command) {
+    // Everything that can be refused is, before minutes of measuring: the scenes, and the files.
+    std::vector<Scene> scenes;
+    for (const std::string& path : command.scenes)
+        scenes.push_back(load_scene(path, command.method).scene);
+    std::vector<ReportFormat> formats;
+    for (const std::string& path : command.outputs) {
+        formats.push_back(command.format ? *command.format : format_of(path));
+        for (const std::string& scene : command.scenes)
+            refuse_overwriting(scene, path);
+    }
+    std::vector<std::unique_ptr<FileOutput>> files;
+    for (const std::string& path : command.outputs)
+        files.push_back(std::make_unique<FileOutput>(path));
+
+    MeasuredReport report{.machine = this_machine(), .timing = {}, .scenes = {}};
+    if (command.quick)
+        report.timing = quick_timing;
+    {
+        const Progress progress;
+        for (std::size_t i = 0; i < scenes.size(); ++i) {
+            const std::string title = shortened(printable(scenes[i].title), 40);
+            ReportOptions options{.timing = report.timing, .progress = [&](std::string_view what) {
+                                      progress.say(fmt::format("{}: {}", title, what));
+                                  }};
+            if (!command.jobs.empty())
+                options.jobs = command.jobs;
+            SceneReport scene = report_of(scenes[i], options);
+            if (!scene.has_measured())
+                throw problem_of(command.scenes[i],
+                                 fmt::format("expected something to measure, found none ({})",
+                                             reasons_of(scene)));
+            report.scenes.push_back(std::move(scene));
+        }
+    }
+
+    if (files.empty())
+        print(report_in(command.format.value_or(ReportFormat::text), report));
+    for (std::size_t i = 0; i < files.size(); ++i)
+        files[i]->write(report_in(formats[i], report));
+    for (const auto& file : files)
+        file->commit();
+    return exit_fine;
+}
+
+} // namespace rastertrace

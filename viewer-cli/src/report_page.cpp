@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+// The report's plots: alone as SVG, and with the tables as HTML.
+
+#include "plot_svg.h"
+#include "report_file.h"
+
+#include <rastertrace/core/stages.h>
+#include <rastertrace/trace/text.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace rastertrace {
+
+namespace {
+
+constexpr double title_height = 46;
+
+Plot plot_of(const JobReport& job, std::size_t measure) {
+    const ErrorMeasure& one = job.measures[measure];
+    Plot plot{.title = std::string(one.name),
+              .x_label = one.unit.empty() ? std::string(one.name)
+                                          : fmt::format("{} ({})", one.name, one.unit),
+              .y_label = fmt::format("median ns for each {}", job.unit),
+              .curves = {},
+              .caption = job.advice[measure].sentence};
+    for (const Curve& curve : job.curves) {
+        PlotCurve& drawn = plot.curves.emplace_back();
+        drawn.name = curve.method;
+        for (const Setting& setting : curve.settings)
+            if (setting.failure.empty() && setting.errors[measure].value)
+                drawn.marks.push_back({.x = *setting.errors[measure].value,
+                                       .y = setting.timing.median,
+                                       .label = setting.label,
+                                       .is_on_front = setting.on_front[measure]});
+    }
+    return plot;
+}
+
+/// True if no setting of a curve could be measured.
+bool has_failed(const Curve& curve) {
+    return std::none_of(curve.settings.begin(), curve.settings.end(),
+                        [](const Setting& setting) { return setting.failure.empty(); });
+}
+
+/// The plots of a job side by side, and what their lines mean.
+std::string plots_svg(const JobReport& job) {
+    std::string svg;
+    double x = 0;
+    std::vector<PlotCurve> curves;
+    for (std::size_t measure = 0; measure < job.measures.size(); ++measure) {
+        const Plot plot = plot_of(job, measure);
+        svg += moved_svg(x, 0, plot_svg(plot));
+        x += plot_size.width;
+        curves = plot.curves;
+    }
+    for (std::size_t i = 0; i < curves.size(); ++i)
+        if (has_failed(job.curves[i]))
+            curves[i].name += " (failed)";
+    return svg + moved_svg(x, 0, legend_svg(curves));
+}
+
+double width_of(const JobReport& job) {
+    return plot_size.width * static_cast<double>(job.measures.size()) + legend_size.width;
+}
+
+std::string machine_line(const MeasuredReport& report) {
+    return fmt::format("rastertrace {}; {}; {}, {}; up to {} runs of each setting",
+                       report.machine.version, report.machine.cpu, report.machine.compiler,
+                       report.machine.flags, report.timing.runs);
+}
+
+std::string row_html(std::string_view cell, const std::vector<std::string>& cells) {
+    std::string html = "<tr>";
+    for (const std::string& one : cells)
+        html += fmt::format("<{0}>{1}</{0}>", cell, escaped(one));
+    return html + "</tr>\n";
+}
+
+std::string table_html(const JobReport& job) {
+    std::vector<std::string> head{"method", "setting"};
+    for (const ErrorMeasure& measure : job.measures)
+        head.push_back(measure.unit.empty() ? std::string(measure.name)
+                                            : fmt::format("{}, {}", measure.name, measure.unit));
+    for (const std::string_view name :
+         {"minimum ns", "median ns", "runs", "additions", "multiplications", "divisions",
+          "comparisons", "pixels tested"})
+        head.emplace_back(name);
+    std::string html = "<table>\n" + row_html("th", head);
+    for (const Curve& curve : job.curves)
+        for (const Setting& setting : curve.settings) {
+            std::vector<std::string> cells{curve.method, setting.name};
+            if (!setting.failure.empty()) {
+                html += fmt::format("<tr><td>{}</td><td>{}</td><td colspan=\"{}\">failed: {}</td>"
+                                    "</tr>\n",
+                                    escaped(curve.method), escaped(setting.name), head.size() - 2,
+                                    escaped(setting.failure));
+                continue;
+            }
+            for (std::size_t measure = 0; measure < job.measures.size(); ++measure) {
+                const ErrorValue& error = setting.errors[measure];
+                std::string text = !error.value  ? "-"
+                                   : error.count ? fmt::format("{} of {}", *error.count, error.of)
+                                                 : fmt::format("{:.3g}", *error.value);
+                if (setting.on_front[measure])
+                    text += " *";
+                cells.push_back(text);
+            }
+            cells.push_back(fmt::format("{:.3g}", setting.timing.minimum));
+            cells.push_back(fmt::format("{:.3g}", setting.timing.median));
+            cells.push_back(fmt::format("{}", setting.timing.runs));
+            for (std::uint64_t Work::*kind : {&Work::adds, &Work::multiplies, &Work::divides,
+                                              &Work::comparisons, &Work::pixels_tested})
+                cells.push_back(
+                    setting.work ? fmt::format("{:.3g}", static_cast<double>(*setting.work.*kind) /
+                                                             static_cast<double>(setting.units))
+                                 : "-");
+            html += row_html("td", cells);
+        }
+    return html + "</table>\n";
+}
+
+std::string heading_of(const JobReport& job) {
+    return fmt::format("{}: {}; exact is {}", name_of(job.job), counted(job.units, job.unit),
+                       job.reference);
+}
+
+} // namespace
+
+std::string report_svg(const MeasuredReport& report) {
+    SvgSize size{0, 0};
+    std::string body;
+    for (const SceneReport& scene : report.scenes) {
+        for (const JobReport& job : scene.jobs) {
+            if (!job.nothing.empty())
+                continue;
+            size.width = std::max(size.width, width_of(job));
+            size.height += title_height;
+            body += text_svg(14, size.height - 22, 14, shortened(scene.title, 85));
+            body += text_svg(14, size.height - 6, 11, heading_of(job));
+            body += moved_svg(0, size.height, plots_svg(job));
+            size.height += plot_size.height;
+        }
+    }
+    size.height += title_height;
+    body += text_svg(14, size.height - 12, 10, machine_line(report));
+    return svg_document(size, "rastertrace: error against run time", body);
+}
+
+std::string report_html(const MeasuredReport& report) {
+    std::string html = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+                       "<title>rastertrace: error against run time</title>\n<style>\n"
+                       "body { font-family: sans-serif; margin: 2em; max-width: 80em; }\n"
+                       "table { border-collapse: collapse; font-size: 85%; }\n"
+                       "th, td { border: 1px solid #bbb; padding: 2px 6px; text-align: right; }\n"
+                       "th:nth-child(-n+2), td:nth-child(-n+2) { text-align: left; }\n"
+                       "svg { max-width: 100%; height: auto; }\n"
+                       "</style>\n</head>\n<body>\n<h1>Error against run time</h1>\n";
+    html += fmt::format("<p>{}</p>\n<p>Times and operations are for one row or pixel. * on the "
+                        "Pareto front: nothing is both faster and nearer.</p>\n",
+                        escaped(machine_line(report)));
+    for (const SceneReport& scene : report.scenes) {
+        html += fmt::format("<h2>{}</h2>\n", escaped(scene.title));
+        for (const JobReport& job : scene.jobs) {
+            if (!job.nothing.empty()) {
+                html += fmt::format("<h3>{}</h3>\n<p>Nothing to measure: {}.</p>\n",
+                                    name_of(job.job), escaped(job.nothing));
+                continue;
+            }
+            html += fmt::format("<h3>{}</h3>\n", escaped(heading_of(job)));
+            html +=
+                svg_document({width_of(job), plot_size.height}, heading_of(job), plots_svg(job));
+            html += "<ul>\n";
+            for (std::size_t measure = 0; measure < job.measures.size(); ++measure)
+                html += fmt::format("<li>{}: {}</li>\n", escaped(job.measures[measure].name),
+                                    escaped(job.advice[measure].sentence));
+            html += "</ul>\n" + table_html(job);
+        }
+        html += fmt::format("<p>Trace, as the scene's method has it: {} in {:.3g} ms, written to "
+                            "nowhere; drawing alone {:.3g} ms.</p>\n",
+                            counted(scene.trace.steps, "step"), scene.trace.writing.median / 1e6,
+                            scene.trace.drawing.median / 1e6);
+    }
+    return html + "</body>\n</html>\n";
+}
+
+} // namespace rastertrace
