@@ -42,6 +42,7 @@ TEST(Number, SaysWhatIsWrongWithAText) {
         EXPECT_EQ(fault(text), NumberFault::malformed) << text;
     EXPECT_EQ(fault("1/0"), NumberFault::zero_denominator);
     EXPECT_EQ(fault("0/000"), NumberFault::zero_denominator);
+    EXPECT_EQ(fault("1/" + std::string(longest_number, '7')), NumberFault::too_long);
     EXPECT_EQ(fault("1e999"), NumberFault::too_large);
     EXPECT_EQ(fault("-1.8e308"), NumberFault::too_large);
     EXPECT_EQ(fault("1e99999999999999999999"), NumberFault::too_large);

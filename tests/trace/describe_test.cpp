@@ -34,6 +34,18 @@ TEST(Describe, EveryStepOfTheFirstTriangle) {
     EXPECT_EQ(description(scene, 15), "pixel (-1, 2)");
 }
 
+TEST(Describe, WhatDoublesLeaveOpen) {
+    const Scene scene = triangle_scene({"1e-30", "0", "2", "0", "0", "2"},
+                                       {.width = 3, .height = 3, .origin = Origin::bottom_left},
+                                       {.scalar = ScalarKind::adaptive});
+    std::string found;
+    for (std::size_t n = 1; found.empty() && n < 10; ++n)
+        if (const std::string text = description(scene, n); text.starts_with("doubles"))
+            found = text;
+    EXPECT_TRUE(found.starts_with("doubles leave it open: a difference of ")) << found;
+    EXPECT_TRUE(found.ends_with("; from here on in exact numbers")) << found;
+}
+
 TEST(Describe, IncrementalRowsAddToTheRowBefore) {
     const Scene scene =
         first_triangle({.scalar = ScalarKind::exact, .lerp = LerpForm::incremental});

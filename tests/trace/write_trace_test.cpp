@@ -18,6 +18,27 @@ std::string trace_of(const Scene& scene, const TraceOptions& options = {}) {
     return text;
 }
 
+TEST(WriteTrace, AdaptiveTellsWhereDoublesLeaveADecisionOpen) {
+    // No fractions of machine size hold A, and row 0 passes through the corners A and B.
+    const Scene scene = triangle_scene({"1e-30", "0", "2", "0", "0", "2"},
+                                       {.width = 3, .height = 3, .origin = Origin::bottom_left},
+                                       {.scalar = ScalarKind::adaptive});
+    const std::string trace = trace_of(scene);
+    EXPECT_THAT(trace,
+                testing::HasSubstr(
+                    R"("numbers":"doubles with an error bound, and fractions of any size")"));
+    EXPECT_THAT(trace, testing::HasSubstr(R"({"step":"undecided","difference":)"));
+    EXPECT_THAT(trace, testing::HasSubstr(R"("undecided":1)"));
+    // The same scene in numbers that fit: fractions, written as the same kind of number.
+    const Scene fits = triangle_scene({"0.5", "0", "2", "0", "0", "2"},
+                                      {.width = 3, .height = 3, .origin = Origin::bottom_left},
+                                      {.scalar = ScalarKind::adaptive});
+    const std::string fraction_trace = trace_of(fits);
+    EXPECT_THAT(fraction_trace, testing::HasSubstr(R"("numbers":"fractions of 64 bits")"));
+    EXPECT_THAT(fraction_trace, testing::HasSubstr(R"("at":[[0.5,0],[2,0],[0,2]])"));
+    EXPECT_THAT(fraction_trace, testing::Not(testing::HasSubstr("undecided")));
+}
+
 /// (0,0) (2,0) (0,2) on a canvas of 3x3: left, below and far enough to the right to be cut.
 Scene small_scene(Method method = {.scalar = ScalarKind::exact}) {
     Scene scene = triangle_scene({"-1/2", "-1", "3", "-1", "0", "2"},
@@ -28,7 +49,7 @@ Scene small_scene(Method method = {.scalar = ScalarKind::exact}) {
 }
 
 const std::string small_json =
-    R"({"rastertrace":1,"title":"Small","canvas":{"width":3,"height":3,"origin":"bottom-left"},"method":{"scalar":"exact","fill":"scanline","rounding":"floor","lerp":"direct"},"stages":[{"stage":"model","kept":false,"why":"no model moves anything"},{"stage":"view","kept":false,"why":"there is no camera"},{"stage":"clip","kept":false,"why":"nothing bounds the view"},{"stage":"divide","kept":false,"why":"w is 1 at every vertex"},{"stage":"order","kept":false,"why":"the method has no painter"},{"stage":"cull","kept":false,"why":"the method does not ask for it"},{"stage":"light","kept":false,"why":"the method does not ask for it"},{"stage":"canvas","kept":true,"why":"1 of 1 triangle may reach beyond the canvas"},{"stage":"depth","kept":false,"why":"the method has no depth buffer"},{"stage":"perspective","kept":false,"why":"no colors are mixed in a perspective"},{"stage":"colors","kept":false,"why":"no colors are mixed"}],"steps":[
+    R"({"rastertrace":1,"title":"Small","canvas":{"width":3,"height":3,"origin":"bottom-left"},"method":{"scalar":"exact","fill":"scanline","rounding":"floor","lerp":"direct"},"numbers":"fractions of 64 bits","stages":[{"stage":"model","kept":false,"why":"no model moves anything"},{"stage":"view","kept":false,"why":"there is no camera"},{"stage":"clip","kept":false,"why":"nothing bounds the view"},{"stage":"divide","kept":false,"why":"w is 1 at every vertex"},{"stage":"order","kept":false,"why":"the method has no painter"},{"stage":"cull","kept":false,"why":"the method does not ask for it"},{"stage":"light","kept":false,"why":"the method does not ask for it"},{"stage":"canvas","kept":true,"why":"1 of 1 triangle may reach beyond the canvas"},{"stage":"depth","kept":false,"why":"the method has no depth buffer"},{"stage":"perspective","kept":false,"why":"no colors are mixed in a perspective"},{"stage":"colors","kept":false,"why":"no colors are mixed"}],"steps":[
 {"step":"primitive","kind":"triangle","name":"ABC","vertices":["A","B","C"],"at":[["-1/2","-1"],["3","-1"],["0","2"]],"color":"#ff8000"},
 {"step":"edge","edge":"CA","dx_dy":"1/6"},
 {"step":"edge","edge":"AB","dx_dy":null},
@@ -73,7 +94,7 @@ Scene small_pipeline() {
 
 TEST(WriteTrace, EveryMatrixAndEverySpace) {
     const std::string expected =
-        R"({"rastertrace":1,"title":"Pipeline","canvas":{"width":5,"height":5,"origin":"top-left"},"method":{"scalar":"exact","snap":"floor"},"projection":"view-plane","viewport":"fit","stages":[{"stage":"model","kept":true,"why":"a model moves its vertices"},{"stage":"view","kept":true,"why":"the camera moves the world"},{"stage":"clip","plane":"near","kept":true,"why":"1 vertex lies outside it"},{"stage":"clip","plane":"left","kept":true,"why":"1 vertex lies outside it"},{"stage":"clip","plane":"right","kept":true,"why":"1 vertex lies outside it"},{"stage":"clip","plane":"bottom","kept":true,"why":"1 vertex lies outside it"},{"stage":"clip","plane":"top","kept":true,"why":"1 vertex lies outside it"},{"stage":"divide","kept":true,"why":"w is not 1 at every vertex"},{"stage":"order","kept":false,"why":"the method has no painter"},{"stage":"cull","kept":false,"why":"the method does not ask for it"},{"stage":"light","kept":false,"why":"the method does not ask for it"},{"stage":"canvas","kept":false,"why":"no triangle is filled"},{"stage":"depth","kept":false,"why":"the method has no depth buffer"},{"stage":"perspective","kept":false,"why":"no colors are mixed in a perspective"},{"stage":"colors","kept":false,"why":"no colors are mixed"}],"steps":[
+        R"({"rastertrace":1,"title":"Pipeline","canvas":{"width":5,"height":5,"origin":"top-left"},"method":{"scalar":"exact","snap":"floor"},"numbers":"fractions of 64 bits","projection":"view-plane","viewport":"fit","stages":[{"stage":"model","kept":true,"why":"a model moves its vertices"},{"stage":"view","kept":true,"why":"the camera moves the world"},{"stage":"clip","plane":"near","kept":true,"why":"1 vertex lies outside it"},{"stage":"clip","plane":"left","kept":true,"why":"1 vertex lies outside it"},{"stage":"clip","plane":"right","kept":true,"why":"1 vertex lies outside it"},{"stage":"clip","plane":"bottom","kept":true,"why":"1 vertex lies outside it"},{"stage":"clip","plane":"top","kept":true,"why":"1 vertex lies outside it"},{"stage":"divide","kept":true,"why":"w is not 1 at every vertex"},{"stage":"order","kept":false,"why":"the method has no painter"},{"stage":"cull","kept":false,"why":"the method does not ask for it"},{"stage":"light","kept":false,"why":"the method does not ask for it"},{"stage":"canvas","kept":false,"why":"no triangle is filled"},{"stage":"depth","kept":false,"why":"the method has no depth buffer"},{"stage":"perspective","kept":false,"why":"no colors are mixed in a perspective"},{"stage":"colors","kept":false,"why":"no colors are mixed"}],"steps":[
 {"step":"matrix","name":"model","rows":[["1","0","0","1"],["0","1","0","0"],["0","0","1","0"],["0","0","0","1"]]},
 {"step":"matrix","name":"view","rows":[["1","0","0","0"],["0","1","0","0"],["0","0","1","-4"],["0","0","0","1"]]},
 {"step":"matrix","name":"projection","rows":[["1","0","0","0"],["0","1","0","0"],["0","0","1","1"],["0","0","-1","0"]]},

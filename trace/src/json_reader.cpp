@@ -63,6 +63,8 @@ Number JsonReader::number_in(const JsonValue& value) const {
         fail_expecting(value, "a number up to 1.797e308");
     case NumberFault::too_small:
         fail_expecting(value, "0 or a number from 4.941e-324 on");
+    case NumberFault::too_long:
+        fail_expecting(value, fmt::format("a number of at most {} characters", longest_number));
     case NumberFault::malformed:
         break;
     }

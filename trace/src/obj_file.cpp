@@ -314,6 +314,8 @@ private:
             fail_expecting("a number up to 1.797e308", word);
         case NumberFault::too_small:
             fail_expecting("0 or a number from 4.941e-324 on", word);
+        case NumberFault::too_long:
+            fail_expecting(fmt::format("a number of at most {} characters", longest_number), word);
         case NumberFault::zero_denominator: // there are no fractions here
         case NumberFault::malformed:
             break;

@@ -17,6 +17,27 @@ namespace rastertrace {
 
 namespace {
 
+/// What numbers a kind of scalar is drawn with, where the plan chooses among several.
+std::string_view numbers_in_words(const Scene& scene, const Plan& plan) {
+    if (scene.method.scalar == ScalarKind::single_precision ||
+        scene.method.scalar == ScalarKind::double_precision)
+        return "";
+    switch (plan.number) {
+    case NumberType::fraction64:
+        return "fractions of 64 bits";
+    case NumberType::fraction128:
+        return "fractions of 128 bits";
+    case NumberType::rational:
+        return "fractions of any size";
+    case NumberType::adaptive:
+        return "doubles with an error bound, and fractions of any size";
+    case NumberType::binary32:
+    case NumberType::binary64:
+        break;
+    }
+    return "";
+}
+
 /// The members of the header, without the braces around them.
 std::string header_members(const Scene& scene, const Plan& plan, const StepFilter& filter) {
     std::string text;
@@ -37,6 +58,8 @@ std::string header_members(const Scene& scene, const Plan& plan, const StepFilte
         }
     text += '}';
 
+    if (const std::string_view numbers = numbers_in_words(scene, plan); !numbers.empty())
+        fmt::format_to(out, R"(,"numbers":"{}")", numbers);
     if (scene.has_transforms())
         fmt::format_to(out, R"(,"projection":"{}","viewport":"{}")", name_of(scene.projection.type),
                        name_of(scene.viewport.type));

@@ -244,7 +244,12 @@ enum class NumberFault {
     zero_denominator, ///< "1/0"
     too_large,        ///< beyond the largest double, 1.797...e308
     too_small,        ///< not 0, and nearer to 0 than the smallest double, 4.94...e-324
+    too_long,         ///< of more characters than longest_number
 };
+
+/// The most characters of a number of a scene. Every double can be written out in fewer, digit by digit;
+/// exact arithmetic on much longer ones would take its time at every pixel.
+inline constexpr std::size_t longest_number = 1200;
 
 namespace number_text {
 
@@ -291,6 +296,9 @@ enum class NumberSize {
 inline std::variant<Number, NumberFault> parse_number(std::string_view text,
                                                       NumberSize size = NumberSize::of_double) {
     using namespace number_text;
+
+    if (size == NumberSize::of_double && text.size() > longest_number)
+        return NumberFault::too_long;
 
     // The sign and the digits before the point or the bar.
     std::string_view rest = text;
