@@ -63,23 +63,6 @@ void draw_line(const PlacedPrimitive<Scalar>& primitive, EdgeName side, const Me
                           line_rounding(method), line, method.color_lerp, image, sink);
 }
 
-/// How often `adaptive` could not decide with doubles.
-struct Fallbacks {
-    std::uint64_t primitives = 0; ///< or parts of one: drawn with exact numbers, from some row on
-    std::uint64_t depths = 0;     ///< tests
-    std::uint64_t colors = 0;     ///< of pixels
-};
-
-/// What drawing needs to decide exactly what its numbers leave open; most numbers leave nothing open.
-template <typename Scalar> struct Exactness {};
-template <> struct Exactness<Adaptive> {
-    ExactPieces pieces;
-    Rational sample_offset;
-    std::vector<PieceNumber> drawn = {}; ///< the pieces so far; the last one is being drawn
-    bool is_exact = false;               ///< its numbers are exact, too
-    Fallbacks fallbacks = {};
-};
-
 /// What pixels are drawn on and tested against, and where their samples lie.
 template <typename Scalar> struct Target {
     Image image;
@@ -124,33 +107,6 @@ void fill(const PlacedPrimitive<Scalar>& primitive, const Paint<Scalar, stages>&
     }
     fill_fan(triangle, primitive.colors,
              {.passes = method.fan_passes, .color_lerp = method.color_lerp}, image, sink);
-}
-
-/// Colors that are mixed with errors, pixel by pixel, and exactly where an error reaches over half a
-/// level.
-inline MixedColors<Adaptive> mixed_colors(const PlacedPrimitive<Adaptive>& primitive,
-                                          const Adaptive& sample_offset, ColorStage stage,
-                                          Exactness<Adaptive>& exactness) {
-    Triangle<Adaptive> triangle;
-    std::array<Adaptive, 3> inverse_w;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const auto& [x, y] = primitive.positions[i];
-        triangle.vertices[i] = {x.rounded(), y.rounded()};
-        inverse_w[i] = primitive.inverse_w[i].rounded();
-    }
-    const auto exact_color =
-        [&exactness, stage, colors = std::optional<MixedColors<Rational>>()](Pixel pixel) mutable {
-            ++exactness.fallbacks.colors;
-            if (!colors) {
-                const auto& exact = exactness.pieces.placed(exactness.drawn.back());
-                colors = {exact.colors, Barycentric<Rational>({exact.positions}),
-                          exactness.sample_offset, exact.inverse_w};
-            }
-            return stage == ColorStage::perspective ? colors->at<true>(pixel)
-                                                    : colors->at<false>(pixel);
-        };
-    return {
-        primitive.colors, Barycentric<Adaptive>(triangle), sample_offset, inverse_w, {exact_color}};
 }
 
 /// Fills a triangle.
@@ -271,21 +227,7 @@ void draw_pieces(const Scene& scene, const Plan& plan, const AGeometry& geometry
     });
 }
 
-/// Whether a piece is nearer in a pixel than what is stored there, in exact numbers.
-inline bool is_nearer(const Scene& scene, Exactness<Adaptive>& exactness, std::uint32_t piece,
-                      std::optional<std::uint32_t> stored, int x, int row) {
-    const auto depth_of = [&](std::uint32_t number) {
-        return exact_depth_at(scene, exactness.pieces.placed(exactness.drawn[number]), x,
-                              scene.canvas.y_of(row));
-    };
-    if (stored)
-        return depth_of(piece) < depth_of(*stored);
-    const DepthRule<Rational> rule = depth_rule<Rational>(scene);
-    const Rational cleared = rule.cleared.value_or(0);
-    return depth_of(piece) < (rule.larger_passes ? Rational(-cleared) : cleared);
-}
-
-/// The same with doubles that know their error. A piece of which they leave a decision open is drawn
+/// Draws them with doubles that know their error. A piece of which these leave a decision open is drawn
 /// once more with exact numbers: up to there it comes out as before, so its steps are not told again.
 template <typename AGeometry, typename Sink>
 void draw_pieces(const Scene& scene, const Plan& plan, const AGeometry& geometry,
