@@ -6,9 +6,9 @@
 
 namespace rastertrace {
 
-Image drawn(const Scene& scene, const Plan& plan) {
-    return with_scalar(plan,
-                       [&]<typename Scalar>() { return draw<Scalar>(scene, plan, NullSink{}); });
+Image drawn(const Scene& scene, const Plan& plan, Fallbacks* fallbacks) {
+    return with_scalar(
+        plan, [&]<typename Scalar>() { return draw<Scalar>(scene, plan, NullSink{}, fallbacks); });
 }
 
 } // namespace rastertrace

@@ -3,6 +3,7 @@
 // All methods are asked about the same pixels, those of the exact top-left fill.
 
 #include "job_builder.h"
+#include "report_adaptive.h"
 
 #include <rastertrace/core/draw.h>
 #include <rastertrace/core/paint.h>
@@ -210,8 +211,9 @@ private:
         return {{static_cast<double>(largest)}, ErrorValue::ratio(wrong, fragments_)};
     }
 
-    /// Measures what `mix(input)` makes of a kind of scalar.
-    template <typename Mix> void add(ScalarKind scalar, Setting setting, const Mix& mix) {
+    /// Measures what `mix(input)` makes of a kind of scalar; `stage` says where it mixes.
+    template <typename Mix>
+    void add(ScalarKind scalar, Setting setting, ColorStage stage, const Mix& mix) {
         const Scene scene = scene_with(scalar);
         const std::string refusal = refusal_in_words(scene);
         if (!refusal.empty())
@@ -219,7 +221,7 @@ private:
         const Plan plan = plan_for(scene);
         with_scalar(plan, [&]<typename Scalar>() {
             if constexpr (std::same_as<Scalar, Adaptive>) {
-                builder_.add_failure(setting.name, setting.label, "not measured");
+                add_adaptive(scene, stage);
             } else {
                 const auto input = input_of<Scalar>(scene, plan);
                 if (!input)
@@ -241,22 +243,41 @@ private:
         });
     }
 
+    void add_adaptive(const Scene& scene, ColorStage stage) {
+        const auto drawing = adaptive_drawing(scene);
+        for (PixelStages& stages : drawing->plan.stages.pixels)
+            if (stages.colors == ColorStage::perspective)
+                stages.colors = stage;
+        const AdaptiveSteps steps = steps_of(*drawing);
+        std::vector<Color> colors;
+        for (const auto& [primitive, pixel, color] : steps.plotted)
+            colors.push_back(color);
+        Setting setting = adaptive_setting(*drawing, fragments_);
+        if (colors.size() != exact_.size())
+            setting.failure = "it has drawn other pixels than exact arithmetic";
+        else
+            setting.errors = errors_of(colors);
+        builder_.add(std::move(setting), timed(drawing), fragments_);
+    }
+
     template <bool in_perspective> void add_scalars(std::string_view name) {
         builder_.begin_curve(std::string(name), "scalar");
         for (const ScalarSetting& scalar : scalar_settings()) {
             // Of the grids, the one that is drawn on.
             if (scalar.bits && std::int64_t{1} << *scalar.bits != fixed_grid)
                 continue;
-            add(scalar.kind, named_setting(scalar.name), [](const auto& input, const auto& pieces) {
-                return mixed<in_perspective>(input, pieces);
-            });
+            add(scalar.kind, named_setting(scalar.name),
+                in_perspective ? ColorStage::perspective : ColorStage::affine,
+                [](const auto& input, const auto& pieces) {
+                    return mixed<in_perspective>(input, pieces);
+                });
         }
     }
 
     void add_intervals(ScalarKind scalar, std::string_view name) {
         builder_.begin_curve(fmt::format("in space, {}", name), "divided every so many pixels");
         for (const int interval : divide_intervals)
-            add(scalar, interval_setting(interval, "pixel"),
+            add(scalar, interval_setting(interval, "pixel"), ColorStage::perspective,
                 [interval]<typename Scalar>(const ColorInput<Scalar>& input, const auto& pieces) {
                     // Only floats and doubles are asked for.
                     if constexpr (std::same_as<DepthOf<Scalar>, Scalar>)

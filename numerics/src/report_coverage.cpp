@@ -2,6 +2,7 @@
 // The second job of the report: which pixels the triangles of the scene have.
 
 #include "job_builder.h"
+#include "report_adaptive.h"
 
 #include <rastertrace/core/draw.h>
 #include <rastertrace/core/pieces.h>
@@ -51,7 +52,9 @@ template <typename Scalar> struct PlacedTriangles {
 
     PlacedTriangles(const Scene& scene, const Plan& plan)
         : sample_offset(scalar_from<Scalar>(sample_offset_of(scene.method), plan.denominator)),
-          target{.image = Image(scene.canvas), .grid = {sample_offset, scene.canvas}} {
+          target{.image = Image(scene.canvas),
+                 .grid = {sample_offset, scene.canvas},
+                 .exactness = {}} {
         std::visit(
             [&](const auto& geometry) {
                 for_each_piece(scene, geometry, NullSink{},
@@ -157,9 +160,9 @@ private:
         const Plan plan =
             scalar.bits ? plan_for(scene, std::int64_t{1} << *scalar.bits) : plan_for(scene);
         with_scalar(plan, [&]<typename Scalar>() {
-            if constexpr (std::same_as<Scalar, Adaptive>)
-                return builder_.add_failure(setting.name, setting.label, "not measured");
-            else {
+            if constexpr (std::same_as<Scalar, Adaptive>) {
+                add_adaptive(scene, exact);
+            } else {
                 const auto placed = std::make_shared<PlacedTriangles<Scalar>>(scene, plan);
                 PixelSets pixels = count(*placed, scene, setting.work.emplace());
                 setting.errors = {ErrorValue::ratio(differing(pixels, exact), perimeter_of(exact))};
@@ -179,12 +182,25 @@ private:
         });
     }
 
+    void add_adaptive(const Scene& scene, const PixelSets& exact) {
+        const auto drawing = adaptive_drawing(scene);
+        const AdaptiveSteps steps = steps_of(*drawing);
+        PixelSets pixels(scene.primitives.size());
+        for (const auto& [primitive, pixel, color] : steps.plotted)
+            pixels[primitive].push_back(scene.canvas.offset_of(pixel));
+        sort_sets(pixels);
+        Setting setting = adaptive_setting(*drawing, steps.pixels_tested());
+        setting.errors = {ErrorValue::ratio(differing(pixels, exact), perimeter_of(exact))};
+        builder_.add(std::move(setting), timed(drawing), size_of(exact));
+    }
+
     /// Fills everything in numbers that count; returns the pixels.
     template <typename Scalar>
     static PixelSets count(const PlacedTriangles<Scalar>& placed, const Scene& scene, Work& work) {
         using Number = CountedOf<Scalar>;
         Target<Number> target{.image = Image(scene.canvas),
-                              .grid = {as_counted(placed.sample_offset), scene.canvas}};
+                              .grid = {as_counted(placed.sample_offset), scene.canvas},
+                              .exactness = {}};
         PixelSets sets(scene.primitives.size());
         for (const auto& triangle : placed.triangles) {
             auto& pixels = sets[triangle.number];

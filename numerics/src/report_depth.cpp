@@ -3,6 +3,7 @@
 // methods are asked about the same pixels, those of the exact top-left fill.
 
 #include "job_builder.h"
+#include "report_adaptive.h"
 
 #include <rastertrace/core/draw.h>
 #include <rastertrace/core/painter.h>
@@ -247,18 +248,28 @@ private:
         return winners.data() + static_cast<std::ptrdiff_t>(line) * canvas.width - canvas.left();
     }
 
+    /// Which primitive is seen in each pixel: its place in the scene, plus 1.
+    using SeenPrimitives = std::vector<std::size_t>;
+    SeenPrimitives primitives_of(const Winners& winners) const {
+        SeenPrimitives seen;
+        for (const std::uint32_t winner : winners)
+            seen.push_back(winner == 0 ? 0 : shared_->pieces[winner - 1].primitive + 1);
+        return seen;
+    }
+
     /// How many pixels show another primitive than in exact arithmetic.
-    ErrorValue wrong_winners(const Winners& winners) const {
+    ErrorValue wrong_winners(const SeenPrimitives& seen) const {
+        const SeenPrimitives exact = primitives_of(shared_->winners);
         std::uint64_t wrong = 0;
         std::uint64_t covered = 0;
-        const auto primitive_of = [this](std::uint32_t winner) {
-            return winner == 0 ? std::size_t{0} : shared_->pieces[winner - 1].primitive + 1;
-        };
-        for (std::size_t i = 0; i < winners.size(); ++i) {
-            covered += shared_->winners[i] == 0 ? 0 : 1;
-            wrong += primitive_of(winners[i]) == primitive_of(shared_->winners[i]) ? 0 : 1;
+        for (std::size_t i = 0; i < seen.size(); ++i) {
+            covered += exact[i] == 0 ? 0 : 1;
+            wrong += seen[i] == exact[i] ? 0 : 1;
         }
         return ErrorValue::ratio(wrong, covered);
+    }
+    ErrorValue wrong_winners(const Winners& winners) const {
+        return wrong_winners(primitives_of(winners));
     }
 
     /// The relative error of 1/z of a fragment, if the buffer holds `depth` for it: with d what it
@@ -330,7 +341,7 @@ private:
         const Plan plan = plan_for(scene);
         with_scalar(plan, [&]<typename Scalar>() {
             if constexpr (std::same_as<Scalar, Adaptive>)
-                builder_.add_failure(setting.name, setting.label, "not measured");
+                add_adaptive(scene);
             else if (const auto input = input_of<Scalar>(scene, plan))
                 use(std::move(setting), input);
             else
@@ -350,6 +361,44 @@ private:
                            add_buffer(kind, std::move(setting), input);
                        });
         }
+    }
+
+    /// `adaptive` decides as exact numbers do; what its buffer holds are doubles.
+    void add_adaptive(const Scene& scene) {
+        const auto drawing = adaptive_drawing(scene);
+        const AdaptiveSteps steps = steps_of(*drawing);
+        SeenPrimitives seen(shared_->winners.size());
+        for (const auto& [primitive, pixel, color] : steps.plotted)
+            seen[scene.canvas.offset_of(pixel)] = primitive + 1;
+        Setting setting = adaptive_setting(*drawing, shared_->fragments);
+        const auto largest = largest_error(scene.depth(), steps.tested);
+        if (largest)
+            setting.errors = {wrong_winners(seen), *largest};
+        else
+            setting.failure = "it has tested other pixels than exact arithmetic draws";
+        builder_.add(std::move(setting), timed(drawing), shared_->fragments);
+    }
+
+    /// The largest error of the depths that were tested. They come in the order of the fragments; a
+    /// triangle that meets no other one may not be tested. Nothing, if one is not of these.
+    std::optional<ErrorValue>
+    largest_error(Depth kind, const std::vector<AdaptiveSteps::Tested>& tested) const {
+        std::optional<double> largest;
+        auto next = tested.begin();
+        std::size_t fragment = 0;
+        for (const SpansOfPiece& piece : shared_->pieces)
+            for (const PieceSpan& span : piece.spans)
+                for (int x = span.from; x <= span.to; ++x, ++fragment) {
+                    if (next == tested.end() || next->primitive != piece.primitive ||
+                        next->pixel != Pixel{x, span.y})
+                        continue;
+                    const auto error = inverse_z_error(kind, fragment, (next++)->depth);
+                    if (error && !(largest && *error <= *largest))
+                        largest = error;
+                }
+        if (next != tested.end())
+            return std::nullopt;
+        return ErrorValue{largest};
     }
 
     template <typename D>

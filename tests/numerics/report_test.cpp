@@ -6,6 +6,7 @@
 
 #include <rastertrace/numerics/knobs.h>
 #include <rastertrace/numerics/report.h>
+#include <rastertrace/trace/scene_file.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,6 +14,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -242,6 +245,95 @@ TEST(ColorReport, DividingLessOftenIsLessExact) {
     }
     EXPECT_GT(before, 1);
     EXPECT_GT(error(job, "on the screen (affine)", "exact", 0), before);
+}
+
+/// A scene of examples/numerics.
+Scene example(const std::string& name) {
+    const std::string path = RASTERTRACE_EXAMPLES "/numerics/" + name + ".json";
+    std::ifstream file(path);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    return read_scene({path, text}).value().scene;
+}
+
+/// The settings of `adaptive` that are drawn with doubles, as far as fractions do not serve.
+std::vector<Setting> adaptive_settings(const JobReport& job) {
+    std::vector<Setting> settings;
+    for (const Curve& curve : job.curves)
+        for (const Setting& setting : curve.settings)
+            if (setting.name.starts_with("adaptive"))
+                settings.push_back(setting);
+    return settings;
+}
+
+TEST(AdaptiveReport, HasNoErrorInPixelsAndWinnersOfTheExamples) {
+    for (const std::string name : {"friendly", "stiff", "extreme"}) {
+        const Scene scene = example(name);
+        const JobReport coverage = report_of_job(scene, ReportJob::coverage);
+        EXPECT_FALSE(adaptive_settings(coverage).empty());
+        for (const Setting& setting : adaptive_settings(coverage)) {
+            EXPECT_EQ(setting.failure, "") << name;
+            EXPECT_EQ(setting.errors.at(0).value, 0) << name;
+        }
+        const JobReport depth = report_of_job(scene, ReportJob::depth);
+        EXPECT_EQ(wrong(depth, "inverse-z", "adaptive (draw)"), 0U) << name;
+        EXPECT_EQ(wrong(depth, "linear-z", "adaptive (draw)"), wrong(depth, "linear-z", "exact"))
+            << name;
+        // It holds doubles.
+        EXPECT_LT(error(depth, "inverse-z", "adaptive (draw)", 1), 1e-9) << name;
+    }
+}
+
+TEST(AdaptiveReport, MixesTheColorsOfExactNumbers) {
+    for (const std::string name : {"friendly", "stiff", "extreme"}) {
+        const JobReport job = report_of_job(example(name), ReportJob::color);
+        for (const std::string curve :
+             {"on the screen (affine)", "in space, divided in each pixel"}) {
+            const Setting& exact = setting_of(job, curve, "exact");
+            const Setting& adaptive = setting_of(job, curve, "adaptive (draw)");
+            EXPECT_EQ(adaptive.failure, "") << name << ", " << curve;
+            EXPECT_EQ(adaptive.errors.at(0).value, exact.errors.at(0).value) << name << curve;
+            EXPECT_EQ(adaptive.errors.at(1).count, exact.errors.at(1).count) << name << curve;
+        }
+    }
+}
+
+// Two triangles lie in one plane, and others share their corners with samples.
+TEST(AdaptiveReport, CountsWhatTookExactNumbers) {
+    const Scene scene = example("extreme");
+    for (const ReportJob job : {ReportJob::coverage, ReportJob::depth}) {
+        for (const Setting& setting : adaptive_settings(report_of_job(scene, job))) {
+            const Work work = setting.work.value();
+            EXPECT_GT(work.exact_fallbacks, 0U) << setting.name;
+            EXPECT_FALSE(work.has_operations);
+            EXPECT_THAT(setting.note, HasSubstr("whole drawing"));
+        }
+    }
+}
+
+// Row 0 passes through the corner C: one piece takes exact numbers, and it is the only one.
+TEST(AdaptiveReport, CountsTheOneTie) {
+    const Scene scene =
+        triangle_scene({"1e-30", "0", "5", "0", "0", "5"}, {.width = 12, .height = 12});
+    const JobReport job = report_of_job(scene, ReportJob::coverage);
+    EXPECT_EQ(setting_of(job, "scanline, scalars", "adaptive (draw)").work.value().exact_fallbacks,
+              1U);
+    EXPECT_EQ(setting_of(job, "scanline, scalars", "exact").work.value().exact_fallbacks, 0U);
+}
+
+TEST(AdaptiveReport, FractionsServeWhereTheyFit) {
+    const JobReport job = report_of_job(first_triangle(), ReportJob::coverage);
+    EXPECT_EQ(wrong(job, "scanline, scalars", "adaptive"), 0U);
+    EXPECT_TRUE(setting_of(job, "scanline, scalars", "adaptive").work.value().has_operations);
+}
+
+// Lines are drawn too, but they are not what is measured.
+TEST(AdaptiveReport, OnlyTrianglesAreMeasured) {
+    Scene scene = triangle_scene({"1e-30", "0", "5", "0", "0", "5"}, {.width = 12, .height = 12});
+    scene.primitives.insert(
+        scene.primitives.begin(),
+        {.kind = PrimitiveKind::line, .name = "AB", .vertices = {0, 1}, .color = {}});
+    const JobReport job = report_of_job(scene, ReportJob::coverage);
+    EXPECT_EQ(wrong(job, "scanline, scalars", "adaptive (draw)"), 0U);
 }
 
 TEST(Report, IsTheSameTwiceButForTheTimes) {

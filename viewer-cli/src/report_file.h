@@ -7,7 +7,11 @@
 
 #include <rastertrace/numerics/report.h>
 
+#include <array>
+#include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rastertrace {
@@ -20,6 +24,30 @@ struct Machine {
     std::string version; ///< of the program
 };
 Machine this_machine();
+
+/// What was counted: operations, pixels, fallbacks.
+struct WorkColumn {
+    std::string_view key;  ///< "adds"
+    std::string_view name; ///< "additions"
+    std::uint64_t Work::*count;
+    bool is_operation = true;
+    bool is_per_unit = true; ///< in tables for people
+};
+inline constexpr std::array work_columns{
+    WorkColumn{"adds", "additions", &Work::adds},
+    WorkColumn{"multiplies", "multiplications", &Work::multiplies},
+    WorkColumn{"divides", "divisions", &Work::divides},
+    WorkColumn{"comparisons", "comparisons", &Work::comparisons},
+    WorkColumn{"pixels_tested", "pixels tested", &Work::pixels_tested, false},
+    WorkColumn{"exact_fallbacks", "exact fallbacks, in all", &Work::exact_fallbacks, false, false}};
+
+/// How much of it there was, if it was counted.
+inline std::optional<std::uint64_t> count_in(const WorkColumn& column,
+                                             const std::optional<Work>& work) {
+    if (!work || (column.is_operation && !work->has_operations))
+        return std::nullopt;
+    return (*work).*column.count;
+}
 
 /// What is written down.
 struct MeasuredReport {

@@ -84,10 +84,10 @@ std::string table_html(const JobReport& job) {
     for (const ErrorMeasure& measure : job.measures)
         head.push_back(measure.unit.empty() ? std::string(measure.name)
                                             : fmt::format("{}, {}", measure.name, measure.unit));
-    for (const std::string_view name :
-         {"minimum ns", "median ns", "runs", "additions", "multiplications", "divisions",
-          "comparisons", "pixels tested"})
+    for (const std::string_view name : {"minimum ns", "median ns", "runs"})
         head.emplace_back(name);
+    for (const WorkColumn& column : work_columns)
+        head.emplace_back(column.name);
     std::string html = "<table>\n" + row_html("th", head);
     for (const Curve& curve : job.curves)
         for (const Setting& setting : curve.settings) {
@@ -111,13 +111,18 @@ std::string table_html(const JobReport& job) {
             cells.push_back(fmt::format("{:.3g}", setting.timing.minimum));
             cells.push_back(fmt::format("{:.3g}", setting.timing.median));
             cells.push_back(fmt::format("{}", setting.timing.runs));
-            for (std::uint64_t Work::*kind : {&Work::adds, &Work::multiplies, &Work::divides,
-                                              &Work::comparisons, &Work::pixels_tested})
-                cells.push_back(
-                    setting.work ? fmt::format("{:.3g}", static_cast<double>(*setting.work.*kind) /
-                                                             static_cast<double>(setting.units))
-                                 : "-");
+            for (const WorkColumn& column : work_columns) {
+                const auto count = count_in(column, setting.work);
+                cells.push_back(!count ? "-"
+                                : column.is_per_unit
+                                    ? fmt::format("{:.3g}", static_cast<double>(*count) /
+                                                                static_cast<double>(setting.units))
+                                    : fmt::format("{}", *count));
+            }
             html += row_html("td", cells);
+            if (!setting.note.empty())
+                html += fmt::format("<tr><td></td><td></td><td colspan=\"{}\">{}</td></tr>\n",
+                                    head.size() - 2, escaped(setting.note));
         }
     return html + "</table>\n";
 }

@@ -59,6 +59,14 @@ void put_wrapped(std::string& text, std::string_view first, std::string_view res
     }
 }
 
+/// "adaptive (draw): timed as a whole drawing; 3 exact fallbacks".
+std::string note_of(const Setting& setting) {
+    std::string note = fmt::format("{}: {}", setting.name, setting.note);
+    if (setting.work)
+        note += fmt::format("; {}", counted(setting.work->exact_fallbacks, "exact fallback"));
+    return note;
+}
+
 void put_curve(std::string& text, const JobReport& job, const Curve& curve) {
     text += fmt::format("{} ({})\n", curve.method, curve.knob);
     std::uint64_t wrong_when_snapped = 0;
@@ -75,11 +83,15 @@ void put_curve(std::string& text, const JobReport& job, const Curve& curve) {
                                 measure < job.measures.size() ? error_text(setting, measure) : "");
         text += fmt::format("{:>10.3g}{:>10.3g}{:>5}", setting.timing.minimum,
                             setting.timing.median, setting.timing.runs);
-        if (const auto& work = setting.work)
-            for (const std::uint64_t count : {work->adds, work->multiplies, work->divides,
-                                              work->comparisons, work->pixels_tested})
-                text += fmt::format("{:>6}", per_unit(count, setting.units));
+        if (setting.work)
+            for (const WorkColumn& column : work_columns)
+                if (column.is_per_unit) {
+                    const auto count = count_in(column, setting.work);
+                    text += fmt::format("{:>6}", count ? per_unit(*count, setting.units) : "-");
+                }
         text += '\n';
+        if (!setting.note.empty())
+            put_wrapped(text, "  ", note_of(setting), "  ");
         if (setting.wrong_when_snapped) {
             is_snapped = true;
             wrong_when_snapped += *setting.wrong_when_snapped;
@@ -150,12 +162,11 @@ Json json_of(const JobReport& job, const Setting& setting) {
     }
     json["errors"] = std::move(errors);
     json["on_front"] = std::move(front);
-    if (setting.work)
-        json["work"] = {{"adds", setting.work->adds},
-                        {"multiplies", setting.work->multiplies},
-                        {"divides", setting.work->divides},
-                        {"comparisons", setting.work->comparisons},
-                        {"pixels_tested", setting.work->pixels_tested}};
+    for (const WorkColumn& column : work_columns)
+        if (const auto count = count_in(column, setting.work))
+            json["work"][std::string(column.key)] = *count;
+    if (!setting.note.empty())
+        json["note"] = setting.note;
     if (setting.wrong_when_snapped)
         json["wrong_when_snapped"] = *setting.wrong_when_snapped;
     json["units"] = setting.units;
@@ -282,11 +293,13 @@ std::string report_json(const MeasuredReport& report) {
 
 std::string report_csv(const MeasuredReport& report) {
     std::string text;
-    put_csv_line(text,
-                 {"scene",       "job",           "method", "knob",     "setting",    "measure",
-                  "error",       "count",         "of",     "on_front", "minimum_ns", "median_ns",
-                  "runs",        "unit",          "units",  "adds",     "multiplies", "divides",
-                  "comparisons", "pixels_tested", "failure"});
+    std::vector<std::string> head{"scene",      "job",       "method", "knob", "setting",
+                                  "measure",    "error",     "count",  "of",   "on_front",
+                                  "minimum_ns", "median_ns", "runs",   "unit", "units"};
+    for (const WorkColumn& column : work_columns)
+        head.emplace_back(column.key);
+    head.emplace_back("failure");
+    put_csv_line(text, head);
     const auto number = [](const auto& value) { return fmt::format("{}", value); };
     for (const SceneReport& scene : report.scenes)
         for (const JobReport& job : scene.jobs)
@@ -296,7 +309,7 @@ std::string report_csv(const MeasuredReport& report) {
                                                          curve.method, curve.knob, setting.name};
                     if (!setting.failure.empty()) {
                         std::vector<std::string> line = begin;
-                        line.resize(20);
+                        line.resize(head.size() - 1);
                         line.push_back(setting.failure);
                         put_csv_line(text, line);
                         continue;
@@ -313,11 +326,10 @@ std::string report_csv(const MeasuredReport& report) {
                                      setting.on_front[measure] ? "1" : "0",
                                      number(setting.timing.minimum), number(setting.timing.median),
                                      number(setting.timing.runs), job.unit, number(setting.units)});
-                        const auto& work = setting.work;
-                        for (std::uint64_t Work::*kind :
-                             {&Work::adds, &Work::multiplies, &Work::divides, &Work::comparisons,
-                              &Work::pixels_tested})
-                            line.push_back(work ? number(*work.*kind) : "");
+                        for (const WorkColumn& column : work_columns) {
+                            const auto count = count_in(column, setting.work);
+                            line.push_back(count ? number(*count) : "");
+                        }
                         line.emplace_back();
                         put_csv_line(text, line);
                     }

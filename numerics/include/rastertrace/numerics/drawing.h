@@ -12,7 +12,10 @@
 
 namespace rastertrace {
 
-/// Draws a scene in which find_unfit has found nothing.
-Image drawn(const Scene& scene, const Plan& plan);
+struct Fallbacks;
+
+/// Draws a scene in which find_unfit has found nothing. Who wants to know is told how often
+/// `adaptive` fell back on exact numbers.
+Image drawn(const Scene& scene, const Plan& plan, Fallbacks* fallbacks = nullptr);
 
 } // namespace rastertrace
