@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -170,6 +171,27 @@ TEST(CoverageReport, FixedIsExactOnWhatItHasSnapped) {
     EXPECT_EQ(wrong(job, "top-left, scalars", "exact"), 0U);
     for (const Setting& setting : curve_of(job, "top-left, fixed point").settings)
         EXPECT_EQ(setting.wrong_when_snapped, 0U) << setting.name;
+}
+
+TEST(CoverageReport, FixedIsExactOnAnySnappedVertices) {
+    std::mt19937_64 random(20220705);
+    const auto coordinate = [&random] {
+        return std::to_string(static_cast<int>(random() % 4000)) + "/" +
+               std::to_string(1 + static_cast<int>(random() % 97));
+    };
+    for (int i = 0; i < 40; ++i) {
+        const Scene scene = triangle_scene(
+            {coordinate(), coordinate(), coordinate(), coordinate(), coordinate(), coordinate()},
+            {.width = 40, .height = 40, .origin = Origin::bottom_left},
+            {.scalar = ScalarKind::exact,
+             .fill = i % 3 == 0   ? Fill::barycentric
+                     : i % 3 == 1 ? Fill::two_halves
+                                  : Fill::scanline});
+        for (const Curve& curve : report_of_job(scene, ReportJob::coverage).curves)
+            for (const Setting& setting : curve.settings)
+                EXPECT_EQ(setting.wrong_when_snapped.value_or(0), 0U)
+                    << i << " " << curve.method << " " << setting.name;
+    }
 }
 
 TEST(CoverageReport, TheErrorShrinksWithTheBits) {
