@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "job_builder.h"
 
+#include "placed_triangles.h"
+
 #include <rastertrace/core/draw.h>
-#include <rastertrace/core/pieces.h>
 #include <rastertrace/trace/method_names.h>
 #include <rastertrace/trace/refusal.h>
 
@@ -120,21 +121,13 @@ std::vector<SpansOfPiece> exact_spans(const Scene& scene) {
             .image = Image(exact.canvas),
             .grid = {scalar_from<Scalar>(sample_offset_of(exact.method), plan.denominator),
                      exact.canvas}};
-        const auto fill_piece = [&]<typename Coordinate>(const Piece<Coordinate>& piece) {
-            if constexpr (draws<Scalar, Coordinate>) {
-                if (piece.kind != PrimitiveKind::triangle)
-                    return;
-                auto& spans = pieces.emplace_back(SpansOfPiece{piece.primitive, {}}).spans;
-                if constexpr (!std::same_as<Coordinate, Number>)
-                    if (!report_face(piece.face, NullSink{}))
-                        return;
-                fill(placed<Scalar>(piece, plan), Paint<Scalar, PixelStages{}>{Color{}},
-                     exact.method, target, SpanSink{spans});
-            }
-        };
-        std::visit(
-            [&](const auto& geometry) { for_each_piece(exact, geometry, NullSink{}, fill_piece); },
-            plan.geometry);
+        for_each_placed_triangle<Scalar>(
+            exact, plan, [&](const PlacedPrimitive<Scalar>& triangle, bool is_culled) {
+                auto& spans = pieces.emplace_back(SpansOfPiece{triangle.number, {}}).spans;
+                if (!is_culled)
+                    fill(triangle, Paint<Scalar, PixelStages{}>{Color{}}, exact.method, target,
+                         SpanSink{spans});
+            });
     });
     return pieces;
 }

@@ -3,10 +3,10 @@
 // All methods are asked about the same pixels, those of the exact top-left fill.
 
 #include "job_builder.h"
+#include "placed_triangles.h"
 
 #include <rastertrace/core/draw.h>
 #include <rastertrace/core/paint.h>
-#include <rastertrace/core/pieces.h>
 #include <rastertrace/numerics/knobs.h>
 #include <rastertrace/trace/method_names.h>
 
@@ -110,27 +110,12 @@ private:
         input->sample_offset =
             scalar_from<Scalar>(sample_offset_of(scene.method), plan.denominator);
         std::vector<std::size_t> primitives;
-        std::visit(
-            [&](const auto& geometry) {
-                for_each_piece(scene, geometry, NullSink{},
-                               [&]<typename Coordinate>(const Piece<Coordinate>& piece) {
-                                   if constexpr (draws<Scalar, Coordinate>) {
-                                       if (piece.kind != PrimitiveKind::triangle)
-                                           return;
-                                       const auto primitive = placed<Scalar>(piece, plan);
-                                       input->pieces.push_back({primitive.positions,
-                                                                primitive.colors,
-                                                                primitive.inverse_w});
-                                       primitives.push_back(piece.primitive);
-                                   }
-                               });
-            },
-            plan.geometry);
-        const auto same = [](std::size_t number, const SpansOfPiece& piece) {
-            return number == piece.primitive;
-        };
-        if (!std::equal(primitives.begin(), primitives.end(), pieces_->begin(), pieces_->end(),
-                        same))
+        for_each_placed_triangle<Scalar>(
+            scene, plan, [&](const PlacedPrimitive<Scalar>& triangle, bool) {
+                input->pieces.push_back({triangle.positions, triangle.colors, triangle.inverse_w});
+                primitives.push_back(triangle.number);
+            });
+        if (!are_those_of(*pieces_, primitives))
             return nullptr;
         return input;
     }

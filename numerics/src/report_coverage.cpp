@@ -2,9 +2,9 @@
 // The second job of the report: which pixels the triangles of the scene have.
 
 #include "job_builder.h"
+#include "placed_triangles.h"
 
 #include <rastertrace/core/draw.h>
-#include <rastertrace/core/pieces.h>
 #include <rastertrace/trace/method_names.h>
 
 #include <fmt/format.h>
@@ -52,24 +52,11 @@ template <typename Scalar> struct PlacedTriangles {
     PlacedTriangles(const Scene& scene, const Plan& plan)
         : sample_offset(scalar_from<Scalar>(sample_offset_of(scene.method), plan.denominator)),
           target{.image = Image(scene.canvas), .grid = {sample_offset, scene.canvas}} {
-        std::visit(
-            [&](const auto& geometry) {
-                for_each_piece(scene, geometry, NullSink{},
-                               [&]<typename Coordinate>(const Piece<Coordinate>& piece) {
-                                   if constexpr (draws<Scalar, Coordinate>)
-                                       if (piece.kind == PrimitiveKind::triangle &&
-                                           !is_culled(piece))
-                                           triangles.push_back(placed<Scalar>(piece, plan));
-                               });
-            },
-            plan.geometry);
-    }
-
-    template <typename Coordinate> static bool is_culled(const Piece<Coordinate>& piece) {
-        if constexpr (std::same_as<Coordinate, Number>)
-            return false;
-        else
-            return !report_face(piece.face, NullSink{});
+        for_each_placed_triangle<Scalar>(
+            scene, plan, [this](const PlacedPrimitive<Scalar>& triangle, bool is_culled) {
+                if (!is_culled)
+                    triangles.push_back(triangle);
+            });
     }
 };
 
