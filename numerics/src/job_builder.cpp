@@ -61,6 +61,12 @@ Setting named_setting(std::string_view name) {
     return setting;
 }
 
+Setting exact_setting(std::string_view name) {
+    Setting setting = named_setting(name);
+    setting.never_errs = true;
+    return setting;
+}
+
 Scene plain_scene(const Scene& scene, ScalarKind scalar) {
     Scene plain = scene;
     plain.method.scalar = scalar;

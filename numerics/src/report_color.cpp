@@ -226,7 +226,10 @@ private:
             // Of the grids, the one that is drawn on.
             if (scalar.bits && std::int64_t{1} << *scalar.bits != fixed_grid)
                 continue;
-            add(scalar.kind, named_setting(scalar.name), [](const auto& input, const auto& pieces) {
+            Setting setting = named_setting(scalar.name);
+            setting.never_errs =
+                scalar.never_errs() && in_perspective == is_perspective(scene_.projection.type);
+            add(scalar.kind, std::move(setting), [](const auto& input, const auto& pieces) {
                 return mixed<in_perspective>(input, pieces);
             });
         }

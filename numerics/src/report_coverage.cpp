@@ -129,6 +129,7 @@ private:
                 builder_.begin_curve(name, scalar.bits ? "bits behind the point" : "scalar");
             curve = name;
             Setting setting = scalar.bits ? bits_setting(*scalar.bits) : named_setting(scalar.name);
+            setting.never_errs = scalar.never_errs();
             const std::string refusal = refusal_in_words(scene);
             if (!refusal.empty()) {
                 builder_.add_failure(setting.name, setting.label, refusal);

@@ -344,7 +344,12 @@ private:
             // Depths of fixed-point vertices are doubles; the grid that is drawn on will do.
             if (scalar.bits && std::int64_t{1} << *scalar.bits != fixed_grid)
                 continue;
-            with_input(scene_with(kind, scalar.kind), named_setting(scalar.name),
+            // ndc-z is linear on the screen whatever the projection.
+            const bool is_right =
+                kind == Depth::ndc_z || (kind == Depth::inverse_z) == shared_->is_inverse_linear;
+            Setting scalar_setting = named_setting(scalar.name);
+            scalar_setting.never_errs = is_right && scalar.never_errs();
+            with_input(scene_with(kind, scalar.kind), std::move(scalar_setting),
                        [&]<typename D>(Setting setting, std::shared_ptr<DepthInput<D>> input) {
                            add_buffer(kind, std::move(setting), input, DirectDepths{});
                        });
