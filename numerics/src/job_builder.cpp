@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "job_builder.h"
 
+#include "placed_triangles.h"
+
 #include <rastertrace/core/draw.h>
-#include <rastertrace/core/pieces.h>
 #include <rastertrace/trace/method_names.h>
 #include <rastertrace/trace/refusal.h>
 
@@ -57,6 +58,12 @@ Setting named_setting(std::string_view name) {
     Setting setting;
     setting.name = name;
     setting.label = name;
+    return setting;
+}
+
+Setting exact_setting(std::string_view name) {
+    Setting setting = named_setting(name);
+    setting.never_errs = true;
     return setting;
 }
 
@@ -117,21 +124,13 @@ std::vector<SpansOfPiece> exact_spans(const Scene& scene) {
     std::vector<SpansOfPiece> pieces;
     with_scalar(plan, [&]<typename Scalar>() {
         auto target = target_for<Scalar>(exact, plan);
-        const auto fill_piece = [&]<typename Coordinate>(const Piece<Coordinate>& piece) {
-            if constexpr (draws<Scalar, Coordinate>) {
-                if (piece.kind != PrimitiveKind::triangle)
-                    return;
-                auto& spans = pieces.emplace_back(SpansOfPiece{piece.primitive, {}}).spans;
-                if constexpr (!std::same_as<Coordinate, Number>)
-                    if (!report_face(piece.face, NullSink{}))
-                        return;
-                fill(placed<Scalar>(piece, plan), Paint<Scalar, PixelStages{}>{Color{}},
-                     exact.method, target, SpanSink{spans});
-            }
-        };
-        std::visit(
-            [&](const auto& geometry) { for_each_piece(exact, geometry, NullSink{}, fill_piece); },
-            plan.geometry);
+        for_each_placed_triangle<Scalar>(
+            exact, plan, [&](const PlacedPrimitive<Scalar>& triangle, bool is_culled) {
+                auto& spans = pieces.emplace_back(SpansOfPiece{triangle.number, {}}).spans;
+                if (!is_culled)
+                    fill(triangle, Paint<Scalar, PixelStages{}>{Color{}}, exact.method, target,
+                         SpanSink{spans});
+            });
     });
     return pieces;
 }

@@ -92,6 +92,7 @@ inline constexpr std::array depth_buffer_bits{16, 24, 32};
 Setting bits_setting(int bits);
 Setting interval_setting(int interval, std::string_view of);
 Setting named_setting(std::string_view name);
+Setting exact_setting(std::string_view name); ///< of a method that never errs
 
 /// The scene with other numbers, and nothing but the fill of its primitives: no depths, no colors of
 /// vertices.
@@ -102,6 +103,12 @@ struct ScalarSetting {
     ScalarKind kind = ScalarKind::double_precision;
     std::string name;
     std::optional<int> bits;
+
+    /// True if nothing that it decides is rounded: of a scene as typed.
+    bool never_errs() const {
+        return kind != ScalarKind::single_precision && kind != ScalarKind::double_precision &&
+               kind != ScalarKind::fixed;
+    }
 };
 
 /// Every scalar that a method can name, `fixed` with every grid before the others.

@@ -181,13 +181,26 @@ Advice advice_for(const JobReport& job, std::size_t measure) {
     const Candidate fastest = most_exact_within(1 + timing_noise);
     const Candidate near = most_exact_within(almost);
 
-    const std::string of_best = best.error == 0 ? "has no error" : error(best);
+    // No error on this scene need not mean none on another: name what cannot have any.
+    std::string of_best = best.error == 0 ? "has no error" : error(best);
+    std::string instead;
+    if (best.error == 0 && !best.setting->never_errs) {
+        of_best += " here";
+        std::vector<Candidate> safe;
+        std::copy_if(all.begin(), all.end(), std::back_inserter(safe), [](const Candidate& one) {
+            return one.setting->never_errs && one.error == 0;
+        });
+        if (!safe.empty()) {
+            const Candidate safest = *std::min_element(safe.begin(), safe.end(), faster);
+            instead = fmt::format("; {} never has any ({})", name(safest), cost(safest));
+        }
+    }
     if (fastest.error == best.error)
-        return {fmt::format("Choose {}: it {}, and nothing is faster ({}).", name(fastest), of_best,
-                            cost(fastest))};
-    const std::string choice =
-        fmt::format("Choose {}: it {} ({})", name(best),
-                    best.error == 0 ? of_best : of_best + ", the least of all", cost(best));
+        return {fmt::format("Choose {}: it {}, and nothing is faster ({}){}.", name(fastest),
+                            of_best, cost(fastest), instead)};
+    const std::string choice = fmt::format(
+        "Choose {}: it {} ({}){}", name(best),
+        best.error == 0 ? of_best : of_best + ", the least of all", cost(best), instead);
     const std::string speed =
         fmt::format("the fastest, {} ({}), {}", name(fastest), cost(fastest), error(fastest));
     if (near.error == best.error || near.error == fastest.error)

@@ -3,11 +3,11 @@
 // All methods are asked about the same pixels, those of the exact top-left fill.
 
 #include "job_builder.h"
+#include "placed_triangles.h"
 #include "report_adaptive.h"
 
 #include <rastertrace/core/draw.h>
 #include <rastertrace/core/paint.h>
-#include <rastertrace/core/pieces.h>
 #include <rastertrace/numerics/knobs.h>
 #include <rastertrace/trace/method_names.h>
 
@@ -113,27 +113,12 @@ private:
         input->sample_offset =
             scalar_from<Scalar>(sample_offset_of(scene.method), plan.denominator);
         std::vector<std::size_t> primitives;
-        std::visit(
-            [&](const auto& geometry) {
-                for_each_piece(scene, geometry, NullSink{},
-                               [&]<typename Coordinate>(const Piece<Coordinate>& piece) {
-                                   if constexpr (draws<Scalar, Coordinate>) {
-                                       if (piece.kind != PrimitiveKind::triangle)
-                                           return;
-                                       const auto primitive = placed<Scalar>(piece, plan);
-                                       input->pieces.push_back({primitive.positions,
-                                                                primitive.colors,
-                                                                primitive.inverse_w});
-                                       primitives.push_back(piece.primitive);
-                                   }
-                               });
-            },
-            plan.geometry);
-        const auto same = [](std::size_t number, const SpansOfPiece& piece) {
-            return number == piece.primitive;
-        };
-        if (!std::equal(primitives.begin(), primitives.end(), pieces_->begin(), pieces_->end(),
-                        same))
+        for_each_placed_triangle<Scalar>(
+            scene, plan, [&](const PlacedPrimitive<Scalar>& triangle, bool) {
+                input->pieces.push_back({triangle.positions, triangle.colors, triangle.inverse_w});
+                primitives.push_back(triangle.number);
+            });
+        if (!are_those_of(*pieces_, primitives))
             return nullptr;
         return input;
     }
@@ -221,7 +206,7 @@ private:
         const Plan plan = plan_for(scene);
         with_scalar(plan, [&]<typename Scalar>() {
             if constexpr (std::same_as<Scalar, Adaptive>) {
-                add_adaptive(scene, stage);
+                add_adaptive(scene, setting.never_errs, stage);
             } else {
                 const auto input = input_of<Scalar>(scene, plan);
                 if (!input)
@@ -243,7 +228,7 @@ private:
         });
     }
 
-    void add_adaptive(const Scene& scene, ColorStage stage) {
+    void add_adaptive(const Scene& scene, bool never_errs, ColorStage stage) {
         const auto drawing = adaptive_drawing(scene);
         for (PixelStages& stages : drawing->plan.stages.pixels)
             if (stages.colors == ColorStage::perspective)
@@ -253,6 +238,7 @@ private:
         for (const auto& [primitive, pixel, color] : steps.plotted)
             colors.push_back(color);
         Setting setting = adaptive_setting(*drawing, fragments_);
+        setting.never_errs = never_errs;
         if (colors.size() != exact_.size())
             setting.failure = "it has drawn other pixels than exact arithmetic";
         else
@@ -266,7 +252,10 @@ private:
             // Of the grids, the one that is drawn on.
             if (scalar.bits && std::int64_t{1} << *scalar.bits != fixed_grid)
                 continue;
-            add(scalar.kind, named_setting(scalar.name),
+            Setting setting = named_setting(scalar.name);
+            setting.never_errs =
+                scalar.never_errs() && in_perspective == is_perspective(scene_.projection.type);
+            add(scalar.kind, std::move(setting),
                 in_perspective ? ColorStage::perspective : ColorStage::affine,
                 [](const auto& input, const auto& pieces) {
                     return mixed<in_perspective>(input, pieces);

@@ -2,10 +2,10 @@
 // The second job of the report: which pixels the triangles of the scene have.
 
 #include "job_builder.h"
+#include "placed_triangles.h"
 #include "report_adaptive.h"
 
 #include <rastertrace/core/draw.h>
-#include <rastertrace/core/pieces.h>
 #include <rastertrace/trace/method_names.h>
 
 #include <fmt/format.h>
@@ -55,24 +55,11 @@ template <typename Scalar> struct PlacedTriangles {
           target{.image = Image(scene.canvas),
                  .grid = {sample_offset, scene.canvas},
                  .exactness = {}} {
-        std::visit(
-            [&](const auto& geometry) {
-                for_each_piece(scene, geometry, NullSink{},
-                               [&]<typename Coordinate>(const Piece<Coordinate>& piece) {
-                                   if constexpr (draws<Scalar, Coordinate>)
-                                       if (piece.kind == PrimitiveKind::triangle &&
-                                           !is_culled(piece))
-                                           triangles.push_back(placed<Scalar>(piece, plan));
-                               });
-            },
-            plan.geometry);
-    }
-
-    template <typename Coordinate> static bool is_culled(const Piece<Coordinate>& piece) {
-        if constexpr (std::same_as<Coordinate, Number>)
-            return false;
-        else
-            return !report_face(piece.face, NullSink{});
+        for_each_placed_triangle<Scalar>(
+            scene, plan, [this](const PlacedPrimitive<Scalar>& triangle, bool is_culled) {
+                if (!is_culled)
+                    triangles.push_back(triangle);
+            });
     }
 };
 
@@ -145,6 +132,7 @@ private:
                 builder_.begin_curve(name, scalar.bits ? "bits behind the point" : "scalar");
             curve = name;
             Setting setting = scalar.bits ? bits_setting(*scalar.bits) : named_setting(scalar.name);
+            setting.never_errs = scalar.never_errs();
             const std::string refusal = refusal_in_words(scene);
             if (!refusal.empty()) {
                 builder_.add_failure(setting.name, setting.label, refusal);
@@ -161,7 +149,7 @@ private:
             scalar.bits ? plan_for(scene, std::int64_t{1} << *scalar.bits) : plan_for(scene);
         with_scalar(plan, [&]<typename Scalar>() {
             if constexpr (std::same_as<Scalar, Adaptive>) {
-                add_adaptive(scene, exact);
+                add_adaptive(scene, setting.never_errs, exact);
             } else {
                 const auto placed = std::make_shared<PlacedTriangles<Scalar>>(scene, plan);
                 PixelSets pixels = count(*placed, scene, setting.work.emplace());
@@ -182,7 +170,7 @@ private:
         });
     }
 
-    void add_adaptive(const Scene& scene, const PixelSets& exact) {
+    void add_adaptive(const Scene& scene, bool never_errs, const PixelSets& exact) {
         const auto drawing = adaptive_drawing(scene);
         const AdaptiveSteps steps = steps_of(*drawing);
         PixelSets pixels(scene.primitives.size());
@@ -190,6 +178,7 @@ private:
             pixels[primitive].push_back(scene.canvas.offset_of(pixel));
         sort_sets(pixels);
         Setting setting = adaptive_setting(*drawing, steps.pixels_tested());
+        setting.never_errs = never_errs;
         setting.errors = {ErrorValue::ratio(differing(pixels, exact), perimeter_of(exact))};
         builder_.add(std::move(setting), timed(drawing), size_of(exact));
     }

@@ -3,11 +3,11 @@
 // methods are asked about the same pixels, those of the exact top-left fill.
 
 #include "job_builder.h"
+#include "placed_triangles.h"
 #include "report_adaptive.h"
 
 #include <rastertrace/core/draw.h>
 #include <rastertrace/core/painter.h>
-#include <rastertrace/core/pieces.h>
 #include <rastertrace/numerics/knobs.h>
 #include <rastertrace/trace/method_names.h>
 
@@ -140,28 +140,13 @@ private:
         auto input = std::make_shared<DepthInput<D>>();
         input->rule = depth_rule<D>(scene);
         std::vector<std::size_t> primitives;
-        std::visit(
-            [&](const auto& geometry) {
-                for_each_piece(
-                    scene, geometry, NullSink{},
-                    [&]<typename Coordinate>(const Piece<Coordinate>& piece) {
-                        if constexpr (draws<Scalar, Coordinate>) {
-                            if (piece.kind != PrimitiveKind::triangle)
-                                return;
-                            const auto primitive = placed<Scalar>(piece, plan);
-                            input->pieces.push_back(
-                                {{depth_positions(Triangle<Scalar>{primitive.positions})},
-                                 primitive.depths});
-                            primitives.push_back(piece.primitive);
-                        }
-                    });
-            },
-            plan.geometry);
-        const auto same = [](std::size_t number, const SpansOfPiece& piece) {
-            return number == piece.primitive;
-        };
-        if (!std::equal(primitives.begin(), primitives.end(), shared_->pieces.begin(),
-                        shared_->pieces.end(), same))
+        for_each_placed_triangle<Scalar>(
+            scene, plan, [&](const PlacedPrimitive<Scalar>& triangle, bool) {
+                input->pieces.push_back(
+                    {{depth_positions(Triangle<Scalar>{triangle.positions})}, triangle.depths});
+                primitives.push_back(triangle.number);
+            });
+        if (!are_those_of(shared_->pieces, primitives))
             return nullptr;
         return input;
     }
@@ -203,7 +188,7 @@ private:
             shared_->inverse_distance.emplace_back(shared_->is_inverse_linear ? depth : other);
             shared_->distance.emplace_back(shared_->is_inverse_linear ? other : depth);
         });
-        shared_->winners = run_buffer(*input, *shared_);
+        shared_->winners = run_buffer(*input, *shared_, DirectDepths{});
         if (scene_.projection.type == ProjectionType::none)
             return;
         const auto ndc = exact_depths(
@@ -225,9 +210,10 @@ private:
             }
     }
 
-    /// The whole work of a depth buffer.
-    template <typename D>
-    static Winners run_buffer(const DepthInput<D>& input, const DepthScene& shared) {
+    /// The whole work of a depth buffer. `depths_of(row)` gives the depths of a row, pixel by pixel.
+    template <typename D, typename DepthsOf>
+    static Winners run_buffer(const DepthInput<D>& input, const DepthScene& shared,
+                              const DepthsOf& depths_of) {
         DepthBuffer<D> buffer(whole(shared.canvas), input.rule);
         Winners winners(static_cast<std::size_t>(shared.canvas.width) *
                         static_cast<std::size_t>(shared.canvas.height));
@@ -237,12 +223,27 @@ private:
                          D* const cells = buffer.row_from(0, line);
                          std::uint32_t* const seen = row_of(winners, shared.canvas, line);
                          const auto number = static_cast<std::uint32_t>(piece + 1);
+                         auto depths = depths_of(row);
                          for (int x = span.from; x <= span.to; ++x)
-                             if (buffer.keep_if_nearer(cells[x], row.at(x)))
+                             if (buffer.keep_if_nearer(cells[x], depths.at(x)))
                                  seen[x] = number;
                      });
         return winners;
     }
+
+    /// Each pixel's depth by itself, as core has it.
+    struct DirectDepths {
+        template <typename D> const DepthRow<D>& operator()(const DepthRow<D>& row) const {
+            return row;
+        }
+    };
+    /// The depths of a row accumulated.
+    struct AccumulatedDepths {
+        int interval;
+        template <typename D> ReseededDepths<D> operator()(const DepthRow<D>& row) const {
+            return {row, interval};
+        }
+    };
 
     static std::uint32_t* row_of(Winners& winners, const Canvas& canvas, int line) {
         return winners.data() + static_cast<std::ptrdiff_t>(line) * canvas.width - canvas.left();
@@ -341,7 +342,7 @@ private:
         const Plan plan = plan_for(scene);
         with_scalar(plan, [&]<typename Scalar>() {
             if constexpr (std::same_as<Scalar, Adaptive>)
-                add_adaptive(scene);
+                add_adaptive(scene, setting.never_errs);
             else if (const auto input = input_of<Scalar>(scene, plan))
                 use(std::move(setting), input);
             else
@@ -356,21 +357,27 @@ private:
             // Depths of fixed-point vertices are doubles; the grid that is drawn on will do.
             if (scalar.bits && std::int64_t{1} << *scalar.bits != fixed_grid)
                 continue;
-            with_input(scene_with(kind, scalar.kind), named_setting(scalar.name),
+            // ndc-z is linear on the screen whatever the projection.
+            const bool is_right =
+                kind == Depth::ndc_z || (kind == Depth::inverse_z) == shared_->is_inverse_linear;
+            Setting scalar_setting = named_setting(scalar.name);
+            scalar_setting.never_errs = is_right && scalar.never_errs();
+            with_input(scene_with(kind, scalar.kind), std::move(scalar_setting),
                        [&]<typename D>(Setting setting, std::shared_ptr<DepthInput<D>> input) {
-                           add_buffer(kind, std::move(setting), input);
+                           add_buffer(kind, std::move(setting), input, DirectDepths{});
                        });
         }
     }
 
     /// `adaptive` decides as exact numbers do; what its buffer holds are doubles.
-    void add_adaptive(const Scene& scene) {
+    void add_adaptive(const Scene& scene, bool never_errs) {
         const auto drawing = adaptive_drawing(scene);
         const AdaptiveSteps steps = steps_of(*drawing);
         SeenPrimitives seen(shared_->winners.size());
         for (const auto& [primitive, pixel, color] : steps.plotted)
             seen[scene.canvas.offset_of(pixel)] = primitive + 1;
         Setting setting = adaptive_setting(*drawing, shared_->fragments);
+        setting.never_errs = never_errs;
         const auto largest = largest_error(scene.depth(), steps.tested);
         if (largest)
             setting.errors = {wrong_winners(seen), *largest};
@@ -401,18 +408,22 @@ private:
         return ErrorValue{largest};
     }
 
-    template <typename D>
-    void add_buffer(Depth kind, Setting setting, std::shared_ptr<DepthInput<D>> input) {
+    template <typename D, typename DepthsOf>
+    void add_buffer(Depth kind, Setting setting, std::shared_ptr<DepthInput<D>> input,
+                    const DepthsOf& depths_of) {
         setting.errors = {
-            wrong_winners(run_buffer(*input, *shared_)),
+            wrong_winners(run_buffer(*input, *shared_, depths_of)),
             largest_error(kind, *input,
-                          [](const DepthRow<D>& row, const PieceSpan& span, auto&& visit) {
+                          [&](const DepthRow<D>& row, const PieceSpan& span, auto&& visit) {
+                              auto depths = depths_of(row);
                               for (int x = span.from; x <= span.to; ++x)
-                                  visit(row.at(x));
+                                  visit(depths.at(x));
                           })};
-        setting.work = work_of([&] { keep(run_buffer(counting_copy_of(*input), *shared_)); });
+        setting.work =
+            work_of([&] { keep(run_buffer(counting_copy_of(*input), *shared_, depths_of)); });
         builder_.add(
-            std::move(setting), [input, shared = shared_] { keep(run_buffer(*input, *shared)); },
+            std::move(setting),
+            [input, shared = shared_, depths_of] { keep(run_buffer(*input, *shared, depths_of)); },
             shared_->fragments);
     }
 
@@ -520,46 +531,8 @@ private:
         for (const int interval : reseed_intervals)
             with_input(scene_with(kind, scalar), interval_setting(interval, "pixel"),
                        [&]<typename D>(Setting setting, std::shared_ptr<DepthInput<D>> input) {
-                           add_reseeded(kind, std::move(setting), input, interval);
+                           add_buffer(kind, std::move(setting), input, AccumulatedDepths{interval});
                        });
-    }
-
-    template <typename D>
-    static Winners run_reseeded(const DepthInput<D>& input, const DepthScene& shared,
-                                int interval) {
-        DepthBuffer<D> buffer(whole(shared.canvas), input.rule);
-        Winners winners(static_cast<std::size_t>(shared.canvas.width) *
-                        static_cast<std::size_t>(shared.canvas.height));
-        for_each_row(input, shared, buffer,
-                     [&](const DepthRow<D>& row, const PieceSpan& span, std::size_t piece) {
-                         const int line = static_cast<int>(shared.canvas.row_of(span.y));
-                         D* const cells = buffer.row_from(0, line);
-                         std::uint32_t* const seen = row_of(winners, shared.canvas, line);
-                         ReseededDepths<D> depths(row, interval);
-                         for (int x = span.from; x <= span.to; ++x)
-                             if (buffer.keep_if_nearer(cells[x], depths.at(x)))
-                                 seen[x] = static_cast<std::uint32_t>(piece + 1);
-                     });
-        return winners;
-    }
-
-    template <typename D>
-    void add_reseeded(Depth kind, Setting setting, std::shared_ptr<DepthInput<D>> input,
-                      int interval) {
-        setting.errors = {
-            wrong_winners(run_reseeded(*input, *shared_, interval)),
-            largest_error(kind, *input,
-                          [interval](const DepthRow<D>& row, const PieceSpan& span, auto&& visit) {
-                              ReseededDepths<D> depths(row, interval);
-                              for (int x = span.from; x <= span.to; ++x)
-                                  visit(depths.at(x));
-                          })};
-        setting.work =
-            work_of([&] { keep(run_reseeded(counting_copy_of(*input), *shared_, interval)); });
-        builder_.add(
-            std::move(setting),
-            [input, shared = shared_, interval] { keep(run_reseeded(*input, *shared, interval)); },
-            shared_->fragments);
     }
 
     /// The painter has no depth in a pixel: the last one drawn is seen.

@@ -283,13 +283,13 @@ private:
         add_scalar<double>("double", direct_walk<double>());
         switch (const Fit fit = fit_of_edges(); fit) {
         case Fit::in_64:
-            return add(named_setting("exact"), fraction_inputs<std::int64_t>(),
+            return add(exact_setting("exact"), fraction_inputs<std::int64_t>(),
                        direct_walk<Fraction64>());
         case Fit::in_128:
-            return add(named_setting("exact"), fraction_inputs<Int128>(),
+            return add(exact_setting("exact"), fraction_inputs<Int128>(),
                        direct_walk<Fraction128>());
         case Fit::beyond:
-            return add(named_setting("exact"), inputs_of<Rational>(), direct_walk<Rational>());
+            return add(exact_setting("exact"), inputs_of<Rational>(), direct_walk<Rational>());
         }
     }
 
@@ -443,7 +443,7 @@ private:
         auto inputs = std::make_shared<std::vector<EdgeInput<WholeEdge<Integer>>>>();
         for (const ExactEdge& edge : edges_)
             inputs->push_back({whole_edge<Integer>(edge), edge.first_y, edge.rows});
-        Setting setting = named_setting(name);
+        Setting setting = exact_setting(name);
         setting.label = label;
         add(std::move(setting), std::move(inputs), [down = canvas_.down()](const auto& input) {
             using Number = std::remove_cvref_t<decltype(input.ends.x1)>;

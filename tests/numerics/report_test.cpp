@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <fstream>
 #include <iterator>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -173,6 +174,27 @@ TEST(CoverageReport, FixedIsExactOnWhatItHasSnapped) {
     EXPECT_EQ(wrong(job, "top-left, scalars", "exact"), 0U);
     for (const Setting& setting : curve_of(job, "top-left, fixed point").settings)
         EXPECT_EQ(setting.wrong_when_snapped, 0U) << setting.name;
+}
+
+TEST(CoverageReport, FixedIsExactOnAnySnappedVertices) {
+    std::mt19937_64 random(20220705);
+    const auto coordinate = [&random] {
+        return std::to_string(static_cast<int>(random() % 4000)) + "/" +
+               std::to_string(1 + static_cast<int>(random() % 97));
+    };
+    for (int i = 0; i < 40; ++i) {
+        const Scene scene = triangle_scene(
+            {coordinate(), coordinate(), coordinate(), coordinate(), coordinate(), coordinate()},
+            {.width = 40, .height = 40, .origin = Origin::bottom_left},
+            {.scalar = ScalarKind::exact,
+             .fill = i % 3 == 0   ? Fill::barycentric
+                     : i % 3 == 1 ? Fill::two_halves
+                                  : Fill::scanline});
+        for (const Curve& curve : report_of_job(scene, ReportJob::coverage).curves)
+            for (const Setting& setting : curve.settings)
+                EXPECT_EQ(setting.wrong_when_snapped.value_or(0), 0U)
+                    << i << " " << curve.method << " " << setting.name;
+    }
 }
 
 TEST(CoverageReport, TheErrorShrinksWithTheBits) {
@@ -390,6 +412,7 @@ JobReport hand_made_job() {
                    {hand_made("exact", 0, 10), hand_made("slow and exact", 0, 20),
                     hand_made("good", 1e-6, 3), hand_made("worse", 1e-5, 5)}},
                   {"two", "knob", {hand_made("fast", 1e-3, 2), hand_made("as fast", 1e-2, 1.99)}}};
+    job.curves[0].settings[1].never_errs = true;
     Setting failed;
     failed.name = "failed";
     failed.failure = "overflow";
@@ -412,12 +435,17 @@ TEST(Pareto, NothingIsBothFasterAndNearer) {
 TEST(Pareto, TheAdviceNamesTheExactTheFastestAndWhatLiesBetween) {
     EXPECT_EQ(
         advice_for(hand_made_job(), 0).sentence,
-        "Choose one: exact: it has no error (10 ns per row); the fastest, two: fast (2 ns per "
-        "row), is off by 0.001 px; within twice that time one: good is off by 1e-06 px (3 ns "
-        "per row).");
+        "Choose one: exact: it has no error here (10 ns per row); one: slow and exact never has "
+        "any (20 ns per row); the fastest, two: fast (2 ns per row), is off by 0.001 px; within "
+        "twice that time one: good is off by 1e-06 px (3 ns per row).");
     JobReport one_wins = hand_made_job();
     one_wins.curves.resize(1);
     one_wins.curves[0].settings.resize(2);
+    EXPECT_EQ(
+        advice_for(one_wins, 0).sentence,
+        "Choose one: exact: it has no error here, and nothing is faster (10 ns per row); one: "
+        "slow and exact never has any (20 ns per row).");
+    one_wins.curves[0].settings[0].never_errs = true;
     EXPECT_EQ(advice_for(one_wins, 0).sentence,
               "Choose one: exact: it has no error, and nothing is faster (10 ns per row).");
 }

@@ -432,7 +432,7 @@ TEST(Examples, NumericsScenes) {
               128u * 383u);
     // A speck round one pixel's center; a sliver and half a square pixel that miss all of them.
     EXPECT_EQ(writes("extreme.json", "a speck", {{"depth", "none"}}), 1u);
-    EXPECT_EQ(writes("extreme.json", "area 1/2", {{"depth", "none"}}), 0u);
+    EXPECT_EQ(writes("extreme.json", "area one half", {{"depth", "none"}}), 0u);
     EXPECT_EQ(writes("extreme.json", "a sliver on the samples", {{"depth", "none"}}), 0u);
 }
 

@@ -66,6 +66,7 @@ struct Setting {
     std::string note;    ///< what is timed, where that is more than the others' work
     std::vector<ErrorValue> errors; ///< one for each of the job's measures, unless it failed
     std::vector<bool> on_front;     ///< for each measure: nothing is both faster and nearer
+    bool never_errs = false;        ///< its error is 0 on any scene, not only on this one
     std::optional<Work> work;       ///< none where the method's numbers cannot be counted
     /// Of a method that snaps vertices: how many pixels differ from exact arithmetic on the snapped
     /// ones. 0, or the method is wrong.

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The triangles of a scene on the screen, in the numbers that its plan draws them with.
+
+#include "job_builder.h"
+
+#include <rastertrace/core/draw.h>
+#include <rastertrace/core/pieces.h>
+#include <rastertrace/core/plan.h>
+#include <rastertrace/core/scene.h>
+
+#include <algorithm>
+#include <concepts>
+#include <vector>
+
+namespace rastertrace {
+
+/// Calls `visit(triangle, is_culled)` with every triangle, and every part that clipping has left of
+/// one, as a PlacedPrimitive. Scalar must be the one of the plan.
+template <typename Scalar, typename Visit>
+void for_each_placed_triangle(const Scene& scene, const Plan& plan, Visit&& visit) {
+    const auto visit_piece = [&]<typename Coordinate>(const Piece<Coordinate>& piece) {
+        if constexpr (draws<Scalar, Coordinate>) {
+            if (piece.kind != PrimitiveKind::triangle)
+                return;
+            bool is_culled = false;
+            if constexpr (!std::same_as<Coordinate, Number>)
+                is_culled = !report_face(piece.face, NullSink{});
+            visit(placed<Scalar>(piece, plan), is_culled);
+        }
+    };
+    std::visit(
+        [&](const auto& geometry) { for_each_piece(scene, geometry, NullSink{}, visit_piece); },
+        plan.geometry);
+}
+
+/// True if these are the triangles, in order, whose pixels `spans` has. They are not if clipping, in
+/// other numbers, has cut one into more parts or fewer.
+inline bool are_those_of(const std::vector<SpansOfPiece>& spans,
+                         const std::vector<std::size_t>& primitives) {
+    return std::equal(
+        primitives.begin(), primitives.end(), spans.begin(), spans.end(),
+        [](std::size_t number, const SpansOfPiece& piece) { return number == piece.primitive; });
+}
+
+} // namespace rastertrace
