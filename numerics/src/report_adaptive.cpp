@@ -69,7 +69,7 @@ Setting adaptive_setting(const AdaptiveDrawing& drawing, std::uint64_t pixels_te
     Setting setting;
     setting.name = "adaptive (draw)";
     setting.label = setting.name;
-    setting.note = "timed as a whole drawing: placing, clipping and filling, a picture of its own";
+    setting.note = "timed as a whole drawing, with placing and clipping";
     setting.work =
         Work{.pixels_tested = pixels_tested,
              .exact_fallbacks = fallbacks.primitives + fallbacks.depths + fallbacks.colors,
