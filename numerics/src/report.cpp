@@ -125,7 +125,7 @@ SceneReport report_of(const Scene& scene, const ReportOptions& options) {
             options.progress(fmt::format("{}: errors", name_of(job)));
         report.jobs.push_back(entry_of(job).measure(scene, options));
     }
-    if (report.has_measured())
+    if (report.has_measured() && !find_unfit(scene))
         report.trace = trace_cost_of(scene, options);
     return report;
 }

@@ -111,7 +111,7 @@ struct TraceCost {
 struct SceneReport {
     std::string title;
     std::vector<JobReport> jobs;
-    TraceCost trace;
+    TraceCost trace; ///< no steps if the scene cannot be drawn with its own scalar
 
     /// True if there was something to measure.
     bool has_measured() const {
