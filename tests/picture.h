@@ -61,14 +61,15 @@ using StepsOf =
                const PrimitiveBegan<Scalar>*, const EdgeSetUp<Scalar>*,
                const EdgeFunctionSetUp<Scalar>*, const ScanlineSpanned<Scalar>*,
                const LineSampled<Scalar>*, const SampleTested<Scalar>*, const DepthTested<Scalar>*>;
-using PlainSteps = std::tuple<const PrimitiveClipped*, const SideBegan*, const HalfBegan*,
-                              const RayBegan*, const LineDecided*, const PixelPlotted*,
-                              const PixelsRejected*, const RowsRejected*, const PrimitiveSkipped*>;
+using PlainSteps =
+    std::tuple<const PrimitiveClipped*, const SideBegan*, const HalfBegan*, const RayBegan*,
+               const LineDecided*, const PixelPlotted*, const PixelsRejected*, const RowsRejected*,
+               const PrimitiveSkipped*, const BoundExceeded*>;
 template <typename... Types> std::variant<Types...> any_of(std::tuple<Types...>);
-using AnyStep = decltype(any_of(
-    std::tuple_cat(std::declval<StepsOf<float>>(), std::declval<StepsOf<double>>(),
-                   std::declval<StepsOf<Fraction64>>(), std::declval<StepsOf<Fraction128>>(),
-                   std::declval<StepsOf<Rational>>(), PlainSteps{})));
+using AnyStep = decltype(any_of(std::tuple_cat(
+    std::declval<StepsOf<float>>(), std::declval<StepsOf<double>>(),
+    std::declval<StepsOf<Adaptive>>(), std::declval<StepsOf<Fraction64>>(),
+    std::declval<StepsOf<Fraction128>>(), std::declval<StepsOf<Rational>>(), PlainSteps{})));
 
 /// Draws a scene as its plan says. Compiled once, for all the tests.
 Image draw_as_planned(const Scene& scene);

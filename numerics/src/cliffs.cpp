@@ -568,7 +568,7 @@ std::vector<ComparedPicture> compared_pictures(const Source& source,
         with.emplace_back("scalar", scalar);
         return read_scene(source, with);
     };
-    const auto drawn_with = [](const Scene& scene) { return drawn(scene, plan_for(scene)); };
+    const auto drawn_with = [](const PlannedScene& one) { return drawn(one.scene, one.plan); };
     std::optional<Image> exact;
     if (const auto scene = read_with("exact"))
         exact = drawn_with(scene.value());

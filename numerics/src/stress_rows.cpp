@@ -40,7 +40,10 @@ const std::vector<std::string_view>& scalar_names() {
 }
 
 Result<Scene> scene_in(std::string_view json, const MethodOverrides& method) {
-    return read_scene({"scene", std::string(json)}, method);
+    auto planned = read_scene({"scene", std::string(json)}, method);
+    if (!planned)
+        return planned.problem();
+    return std::move(planned.value().scene);
 }
 
 Scene readable_scene(std::string_view json, const MethodOverrides& method) {

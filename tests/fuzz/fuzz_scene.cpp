@@ -51,12 +51,12 @@ void draw_and_read_back(const Source& source, const std::string& scalar, TraceLa
     const auto scene = read_scene(source, {{"scalar", scalar}});
     if (!scene)
         return check_message(scene.problem());
-    if (!can_be_drawn_fast(scene.value()))
+    if (!can_be_drawn_fast(scene.value().scene))
         return;
 
     std::string text;
     StringOutput output(text);
-    write_trace(scene.value(), {.layout = layout, .filter = {}}, output);
+    write_trace(scene.value().scene, scene.value().plan, {.layout = layout, .filter = {}}, output);
 
     const auto trace = read_trace({"fuzz.trace.json", std::move(text)});
     check(static_cast<bool>(trace), "the trace of a scene cannot be read back");

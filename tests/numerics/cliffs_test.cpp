@@ -31,7 +31,7 @@ std::vector<CliffGroup> cliffs_in(const std::string& json) {
     const auto scene = read_scene({"scene.json", json}, {{"scalar", "exact"}});
     if (!scene)
         throw scene.problem();
-    return cliffs_of(scene.value());
+    return cliffs_of(scene.value().scene);
 }
 
 std::vector<std::string> kinds_in(const std::string& json) {

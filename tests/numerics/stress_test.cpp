@@ -400,12 +400,13 @@ struct PlainTriangle {
     std::array<Rational, 3> z;
 };
 std::vector<PlainTriangle> triangles_of(const StressScene& scene) {
-    const auto read = read_scene({"scene", scene.json});
+    const auto planned = read_scene({"scene", scene.json});
+    const Scene& read = planned.value().scene;
     std::vector<PlainTriangle> triangles;
-    for (const ScenePrimitive& primitive : read.value().primitives) {
+    for (const ScenePrimitive& primitive : read.primitives) {
         PlainTriangle triangle;
         for (std::size_t i = 0; i < 3; ++i) {
-            const SceneVertex& vertex = read.value().vertices[primitive.vertices[i]];
+            const SceneVertex& vertex = read.vertices[primitive.vertices[i]];
             triangle.sixteenths[i] = {floor_index(Rational(vertex.x.exact() * 16)),
                                       floor_index(Rational(vertex.y.exact() * 16))};
             triangle.z[i] = vertex.z.exact();

@@ -20,7 +20,7 @@ std::string complaint(const std::string& text) {
 Scene scene_in(const std::string& text) {
     const auto scene = read_scene({"folder/scene.json", text});
     EXPECT_TRUE(scene) << to_text(scene.problem());
-    return scene.value();
+    return scene.value().scene;
 }
 
 TEST(SceneFile, SmallestScene) {
@@ -65,8 +65,8 @@ TEST(SceneFile, OverridesTakeThePlaceOfTheMethod) {
                                             "method": {"rounding": "inside"}})"},
                                   {{"rounding", "truncate"}, {"scalar", "exact"}});
     ASSERT_TRUE(scene);
-    EXPECT_EQ(scene.value().method.rounding, Rounding::truncate);
-    EXPECT_EQ(scene.value().method.scalar, ScalarKind::exact);
+    EXPECT_EQ(scene.value().scene.method.rounding, Rounding::truncate);
+    EXPECT_EQ(scene.value().scene.method.scalar, ScalarKind::exact);
 }
 
 TEST(SceneFile, UnknownKey) {

@@ -292,6 +292,12 @@ std::string describe_skip(const Replay& replay, const StepView& step) {
     return fmt::format("{} {}: skipped, {}", primitive.kind, primitive.name, step.text("why"));
 }
 
+std::string describe_undecided(const StepView& step) {
+    return fmt::format("doubles leave it open: a difference of {}, off by up to {}; from here on in "
+                       "exact numbers",
+                       step.text("difference"), step.text("error"));
+}
+
 std::string unsafe_description(const Replay& replay) {
     if (replay.step() == 0)
         return "nothing drawn yet";
@@ -336,6 +342,8 @@ std::string unsafe_description(const Replay& replay) {
         return describe_pixel(replay, step);
     case StepKind::reject:
         return describe_reject(step);
+    case StepKind::undecided:
+        return describe_undecided(step);
     case StepKind::skip:
         break;
     }

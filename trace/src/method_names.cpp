@@ -16,9 +16,10 @@ template <typename Enum> struct Word {
 };
 template <typename Enum> Word(Enum, std::string_view) -> Word<Enum>;
 
-constexpr std::array scalars{Word{ScalarKind::single_precision, "float"},
-                             Word{ScalarKind::double_precision, "double"},
-                             Word{ScalarKind::fixed, "fixed"}, Word{ScalarKind::exact, "exact"}};
+constexpr std::array scalars{
+    Word{ScalarKind::single_precision, "float"}, Word{ScalarKind::double_precision, "double"},
+    Word{ScalarKind::fixed, "fixed"}, Word{ScalarKind::adaptive, "adaptive"},
+    Word{ScalarKind::exact, "exact"}};
 constexpr std::array lines{Word{LineMethod::naive, "naive"}, Word{LineMethod::dda, "dda"},
                            Word{LineMethod::bresenham, "bresenham"}};
 constexpr std::array starts{Word{LineStart::first, "first"}, Word{LineStart::low, "low"}};
@@ -65,7 +66,10 @@ bool has_triangles(const Scene& scene) {
     return scene.has(PrimitiveKind::triangle);
 }
 bool has_lines(const Scene& scene) {
-    return scene.has(PrimitiveKind::line) || scene.has(PrimitiveKind::outline);
+    return std::any_of(
+        scene.primitives.begin(), scene.primitives.end(), [](const ScenePrimitive& one) {
+            return one.kind == PrimitiveKind::line || one.kind == PrimitiveKind::outline;
+        });
 }
 bool fills_by(const Scene& scene, Fill fill) {
     return has_triangles(scene) && scene.method.fill == fill;
@@ -74,7 +78,7 @@ bool fills_spans(const Scene& scene) {
     return fills_by(scene, Fill::scanline) || fills_by(scene, Fill::two_halves);
 }
 bool rounds_lines(const Scene& scene) {
-    return has_lines(scene) && scene.method.line != LineMethod::bresenham;
+    return scene.method.line != LineMethod::bresenham && has_lines(scene);
 }
 bool rounds(const Scene& scene) {
     return fills_spans(scene) || rounds_lines(scene);

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstddef>
@@ -65,6 +66,7 @@ public:
     ObjMesh read() {
         if (source_.text.starts_with("\xEF\xBB\xBF"))
             at_ += 3;
+        mesh_.vertices.reserve(lines_of_vertices());
         while (at_ != end_) {
             if (at_word())
                 read_statement();
@@ -86,6 +88,15 @@ private:
         fail(found.data(),
              fmt::format("expected {}, found \"{}\"", expected, shortened(found, shown_of_word)),
              std::move(hint));
+    }
+
+    /// How many lines start like a vertex, of those that there is room for: "v 0 0 0" and its end.
+    std::size_t lines_of_vertices() const {
+        constexpr std::string_view start = "\nv ";
+        std::size_t count = 1;
+        for (std::size_t at = 0; (at = source_.text.find(start, at)) != std::string::npos; ++at)
+            ++count;
+        return std::min(count, source_.text.size() / 8);
     }
 
     /// The length of the line end at `p`, or 0. A carriage return counts only in front of a line
@@ -228,9 +239,18 @@ private:
 
     /// The place, from 0, that an index stands for: from 1 on, or back from the last so far, -1.
     std::uint32_t take_index(const char* corner, std::size_t so_far, std::string_view of_what) {
+        // Nearly every index is a few digits.
         const char* const begin = at_;
+        const char* after = begin;
         std::int64_t index = 0;
-        const auto [after, error] = std::from_chars(at_, end_, index);
+        auto error = std::errc();
+        for (; is_digit(*after) && after - begin < 18; ++after)
+            index = 10 * index + (*after - '0');
+        if (after == begin || is_digit(*after)) {
+            const auto read = std::from_chars(begin, end_, index);
+            after = read.ptr;
+            error = read.ec;
+        }
         if (error == std::errc::invalid_argument || !(*after == '/' || word_ends_at(after)))
             fail_corner(corner);
         at_ = after;

@@ -45,6 +45,13 @@ std::string base_name(const std::string& path) {
     return path.substr(path.find_last_of('/') + 1);
 }
 
+/// Replaces what stands behind the first `length` characters of a name by a number.
+void put_number(std::string& name, std::size_t length, std::size_t number) {
+    const fmt::format_int digits(number);
+    name.resize(length);
+    name.append(digits.data(), digits.size());
+}
+
 /// What to do where a canvas is missing or too small.
 constexpr const char* canvas_hint = R"(say "canvas": {"width": ..., "height": ...})";
 
@@ -54,7 +61,7 @@ public:
     SceneReader(const Source& source, const MethodOverrides& overrides)
         : source_(source), json_{source}, overrides_(overrides) {}
 
-    Scene read(const JsonValue& root) {
+    PlannedScene read(const JsonValue& root) {
         // The smallest scene has vertices and triangles; everything else has a default.
         json_.allow_keys(root, {"title", "canvas", "vertices", "colors", "triangles", "outlines",
                                 "lines", "points", "meshes", "model", "camera", "projection",
@@ -86,8 +93,12 @@ public:
                 R"("triangles": ["ABC"]})");
         read_view(root);
         read_canvas(root.find("canvas"), root);
-        refuse_unfit();
-        return std::move(scene_);
+        // From here on, nobody looks through all vertices for a color.
+        scene_.method.shade = scene_.shade();
+        auto plan = plan_or_unfit(scene_);
+        if (const auto* unfit = std::get_if<Unfit>(&plan))
+            refuse(*unfit);
+        return {std::move(scene_), std::get<Plan>(std::move(plan))};
     }
 
 private:
@@ -237,7 +248,7 @@ private:
         auto read = read_obj(file.value());
         if (!read)
             throw read.problem();
-        const ObjMesh& mesh = read.value();
+        ObjMesh& mesh = read.value();
 
         if (object.name.empty()) {
             // The file's name; a second mesh of the same file gets a number.
@@ -249,22 +260,29 @@ private:
         }
         const std::size_t first = scene_.vertices.size();
         scene_.vertices.reserve(first + mesh.vertices.size());
-        for (const Numbers3& at : mesh.vertices) {
-            const std::size_t number = scene_.vertices.size() - first + 1;
+        std::string name = object.name + ".";
+        const std::size_t of_object = name.size();
+        for (Numbers3& at : mesh.vertices) {
+            put_number(name, of_object, scene_.vertices.size() - first + 1);
             scene_.vertices.push_back(
-                {object.name + "." + std::to_string(number), at[0], at[1], std::nullopt, at[2]});
+                {name, std::move(at[0]), std::move(at[1]), std::nullopt, std::move(at[2])});
         }
         places_of_vertices_.resize(scene_.vertices.size(), obj.begin);
         first_of_obj_.emplace(object.name, std::pair(first, mesh.vertices.size()));
-        faces_.reserve(faces_.size() + mesh.faces());
+        faces_.reserve(faces_.size() + mesh.triangles());
+        name.replace(of_object, std::string::npos, "f");
         for (std::size_t i = 0; i < mesh.faces(); ++i) {
             const auto corners = mesh.face(i);
-            const std::string name = object.name + ".f" + std::to_string(i + 1);
+            put_number(name, of_object + 1, i + 1);
+            const std::size_t of_face = name.size() + 1;
             for (std::size_t k = 2; k < corners.size(); ++k) {
-                ScenePrimitive face = like;
+                if (corners.size() > 3) {
+                    name.resize(of_face, '.');
+                    put_number(name, of_face, k - 1);
+                }
+                ScenePrimitive& face = faces_.emplace_back(like);
+                face.name = name;
                 face.vertices = {first + corners[0], first + corners[k - 1], first + corners[k]};
-                face.name = corners.size() == 3 ? name : name + "." + std::to_string(k - 1);
-                faces_.push_back(std::move(face));
             }
         }
     }
@@ -540,23 +558,20 @@ private:
         return static_cast<int>(size);
     }
 
-    void refuse_unfit() const {
-        const auto unfit = find_unfit(scene_);
-        if (!unfit)
-            return;
+    void refuse(const Unfit& unfit) const {
         const auto at = [this](std::size_t vertex, const std::array<double, 2>& place) {
             return fmt::format("vertex {} at ({}, {}){}", scene_.vertices[vertex].name, place[0],
                                place[1], scene_.has_pipeline() ? " on the screen" : "");
         };
-        const std::string from = at(unfit->from, unfit->from_at);
-        const std::string to = at(unfit->to, unfit->to_at);
-        const std::size_t place = places_of_vertices_[unfit->to];
+        const std::string from = at(unfit.from, unfit.from_at);
+        const std::string to = at(unfit.to, unfit.to_at);
+        const std::size_t place = places_of_vertices_[unfit.to];
         const std::string scalar = value_in_force(*find_method_key("scalar"), scene_);
-        const std::string hint = scene_.method.scalar == ScalarKind::exact
+        const std::string hint = decides_exactly(scene_.method)
                                      ? ""
                                      : R"(with "method": {"scalar": "exact"} nothing overflows)";
         using What = Unfit::What;
-        switch (unfit->what) {
+        switch (unfit.what) {
         case What::matrix:
             json_.fail(
                 place,
@@ -573,12 +588,12 @@ private:
         case What::coordinate:
             json_.fail(place,
                        fmt::format("expected coordinates up to {:.3g} for {}, found {}",
-                                   unfit->limit, scalar, to),
+                                   unfit.limit, scalar, to),
                        hint);
         case What::coordinate_of_weights:
             json_.fail(place,
                        fmt::format("expected coordinates up to {:.3g} for weights in {}, found {}",
-                                   unfit->limit, scalar, to),
+                                   unfit.limit, scalar, to),
                        hint);
         case What::area_of_weights:
             json_.fail(place,
@@ -589,32 +604,32 @@ private:
         case What::coordinate_of_fixed:
             json_.fail(place,
                        fmt::format("expected coordinates up to {:.0f} for fixed, found {}",
-                                   unfit->limit, to),
+                                   unfit.limit, to),
                        hint);
         case What::coordinate_of_snap:
             json_.fail(place, fmt::format("expected coordinates below {:.0f} to snap, found {}",
-                                          unfit->limit, to));
+                                          unfit.limit, to));
         case What::coordinate_of_line:
             json_.fail(place,
                        fmt::format("expected coordinates up to {:.0f} for Bresenham's line, found "
                                    "{}",
-                                   unfit->limit, to));
+                                   unfit.limit, to));
         case What::edge_of_fan:
             json_.fail(place,
                        fmt::format("expected edges of at most {:.0f} pixels for the fan, which "
                                    "draws a line for each, found {} and {}",
-                                   unfit->limit, from, to));
+                                   unfit.limit, from, to));
         case What::depth:
             json_.fail(place,
                        fmt::format("expected a distance above 0 for 1/distance, found vertex {} "
                                    "at distance {}",
-                                   scene_.vertices[unfit->to].name, unfit->to_at[0]),
+                                   scene_.vertices[unfit.to].name, unfit.to_at[0]),
                        R"(with "depth": "linear-z" any distance will do)");
         case What::depth_times_size:
             json_.fail(place,
                        fmt::format("expected a depth whose product with a coordinate fits in a {}, "
                                    "found that of vertex {}",
-                                   scalar, scene_.vertices[unfit->to].name),
+                                   scalar, scene_.vertices[unfit.to].name),
                        hint);
         case What::slope:
             json_.fail(place,
@@ -639,7 +654,7 @@ private:
 
 } // namespace
 
-Result<Scene> read_scene(const Source& source, const MethodOverrides& overrides) {
+Result<PlannedScene> read_scene(const Source& source, const MethodOverrides& overrides) {
     const auto document = parse_json(source);
     if (!document)
         return document.problem();

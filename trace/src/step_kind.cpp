@@ -8,8 +8,9 @@ namespace rastertrace {
 namespace {
 
 constexpr std::array<std::string_view, step_kinds> names{
-    "matrix", "vertex",   "order", "primitive", "face",   "light", "clip",  "edge",   "half",
-    "ray",    "scanline", "along", "decide",    "sample", "depth", "pixel", "reject", "skip"};
+    "matrix", "vertex", "order",  "primitive", "face",     "light",  "clip",
+    "edge",   "half",   "ray",    "scanline",  "along",    "decide", "sample",
+    "depth",  "pixel",  "reject", "skip",      "undecided"};
 
 } // namespace
 

@@ -97,10 +97,15 @@ std::string json_quoted(std::string_view text) {
     return out += '"';
 }
 
-StepWriter::StepWriter(Output& output, TraceLayout layout, const StepFilter& filter)
+NumberStyle number_style_of(const Method& method) {
+    return method.scalar == ScalarKind::adaptive ? NumberStyle::doubles : NumberStyle::exact;
+}
+
+StepWriter::StepWriter(Output& output, TraceLayout layout, const StepFilter& filter,
+                       NumberStyle numbers)
     : output_(output), buffer_(buffer_size),
-      next_separator_(layout == TraceLayout::json ? ",\n" : "\n"), region_(filter.region),
-      primitive_(filter.primitive), is_in_primitive_(!filter.primitive) {
+      next_separator_(layout == TraceLayout::json ? ",\n" : "\n"), numbers_(numbers),
+      region_(filter.region), primitive_(filter.primitive), is_in_primitive_(!filter.primitive) {
     wanted_.fill(!filter.only);
     if (filter.only)
         for (const StepKind kind : *filter.only)
@@ -247,6 +252,13 @@ void StepWriter::operator()(const PrimitiveSkipped& step) {
         return;
     begin_line(StepKind::skip);
     put(R"({"step":"skip","why":")", name_of(step.why), "\"}");
+}
+
+void StepWriter::operator()(const BoundExceeded& step) {
+    if (!wants(StepKind::undecided))
+        return;
+    begin_line(StepKind::undecided);
+    put(R"({"step":"undecided","difference":)", step.difference, R"(,"error":)", step.error, "}");
 }
 
 } // namespace rastertrace

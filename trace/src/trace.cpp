@@ -133,6 +133,7 @@ const std::vector<FieldRule>& required_fields(StepKind kind) {
         /* pixel */ {{"x", FieldType::whole}, {"y", FieldType::whole}},
         /* reject */ {{"why", FieldType::string}},
         /* skip */ {{"why", FieldType::string}},
+        /* undecided */ {{"difference", FieldType::quantity}, {"error", FieldType::quantity}},
     }};
     return rules[static_cast<std::size_t>(kind)];
 }

@@ -40,7 +40,7 @@ std::string header_members(const Scene& scene, const Plan& plan, const StepFilte
     if (scene.has_transforms())
         fmt::format_to(out, R"(,"projection":"{}","viewport":"{}")", name_of(scene.projection.type),
                        name_of(scene.viewport.type));
-    if (scene.method.scalar == ScalarKind::exact && has_rounded_matrix(scene))
+    if (decides_exactly(scene.method) && has_rounded_matrix(scene))
         text += R"(,"matrices":"irrational entries are the nearest doubles")";
 
     text += R"(,"stages":[)";
@@ -90,9 +90,16 @@ std::string end_record(const StepWriter& writer, const Image& image) {
 } // namespace
 
 std::string frame_name(const Image& image) {
-    std::uint64_t hash = 0xCBF29CE484222325; // FNV-1a's offset basis and prime for 64 bits
-    const auto mix = [&hash](std::uint8_t byte) { hash = (hash ^ byte) * 0x100000001B3; };
+    // FNV-1a's offset basis and prime for 64 bits.
+    std::uint64_t hash = 0xCBF29CE484222325;
+    constexpr std::uint64_t prime = 0x100000001B3;
+    const auto mix = [&hash](std::uint8_t byte) { hash = (hash ^ byte) * prime; };
     for (const Color& color : image.colors()) {
+        // A byte of 0 only multiplies, and four of them may do so at once.
+        if (color == no_color) {
+            hash *= prime * prime * prime * prime;
+            continue;
+        }
         mix(color.red());
         mix(color.green());
         mix(color.blue());
@@ -102,10 +109,14 @@ std::string frame_name(const Image& image) {
 }
 
 void write_trace(const Scene& scene, const TraceOptions& options, Output& output) {
-    const bool is_document = options.layout == TraceLayout::json;
-    StepWriter writer(output, options.layout, options.filter);
+    write_trace(scene, plan_for(scene), options, output);
+}
 
-    const Plan plan = plan_for(scene);
+void write_trace(const Scene& scene, const Plan& plan, const TraceOptions& options,
+                 Output& output) {
+    const bool is_document = options.layout == TraceLayout::json;
+    StepWriter writer(output, options.layout, options.filter, number_style_of(scene.method));
+
     writer.put_text(fmt::format("{{{}{}", header_members(scene, plan, options.filter),
                                 is_document ? R"(,"steps":[)" : "}"));
 

@@ -31,7 +31,7 @@ Source load_scene_source(const std::string& path) {
     return source;
 }
 
-Scene load_scene(const std::string& path, const MethodOverrides& method) {
+PlannedScene load_scene(const std::string& path, const MethodOverrides& method) {
     return value_or_throw(read_scene(load_scene_source(path), method));
 }
 
@@ -45,10 +45,10 @@ Trace load_trace(const std::string& path, const MethodOverrides& method) {
                                          method.front().first, method.front().second));
         return value_or_throw(read_trace(std::move(source)));
     }
-    const Scene scene = value_or_throw(read_scene(source, method));
+    const auto [scene, plan] = value_or_throw(read_scene(source, method));
     Source drawn{.name = source.name, .text = {}};
     StringOutput output(drawn.text);
-    write_trace(scene, {}, output);
+    write_trace(scene, plan, {}, output);
     return value_or_throw(read_trace(std::move(drawn)));
 }
 

@@ -6,7 +6,7 @@
 
 #include "commands.h"
 
-#include <rastertrace/core/scene.h>
+#include <rastertrace/trace/scene_file.h>
 #include <rastertrace/trace/trace.h>
 
 #include <string>
@@ -14,8 +14,8 @@
 
 namespace rastertrace {
 
-/// Reads the scene in a file ("-" for standard input). Throws a Problem.
-Scene load_scene(const std::string& path, const MethodOverrides& method);
+/// Reads and plans the scene in a file ("-" for standard input). Throws a Problem.
+PlannedScene load_scene(const std::string& path, const MethodOverrides& method);
 
 /// The text of the scene in a file, not yet read. Throws a Problem; a trace is one.
 Source load_scene_source(const std::string& path);

@@ -373,20 +373,21 @@ int look_at_scene(const StressCommand& command) {
     // What a scalar refuses is part of the answer; only what none can draw is a bad scene.
     MethodOverrides exact = command.method;
     exact.emplace_back("scalar", "exact");
-    const auto scene = read_scene(source, exact);
-    if (!scene)
-        throw scene.problem();
+    const auto planned = read_scene(source, exact);
+    if (!planned)
+        throw planned.problem();
+    const Scene& scene = planned.value().scene;
     std::vector<CliffGroup> groups;
     std::vector<ComparedPicture> pictures;
     {
         const Progress progress;
         progress.show("looking for cliffs");
-        groups = cliffs_of(scene.value());
+        groups = cliffs_of(scene);
         progress.show("drawing with every scalar");
         pictures = compared_pictures(source, command.method);
     }
-    print(command.json ? as_json(scene.value().title, groups, pictures)
-                       : as_text(scene.value().title, groups, pictures));
+    print(command.json ? as_json(scene.title, groups, pictures)
+                       : as_text(scene.title, groups, pictures));
     return exit_fine;
 }
 

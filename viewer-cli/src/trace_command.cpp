@@ -37,7 +37,7 @@ bool is_same_file(const std::string& a, const std::string& b) {
 } // namespace
 
 int run(const TraceCommand& command) {
-    const Scene scene = load_scene(command.scene, command.method);
+    const auto [scene, plan] = load_scene(command.scene, command.method);
     if (const auto& name = command.filter.primitive) {
         std::vector<std::string_view> names;
         for (const ScenePrimitive& primitive : scene.primitives)
@@ -51,14 +51,14 @@ int run(const TraceCommand& command) {
 
     if (command.output.empty() || command.output == "-") {
         DescriptorOutput output(STDOUT_FILENO, "standard output");
-        write_trace(scene, options, output);
+        write_trace(scene, plan, options, output);
         return exit_fine;
     }
     if (is_same_file(command.scene, command.output))
         throw problem_of(command.output,
                          "expected another file than the scene itself, found the scene");
     FileOutput output(command.output);
-    write_trace(scene, options, output);
+    write_trace(scene, plan, options, output);
     output.commit();
     return exit_fine;
 }

@@ -29,8 +29,11 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace rastertrace {
@@ -117,6 +120,87 @@ private:
     std::vector<bool> is_clear_;
 };
 
+/// One double per pixel, and which piece it is of: where the errors of two depths leave it open which
+/// one is nearer, the exact depths of the two pieces are asked for.
+template <> class DepthBuffer<Adaptive> {
+public:
+    /// Says whether the first piece is nearer than the second one, or than a clear cell if there is
+    /// none, in the pixel at this x and row.
+    using IsNearer = std::function<bool(std::uint32_t piece, std::optional<std::uint32_t> stored,
+                                        int x, int row)>;
+
+    DepthBuffer(const DepthRegion& region, const DepthRule<Adaptive>& rule)
+        : region_(region), rule_(rule),
+          cells_(static_cast<std::size_t>(region.width) * static_cast<std::size_t>(region.height),
+                 rule.cleared ? turned(*rule.cleared).value()
+                              : std::numeric_limits<double>::infinity()),
+          pieces_(cells_.size(), no_piece),
+          largest_error_(rule.cleared ? rule.cleared->error() : 0) {}
+
+    void ask(IsNearer is_nearer) { is_nearer_ = std::move(is_nearer); }
+
+    /// The depths that follow are of this piece.
+    void begin(std::uint32_t piece) { piece_ = piece; }
+
+    /// How many tests have been decided exactly.
+    std::uint64_t exact_tests() const { return exact_tests_; }
+
+    Adaptive turned(const Adaptive& depth) const { return rule_.larger_passes ? -depth : depth; }
+
+    double* row_from(int x, int row) {
+        return cells_.data() + static_cast<std::ptrdiff_t>(row - region_.top_row) * region_.width +
+               (x - region_.left);
+    }
+
+    [[gnu::always_inline]] bool keep_if_nearer(double& cell, const Adaptive& depth) {
+        const double difference = cell - depth.value();
+        const double error = (depth.error() + largest_error_) * Adaptive::widening;
+        const auto place = static_cast<std::size_t>(&cell - cells_.data());
+        bool passes = difference > error;
+        if (!passes && !(-difference > error)) [[unlikely]]
+            passes = passes_when_near(place, error == 0);
+        if (passes) {
+            cell = depth.value();
+            pieces_[place] = piece_;
+            if (depth.error() > largest_error_) [[unlikely]]
+                largest_error_ = depth.error();
+        }
+        return passes;
+    }
+
+    std::optional<Adaptive> stored(const double& cell) const {
+        if (!std::isfinite(cell))
+            return std::nullopt;
+        return Adaptive(rule_.larger_passes ? -cell : cell, largest_error_);
+    }
+
+private:
+    static constexpr std::uint32_t no_piece = std::numeric_limits<std::uint32_t>::max();
+
+    [[gnu::noinline]] bool passes_when_near(std::size_t place, bool is_equal) {
+        // What a piece has drawn before its numbers were made exact is drawn by it again.
+        const std::uint32_t stored = pieces_[place];
+        if (stored == piece_)
+            return true;
+        if (is_equal)
+            return false;
+        ++exact_tests_;
+        const auto width = static_cast<std::size_t>(region_.width);
+        return is_nearer_(piece_, stored == no_piece ? std::nullopt : std::optional(stored),
+                          region_.left + static_cast<int>(place % width),
+                          region_.top_row + static_cast<int>(place / width));
+    }
+
+    DepthRegion region_;
+    DepthRule<Adaptive> rule_;
+    std::vector<double> cells_;
+    std::vector<std::uint32_t> pieces_;
+    double largest_error_; ///< of a depth that has been stored
+    std::uint32_t piece_ = no_piece;
+    std::uint64_t exact_tests_ = 0;
+    IsNearer is_nearer_;
+};
+
 /// The turned depths of a row of a triangle: linear in x.
 template <typename Scalar> struct DepthRow {
     Scalar x;                       ///< where
@@ -128,6 +212,40 @@ template <typename Scalar> struct DepthRow {
         const Scalar here = scalar_from<Scalar>(column);
         return depth + slope * ((end ? std::clamp(here, x, *end) : here) - x);
     }
+};
+
+/// The same in doubles that know their error: the row's numbers give the error of every pixel of it.
+template <> struct DepthRow<Adaptive> {
+    DepthRow(const Adaptive& x, const Adaptive& depth, const Adaptive& slope,
+             const std::optional<Adaptive>& end)
+        : x_(x.value()), depth_(depth.value()), slope_(slope.value()),
+          first_(end ? x_ : -std::numeric_limits<double>::infinity()),
+          last_(end ? end->value() : std::numeric_limits<double>::infinity()) {
+        // d + s (x - x0), where s, x0 and the ends are off, and each operation rounds.
+        const double steepest = std::abs(slope_) + slope.error();
+        const double of_ends = x.error() + (end ? end->error() : 0);
+        const bool is_level = steepest == 0;
+        error_ =
+            (depth.error() + steepest * of_ends +
+             (is_level ? 0
+                       : 2 * Adaptive::half_ulp * std::abs(depth_) + Adaptive::smallest_error)) *
+            Adaptive::widening;
+        error_per_pixel_ = (slope.error() + 4 * Adaptive::half_ulp * steepest) * Adaptive::widening;
+    }
+
+    [[gnu::always_inline]] Adaptive at(int column) const {
+        const double way = std::min(std::max<double>(column, first_), last_) - x_;
+        return Adaptive(depth_ + slope_ * way, error_ + error_per_pixel_ * std::abs(way));
+    }
+
+private:
+    double x_;
+    double depth_;
+    double slope_;
+    double first_; ///< left of it, and right of
+    double last_;  ///< this, the depths of the ends hold
+    double error_;
+    double error_per_pixel_;
 };
 
 /// A slope that is too steep for its numbers belongs to a row or a triangle that is too thin to have
@@ -211,7 +329,7 @@ public:
         slope_y_ = finite_or_zero(D((ac * abx - ab * acx) / area2));
     }
     DepthRow<D> on_row(int y) const {
-        return {origin_.x, D(depths_[0] + slope_y_ * (scalar_from<D>(y) - origin_.y)), slope_x_,
+        return {origin_.x, linear(depths_[0], slope_y_, scalar_from<D>(y), origin_.y), slope_x_,
                 std::nullopt};
     }
 

@@ -5,7 +5,9 @@
 //
 //     const Image picture = draw<double>(scene, plan_for(scene), NullSink{});
 
+#include <rastertrace/core/adaptive.h>
 #include <rastertrace/core/depth.h>
+#include <rastertrace/core/exactly.h>
 #include <rastertrace/core/fill_barycentric.h>
 #include <rastertrace/core/fill_fan.h>
 #include <rastertrace/core/fill_scanline.h>
@@ -15,6 +17,7 @@
 #include <rastertrace/core/line_bresenham.h>
 #include <rastertrace/core/line_lerp.h>
 #include <rastertrace/core/pieces.h>
+#include <rastertrace/core/placed.h>
 #include <rastertrace/core/plan.h>
 #include <rastertrace/core/scene.h>
 #include <rastertrace/core/sink.h>
@@ -24,45 +27,16 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string_view>
 #include <type_traits>
 #include <utility>
 #include <variant>
+#include <vector>
 
 namespace rastertrace {
-
-/// A piece with its numbers ready to draw: the first `count` of each.
-template <typename Scalar> struct PlacedPrimitive {
-    std::size_t number = 0; ///< its place in the scene
-    std::size_t count = 0;
-    std::array<std::string_view, 3> names;
-    std::array<Vec<Scalar, 2>, 3> positions{};
-    std::array<Color, 3> colors; ///< of the vertices; the primitive's where they have none
-    std::array<DepthOf<Scalar>, 3> depths{};
-    std::array<DepthOf<Scalar>, 3> inverse_w{};
-};
-
-/// Coordinates become numbers to calculate with.
-template <typename Scalar, typename Coordinate>
-PlacedPrimitive<Scalar> placed(const Piece<Coordinate>& piece, const Plan& plan) {
-    PlacedPrimitive<Scalar> result{.number = piece.primitive,
-                                   .count = piece.count,
-                                   .names = piece.names,
-                                   .colors = piece.colors};
-    for (std::size_t i = 0; i < piece.count; ++i) {
-        result.positions[i].x = scalar_from<Scalar>(piece.positions[i].x, plan.denominator);
-        result.positions[i].y = scalar_from<Scalar>(piece.positions[i].y, plan.denominator);
-    }
-    using D = DepthOf<Scalar>;
-    if constexpr (!std::same_as<Coordinate, Number> && std::constructible_from<D, Coordinate>)
-        for (std::size_t i = 0; i < piece.count; ++i) {
-            result.depths[i] = D(piece.depths[i]);
-            result.inverse_w[i] = D(piece.inverse_w[i]);
-        }
-    return result;
-}
 
 /// Draws the line between two vertices of a primitive.
 template <typename Scalar, typename Sink>
@@ -89,11 +63,29 @@ void draw_line(const PlacedPrimitive<Scalar>& primitive, EdgeName side, const Me
                           line_rounding(method), line, method.color_lerp, image, sink);
 }
 
+/// How often `adaptive` could not decide with doubles.
+struct Fallbacks {
+    std::uint64_t primitives = 0; ///< or parts of one: drawn with exact numbers, from some row on
+    std::uint64_t depths = 0;     ///< tests
+    std::uint64_t colors = 0;     ///< of pixels
+};
+
+/// What drawing needs to decide exactly what its numbers leave open; most numbers leave nothing open.
+template <typename Scalar> struct Exactness {};
+template <> struct Exactness<Adaptive> {
+    ExactPieces pieces;
+    Rational sample_offset;
+    std::vector<PieceNumber> drawn = {}; ///< the pieces so far; the last one is being drawn
+    bool is_exact = false;               ///< its numbers are exact, too
+    Fallbacks fallbacks = {};
+};
+
 /// What pixels are drawn on and tested against, and where their samples lie.
 template <typename Scalar> struct Target {
     Image image;
     SampleGrid<Scalar> grid;
     std::optional<DepthBuffer<DepthOf<Scalar>>> depth = {};
+    Exactness<Scalar> exactness;
 };
 
 /// Fills a triangle with the stages that its pixels go through.
@@ -119,6 +111,33 @@ void fill(const PlacedPrimitive<Scalar>& primitive, const Paint<Scalar, stages>&
              {.passes = method.fan_passes, .color_lerp = method.color_lerp}, image, sink);
 }
 
+/// Colors that are mixed with errors, pixel by pixel, and exactly where an error reaches over half a
+/// level.
+inline MixedColors<Adaptive> mixed_colors(const PlacedPrimitive<Adaptive>& primitive,
+                                          const Adaptive& sample_offset, ColorStage stage,
+                                          Exactness<Adaptive>& exactness) {
+    Triangle<Adaptive> triangle;
+    std::array<Adaptive, 3> inverse_w;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto& [x, y] = primitive.positions[i];
+        triangle.vertices[i] = {x.rounded(), y.rounded()};
+        inverse_w[i] = primitive.inverse_w[i].rounded();
+    }
+    const auto exact_color =
+        [&exactness, stage, colors = std::optional<MixedColors<Rational>>()](Pixel pixel) mutable {
+            ++exactness.fallbacks.colors;
+            if (!colors) {
+                const auto& exact = exactness.pieces.placed(exactness.drawn.back());
+                colors = {exact.colors, Barycentric<Rational>({exact.positions}),
+                          exactness.sample_offset, exact.inverse_w};
+            }
+            return stage == ColorStage::perspective ? colors->at<true>(pixel)
+                                                    : colors->at<false>(pixel);
+        };
+    return {
+        primitive.colors, Barycentric<Adaptive>(triangle), sample_offset, inverse_w, {exact_color}};
+}
+
 /// Fills a triangle.
 template <typename Scalar, typename Sink>
 void fill(const PlacedPrimitive<Scalar>& primitive, Color flat, const Scene& scene,
@@ -134,10 +153,12 @@ void fill(const PlacedPrimitive<Scalar>& primitive, Color flat, const Scene& sce
     std::optional<MixedColors<Scalar>> mixed;
     if (stages.colors != ColorStage::flat) {
         const Barycentric<Scalar> barycentric(triangle);
-        if (barycentric.area2() != scalar_from<Scalar>(0))
-            mixed = {primitive.colors, barycentric, sample_offset, primitive.inverse_w};
-        else
+        if (barycentric.area2() == scalar_from<Scalar>(0))
             stages.colors = ColorStage::flat;
+        else if constexpr (std::same_as<Scalar, Adaptive>)
+            mixed = mixed_colors(primitive, sample_offset, stages.colors, target.exactness);
+        else
+            mixed = {primitive.colors, barycentric, sample_offset, primitive.inverse_w};
     }
 
     // What its depths are.
@@ -154,6 +175,19 @@ void fill(const PlacedPrimitive<Scalar>& primitive, Color flat, const Scene& sce
     });
 }
 
+/// A piece in the numbers that it is drawn with.
+template <typename Scalar, typename Coordinate>
+PlacedPrimitive<Scalar> placed_for(const Piece<Coordinate>& piece, const Plan& plan,
+                                   Exactness<Scalar>& exactness) {
+    if constexpr (std::same_as<Scalar, Adaptive>)
+        if (exactness.is_exact) {
+            auto primitive = exactly(exactness.pieces.placed(exactness.drawn.back()));
+            primitive.names = piece.names;
+            return primitive;
+        }
+    return placed<Scalar>(piece, plan);
+}
+
 /// Draws a primitive, or a part of one.
 template <typename Scalar, typename Coordinate, typename Sink>
 void draw_piece(const Piece<Coordinate>& piece, const Scene& scene, const Plan& plan,
@@ -161,7 +195,10 @@ void draw_piece(const Piece<Coordinate>& piece, const Scene& scene, const Plan& 
     const Method& method = scene.method;
     Image& image = target.image;
     const bool is_tested = target.depth && piece.kind == PrimitiveKind::triangle;
-    const auto primitive = placed<Scalar>(piece, plan);
+    const auto primitive = placed_for(piece, plan, target.exactness);
+    if constexpr (std::same_as<Scalar, Adaptive>)
+        if (target.depth)
+            target.depth->begin(static_cast<std::uint32_t>(target.exactness.drawn.size() - 1));
     const auto pixel_of = [&primitive](std::size_t corner) {
         return nearest_pixel(primitive.positions[corner].x, primitive.positions[corner].y);
     };
@@ -203,31 +240,124 @@ void draw_piece(const Piece<Coordinate>& piece, const Scene& scene, const Plan& 
 template <typename Scalar, typename Coordinate>
 inline constexpr bool draws = std::same_as<Coordinate, Number> ||
                               std::same_as<Scalar, Coordinate> ||
-                              (!std::floating_point<Scalar> && !std::same_as<Coordinate, float>);
+                              (std::same_as<Scalar, Adaptive>
+                                   ? std::same_as<Coordinate, Rational>
+                                   : !std::floating_point<Scalar> &&
+                                         !std::same_as<Coordinate, float> &&
+                                         !std::same_as<Coordinate, Adaptive>);
+
+/// Draws all pieces of the scene.
+template <typename Scalar, typename AGeometry, typename Sink>
+void draw_pieces(const Scene& scene, const Plan& plan, const AGeometry& geometry,
+                 Target<Scalar>& target, Sink&& sink) {
+    for_each_piece(scene, geometry, sink, [&]<typename Coordinate>(const Piece<Coordinate>& piece) {
+        if constexpr (draws<Scalar, Coordinate>)
+            draw_piece<Scalar>(piece, scene, plan, target, sink);
+    });
+}
+
+/// Whether a piece is nearer in a pixel than what is stored there, in exact numbers.
+inline bool is_nearer(const Scene& scene, Exactness<Adaptive>& exactness, std::uint32_t piece,
+                      std::optional<std::uint32_t> stored, int x, int row) {
+    const auto depth_of = [&](std::uint32_t number) {
+        return exact_depth_at(scene, exactness.pieces.placed(exactness.drawn[number]), x,
+                              scene.canvas.y_of(row));
+    };
+    if (stored)
+        return depth_of(piece) < depth_of(*stored);
+    const DepthRule<Rational> rule = depth_rule<Rational>(scene);
+    const Rational cleared = rule.cleared.value_or(0);
+    return depth_of(piece) < (rule.larger_passes ? Rational(-cleared) : cleared);
+}
+
+/// The same with doubles that know their error. A piece of which they leave a decision open is drawn
+/// once more with exact numbers: up to there it comes out as before, so its steps are not told again.
+template <typename AGeometry, typename Sink>
+void draw_pieces(const Scene& scene, const Plan& plan, const AGeometry& geometry,
+                 Target<Adaptive>& target, Sink&& sink) {
+    Exactness<Adaptive>& exactness = target.exactness;
+    if (target.depth)
+        target.depth->ask([&](auto... asked) { return is_nearer(scene, exactness, asked...); });
+
+    // What could not be decided is told, and done again.
+    const auto decide = [&](auto& resumed, auto&& draw_it, auto&& draw_it_exactly) {
+        try {
+            draw_it();
+            return;
+        } catch (const Undecided& undecided) {
+            sink(BoundExceeded{.difference = undecided.difference, .error = undecided.error});
+        }
+        resumed.pass_over_what_came();
+        draw_it_exactly();
+    };
+
+    const bool mixes_colors = scene.mixes_colors();
+    for (std::size_t turn = 0; turn < scene.primitives.size(); ++turn) {
+        const std::size_t number = primitive_at(geometry, turn);
+        std::size_t drawn = 0; // pieces of the primitive
+        std::size_t part = 0;
+        const auto draw_one = [&]<typename Coordinate>(const Piece<Coordinate>& piece) {
+            if constexpr (draws<Adaptive, Coordinate>) {
+                if (part++ < drawn)
+                    return;
+                exactness.drawn.push_back({number, drawn++});
+                ResumedSink resumed(sink);
+                exactness.is_exact = false;
+                const auto draw_it = [&] {
+                    draw_piece<Adaptive>(piece, scene, plan, target, resumed);
+                };
+                decide(resumed, draw_it, [&] {
+                    ++exactness.fallbacks.primitives;
+                    exactness.is_exact = true;
+                    draw_it();
+                });
+            }
+        };
+        // Which pieces it has may be left open, too.
+        ResumedSink resumed(sink);
+        decide(
+            resumed,
+            [&] { visit_pieces(scene, geometry, number, mixes_colors, resumed, draw_one); },
+            [&] {
+                part = 0;
+                exactness.pieces.visit(number, resumed, draw_one);
+            });
+    }
+    if (target.depth)
+        exactness.fallbacks.depths = target.depth->exact_tests();
+}
 
 /// Draws `scene` and returns its picture, reporting every step to `sink`. The picture is the same
 /// whatever the sink. `Scalar` must be the one of the plan (with_scalar finds it), and find_unfit
-/// must have found nothing.
+/// must have found nothing. Who wants to know is told how often `adaptive` fell back on exact
+/// numbers.
 template <typename Scalar, typename Sink>
-Image draw(const Scene& scene, const Plan& plan, Sink&& sink) {
+Image draw(const Scene& scene, const Plan& plan, Sink&& sink, Fallbacks* fallbacks = nullptr) {
+    const auto exactness = [&]() -> Exactness<Scalar> {
+        if constexpr (std::same_as<Scalar, Adaptive>)
+            return {.pieces = ExactPieces(scene, plan),
+                    .sample_offset = scalar_from<Rational>(sample_offset_of(scene.method))};
+        else
+            return {};
+    };
     Target<Scalar> target{
         .image = Image(scene.canvas),
         .grid = {scalar_from<Scalar>(sample_offset_of(scene.method), plan.denominator),
-                 scene.canvas}};
+                 scene.canvas},
+        .exactness = exactness()};
     if (scene.has_depth_buffer())
         target.depth.emplace(plan.stages.depth_region, depth_rule<DepthOf<Scalar>>(scene));
-    const auto draw_pieces = [&]<typename Coordinate>(const Piece<Coordinate>& piece) {
-        if constexpr (draws<Scalar, Coordinate>)
-            draw_piece<Scalar>(piece, scene, plan, target, sink);
-    };
     std::visit(
         [&](const auto& geometry) {
             // All vertices on their way to the screen, then what is drawn between them.
             if constexpr (keeps_steps<Sink>)
                 report_geometry(scene, geometry, sink);
-            for_each_piece(scene, geometry, sink, draw_pieces);
+            draw_pieces(scene, plan, geometry, target, sink);
         },
         plan.geometry);
+    if constexpr (std::same_as<Scalar, Adaptive>)
+        if (fallbacks)
+            *fallbacks = target.exactness.fallbacks;
     return std::move(target.image);
 }
 

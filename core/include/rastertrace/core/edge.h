@@ -13,7 +13,10 @@
 #include <rastertrace/core/vec.h>
 
 #include <array>
+#include <cmath>
+#include <concepts>
 #include <cstdint>
+#include <optional>
 #include <utility>
 
 namespace rastertrace {
@@ -30,15 +33,46 @@ template <typename Scalar> struct Vertex {
     std::uint8_t place = 0;
 };
 
+/// How far x may be off, as it is calculated anywhere between two vertices: worked out once for an edge
+/// whose numbers know their errors, so that no row has to. Nothing where the numbers are exact.
+template <typename Scalar> struct ErrorOfX {};
+template <> struct ErrorOfX<Adaptive> { std::optional<double> of_x; };
+
+inline ErrorOfX<Adaptive> error_of_x(const Vec<Adaptive, 2>& start, const Adaptive& dx_dy,
+                                     const Adaptive& dy) {
+    if (start.x.exact() || start.y.exact() || dx_dy.exact())
+        return {};
+    // x = x1 + a (y - y1): what x1, a and y1 are off by, and half a unit in the last place of each of
+    // the three results, at the other end, where they are largest.
+    constexpr double half_ulp = Adaptive::half_ulp;
+    const double steepest = std::abs(dx_dy.value()) + dx_dy.error();
+    const double height = std::abs(dy.value()) + dy.error();
+    const double rise = steepest * height;
+    const double error = start.x.error() + dx_dy.error() * height +
+                         steepest * (start.y.error() + height * half_ulp) +
+                         (std::abs(start.x.value()) + 2 * rise) * half_ulp +
+                         Adaptive::smallest_error;
+    if (!std::isfinite(error))
+        Adaptive::leave_open(rise, error);
+    return {error * Adaptive::widening};
+}
+
 /// A line from one vertex to another: x as a function of y.
 template <typename Scalar> struct Edge {
     EdgeName name;
     Vec<Scalar, 2> start;
     bool is_horizontal = false; ///< then its only value is start.x, and dx_dy is 0
     Scalar dx_dy{};             ///< (x2 - x1)/(y2 - y1)
+    [[no_unique_address]] ErrorOfX<Scalar> error = {};
 
-    /// x at height y.
-    Scalar x_at(const Scalar& y) const { return start.x + dx_dy * (y - start.y); }
+    /// x at height y, which must lie between those of the vertices.
+    Scalar x_at(const Scalar& y) const {
+        if constexpr (std::same_as<Scalar, Adaptive>)
+            if (error.of_x && y.error() == 0) [[likely]]
+                return Adaptive(start.x.value() + dx_dy.value() * (y.value() - start.y.value()),
+                                *error.of_x);
+        return start.x + dx_dy * (y - start.y);
+    }
 };
 
 /// The edge between two vertices. A horizontal one is not divided by its height of 0: that is the
@@ -49,10 +83,13 @@ Edge<Scalar> edge_between(const Vertex<Scalar>& from, const Vertex<Scalar>& to) 
     const Scalar dy = to.position.y - from.position.y;
     const Scalar zero = scalar_from<Scalar>(0);
     const bool is_horizontal = dy == zero;
-    return {.name = {from.place, to.place},
-            .start = from.position,
-            .is_horizontal = is_horizontal,
-            .dx_dy = is_horizontal ? zero : Scalar(dx / dy)};
+    Edge<Scalar> edge{.name = {from.place, to.place},
+                      .start = from.position,
+                      .is_horizontal = is_horizontal,
+                      .dx_dy = is_horizontal ? zero : Scalar(dx / dy)};
+    if constexpr (std::same_as<Scalar, Adaptive>)
+        edge.error = error_of_x(edge.start, edge.dx_dy, dy);
+    return edge;
 }
 
 /// The vertices from the top of the picture to its bottom; on one height, from left to right. The

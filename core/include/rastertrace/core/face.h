@@ -68,7 +68,9 @@ Vec<Scalar, 3> centroid_of(const Vec<Scalar, 3>& a, const Vec<Scalar, 3>& b,
 
 template <typename Scalar> bool has_no_length(const Vec<Scalar, 3>& vector) {
     const Scalar zero = scalar_from<Scalar>(0);
-    return vector.x == zero && vector.y == zero && vector.z == zero;
+    const bool surely_has_some = surely_differ(vector.x, zero) || surely_differ(vector.y, zero) ||
+                                 surely_differ(vector.z, zero);
+    return !surely_has_some && vector.x == zero && vector.y == zero && vector.z == zero;
 }
 
 /// The cosine of the angle between two vectors, a.b/(|a| |b|); none if one of them has no length.
@@ -97,6 +99,32 @@ inline std::optional<double> cosine_between(const Vec<Rational, 3>& a, const Vec
     return sgn(product) * nearest_double(square_root(square));
 }
 
+/// Where the cosine of two vectors lies that are known up to an error.
+struct CosineBounds {
+    double low;
+    double high;
+};
+inline std::optional<CosineBounds> cosine_bounds(const Vec<Adaptive, 3>& a,
+                                                 const Vec<Adaptive, 3>& b) {
+    if (has_no_length<Adaptive>(a) || has_no_length<Adaptive>(b))
+        return std::nullopt;
+    const Adaptive product = dot(a, b);
+    const Adaptive square = product * product / (dot(a, a) * dot(b, b));
+    // Each of the roots is rounded once.
+    const double low = std::sqrt(std::max(0.0, square.value() - square.error()));
+    const double high = std::sqrt(square.value() + square.error());
+    const double inner = low / Adaptive::widening;
+    const double outer = std::min(1.0, high * Adaptive::widening);
+    const bool is_negative = product < Adaptive(0);
+    return is_negative ? CosineBounds{-outer, -inner} : CosineBounds{inner, outer};
+}
+inline std::optional<double> cosine_between(const Vec<Adaptive, 3>& a, const Vec<Adaptive, 3>& b) {
+    const auto bounds = cosine_bounds(a, b);
+    if (!bounds)
+        return std::nullopt;
+    return (bounds->low + bounds->high) / 2;
+}
+
 /// True if a face with this normal . view is not drawn.
 template <typename Scalar> bool is_culled(Cull cull, const Scalar& dot) {
     const Scalar zero = scalar_from<Scalar>(0);
@@ -120,6 +148,20 @@ inline Color lit(Color color, double intensity) {
         return static_cast<std::uint8_t>(std::floor(channel * intensity + 0.5));
     };
     return {level(color.red()), level(color.green()), level(color.blue()), color.alpha()};
+}
+
+/// The color in light that falls on a face at an angle of this cosine. Where numbers know their error,
+/// no level may hang on it.
+template <typename Scalar>
+Color lit_at(Color color, const Vec<Scalar, 3>& normal, const Vec<Scalar, 3>& light,
+             double intensity) {
+    if constexpr (std::same_as<Scalar, Adaptive>)
+        if (intensity > 0) {
+            const auto bounds = cosine_bounds(normal, light);
+            if (!bounds || lit(color, bounds->low) != lit(color, bounds->high))
+                throw Undecided{intensity, bounds ? bounds->high - bounds->low : 1};
+        }
+    return lit(color, intensity);
 }
 
 /// The color of the primitive with this number, for `shade: faces`.

@@ -44,6 +44,13 @@ template <typename Scalar> Index last_row_above(const Scalar& y, int down) {
     return down > 0 ? floor_index(y) : ceil_index(y);
 }
 
+/// The y of the first row whose short edge is the lower one. The row of the middle vertex belongs to
+/// it, unless it is horizontal: then that is the upper edge's last row.
+template <typename Scalar> Index first_lower_y(const JoinedEdges<Scalar>& edges, int down) {
+    return edges.has_flat_bottom ? last_row_above(edges.bottom.position.y, down) + down
+                                 : first_row_below(edges.middle.position.y, down);
+}
+
 /// Reports the rows from `first_y` down to `last_y` that lie above or below the canvas.
 template <typename Sink>
 requires SinkFor<Sink, RowsRejected>
@@ -131,15 +138,12 @@ void fill_scanline(const Triangle<Scalar>& triangle, const Paint<Scalar, stages>
     const JoinedEdges<Scalar> edges = joined_edges(triangle, down);
     report_edges(edges, sink);
 
-    // The rows between top and bottom. The row of the middle vertex belongs to the lower short
-    // edge, unless that one is horizontal: then it is the upper edge's last row.
+    // The rows between top and bottom.
     const Index first_y = first_row_below(edges.top.position.y, down);
     const Index last_y = last_row_above(edges.bottom.position.y, down);
     const Index first_row = canvas.row_of(first_y);
     const Index last_row = canvas.row_of(last_y);
-    const Index first_lower_row =
-        edges.has_flat_bottom ? last_row + 1
-                              : canvas.row_of(first_row_below(edges.middle.position.y, down));
+    const Index first_lower_row = canvas.row_of(first_lower_y(edges, down));
 
     // Nothing to draw if it lies between two rows, or misses the canvas.
     if (last_row < first_row) {

@@ -52,11 +52,9 @@ void fill_two_halves(const Triangle<Scalar>& triangle, const Paint<Scalar, stage
     const JoinedEdges<Scalar> edges = joined_edges(triangle, down);
     report_edges(edges, sink);
 
-    // The row of the middle vertex belongs to the lower half, unless that one has no height.
     const Index top_y = first_row_below(edges.top.position.y, down);
     const Index bottom_y = last_row_above(edges.bottom.position.y, down);
-    const Index middle_y =
-        edges.has_flat_bottom ? bottom_y + down : first_row_below(edges.middle.position.y, down);
+    const Index middle_y = first_lower_y(edges, down);
 
     // Nothing to draw if it lies between two rows, or misses the canvas.
     if (canvas.row_of(bottom_y) < canvas.row_of(top_y)) {

@@ -217,6 +217,19 @@ void for_each_used_vertex(const Scene& scene, const Geometry<Scalar>& geometry, 
     }
 }
 
+/// The matrix of the object that a vertex belongs to.
+template <typename Scalar>
+const std::optional<Matrix<Scalar>>& model_of(const Scene& scene, const Geometry<Scalar>& geometry,
+                                              std::size_t place) {
+    const auto object =
+        std::upper_bound(scene.objects.begin(), scene.objects.end(), place,
+                         [](std::size_t i, const SceneObject& one) { return i < one.end_vertex; });
+    return object == scene.objects.end()
+               ? geometry.transforms.rest_model
+               : geometry.transforms
+                     .models[static_cast<std::size_t>(object - scene.objects.begin())];
+}
+
 /// How far a place in camera space lies in front of the eye. Without a camera and a projection, z as
 /// typed is the distance.
 template <typename Scalar>
@@ -240,37 +253,61 @@ template <typename Scalar> Vec<Scalar, 3> eye_of(const Scene& scene) {
             nearest_scalar<Scalar>(eye.z)};
 }
 
-/// Takes every vertex that is used to clip space, and on to the screen if it can be seen.
-template <typename Scalar> Geometry<Scalar> geometry_of(const Scene& scene) {
+/// Takes a vertex to clip space.
+template <typename Scalar>
+void place_in_clip_space(const Scene& scene, const std::optional<Matrix<Scalar>>& model,
+                         std::size_t place, Geometry<Scalar>& geometry) {
+    PlacedVertex<Scalar>& vertex = geometry.vertices[place];
+    const VertexPlaces<Scalar> places =
+        places_of(scene.vertices[place], model, geometry.transforms);
+    vertex.clip = places.clip;
+    vertex.distance = distance_along_view<Scalar>(scene, places.camera);
+    if (!geometry.world.empty())
+        geometry.world[place] = {places.world.x, places.world.y, places.world.z};
+    const auto& planes = geometry.transforms.planes;
+    vertex.is_in_view = std::all_of(planes.begin(), planes.end(), [&vertex](const auto& plane) {
+        return plane.has_inside(vertex.clip);
+    });
+}
+
+/// Takes a vertex from there on to the screen, if it can be seen.
+template <typename Scalar> void place_on_screen(std::size_t place, Geometry<Scalar>& geometry) {
+    PlacedVertex<Scalar>& vertex = geometry.vertices[place];
+    if (vertex.is_in_view)
+        vertex.pixel = places_on_screen(vertex.clip, geometry.transforms).pixel;
+}
+
+/// A geometry whose vertices have no place yet.
+template <typename Scalar> Geometry<Scalar> empty_geometry(const Scene& scene) {
     Geometry<Scalar> result;
     result.transforms = transforms_of<Scalar>(scene);
     result.depth = scene.depth();
     result.vertices.resize(scene.vertices.size());
     result.is_used.resize(scene.vertices.size());
-    for (const ScenePrimitive& primitive : scene.primitives)
-        for (const std::size_t place : primitive.corners())
-            result.is_used[place] = true;
     if (scene.tests_faces()) {
         result.world.resize(scene.vertices.size());
         result.eye = eye_of<Scalar>(scene);
     }
+    return result;
+}
+
+/// Takes every vertex that is used to clip space, and on to the screen if it can be seen.
+template <typename Scalar> Geometry<Scalar> geometry_of(const Scene& scene) {
+    Geometry<Scalar> result = empty_geometry<Scalar>(scene);
+    for (const ScenePrimitive& primitive : scene.primitives)
+        for (const std::size_t place : primitive.corners())
+            result.is_used[place] = true;
 
     // To clip space. A plane that no vertex lies outside of cannot cut anything.
     Transforms<Scalar>& transforms = result.transforms;
     std::vector<std::size_t> outside(transforms.planes.size());
     for_each_used_vertex(scene, result, [&](std::size_t i, const auto& model) {
-        PlacedVertex<Scalar>& vertex = result.vertices[i];
-        const VertexPlaces<Scalar> places = places_of(scene.vertices[i], model, transforms);
-        vertex.clip = places.clip;
-        vertex.distance = distance_along_view<Scalar>(scene, places.camera);
-        if (!result.world.empty())
-            result.world[i] = {places.world.x, places.world.y, places.world.z};
-        vertex.is_in_view = true;
-        for (std::size_t plane = 0; plane < transforms.planes.size(); ++plane)
-            if (!transforms.planes[plane].has_inside(vertex.clip)) {
-                vertex.is_in_view = false;
-                ++outside[plane];
-            }
+        place_in_clip_space(scene, model, i, result);
+        const PlacedVertex<Scalar>& vertex = result.vertices[i];
+        if (!vertex.is_in_view)
+            for (std::size_t plane = 0; plane < transforms.planes.size(); ++plane)
+                if (!transforms.planes[plane].has_inside(vertex.clip))
+                    ++outside[plane];
         if (vertex.clip.w != scalar_from<Scalar>(1))
             transforms.needed.add(Stage::divide);
     });
@@ -286,9 +323,8 @@ template <typename Scalar> Geometry<Scalar> geometry_of(const Scene& scene) {
     }
 
     // On to the screen, what can be seen.
-    for (PlacedVertex<Scalar>& vertex : result.vertices)
-        if (vertex.is_in_view)
-            vertex.pixel = places_on_screen(vertex.clip, transforms).pixel;
+    for (std::size_t i = 0; i < result.vertices.size(); ++i)
+        place_on_screen(i, result);
 
     if (result.depth == Depth::painter) {
         const auto distance_of = [&result](std::size_t place) -> const Scalar& {

@@ -90,7 +90,7 @@ void draw_line_by_lerp(const Segment<Scalar>& segment, LineForm form, const Span
     const auto value_at = [&](Index along) {
         return form == LineForm::naive
                    ? Scalar(m * scalar_from<Scalar>(along) + b)
-                   : Scalar(across_from + m * (scalar_from<Scalar>(along) - along_from));
+                   : linear(across_from, m, scalar_from<Scalar>(along), along_from);
     };
     const auto pixel_at = [&](Index along) {
         return point(along, pixel_across(value_at(along), rounding, falls));

@@ -20,7 +20,8 @@ enum class ScalarKind {
     single_precision, ///< IEEE 754 binary32
     double_precision, ///< IEEE 754 binary64
     fixed,            ///< vertices snapped to 1/256 pixel, then exact whole numbers of that size
-    exact,            ///< fractions of whole numbers; nothing is ever rounded but to a pixel
+    adaptive, ///< doubles that know their error; where that decides nothing, exact. Decides as exact
+    exact,    ///< fractions of whole numbers; nothing is ever rounded but to a pixel
 };
 
 /// The algorithm that draws lines, and the sides of outlines.
@@ -99,6 +100,11 @@ struct Method {
     std::optional<Shade> shade = {}; ///< interpolate if a vertex has a color, else flat
     ColorLerp color_lerp = ColorLerp::axis;
 };
+
+/// True if every decision is the one that exact arithmetic takes.
+inline bool decides_exactly(const Method& method) {
+    return method.scalar == ScalarKind::exact || method.scalar == ScalarKind::adaptive;
+}
 
 /// How the ends of a fill's spans become pixels.
 inline SpanRounding span_rounding(const Method& method) {

@@ -11,12 +11,13 @@
 #include <gmpxx.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <charconv>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -26,12 +27,17 @@
 
 namespace rastertrace {
 
+/// 1, 10, 100, ... 10^18.
+inline constexpr auto powers_of_ten = [] {
+    std::array<std::int64_t, 19> powers{1};
+    for (std::size_t i = 1; i < powers.size(); ++i)
+        powers[i] = 10 * powers[i - 1];
+    return powers;
+}();
+
 /// 10^exponent, for 0 <= exponent <= 18.
 constexpr std::int64_t power_of_ten(int exponent) {
-    std::int64_t power = 1;
-    for (int i = 0; i < exponent; ++i)
-        power *= 10;
-    return power;
+    return powers_of_ten[static_cast<std::size_t>(exponent)];
 }
 
 /// The double nearest to an exact value; ties go to the even significand, as in IEEE 754. Beyond the
@@ -73,10 +79,25 @@ inline float nearest_float(const mpq_class& value) {
 
 /// A decimal of up to 18 digits is held in place, as digits x 10^exponent; any other number as a
 /// fraction in lowest terms on the heap. Every Number is finite and lies in the range of double.
+/// It takes 16 bytes: a model has hundreds of thousands.
 class Number {
 public:
     /// A whole number.
-    Number(std::int64_t whole = 0) : digits_(whole) {} // NOLINT: numbers are written as numbers
+    Number(std::int64_t whole = 0) : held_{whole} {} // NOLINT: numbers are written as numbers
+
+    Number(const Number& other) : held_(other.held_), exponent_(other.exponent_) {
+        if (other.is_fraction())
+            held_.fraction = new mpq_class(*other.held_.fraction);
+    }
+    Number(Number&& other) noexcept : Number() { swap(other); }
+    Number& operator=(Number other) noexcept {
+        swap(other);
+        return *this;
+    }
+    ~Number() {
+        if (is_fraction())
+            delete held_.fraction;
+    }
 
     /// digits x 10^exponent.
     static Number decimal(std::int64_t digits, int exponent) {
@@ -88,17 +109,18 @@ public:
     /// A fraction; its denominator must be positive and it must be in lowest terms.
     static Number fraction(mpq_class value) {
         Number number;
-        number.fraction_ = std::make_shared<const mpq_class>(std::move(value));
+        number.held_.fraction = new mpq_class(std::move(value));
+        number.exponent_ = fraction_instead;
         return number;
     }
 
     /// The value, exactly.
     mpq_class exact() const {
-        if (fraction_)
-            return *fraction_;
+        if (is_fraction())
+            return *held_.fraction;
         mpz_class power;
         mpz_ui_pow_ui(power.get_mpz_t(), 10, static_cast<unsigned long>(std::abs(exponent_)));
-        mpq_class value = mpz_class(static_cast<long>(digits_));
+        mpq_class value = mpz_class(static_cast<long>(held_.digits));
         if (exponent_ >= 0)
             value *= power;
         else
@@ -108,31 +130,44 @@ public:
 
     /// The nearest double, ties to even.
     double nearest_double() const {
-        if (fraction_)
-            return rastertrace::nearest_double(*fraction_);
+        if (is_fraction())
+            return rastertrace::nearest_double(*held_.fraction);
         // Digits below 2^53 and powers of ten up to 10^22 are doubles, so one operation on them
         // rounds once (Clinger 1990). Everything else is left to from_chars, which rounds
         // correctly.
         constexpr std::int64_t exact_digits = std::int64_t{1} << 53;
-        if (-exact_digits <= digits_ && digits_ <= exact_digits && -18 <= exponent_ &&
+        if (-exact_digits <= held_.digits && held_.digits <= exact_digits && -18 <= exponent_ &&
             exponent_ <= 18) {
-            const auto digits = static_cast<double>(digits_);
+            const auto digits = static_cast<double>(held_.digits);
             const auto power = static_cast<double>(power_of_ten(std::abs(exponent_)));
             return exponent_ < 0 ? digits / power : digits * power;
         }
-        const std::string text = std::to_string(digits_) + "e" + std::to_string(exponent_);
+        const std::string text = std::to_string(held_.digits) + "e" + std::to_string(exponent_);
         double value = 0;
         std::from_chars(text.data(), text.data() + text.size(), value);
         return value;
+    }
+
+    /// True if the number is this double, and not just near it.
+    bool is_exactly(double value) const {
+        // What is no fraction was divided by a power of ten that is a double: with nothing left over?
+        if (-18 <= exponent_ && exponent_ <= 0) {
+            const auto power = static_cast<double>(power_of_ten(-exponent_));
+            constexpr std::int64_t exact_digits = std::int64_t{1} << 53;
+            const auto digits = static_cast<double>(held_.digits);
+            return -exact_digits <= held_.digits && held_.digits <= exact_digits &&
+                   std::fma(value, power, -digits) == 0;
+        }
+        return std::isfinite(value) && mpq_class(value) == exact();
     }
 
     /// The nearest float, ties to even; beyond the largest float there is only infinity.
     float nearest_float() const {
         // As above: digits below 2^24 and powers of ten up to 10^10 are floats.
         constexpr std::int64_t exact_digits = std::int64_t{1} << 24;
-        if (!fraction_ && -exact_digits <= digits_ && digits_ <= exact_digits && -10 <= exponent_ &&
-            exponent_ <= 10) {
-            const auto digits = static_cast<float>(digits_);
+        if (!is_fraction() && -exact_digits <= held_.digits && held_.digits <= exact_digits &&
+            -10 <= exponent_ && exponent_ <= 10) {
+            const auto digits = static_cast<float>(held_.digits);
             const auto power = static_cast<float>(power_of_ten(std::abs(exponent_)));
             return exponent_ < 0 ? digits / power : digits * power;
         }
@@ -142,10 +177,10 @@ public:
     /// A denominator that the value can be written over (not the least one), or nothing if it
     /// does not fit: 10^3 for 0.250.
     std::optional<std::int64_t> denominator() const {
-        if (fraction_) {
-            if (!fraction_->get_den().fits_slong_p())
+        if (is_fraction()) {
+            if (!held_.fraction->get_den().fits_slong_p())
                 return std::nullopt;
-            return fraction_->get_den().get_si();
+            return held_.fraction->get_den().get_si();
         }
         if (exponent_ < -18)
             return std::nullopt;
@@ -155,19 +190,19 @@ public:
     /// value * denominator, if that is a whole number that fits.
     std::optional<std::int64_t> numerator_over(std::int64_t denominator) const {
         std::int64_t numerator = 0;
-        if (!fraction_) {
+        if (!is_fraction()) {
             const auto own = this->denominator();
             if (!own || denominator % *own != 0 || exponent_ > 18)
                 return std::nullopt;
             const std::int64_t factor =
                 exponent_ >= 0 ? power_of_ten(exponent_) : denominator / *own;
-            if (__builtin_mul_overflow(digits_, factor, &numerator))
+            if (__builtin_mul_overflow(held_.digits, factor, &numerator))
                 return std::nullopt;
             if (exponent_ >= 0 && __builtin_mul_overflow(numerator, denominator, &numerator))
                 return std::nullopt;
             return numerator;
         }
-        const mpq_class scaled = *fraction_ * mpz_class(static_cast<long>(denominator));
+        const mpq_class scaled = *held_.fraction * mpz_class(static_cast<long>(denominator));
         if (scaled.get_den() != 1 || !scaled.get_num().fits_slong_p())
             return std::nullopt;
         return scaled.get_num().get_si();
@@ -185,9 +220,22 @@ public:
     }
 
 private:
-    std::int64_t digits_ = 0;
+    bool is_fraction() const { return exponent_ == fraction_instead; }
+
+    void swap(Number& other) {
+        std::swap(held_, other.held_);
+        std::swap(exponent_, other.exponent_);
+    }
+
+    /// Stands for the exponent where there is a fraction; that of a decimal is far smaller.
+    static constexpr std::int32_t fraction_instead = std::numeric_limits<std::int32_t>::max();
+
+    union Held {
+        std::int64_t digits;
+        const mpq_class* fraction;
+    };
+    Held held_;
     std::int32_t exponent_ = 0;
-    std::shared_ptr<const mpq_class> fraction_;
 };
 
 /// What can be wrong with the text of a number.

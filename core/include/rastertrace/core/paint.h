@@ -22,9 +22,15 @@
 #include <array>
 #include <concepts>
 #include <cstdint>
+#include <functional>
 #include <optional>
 
 namespace rastertrace {
+
+/// How the color of a pixel is found where numbers that know their error leave a level open. Other
+/// numbers leave none open.
+template <typename Scalar> struct ExactColor {};
+template <> struct ExactColor<Adaptive> { std::function<Color(Pixel)> at; };
 
 /// The colors of the vertices, mixed by the weights that they have in a pixel's sample point.
 template <typename Scalar> struct MixedColors {
@@ -34,10 +40,24 @@ template <typename Scalar> struct MixedColors {
     Barycentric<Scalar> barycentric;
     Scalar sample_offset; ///< from the pixel's integer point to its sample point, in x and in y
     std::array<D, 3> inverse_w{}; ///< of the vertices, in a perspective
+    [[no_unique_address]] ExactColor<Scalar> exact = {};
 
     /// Each channel is rounded to the nearest level, a half up. Where a pixel lies outside the
     /// triangle (the floor rule draws some) the mixture may leave 0..255, and is held there.
     template <bool in_perspective> Color at(Pixel pixel) const {
+        if constexpr (std::same_as<Scalar, Adaptive>) {
+            try {
+                return mixed_at<in_perspective>(pixel);
+            } catch (const Undecided&) {
+                return exact.at(pixel);
+            }
+        } else {
+            return mixed_at<in_perspective>(pixel);
+        }
+    }
+
+private:
+    template <bool in_perspective> Color mixed_at(Pixel pixel) const {
         const auto weights =
             barycentric.weights_at({Scalar(scalar_from<Scalar>(pixel.x) + sample_offset),
                                     Scalar(scalar_from<Scalar>(pixel.y) + sample_offset)});
@@ -48,7 +68,6 @@ template <typename Scalar> struct MixedColors {
         return mixed(weights);
     }
 
-private:
     /// The weights in space of a point that has these weights on the screen: each is divided by the
     /// w of its vertex, and all are divided by their sum. A point so far outside the triangle that
     /// it has none keeps what it has.
@@ -83,7 +102,7 @@ private:
 };
 
 /// Where the colors of pixels come from.
-enum class ColorStage {
+enum class ColorStage : std::uint8_t {
     flat,        ///< one for all of them
     affine,      ///< mixed as they mix on the screen
     perspective, ///< mixed as they mix in space
@@ -132,9 +151,10 @@ template <typename Scalar, PixelStages stages = PixelStages{}> struct Paint {
 };
 
 /// Tests a pixel's turned depth against what is stored for it, and keeps the nearer one.
-template <typename D, typename Sink>
+template <typename D, typename Cell, typename Sink>
 requires SinkFor<Sink, DepthTested<D>>
-bool passes_depth_test(Pixel pixel, const D& depth, D& cell, DepthBuffer<D>& buffer, Sink&& sink) {
+[[gnu::always_inline]] inline bool passes_depth_test(Pixel pixel, const D& depth, Cell& cell,
+                                                     DepthBuffer<D>& buffer, Sink&& sink) {
     if constexpr (keeps_steps<Sink>) {
         const std::optional<D> stored = buffer.stored(cell);
         const bool passes = buffer.keep_if_nearer(cell, depth);

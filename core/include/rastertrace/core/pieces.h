@@ -98,11 +98,12 @@ Face<Scalar> face_of(const Scene& scene, const Geometry<Scalar>& geometry,
         const Vec<Scalar, 3> light = light_from<Scalar>(*scene.light, centroid);
         const Scalar product = dot(normal, light);
         const double intensity = zero < product ? cosine_between(normal, light).value_or(0) : 0.0;
-        face.lit = FaceLit<Scalar>{.normal = normal,
-                                   .light = light,
-                                   .dot = product,
-                                   .intensity = intensity,
-                                   .color = lit(primitive.color, intensity)};
+        face.lit =
+            FaceLit<Scalar>{.normal = normal,
+                            .light = light,
+                            .dot = product,
+                            .intensity = intensity,
+                            .color = lit_at<Scalar>(primitive.color, normal, light, intensity)};
     }
     return face;
 }
@@ -201,18 +202,6 @@ Piece<Coordinate> whole_piece(const Scene& scene, std::size_t number, Color colo
         piece.vertices[i] = place;
     }
     return piece;
-}
-
-/// Without a pipeline every primitive is one piece.
-template <typename Sink, typename Visit>
-void for_each_piece(const Scene& scene, const TypedGeometry&, Sink&&, Visit&& visit) {
-    const bool mixes_colors = scene.mixes_colors();
-    for (std::size_t i = 0; i < scene.primitives.size(); ++i)
-        visit(whole_piece<Number>(
-            scene, i, color_of(scene, i, Face<Number>{}), mixes_colors,
-            [&scene](std::size_t place) {
-                return Vec<Number, 2>{scene.vertices[place].x, scene.vertices[place].y};
-            }));
 }
 
 /// Why clipping at a plane has left nothing of a polygon.
@@ -342,71 +331,95 @@ std::optional<SkipReason> visit_parts(const Scene& scene, const Geometry<Scalar>
     return reason;
 }
 
-/// Visits the pieces of all primitives, in the scene's order. A primitive in view is one piece;
-/// clipping of the others is reported.
+/// Visits the pieces of a primitive. In view it is one; what clips it is reported.
 template <typename Scalar, typename Sink, typename Visit>
 requires SinkFor<Sink, PrimitiveBegan<Scalar>, PrimitiveClipped, VertexPlaced<Scalar>,
                  PrimitiveSkipped>
-void for_each_piece(const Scene& scene, const Geometry<Scalar>& geometry, Sink&& sink,
-                    Visit&& visit) {
-    const bool mixes_colors = scene.mixes_colors();
-    for (std::size_t turn = 0; turn < scene.primitives.size(); ++turn) {
-        const std::size_t number = geometry.order ? geometry.order->primitives[turn] : turn;
-        const ScenePrimitive& primitive = scene.primitives[number];
-        const auto corners = primitive.corners();
-        const Face<Scalar> face = face_of(scene, geometry, primitive);
-        const Color color = color_of(scene, number, face);
+void visit_pieces(const Scene& scene, const Geometry<Scalar>& geometry, std::size_t number,
+                  bool mixes_colors, Sink&& sink, Visit&& visit) {
+    const ScenePrimitive& primitive = scene.primitives[number];
+    const auto corners = primitive.corners();
+    const Face<Scalar> face = face_of(scene, geometry, primitive);
+    const Color color = color_of(scene, number, face);
 
-        // In view: one piece. Clipping it would leave it as it is.
-        if (std::all_of(corners.begin(), corners.end(), [&geometry](std::size_t place) {
-                return geometry.vertices[place].is_in_view;
-            })) {
-            auto piece = whole_piece<Scalar>(
-                scene, number, color, mixes_colors,
-                [&geometry](std::size_t place) { return geometry.vertices[place].pixel; });
-            if (scene.keep.has(Stage::clip)) {
-                auto polygon = polygon_of(scene, geometry, color, corners, mixes_colors);
-                clip_at_planes(primitive.name, polygon, geometry.transforms.planes, sink);
-            }
-            for (std::size_t i = 0; i < piece.count; ++i) {
-                const PlacedVertex<Scalar>& vertex = geometry.vertices[piece.vertices[i]];
-                piece.depths[i] = depth_at<Scalar>(geometry.depth, vertex.distance, vertex.clip);
-                if (mixes_colors)
-                    piece.inverse_w[i] = scalar_from<Scalar>(1) / vertex.clip.w;
-            }
-            piece.face = face;
-            visit(piece);
-            continue;
+    // In view: one piece. Clipping it would leave it as it is.
+    if (std::all_of(corners.begin(), corners.end(), [&geometry](std::size_t place) {
+            return geometry.vertices[place].is_in_view;
+        })) {
+        auto piece =
+            whole_piece<Scalar>(scene, number, color, mixes_colors, [&geometry](std::size_t place) {
+                return geometry.vertices[place].pixel;
+            });
+        if (scene.keep.has(Stage::clip)) {
+            auto polygon = polygon_of(scene, geometry, color, corners, mixes_colors);
+            clip_at_planes(primitive.name, polygon, geometry.transforms.planes, sink);
         }
-
-        // Cut: what is left of it comes as parts. The sides of an outline are cut one by one.
-        std::array<std::string_view, 3> names;
-        for (std::size_t i = 0; i < corners.size(); ++i)
-            names[i] = scene.vertices[corners[i]].name;
-        sink(PrimitiveBegan<Scalar>{.kind = primitive.kind,
-                                    .name = primitive.name,
-                                    .vertices = std::span(names).first(corners.size()),
-                                    .positions = {},
-                                    .color = color,
-                                    .colors = {}});
-        if (!report_face(face, sink))
-            continue;
-        int made = 0;
-        int parts = 0;
-        std::optional<SkipReason> reason;
-        if (primitive.kind != PrimitiveKind::outline) {
-            reason = visit_parts(scene, geometry, number, color, corners, mixes_colors, made, parts,
-                                 sink, visit);
-        } else {
-            for (std::size_t i = 0; i < 3; ++i) {
-                const std::array<std::size_t, 2> side{corners[i], corners[(i + 1) % 3]};
-                reason = visit_parts(scene, geometry, number, color, side, mixes_colors, made,
-                                     parts, sink, visit);
-            }
+        for (std::size_t i = 0; i < piece.count; ++i) {
+            const PlacedVertex<Scalar>& vertex = geometry.vertices[piece.vertices[i]];
+            piece.depths[i] = depth_at<Scalar>(geometry.depth, vertex.distance, vertex.clip);
+            if (mixes_colors)
+                piece.inverse_w[i] = scalar_from<Scalar>(1) / vertex.clip.w;
         }
-        if (parts == 0)
-            sink(PrimitiveSkipped{.why = *reason});
+        piece.face = face;
+        visit(piece);
+        return;
     }
+
+    // Cut: what is left of it comes as parts. The sides of an outline are cut one by one.
+    std::array<std::string_view, 3> names;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        names[i] = scene.vertices[corners[i]].name;
+    sink(PrimitiveBegan<Scalar>{.kind = primitive.kind,
+                                .name = primitive.name,
+                                .vertices = std::span(names).first(corners.size()),
+                                .positions = {},
+                                .color = color,
+                                .colors = {}});
+    if (!report_face(face, sink))
+        return;
+    int made = 0;
+    int parts = 0;
+    std::optional<SkipReason> reason;
+    if (primitive.kind != PrimitiveKind::outline) {
+        reason = visit_parts(scene, geometry, number, color, corners, mixes_colors, made, parts,
+                             sink, visit);
+    } else {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::array<std::size_t, 2> side{corners[i], corners[(i + 1) % 3]};
+            reason = visit_parts(scene, geometry, number, color, side, mixes_colors, made, parts,
+                                 sink, visit);
+        }
+    }
+    if (parts == 0)
+        sink(PrimitiveSkipped{.why = *reason});
+}
+
+/// Without a pipeline every primitive is one piece.
+template <typename Sink, typename Visit>
+void visit_pieces(const Scene& scene, const TypedGeometry&, std::size_t number, bool mixes_colors,
+                  Sink&&, Visit&& visit) {
+    visit(whole_piece<Number>(
+        scene, number, color_of(scene, number, Face<Number>{}), mixes_colors,
+        [&scene](std::size_t place) {
+            return Vec<Number, 2>{scene.vertices[place].x, scene.vertices[place].y};
+        }));
+}
+
+/// The primitives in the order in which they are drawn: the scene's, or the painter's.
+template <typename Scalar>
+std::size_t primitive_at(const Geometry<Scalar>& geometry, std::size_t turn) {
+    return geometry.order ? geometry.order->primitives[turn] : turn;
+}
+inline std::size_t primitive_at(const TypedGeometry&, std::size_t turn) {
+    return turn;
+}
+
+/// Visits the pieces of all primitives, in the order in which they are drawn.
+template <typename AGeometry, typename Sink, typename Visit>
+void for_each_piece(const Scene& scene, const AGeometry& geometry, Sink&& sink, Visit&& visit) {
+    const bool mixes_colors = scene.mixes_colors();
+    for (std::size_t turn = 0; turn < scene.primitives.size(); ++turn)
+        visit_pieces(scene, geometry, primitive_at(geometry, turn), mixes_colors, sink, visit);
 }
 
 } // namespace rastertrace

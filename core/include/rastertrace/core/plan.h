@@ -34,12 +34,12 @@
 namespace rastertrace {
 
 /// The C++ type that stands for the scene's kind of scalar.
-enum class NumberType { binary32, binary64, fraction64, fraction128, rational };
+enum class NumberType { binary32, binary64, adaptive, fraction64, fraction128, rational };
 
 /// Where the vertices lie: as typed, or moved there. `fixed` moves them in double and snaps them on
 /// the screen.
-using AnyGeometry =
-    std::variant<TypedGeometry, Geometry<float>, Geometry<double>, Geometry<Rational>>;
+using AnyGeometry = std::variant<TypedGeometry, Geometry<float>, Geometry<double>,
+                                 Geometry<Adaptive>, Geometry<Rational>>;
 
 /// Moves the vertices of a scene to the screen, in the numbers that its kind of scalar asks for.
 inline AnyGeometry geometry_for(const Scene& scene) {
@@ -51,6 +51,13 @@ inline AnyGeometry geometry_for(const Scene& scene) {
     switch (scene.method.scalar) {
     case ScalarKind::single_precision:
         return geometry_of<float>(scene);
+    case ScalarKind::adaptive:
+        // What is left open about one vertex may be of weight for all, like a plane of the view.
+        try {
+            return geometry_of<Adaptive>(scene);
+        } catch (const Undecided&) {
+            return geometry_of<Rational>(scene);
+        }
     case ScalarKind::exact:
         return geometry_of<Rational>(scene);
     case ScalarKind::fixed:
@@ -96,6 +103,13 @@ bool all_coordinates(const Scene& scene, const TypedGeometry&, IsFine&& is_fine)
 }
 template <typename Coordinate, typename IsFine>
 bool all_coordinates(const Scene& scene, const Geometry<Coordinate>& geometry, IsFine&& is_fine) {
+    // Where nothing is cut, vertices are all there is.
+    if (geometry.transforms.planes.empty())
+        return std::all_of(geometry.vertices.begin(), geometry.vertices.end(),
+                           [&](const PlacedVertex<Coordinate>& one) {
+                               return !one.is_in_view ||
+                                      (is_fine(one.pixel.x) && is_fine(one.pixel.y));
+                           });
     bool all = true;
     for_each_piece(scene, geometry, NullSink{}, [&](const Piece<Coordinate>& piece) {
         for (std::size_t i = 0; i < piece.count; ++i)
@@ -158,6 +172,8 @@ inline std::size_t depth_size_of(NumberType number) {
         return sizeof(DepthOf<float>);
     case NumberType::rational:
         return sizeof(DepthOf<Rational>);
+    case NumberType::adaptive: // beside the depth, the number of a piece
+        return sizeof(double) + sizeof(std::uint32_t);
     case NumberType::binary64:
     case NumberType::fraction64:
     case NumberType::fraction128:
@@ -166,39 +182,34 @@ inline std::size_t depth_size_of(NumberType number) {
     return sizeof(double);
 }
 
-/// Decides how a scene is drawn, from the scene alone.
-inline Plan plan_for(const Scene& scene) {
-    AnyGeometry geometry = geometry_for(scene);
-    const NumberChoice choice = std::visit(
-        [&scene](const auto& one) -> NumberChoice {
-            using AGeometry = std::remove_cvref_t<decltype(one)>;
-            switch (scene.method.scalar) {
-            case ScalarKind::exact:
-                if constexpr (std::same_as<AGeometry, TypedGeometry> ||
-                              std::same_as<AGeometry, Geometry<Rational>>)
-                    return choose_exact_numbers(scene, one);
-                break;
-            case ScalarKind::fixed: {
-                // Rationals lie on the grid too.
-                return {choose_fractions(scene, one, fixed_grid).number, fixed_grid};
-            }
-            case ScalarKind::single_precision:
-                return {.number = NumberType::binary32};
-            case ScalarKind::double_precision:
-                break;
-            }
-            return {};
-        },
-        geometry);
-    Plan plan{.number = choice.number,
-              .denominator = choice.denominator,
-              .geometry = std::move(geometry),
-              .stages = {},
-              .mixes_colors = scene.mixes_colors()};
-    std::visit(
-        [&](const auto& one) { plan.stages = stages_of(scene, one, depth_size_of(plan.number)); },
-        plan.geometry);
-    return plan;
+/// The type of numbers for the scene's kind of scalar.
+template <typename AGeometry>
+NumberChoice choose_numbers(const Scene& scene, const AGeometry& geometry) {
+    switch (scene.method.scalar) {
+    case ScalarKind::exact:
+        if constexpr (std::same_as<AGeometry, TypedGeometry> ||
+                      std::same_as<AGeometry, Geometry<Rational>>)
+            return choose_exact_numbers(scene, geometry);
+        break;
+    case ScalarKind::adaptive:
+        // Fractions that fit leave nothing open, and are as fast.
+        if constexpr (std::same_as<AGeometry, TypedGeometry>) {
+            const NumberChoice exact = choose_exact_numbers(scene, geometry);
+            if (exact.number != NumberType::rational)
+                return exact;
+        }
+        return {.number = NumberType::adaptive};
+    case ScalarKind::fixed:
+        // Rationals lie on the grid too.
+        if constexpr (!std::same_as<AGeometry, Geometry<Adaptive>>)
+            return {choose_fractions(scene, geometry, fixed_grid).number, fixed_grid};
+        break;
+    case ScalarKind::single_precision:
+        return {.number = NumberType::binary32};
+    case ScalarKind::double_precision:
+        break;
+    }
+    return {};
 }
 
 /// Calls `draw_with.template operator()<Scalar>()` with the scalar that the plan has chosen.
@@ -206,6 +217,8 @@ template <typename DrawWith> decltype(auto) with_scalar(const Plan& plan, DrawWi
     switch (plan.number) {
     case NumberType::binary32:
         return draw_with.template operator()<float>();
+    case NumberType::adaptive:
+        return draw_with.template operator()<Adaptive>();
     case NumberType::fraction64:
         return draw_with.template operator()<Fraction64>();
     case NumberType::fraction128:
@@ -298,7 +311,7 @@ std::optional<Unfit> unfit_of(const Piece<Coordinate>& piece, const Method& meth
     }
 
     // Depths are interpolated as differences times differences.
-    if (is_triangle && method.scalar != ScalarKind::exact) {
+    if (is_triangle && !decides_exactly(method)) {
         double farthest = 1;
         for (const auto& [x, y] : at)
             farthest = std::max({farthest, std::abs(x), std::abs(y)});
@@ -366,21 +379,45 @@ inline std::optional<Unfit> unfit_vertex(const Scene&, const TypedGeometry&) {
     return std::nullopt;
 }
 
-/// The first place where drawing the scene would make an infinity or overflow, if there is one.
-inline std::optional<Unfit> find_unfit(const Scene& scene) {
-    const bool mixes_colors = scene.mixes_colors();
-    const auto find = [&scene, mixes_colors](const auto& geometry) {
-        std::optional<Unfit> found = unfit_vertex(scene, geometry);
-        if (!found)
-            for_each_piece(scene, geometry, NullSink{}, [&](const auto& piece) {
-                if (!found)
-                    found = scene.method.scalar == ScalarKind::single_precision
-                                ? unfit_of<float>(piece, scene.method, mixes_colors)
-                                : unfit_of<double>(piece, scene.method, mixes_colors);
-            });
-        return found;
+/// Decides how a scene is drawn, from the scene alone; or tells the first place where drawing it
+/// would make an infinity or overflow.
+inline std::variant<Plan, Unfit> plan_or_unfit(const Scene& scene) {
+    Plan plan{.geometry = geometry_for(scene), .mixes_colors = scene.mixes_colors()};
+    const auto decide = [&](const auto& geometry) {
+        // One look at each piece serves the check and the stages.
+        std::optional<Unfit> unfit = unfit_vertex(scene, geometry);
+        if (unfit)
+            return unfit;
+        const auto triangles = survey_of(scene, geometry, [&](const auto& piece) {
+            unfit = scene.method.scalar == ScalarKind::single_precision
+                        ? unfit_of<float>(piece, scene.method, plan.mixes_colors)
+                        : unfit_of<double>(piece, scene.method, plan.mixes_colors);
+            return !unfit;
+        });
+        if (unfit)
+            return unfit;
+
+        const NumberChoice choice = choose_numbers(scene, geometry);
+        plan.number = choice.number;
+        plan.denominator = choice.denominator;
+        plan.stages = stages_of(scene, geometry, triangles, depth_size_of(plan.number));
+        return unfit;
     };
-    return std::visit(find, geometry_for(scene));
+    if (const auto unfit = std::visit(decide, plan.geometry))
+        return *unfit;
+    return plan;
+}
+
+/// The plan of a scene that can be drawn.
+inline Plan plan_for(const Scene& scene) {
+    return std::get<Plan>(plan_or_unfit(scene));
+}
+
+/// Why a scene cannot be drawn, if it cannot.
+inline std::optional<Unfit> find_unfit(const Scene& scene) {
+    const auto plan = plan_or_unfit(scene);
+    const auto* unfit = std::get_if<Unfit>(&plan);
+    return unfit == nullptr ? std::nullopt : std::optional(*unfit);
 }
 
 } // namespace rastertrace

@@ -18,6 +18,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <concepts>
 #include <cstddef>
 
 namespace rastertrace {
@@ -54,6 +56,11 @@ public:
     /// True if the sample at column `x` does not lie left of the placed `length`.
     bool reaches(Index x, const Length& length) const {
         return Length(length - offset_) <= scalar_from<Scalar>(x);
+    }
+
+    /// The height of the samples in a row.
+    double height_of(int row) const requires std::same_as<Scalar, Adaptive> {
+        return canvas_.y_of(row) + offset_.value();
     }
 
     /// The first sample in a row that does not lie left of the edge.
@@ -143,7 +150,22 @@ public:
                const SampleGrid<Scalar>& grid, int row)
         : edge_(edge_between(upper, lower)), grid_(grid), row_(row) {}
 
-    Index first_sample() const { return grid_.first_sample_from(edge_, row_); }
+    Index first_sample() const {
+        if constexpr (std::same_as<Scalar, Adaptive>)
+            if (edge_.error.of_x) [[likely]] {
+                // A sample's height is a double; what is rounded off x less the offset is half a
+                // unit in its last place.
+                const double offset = grid_.sample_offset().value();
+                const double x =
+                    edge_.start.x.value() +
+                    edge_.dx_dy.value() * (grid_.height_of(row_) - edge_.start.y.value());
+                const double sample = x - offset;
+                return ceil_index(
+                    Adaptive(sample, (*edge_.error.of_x + std::abs(sample) * Adaptive::half_ulp) *
+                                         Adaptive::widening));
+            }
+        return grid_.first_sample_from(edge_, row_);
+    }
 
     void step() { ++row_; }
 

@@ -2,12 +2,13 @@
 #pragma once
 
 // What the algorithms ask of a number, for each kind of number they run on: float, double, fractions
-// on 64 and on 128 bits, and GMP rationals. An algorithm that needs more than + - * / and < finds it
+// on 64 and on 128 bits, GMP rationals, and doubles that know their error. An algorithm that needs more than + - * / and < finds it
 // here.
 //
 //     floor_index(2.75)                              // 2
 //     floor_index(Fraction<std::int64_t>{-1, 4})     // -1
 
+#include <rastertrace/core/adaptive.h>
 #include <rastertrace/core/canvas.h>
 #include <rastertrace/core/fraction.h>
 #include <rastertrace/core/number.h>
@@ -69,15 +70,41 @@ inline Index floor_index(const Rational& x) {
     return std::clamp<Index>(quotient.get_si(), -farthest_index, farthest_index);
 }
 
+/// Throws Undecided if the bound reaches over a whole number.
+[[gnu::always_inline]] inline Index floor_index(const Adaptive& x) {
+    if (x.exact()) [[unlikely]]
+        return floor_index(*x.exact());
+    const Index below = floor_index(x.value());
+    if (x.error() == 0)
+        return below;
+    // How far to the whole numbers on both sides: exactly, as far as it is less than a half.
+    const double error = x.error() * Adaptive::widening;
+    const double from_below = x.value() - static_cast<double>(below);
+    const double to_next = static_cast<double>(below + 1) - x.value();
+    const bool is_farthest = below <= -farthest_index || farthest_index <= below;
+    if (!(error <= from_below && error < to_next) || is_farthest) [[unlikely]]
+        Adaptive::leave_open(from_below < to_next ? from_below : -to_next, x.error());
+    return below;
+}
+
 /// The smallest whole number not below `x`, kept within +-farthest_index.
 template <typename Scalar> Index ceil_index(const Scalar& x) {
     return -floor_index(Scalar(-x));
+}
+
+/// start + slope (at - from): a point on a line. Adaptive has its own, in adaptive.h.
+template <typename Scalar>
+Scalar linear(const Scalar& start, const Scalar& slope, const Scalar& at, const Scalar& from) {
+    return start + slope * (at - from);
 }
 
 /// A whole number as a Scalar.
 template <typename Scalar> Scalar scalar_from(Index whole) {
     if constexpr (std::same_as<Scalar, Rational>)
         return Rational(static_cast<long>(whole));
+    else if constexpr (std::same_as<Scalar, Adaptive>)
+        return std::abs(whole) <= (Index{1} << 53) ? Adaptive(static_cast<double>(whole))
+                                                   : with_error(Rational(static_cast<long>(whole)));
     else
         return static_cast<Scalar>(whole);
 }
@@ -88,6 +115,8 @@ template <typename Scalar> Scalar nearest_scalar(const Rational& exact) {
         return nearest_float(exact);
     else if constexpr (std::same_as<Scalar, double>)
         return nearest_double(exact);
+    else if constexpr (std::same_as<Scalar, Adaptive>)
+        return with_error(exact);
     else
         return exact;
 }
@@ -98,6 +127,8 @@ template <typename Scalar> Scalar scalar_from(const Number& number) {
         return number.nearest_float();
     else if constexpr (std::same_as<Scalar, double>)
         return number.nearest_double();
+    else if constexpr (std::same_as<Scalar, Adaptive>)
+        return with_error(number);
     else
         return number.exact();
 }
@@ -130,6 +161,22 @@ inline std::optional<std::int64_t> nearest_numerator(double number, std::int64_t
     return static_cast<std::int64_t>(below) + (numerator - below >= 0.5 ? 1 : 0);
 }
 
+/// A fraction in lowest terms.
+template <typename Integer> Rational exact(const Fraction<Integer>& number) {
+    const auto whole = [](Integer value) {
+        if constexpr (sizeof(Integer) <= sizeof(long)) {
+            return mpz_class(static_cast<long>(value));
+        } else {
+            const mpz_class high(static_cast<long>(value >> 64));
+            const mpz_class low(static_cast<unsigned long>(value));
+            return mpz_class((high << 64) + low);
+        }
+    };
+    Rational result(whole(number.numerator), whole(number.denominator));
+    result.canonicalize();
+    return result;
+}
+
 /// The double nearest to a coordinate.
 inline double to_double(double number) {
     return number;
@@ -140,6 +187,46 @@ inline double to_double(const Rational& number) {
 inline double to_double(const Number& number) {
     return number.nearest_double();
 }
+template <typename Integer> double to_double(const Fraction<Integer>& number) {
+    // A quotient of two doubles is rounded once.
+    const auto above = static_cast<double>(number.numerator);
+    const auto below = static_cast<double>(number.denominator);
+    const auto is_double = [](Integer whole) {
+        return -(Integer{1} << 53) <= whole && whole <= (Integer{1} << 53);
+    };
+    if (is_double(number.numerator) && is_double(number.denominator))
+        return above / below;
+    return nearest_double(exact(number));
+}
+inline double to_double(const Adaptive& number) {
+    return number.exact() ? nearest_double(*number.exact()) : number.value();
+}
+
+/// How far the double nearest to a coordinate may lie from the coordinate that is drawn with.
+inline double error_of(const Adaptive& number) {
+    return number.error();
+}
+template <typename Coordinate> double error_of(const Coordinate&) {
+    return 0;
+}
+
+/// True if two numbers are not equal, whatever else is not known about them.
+template <typename Scalar> bool surely_differ(const Scalar& a, const Scalar& b) {
+    return a != b;
+}
+inline bool surely_differ(const Adaptive& a, const Adaptive& b) {
+    const auto order = order_of(a, b);
+    return order && *order != 0;
+}
+
+/// True if two numbers are not equal, or it is not known that they are.
+template <typename Scalar> bool may_differ(const Scalar& a, const Scalar& b) {
+    return a != b;
+}
+inline bool may_differ(const Adaptive& a, const Adaptive& b) {
+    const auto order = order_of(a, b);
+    return !order || *order != 0;
+}
 
 /// A coordinate as a Scalar. Where one is rounded (to a grid of fractions), a half goes up; plan.h
 /// finds a denominator that suits them all, or the grid to snap to.
@@ -147,6 +234,8 @@ template <typename Scalar, typename Coordinate>
 Scalar scalar_from(const Coordinate& coordinate, std::int64_t denominator) {
     if constexpr (std::same_as<Scalar, Coordinate>) {
         return coordinate;
+    } else if constexpr (std::same_as<Scalar, Adaptive>) {
+        return with_error(coordinate);
     } else if constexpr (std::floating_point<Scalar>) {
         return scalar_from<Scalar>(coordinate);
     } else if constexpr (std::same_as<Scalar, Rational>) {

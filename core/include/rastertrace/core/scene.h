@@ -155,9 +155,11 @@ struct Scene {
 
     /// Where the colors of pixels come from.
     Shade shade() const {
+        if (method.shade)
+            return *method.shade;
         const bool have_colors = std::any_of(vertices.begin(), vertices.end(),
                                              [](const SceneVertex& one) { return !!one.color; });
-        return method.shade.value_or(have_colors ? Shade::interpolate : Shade::flat);
+        return have_colors ? Shade::interpolate : Shade::flat;
     }
 
     /// True if pixels are mixed from the colors of vertices.

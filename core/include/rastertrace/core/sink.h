@@ -22,7 +22,7 @@ struct NullSink {
 
 /// False for a NullSink: what is worked out only to be reported need not be.
 template <typename Sink>
-inline constexpr bool keeps_steps = !std::same_as<std::remove_cvref_t<Sink>, NullSink>;
+inline constexpr bool keeps_steps = !std::derived_from<std::remove_cvref_t<Sink>, NullSink>;
 
 /// False if the sink would not look at such a step: what is worked out only for it need not be. A
 /// sink that says nothing about it, by takes<Step>(), takes all.

@@ -20,7 +20,8 @@
 // The last four are decided for each triangle, and compiled in or out (PixelStages). A stage that the
 // scene keeps although it does not need it runs, and the picture is the same.
 //
-//     Stages stages = stages_of(scene, geometry);
+//     const auto triangles = survey_of(scene, geometry, is_fit);
+//     Stages stages = stages_of(scene, geometry, triangles, sizeof(double));
 
 #include <rastertrace/core/canvas.h>
 #include <rastertrace/core/depth.h>
@@ -69,12 +70,12 @@ struct Stages {
 };
 
 /// A rectangle of pixels: columns from `left` to `right`, rows from `top` to `bottom` counted from
-/// the top of the picture, all four included.
+/// the top of the picture, all four included. Sides far beyond any canvas are kept within +-2^30.
 struct PixelBox {
-    Index left = 0;
-    Index top = 0;
-    Index right = -1;
-    Index bottom = -1;
+    std::int32_t left = 0;
+    std::int32_t top = 0;
+    std::int32_t right = -1;
+    std::int32_t bottom = -1;
 
     bool is_empty() const { return right < left || bottom < top; }
     bool has(const PixelBox& other) const {
@@ -114,11 +115,18 @@ struct TriangleSurvey {
     bool colors_differ = false;
 };
 
+/// One of which nothing is known: it needs all stages.
+inline constexpr TriangleSurvey unknown_triangle{.pieces = 2,
+                                                 .box = {-(1 << 30), -(1 << 30), 1 << 30, 1 << 30},
+                                                 .has_safe_depth = false,
+                                                 .w_differs = true,
+                                                 .colors_differ = true};
+
 /// How far calculated places may lie from exact ones, for coordinates up to `farthest`: the numbers
 /// drawn with are rounded, and adding up a slope adds up its error.
 inline double slack_of(const Method& method, double farthest) {
     const double unit =
-        std::ldexp(farthest, method.scalar == ScalarKind::single_precision ? -20 : -49);
+        farthest * (method.scalar == ScalarKind::single_precision ? 0x1p-20 : 0x1p-49);
     return method.lerp == LerpForm::incremental ? unit * largest_canvas_side : unit;
 }
 
@@ -131,17 +139,23 @@ struct WholeBounds {
 
 template <typename Coordinate>
 WholeBounds whole_bounds(const Coordinate& coordinate, const Method& method, double slack) {
-    if constexpr (!std::floating_point<Coordinate>)
-        if (method.scalar == ScalarKind::exact) {
+    if constexpr (!std::floating_point<Coordinate> && !std::same_as<Coordinate, Adaptive>)
+        if (decides_exactly(method)) {
+            // Whole numbers are doubles up to 2^53, and rounding to one passes none of them by.
+            const double near = to_double(coordinate);
+            if (const Index below = floor_index(near); static_cast<double>(below) != near)
+                return {below, below + 1};
             const Rational exact = scalar_from<Rational>(coordinate, 1);
             return {floor_index(exact), ceil_index(exact)};
         }
-    if (method.scalar == ScalarKind::fixed)
-        if (const auto numerator = nearest_numerator(coordinate, fixed_grid))
-            return {floor_quotient(*numerator, fixed_grid),
-                    -floor_quotient(-*numerator, fixed_grid)};
+    if constexpr (!std::same_as<Coordinate, Adaptive>)
+        if (method.scalar == ScalarKind::fixed)
+            if (const auto numerator = nearest_numerator(coordinate, fixed_grid))
+                return {floor_quotient(*numerator, fixed_grid),
+                        -floor_quotient(-*numerator, fixed_grid)};
     const double x = to_double(coordinate);
-    return {floor_index(x - slack), ceil_index(x + slack)};
+    const double off = slack + error_of(coordinate);
+    return {floor_index(x - off), ceil_index(x + off)};
 }
 
 /// The pixels that a triangle can reach under any rounding rule: samples lie at integers or half a
@@ -170,7 +184,11 @@ template <typename Coordinate> PixelBox box_of(const Piece<Coordinate>& piece, c
     const auto [left, right] = bounds(a.x, b.x, c.x);
     const auto [low, high] = bounds(a.y, b.y, c.y);
     const auto [top, bottom] = std::minmax({scene.canvas.row_of(low), scene.canvas.row_of(high)});
-    return {left, top, right, bottom};
+    const auto side = [](Index at) {
+        constexpr Index limit = Index{1} << 30;
+        return static_cast<std::int32_t>(std::clamp(at, -limit, limit));
+    };
+    return {side(left), side(top), side(right), side(bottom)};
 }
 
 /// True if every depth that can be calculated in the triangle passes against a clear buffer. Depths
@@ -201,11 +219,17 @@ bool has_safe_depth(const Piece<Coordinate>& piece, const DepthRule<double>& rul
         {std::abs(at[0][0]), std::abs(at[0][1]), extent}); // differences are as exact as this
     const bool is_single = scene.method.scalar == ScalarKind::single_precision;
     const double epsilon = std::ldexp(1.0, is_single ? -18 : -46);
+    // What is known with an error: each must be as exact as the rounding that is allowed for.
+    for (std::size_t i = 0; i < 3; ++i)
+        if (error_of(piece.positions[i].x) + error_of(piece.positions[i].y) >
+                epsilon * farthest / 64 ||
+            error_of(piece.depths[i]) > epsilon * largest / 64)
+            return false;
     if (!(area2 > epsilon * extent * farthest))
         return false;
 
     // No product may be infinite, and no slope so small that it loses digits.
-    const bool is_exact = scene.method.scalar == ScalarKind::exact;
+    const bool is_exact = decides_exactly(scene.method);
     const double most =
         is_single ? double{std::numeric_limits<float>::max()} : std::numeric_limits<double>::max();
     const double least =
@@ -220,14 +244,18 @@ bool has_safe_depth(const Piece<Coordinate>& piece, const DepthRule<double>& rul
 }
 
 /// Looks at every triangle that is drawn once, with its parts. Without a pipeline there are no depths
-/// and no w.
-template <typename AGeometry>
-std::vector<TriangleSurvey> survey_of(const Scene& scene, const AGeometry& geometry) {
+/// and no w. The first piece of which `is_fit(piece)` is false is the last one looked at.
+template <typename AGeometry, typename IsFit>
+std::vector<TriangleSurvey> survey_of(const Scene& scene, const AGeometry& geometry,
+                                      IsFit&& is_fit) {
     std::vector<TriangleSurvey> result(scene.primitives.size());
     const bool has_depth_buffer = scene.has_depth_buffer();
     const DepthRule<double> rule = depth_rule<double>(scene);
-    for_each_piece(scene, geometry, NullSink{}, [&](const auto& piece) {
-        if (piece.kind != PrimitiveKind::triangle)
+    const bool mixes_colors = scene.mixes_colors();
+    bool all_fit = true;
+    const auto look_at = [&](const auto& piece) {
+        all_fit = all_fit && is_fit(piece);
+        if (!all_fit || piece.kind != PrimitiveKind::triangle)
             return;
         if constexpr (!std::same_as<AGeometry, TypedGeometry>)
             if (piece.face.skip)
@@ -238,11 +266,17 @@ std::vector<TriangleSurvey> survey_of(const Scene& scene, const AGeometry& geome
         if constexpr (!std::same_as<AGeometry, TypedGeometry>) {
             triangle.has_safe_depth = has_depth_buffer && has_safe_depth(piece, rule, scene);
             const auto& [a, b, c] = piece.inverse_w;
-            triangle.w_differs = triangle.w_differs || a != b || a != c;
+            triangle.w_differs = triangle.w_differs || may_differ(a, b) || may_differ(a, c);
         }
         const auto& [a, b, c] = piece.colors;
         triangle.colors_differ = triangle.colors_differ || a != b || a != c;
-    });
+    };
+    for (std::size_t i = 0; i < scene.primitives.size(); ++i)
+        try {
+            visit_pieces(scene, geometry, i, mixes_colors, NullSink{}, look_at);
+        } catch (const Undecided&) {
+            result[i] = unknown_triangle;
+        }
     return result;
 }
 
@@ -438,9 +472,8 @@ inline void decide_pixel_stages(const Scene& scene, const std::vector<TriangleSu
 
     if (scene.keep.has(Stage::depth) && scene.has_depth_buffer())
         tested = canvas;
-    stages.depth_region = {static_cast<int>(tested.left), static_cast<int>(tested.top),
-                           static_cast<int>(std::max<Index>(tested.right - tested.left + 1, 0)),
-                           static_cast<int>(std::max<Index>(tested.bottom - tested.top + 1, 0))};
+    stages.depth_region = {tested.left, tested.top, std::max(tested.right - tested.left + 1, 0),
+                           std::max(tested.bottom - tested.top + 1, 0)};
     const bool has_depths = scene.has_depth_buffer();
     decisions.push_back({Stage::depth,
                          "",
@@ -474,9 +507,9 @@ inline void decide_pixel_stages(const Scene& scene, const std::vector<TriangleSu
 
 /// Decides about every stage. `depth_size` is that of a number of the depth buffer, in bytes.
 template <typename AGeometry>
-Stages stages_of(const Scene& scene, const AGeometry& geometry, std::size_t depth_size) {
+Stages stages_of(const Scene& scene, const AGeometry& geometry,
+                 const std::vector<TriangleSurvey>& triangles, std::size_t depth_size) {
     Stages stages;
-    const std::vector<TriangleSurvey> triangles = survey_of(scene, geometry);
     stages.pixels = pixel_stages(scene, triangles);
     decide_vertex_stages(scene, geometry, stages.decisions);
     decide_face_stages(scene, stages.decisions);

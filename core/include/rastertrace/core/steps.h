@@ -207,6 +207,13 @@ struct RowsRejected {
     Index to_y;
 };
 
+/// Doubles have left it open which of two numbers is the larger one. From here on the primitive is drawn
+/// with exact numbers. Fires with `adaptive` only.
+struct BoundExceeded {
+    double difference; ///< of the two, as it was calculated
+    double error;      ///< that it may be off by
+};
+
 /// Why a primitive draws nothing.
 enum class SkipReason {
     off_canvas,   ///< it has pixels, and none of them lies on the canvas

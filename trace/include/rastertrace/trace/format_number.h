@@ -69,6 +69,9 @@ inline std::size_t room_for(const Rational& value) {
     return mpz_sizeinbase(value.get_num_mpz_t(), 10) + mpz_sizeinbase(value.get_den_mpz_t(), 10) +
            6;
 }
+inline std::size_t room_for(const Adaptive& value) {
+    return room_for(0.0) + (value.exact() ? room_for(*value.exact()) : 0);
+}
 
 /// Writes a value to `out`, which must have room for it; returns the place behind it.
 inline char* format_number(char* out, std::uint64_t value) {
@@ -176,6 +179,20 @@ template <typename Integer> char* format_number(char* out, const Fraction<Intege
     }
     *out++ = '"';
     return out;
+}
+
+inline char* format_number(char* out, const Rational& value);
+
+/// The double nearest to a fraction; the fraction itself where that is beyond all doubles.
+inline char* format_as_double(char* out, const Rational& value) {
+    const double near = nearest_double(value);
+    return std::isfinite(near) ? format_number(out, near) : format_number(out, value);
+}
+
+/// A double that knows its error; the error is not written.
+inline char* format_number(char* out, const Adaptive& value) {
+    return value.exact() ? format_as_double(out, *value.exact())
+                         : format_number(out, value.value());
 }
 
 inline char* format_number(char* out, const Rational& value) {

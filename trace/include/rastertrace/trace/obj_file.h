@@ -31,6 +31,9 @@ struct ObjMesh {
 
     std::size_t faces() const { return face_ends.size(); }
 
+    /// How many there are if each face is cut into triangles.
+    std::size_t triangles() const { return corners.size() - 2 * faces(); }
+
     /// The corners of face `i`, three or more, in the order of the file.
     std::span<const std::uint32_t> face(std::size_t i) const {
         const std::size_t begin = i == 0 ? 0 : face_ends[i - 1];

@@ -3,8 +3,10 @@
 
 // Scene files: JSON to Scene. docs/scene-format.md describes them.
 //
-//     const Result<Scene> scene = read_scene({"first.json", text});
+//     const auto read = read_scene({"first.json", text});
+//     draw<double>(read.value().scene, read.value().plan, sink);
 
+#include <rastertrace/core/plan.h>
 #include <rastertrace/core/scene.h>
 #include <rastertrace/trace/method_names.h>
 #include <rastertrace/trace/problem.h>
@@ -15,9 +17,16 @@
 
 namespace rastertrace {
 
+/// A scene, and how it is drawn.
+struct PlannedScene {
+    Scene scene;
+    Plan plan;
+};
+
 /// Reads a scene. `overrides` take the place of what its "method" says. The scene that comes back
-/// can be drawn: every name is known, every number is finite, and no step can overflow.
-Result<Scene> read_scene(const Source& source, const MethodOverrides& overrides = {});
+/// can be drawn: every name is known, every number is finite, and no step can overflow. That is
+/// found out by planning, so the plan comes with it.
+Result<PlannedScene> read_scene(const Source& source, const MethodOverrides& overrides = {});
 
 /// What stands between names that are written as one: nothing if each is one letter, "-" otherwise.
 std::string_view name_separator(std::span<const std::string_view> names);

@@ -88,8 +88,8 @@ struct Stats {
     /// Where a triangle of another color had just the depth of the one that is seen, and came too
     /// late: drawn in another order, the picture would be another one.
     PixelList depth_ties;
-    std::string frame;                   ///< name of the final picture, see frame_name
-    bool frame_differs = false;          ///< the end record names another picture
+    std::string frame;          ///< name of the final picture, see frame_name
+    bool frame_differs = false; ///< the end record names another picture
 };
 
 /// Counts, and compares what was drawn with what should have been. Nothing is compared in a trace

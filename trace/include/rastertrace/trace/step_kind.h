@@ -30,9 +30,10 @@ enum class StepKind {
     pixel,
     reject,
     skip,
+    undecided,
 };
 
-inline constexpr std::size_t step_kinds = 18;
+inline constexpr std::size_t step_kinds = 19;
 
 /// The value of "step": matrix, vertex, ...
 std::string_view name_of(StepKind kind);

@@ -12,6 +12,7 @@
 // when it is full: memory does not grow with the number of steps. A step that the filter leaves out
 // is never formatted.
 
+#include <rastertrace/core/method.h>
 #include <rastertrace/core/steps.h>
 #include <rastertrace/trace/color_text.h>
 #include <rastertrace/trace/format_number.h>
@@ -59,9 +60,19 @@ struct StepFilter {
 /// `text` as a JSON string, quotes included. Characters that could harm a terminal are escaped.
 std::string json_quoted(std::string_view text);
 
+/// How numbers are written that are known exactly.
+enum class NumberStyle {
+    exact,   ///< as fractions: "25/8"
+    doubles, ///< as the nearest doubles, like all other numbers: 3.125
+};
+
+/// A method that draws some of its numbers exactly and others not writes all of them alike.
+NumberStyle number_style_of(const Method& method);
+
 class StepWriter {
 public:
-    StepWriter(Output& output, TraceLayout layout, const StepFilter& filter);
+    StepWriter(Output& output, TraceLayout layout, const StepFilter& filter,
+               NumberStyle numbers = NumberStyle::exact);
     StepWriter(const StepWriter&) = delete;
     StepWriter& operator=(const StepWriter&) = delete;
 
@@ -233,6 +244,7 @@ public:
     void operator()(const PixelsRejected& step);
     void operator()(const RowsRejected& step);
     void operator()(const PrimitiveSkipped& step);
+    void operator()(const BoundExceeded& step);
 
     /// Writes text as it is: for what stands before the first step and behind the last one.
     void put_text(std::string_view text) { put(text); }
@@ -330,6 +342,7 @@ private:
     template <typename Number> static std::size_t size_of(const Number& number) {
         return room_for(number);
     }
+    std::size_t size_of(const Rational& number) const { return room_for(number) + room_for(0.0); }
 
     template <std::size_t size> static char* append(char* out, const char (&literal)[size]) {
         std::memcpy(out, literal, size - 1);
@@ -342,6 +355,14 @@ private:
     template <typename Number> static char* append(char* out, const Number& number) {
         return format_number(out, number);
     }
+    template <typename Integer> char* append(char* out, const Fraction<Integer>& number) const {
+        return numbers_ == NumberStyle::doubles ? format_number(out, to_double(number))
+                                                : format_number(out, number);
+    }
+    char* append(char* out, const Rational& number) const {
+        return numbers_ == NumberStyle::doubles ? format_as_double(out, number)
+                                                : format_number(out, number);
+    }
 
     static constexpr std::size_t most_vertices = 3;
 
@@ -350,6 +371,7 @@ private:
     std::size_t used_ = 0;
     std::string_view separator_ = "\n"; ///< before the next line
     std::string_view next_separator_;
+    NumberStyle numbers_;
     std::array<bool, step_kinds> wanted_{};
     std::optional<Region> region_;
     std::optional<std::string> primitive_;

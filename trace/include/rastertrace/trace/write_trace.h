@@ -8,6 +8,7 @@
 //     write_trace(scene, {}, out);
 
 #include <rastertrace/core/image.h>
+#include <rastertrace/core/plan.h>
 #include <rastertrace/core/scene.h>
 #include <rastertrace/trace/output.h>
 #include <rastertrace/trace/step_writer.h>
@@ -25,8 +26,11 @@ struct TraceOptions {
     StepFilter filter;
 };
 
-/// Draws the scene and writes its trace. The same scene and options give the same bytes on every
-/// machine. Throws the Problem that the output throws.
+/// Draws the scene by its plan and writes its trace. The same scene and options give the same bytes
+/// on every machine. Throws the Problem that the output throws.
+void write_trace(const Scene& scene, const Plan& plan, const TraceOptions& options, Output& output);
+
+/// The same for a scene that nobody has planned yet.
 void write_trace(const Scene& scene, const TraceOptions& options, Output& output);
 
 /// The name that a trace gives to a final picture: FNV-1a (64 bit, sixteen hexadecimal digits) over

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What `adaptive` falls back on where the errors of doubles leave a decision open: the same
+// primitives with exact numbers, worked out one by one when they are asked for.
+//
+//     ExactPieces exact(scene, plan);
+//     exact.placed({.primitive = 3, .part = 0});  // its corners as fractions
+
+#include <rastertrace/core/adaptive.h>
+#include <rastertrace/core/depth.h>
+#include <rastertrace/core/edge.h>
+#include <rastertrace/core/fill_scanline.h>
+#include <rastertrace/core/geometry.h>
+#include <rastertrace/core/pieces.h>
+#include <rastertrace/core/placed.h>
+#include <rastertrace/core/plan.h>
+#include <rastertrace/core/scalar.h>
+#include <rastertrace/core/scene.h>
+#include <rastertrace/core/sink.h>
+#include <rastertrace/core/triangle.h>
+
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <variant>
+
+namespace rastertrace {
+
+/// A piece: which part of which primitive.
+struct PieceNumber {
+    std::size_t primitive = 0;
+    std::size_t part = 0;
+
+    friend auto operator<=>(const PieceNumber&, const PieceNumber&) = default;
+};
+
+/// The pieces of a scene in exact numbers. Only what is asked for is worked out.
+class ExactPieces {
+public:
+    ExactPieces(const Scene& scene, const Plan& plan) : scene_(scene), plan_(plan) {}
+
+    /// Visits the pieces of a primitive.
+    template <typename Sink, typename Visit>
+    void visit(std::size_t number, Sink&& sink, Visit&& visit) {
+        const bool mixes_colors = scene_.mixes_colors();
+        if (std::holds_alternative<TypedGeometry>(plan_.geometry))
+            visit_pieces(scene_, TypedGeometry{}, number, mixes_colors, sink, visit);
+        else
+            visit_pieces(scene_, geometry_with(number), number, mixes_colors, sink, visit);
+    }
+
+    /// The corners of a piece, as they are drawn.
+    const PlacedPrimitive<Rational>& placed(const PieceNumber& piece) {
+        const auto known = placed_.find(piece);
+        if (known != placed_.end())
+            return known->second;
+        PieceNumber next{piece.primitive, 0};
+        visit(piece.primitive, NullSink{}, [&](const auto& one) {
+            placed_.emplace(next, rastertrace::placed<Rational>(one, plan_));
+            ++next.part;
+        });
+        return placed_.at(piece);
+    }
+
+private:
+    /// The geometry of the scene, in which a primitive's vertices have their places.
+    const Geometry<Rational>& geometry_with(std::size_t number) {
+        if (const auto* whole = std::get_if<Geometry<Rational>>(&plan_.geometry))
+            return *whole;
+        if (!geometry_) {
+            geometry_ = empty_geometry<Rational>(scene_);
+            geometry_->transforms.divides =
+                std::get<Geometry<Adaptive>>(plan_.geometry).transforms.divides;
+        }
+        for (const std::size_t place : scene_.primitives[number].corners()) {
+            if (geometry_->is_used[place])
+                continue;
+            geometry_->is_used[place] = true;
+            place_in_clip_space(scene_, model_of(scene_, *geometry_, place), place, *geometry_);
+            place_on_screen(place, *geometry_);
+        }
+        return *geometry_;
+    }
+
+    const Scene& scene_;
+    const Plan& plan_;
+    std::optional<Geometry<Rational>> geometry_;
+    std::map<PieceNumber, PlacedPrimitive<Rational>> placed_;
+};
+
+/// The turned depth of a triangle in the pixel at (x, y), as the fill that the scene names finds it.
+inline Rational exact_depth_at(const Scene& scene, const PlacedPrimitive<Rational>& primitive,
+                               int x, int y) {
+    const Triangle<Rational> triangle{primitive.positions};
+    DepthBuffer<Rational> nothing({}, depth_rule<Rational>(scene));
+    TriangleDepth<Rational> depth(triangle, primitive.depths, nothing);
+
+    // By weights.
+    if (scene.method.fill == Fill::top_left || scene.method.fill == Fill::barycentric) {
+        depth.prepare(scalar_from<Rational>(sample_offset_of(scene.method)));
+        return depth.on_row(y).at(x);
+    }
+
+    // By rows, then across.
+    const int down = scene.canvas.down();
+    const JoinedEdges<Rational> edges = joined_edges(triangle, down);
+    const bool is_lower = first_lower_y(edges, down) * down <= Index{y} * down;
+    const Edge<Rational>& short_edge = is_lower ? edges.lower : edges.upper;
+    const Edge<Rational>& left = edges.long_edge_is_left ? edges.long_edge : short_edge;
+    const Edge<Rational>& right = edges.long_edge_is_left ? short_edge : edges.long_edge;
+    const Rational height = y;
+    return TriangleDepth<Rational>::between(left.x_at(height), depth.on_edge(left.name, height),
+                                            right.x_at(height), depth.on_edge(right.name, height))
+        .at(x);
+}
+
+/// Passes steps on, and can be told to pass over as many as it has had: those that come again when
+/// what stopped halfway is done once more from its beginning.
+template <typename Sink> class ResumedSink {
+public:
+    explicit ResumedSink(Sink& sink) : sink_(sink) {}
+
+    template <typename Step> void operator()(const Step& step) {
+        if (to_pass_over_ > 0) {
+            --to_pass_over_;
+            return;
+        }
+        ++passed_on_;
+        sink_(step);
+    }
+
+    template <typename Step> bool takes() const { return rastertrace::takes<Step>(sink_); }
+
+    void pass_over_what_came() { to_pass_over_ = passed_on_; }
+
+private:
+    Sink& sink_;
+    std::uint64_t passed_on_ = 0;
+    std::uint64_t to_pass_over_ = 0;
+};
+
+/// There is nothing to pass on.
+template <> class ResumedSink<NullSink> : public NullSink {
+public:
+    explicit ResumedSink(NullSink&) {}
+    void pass_over_what_came() {}
+};
+
+} // namespace rastertrace

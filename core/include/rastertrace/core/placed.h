@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A piece on the screen with its coordinates turned into the numbers that it is drawn with.
+//
+//     const PlacedPrimitive<double> triangle = placed<double>(piece, plan);
+
+#include <rastertrace/core/canvas.h>
+#include <rastertrace/core/image.h>
+#include <rastertrace/core/pieces.h>
+#include <rastertrace/core/plan.h>
+#include <rastertrace/core/scalar.h>
+#include <rastertrace/core/triangle.h>
+#include <rastertrace/core/vec.h>
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <string_view>
+
+namespace rastertrace {
+
+/// A piece with its numbers ready to draw: the first `count` of each.
+template <typename Scalar> struct PlacedPrimitive {
+    std::size_t number = 0; ///< its place in the scene
+    std::size_t count = 0;
+    std::array<std::string_view, 3> names;
+    std::array<Vec<Scalar, 2>, 3> positions{};
+    std::array<Color, 3> colors; ///< of the vertices; the primitive's where they have none
+    std::array<DepthOf<Scalar>, 3> depths{};
+    std::array<DepthOf<Scalar>, 3> inverse_w{};
+};
+
+/// Coordinates become numbers to calculate with.
+template <typename Scalar, typename Coordinate>
+PlacedPrimitive<Scalar> placed(const Piece<Coordinate>& piece, const Plan& plan) {
+    PlacedPrimitive<Scalar> result{.number = piece.primitive,
+                                   .count = piece.count,
+                                   .names = piece.names,
+                                   .colors = piece.colors};
+    for (std::size_t i = 0; i < piece.count; ++i) {
+        result.positions[i].x = scalar_from<Scalar>(piece.positions[i].x, plan.denominator);
+        result.positions[i].y = scalar_from<Scalar>(piece.positions[i].y, plan.denominator);
+    }
+    using D = DepthOf<Scalar>;
+    for (std::size_t i = 0; i < piece.count; ++i) {
+        if constexpr (std::same_as<D, Adaptive> && !std::same_as<Coordinate, Number>) {
+            result.depths[i] = with_error(piece.depths[i]);
+            result.inverse_w[i] = with_error(piece.inverse_w[i]);
+        } else if constexpr (!std::same_as<Coordinate, Number> &&
+                             std::constructible_from<D, Coordinate>) {
+            result.depths[i] = D(piece.depths[i]);
+            result.inverse_w[i] = D(piece.inverse_w[i]);
+        }
+    }
+    return result;
+}
+
+/// What is exact, as numbers that stay exact.
+inline PlacedPrimitive<Adaptive> exactly(const PlacedPrimitive<Rational>& primitive) {
+    PlacedPrimitive<Adaptive> result{.number = primitive.number,
+                                     .count = primitive.count,
+                                     .names = primitive.names,
+                                     .colors = primitive.colors};
+    for (std::size_t i = 0; i < primitive.count; ++i) {
+        const auto& [x, y] = primitive.positions[i];
+        result.positions[i] = {Adaptive(x), Adaptive(y)};
+        result.depths[i] = Adaptive(primitive.depths[i]);
+        result.inverse_w[i] = Adaptive(primitive.inverse_w[i]);
+    }
+    return result;
+}
+
+} // namespace rastertrace

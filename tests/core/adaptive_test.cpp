@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: MIT
+// adaptive takes every decision that exact takes; its errors are never larger than their bounds.
+
+#include "edge_scenes.h"
+#include "picture.h"
+
+#include <rastertrace/core/adaptive.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace rastertrace {
+namespace {
+
+/// Writes down what was decided, and leaves out the numbers that it was decided by.
+class Decisions {
+public:
+    std::vector<std::int64_t> all;
+    int undecided = 0;
+
+    template <typename S> void operator()(const ScanlineSpanned<S>& s) {
+        add({1, s.y, s.from, s.to});
+    }
+    template <typename S> void operator()(const SampleTested<S>& s) {
+        add({2, s.pixel.x, s.pixel.y, s.is_inside});
+    }
+    template <typename S> void operator()(const DepthTested<S>& s) {
+        add({3, s.pixel.x, s.pixel.y, s.passes});
+    }
+    template <typename S> void operator()(const LineSampled<S>& s) { add({4, s.at, s.pixel}); }
+    template <typename S> void operator()(const FaceTested<S>& s) {
+        add({5, s.is_culled, s.is_culled_opposite});
+    }
+    template <typename S> void operator()(const FaceLit<S>& s) { add({6, as_number(s.color)}); }
+    template <typename S> void operator()(const EdgeSetUp<S>& s) { add({7, s.is_horizontal}); }
+    template <typename S> void operator()(const EdgeFunctionSetUp<S>& s) {
+        add({8, s.is_top_left});
+    }
+    template <typename S> void operator()(const PrimitiveBegan<S>& s) {
+        add({9, static_cast<std::int64_t>(s.vertices.size()), as_number(s.color)});
+    }
+    template <typename S> void operator()(const MatrixSetUp<S>&) { add({10}); }
+    template <typename S> void operator()(const VertexPlaced<S>& s) {
+        add({11, static_cast<std::int64_t>(s.space)});
+    }
+    template <typename S> void operator()(const PrimitivesOrdered<S>& s) {
+        for (const auto name : s.names)
+            add({12, name.back()});
+    }
+    void operator()(const PrimitiveClipped& s) { add({13, s.left}); }
+    void operator()(const SideBegan&) { add({14}); }
+    void operator()(const HalfBegan& s) { add({15, s.from_y, s.to_y}); }
+    void operator()(const RayBegan&) { add({16}); }
+    void operator()(const LineDecided& s) { add({17, s.pixel.x, s.pixel.y}); }
+    void operator()(const PixelPlotted& s) { add({18, s.pixel.x, s.pixel.y, as_number(s.color)}); }
+    void operator()(const PixelsRejected& s) { add({19, s.from_x, s.from_y, s.to_x, s.to_y}); }
+    void operator()(const RowsRejected& s) { add({20, s.from_y, s.to_y}); }
+    void operator()(const PrimitiveSkipped& s) { add({21, static_cast<std::int64_t>(s.why)}); }
+    void operator()(const BoundExceeded& s) {
+        EXPECT_FALSE(std::abs(s.difference) > s.error * 1.0001) << "that was decided";
+        ++undecided;
+    }
+
+private:
+    static std::int64_t as_number(Color color) {
+        return (color.red() << 24) + (color.green() << 16) + (color.blue() << 8) + color.alpha();
+    }
+    void add(std::initializer_list<std::int64_t> numbers) {
+        all.insert(all.end(), numbers.begin(), numbers.end());
+    }
+};
+
+Decisions decisions_of(Scene scene, ScalarKind scalar, std::string& picture) {
+    scene.method.scalar = scalar;
+    Decisions decisions;
+    picture = picture_of(draw_as_planned(scene, decisions));
+    return decisions;
+}
+
+/// Moves every corner by less than any double near it can tell, so that no fractions of machine size
+/// fit: what lay on an edge now lies a hair to one side, and the rest lies just where it looked.
+Scene nudged(Scene scene, std::mt19937_64& random) {
+    for (SceneVertex& vertex : scene.vertices)
+        for (Number* const coordinate : {&vertex.x, &vertex.y, &vertex.z}) {
+            const auto digits = static_cast<std::int64_t>(random() % 5) - 2;
+            const int places = -17 - static_cast<int>(random() % 16);
+            *coordinate =
+                Number::fraction(coordinate->exact() + Number::decimal(digits, places).exact());
+        }
+    return scene;
+}
+
+/// How many scenes are drawn; scripts/check-adaptive.sh asks for more.
+int scenes_to_draw() {
+    const char* const asked = std::getenv("RASTERTRACE_ADAPTIVE_SCENES");
+    return asked ? std::atoi(asked) : 4000;
+}
+
+TEST(Adaptive, DecidesAsExact) {
+    EdgeScenes scenes(7);
+    std::mt19937_64 random(7);
+    int drawn = 0, fallen_back = 0;
+    while (drawn < scenes_to_draw()) {
+        Scene scene = scenes.next();
+        if (random() % 2 == 0)
+            scene = nudged(scene, random);
+        scene.method.scalar = ScalarKind::exact;
+        // A plan may leave more out where numbers are exact; in full, all decisions are seen.
+        const StageSet needed = scene.keep;
+        scene.keep = StageSet::all();
+        if (find_unfit(scene))
+            continue;
+        ++drawn;
+        std::string exact_picture, adaptive_picture;
+        const Decisions exact = decisions_of(scene, ScalarKind::exact, exact_picture);
+        const Decisions adaptive = decisions_of(scene, ScalarKind::adaptive, adaptive_picture);
+        ASSERT_EQ(exact.all, adaptive.all) << "scene " << drawn;
+        ASSERT_EQ(exact_picture, adaptive_picture) << "scene " << drawn;
+        fallen_back += adaptive.undecided > 0;
+
+        // Planned, and with the sink that keeps nothing, it draws the same.
+        scene.keep = needed;
+        scene.method.scalar = ScalarKind::adaptive;
+        ASSERT_EQ(picture_of(draw_as_planned(scene)), exact_picture) << "scene " << drawn;
+    }
+    EXPECT_GT(fallen_back, drawn / 4) << "these scenes are made to be undecided";
+}
+
+TEST(Adaptive, DecidesWithinAnUlpOfAnEdge) {
+    // The third corner lies within a few ulps of the line through the other two: most of these
+    // triangles have no area in doubles, or one of the wrong sign.
+    std::mt19937_64 random(11);
+    const auto whole = [&random](int below) {
+        return static_cast<int>(random() % static_cast<std::uint64_t>(below));
+    };
+    int undecided = 0;
+    for (int i = 0; i < 3000; ++i) {
+        std::array<double, 6> at{};
+        for (double& coordinate : at)
+            coordinate = whole(12 * 1024) / 1024.0 + whole(3) / 3.0;
+        const double way = whole(1000) / 999.0;
+        at[4] = at[0] + way * (at[2] - at[0]);
+        at[5] = at[1] + way * (at[3] - at[1]);
+        for (int ulps = whole(4); ulps > 0; --ulps)
+            at[5] = std::nextafter(at[5], i % 2 == 0 ? 100 : -100);
+        Scene scene = triangle_scene({"0", "0", "0", "0", "0", "0"},
+                                     {.width = 12, .height = 12, .origin = Origin::top_left});
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            scene.vertices[corner].x = Number::fraction(mpq_class(at[2 * corner]));
+            scene.vertices[corner].y = Number::fraction(mpq_class(at[2 * corner + 1]));
+        }
+        for (const Fill fill :
+             {Fill::scanline, Fill::two_halves, Fill::barycentric, Fill::top_left}) {
+            scene.method.fill = fill;
+            std::string exact_picture, adaptive_picture;
+            const Decisions exact = decisions_of(scene, ScalarKind::exact, exact_picture);
+            const Decisions adaptive = decisions_of(scene, ScalarKind::adaptive, adaptive_picture);
+            ASSERT_EQ(exact.all, adaptive.all) << "triangle " << i;
+            ASSERT_EQ(exact_picture, adaptive_picture) << "triangle " << i;
+            undecided += adaptive.undecided;
+        }
+    }
+    EXPECT_GT(undecided, 1000);
+}
+
+/// An Adaptive and the number that it stands for.
+struct Pair {
+    Adaptive with_error;
+    mpq_class exact;
+};
+
+/// Fails if the bound does not hold. Returns how much of it is used, 0 to 1.
+double used_of_bound(const Pair& pair) {
+    const mpq_class off = abs(mpq_class(pair.with_error.value()) - pair.exact);
+    EXPECT_LE(off, mpq_class(pair.with_error.error()));
+    return pair.with_error.error() == 0
+               ? 0
+               : mpq_class(off / mpq_class(pair.with_error.error())).get_d();
+}
+
+/// Applies random operations to random numbers, from seeds; sizes differ by up to 2^200.
+double worst_use_of_bound(std::uint64_t seed, int exponents) {
+    std::mt19937_64 random(seed);
+    const auto leaf = [&] {
+        const mpq_class exact(mpz_class(static_cast<long>(random() % 2000001) - 1000000),
+                              mpz_class(static_cast<long>(random() % 1000 + 1)));
+        mpq_class scaled = exact;
+        scaled.canonicalize();
+        const int exponent =
+            static_cast<int>(random() % static_cast<std::uint64_t>(2 * exponents + 1)) - exponents;
+        const mpq_class power(mpz_class(1) << static_cast<unsigned>(std::abs(exponent)));
+        scaled = exponent < 0 ? mpq_class(scaled / power) : mpq_class(scaled * power);
+        return Pair{with_error(scaled), scaled};
+    };
+    double worst = 0;
+    Pair value = leaf();
+    for (int i = 0; i < 12; ++i) {
+        const Pair other = leaf();
+        try {
+            switch (random() % 5) {
+            case 0:
+                value = {value.with_error + other.with_error, value.exact + other.exact};
+                break;
+            case 1:
+                value = {value.with_error - other.with_error, value.exact - other.exact};
+                break;
+            case 2:
+                value = {value.with_error * other.with_error, value.exact * other.exact};
+                break;
+            case 3:
+                if (other.exact != 0)
+                    value = {value.with_error / other.with_error, value.exact / other.exact};
+                break;
+            default: // what all but cancels
+                value = {value.with_error - Adaptive(value.with_error.value()),
+                         value.exact - mpq_class(value.with_error.value())};
+                break;
+            }
+        } catch (const Undecided&) {
+            return worst; // beyond the doubles
+        }
+        worst = std::max(worst, used_of_bound(value));
+
+        // A comparison that is decided is right, and so is a floor.
+        if (const auto order = order_of(value.with_error, other.with_error)) {
+            EXPECT_EQ(*order, cmp(value.exact, other.exact) <=> 0);
+        }
+        try {
+            EXPECT_EQ(floor_index(value.with_error), floor_index(Rational(value.exact)));
+        } catch (const Undecided&) {
+            continue;
+        }
+    }
+    return worst;
+}
+
+TEST(Adaptive, ErrorsStayBelowTheirBounds) {
+    double worst = 0;
+    for (std::uint64_t seed = 0; seed < 20000; ++seed)
+        worst = std::max(worst, worst_use_of_bound(seed, seed % 2 == 0 ? 3 : 200));
+    EXPECT_GT(worst, 0.5) << "the bound should not be far larger than it has to be";
+}
+
+TEST(Adaptive, SubnormalAndHugeNumbersDecideNothingWrong) {
+    for (std::uint64_t seed = 0; seed < 5000; ++seed)
+        worst_use_of_bound(seed, 1020);
+}
+
+TEST(Adaptive, FloorsNextToWholeNumbers) {
+    for (const double whole : {-3.0, -1.0, 0.0, 1.0, 1e6, -1e15})
+        for (const double error : {0.0, 1e-300, 1e-20, 1e-10, 0.1, 0.6})
+            for (const double off :
+                 {0.0, 1e-320, -1e-320, 1e-20, -1e-20, 1e-10, -1e-10, 0.2, -0.2}) {
+                const double value = whole + off;
+                const Index low = floor_index(Rational(mpq_class(value) - mpq_class(error)));
+                const Index high = floor_index(Rational(mpq_class(value) + mpq_class(error)));
+                try {
+                    const Index found = floor_index(Adaptive(value, error));
+                    EXPECT_TRUE(low == found && high == found) << value << " +- " << error;
+                } catch (const Undecided&) {
+                    // As little as the error allows for must do to be undecided: not more than twice.
+                    const Index wide_low =
+                        floor_index(Rational(mpq_class(value) - 2 * mpq_class(error)));
+                    const Index wide_high =
+                        floor_index(Rational(mpq_class(value) + 2 * mpq_class(error)));
+                    EXPECT_NE(wide_low, wide_high) << value << " +- " << error;
+                }
+            }
+}
+
+TEST(Adaptive, DrawsWhatFitsInFractionsOfMachineSize) {
+    const auto number_for = [](const Scene& scene) { return plan_for(scene).number; };
+    EXPECT_EQ(number_for(first_triangle({.scalar = ScalarKind::adaptive})), NumberType::fraction64);
+    Scene scene = triangle_scene({"1e-30", "0", "5", "0", "0", "5"}, {.width = 8, .height = 8},
+                                 {.scalar = ScalarKind::adaptive});
+    EXPECT_EQ(number_for(scene), NumberType::adaptive);
+}
+
+TEST(Adaptive, SaysHowOftenItFellBack) {
+    // Row 0 passes through the corner C.
+    Scene scene = triangle_scene({"1e-30", "0", "5", "0", "0", "5"}, {.width = 12, .height = 12},
+                                 {.scalar = ScalarKind::adaptive});
+    Fallbacks fallbacks;
+    const Plan plan = plan_for(scene);
+    draw<Adaptive>(scene, plan, NullSink{}, &fallbacks);
+    EXPECT_EQ(fallbacks.primitives, 1u);
+    EXPECT_EQ(fallbacks.depths, 0u);
+}
+
+} // namespace
+} // namespace rastertrace
