@@ -85,24 +85,29 @@ bool is_as_documented(const StressRow& row) {
 
 std::string described(const StressRow& row) {
     const Measured& measured = row.measured;
-    const std::string note = measured.note.empty() ? "" : "; " + measured.note;
+    std::string text;
+    const auto add = [&text](std::string_view separator, const std::string& more) {
+        text += text.empty() || more.empty() ? "" : separator;
+        text += more;
+    };
     switch (verdict_of(row)) {
+    case Verdict::right:
     case Verdict::refused:
         return measured.note;
-    case Verdict::right:
-        return measured.note;
     case Verdict::within:
-        return fmt::format("off by at most {:.2g} {}{}", measured.worst, measured.worst_unit, note);
+        text = fmt::format("off by at most {:.2g} {}", measured.worst, measured.worst_unit);
+        add("; ", measured.note);
+        return text;
     case Verdict::wrong:
         break;
     }
-    std::string text;
-    if (measured.wrong > 0)
+    if (measured.wrong > 0 && !measured.unit.empty())
         text = fmt::format("{} {} wrong", measured.wrong, plural(measured.wrong, measured.unit));
     if (!measured.worst_unit.empty())
-        text += fmt::format("{}at most {:.{}g} {}", text.empty() ? "" : ", ", measured.worst,
-                            significant_digits(row.documented.worst), measured.worst_unit);
-    return text + note;
+        add(", ", fmt::format("at most {:.{}g} {}", measured.worst,
+                              significant_digits(row.documented.worst), measured.worst_unit));
+    add("; ", measured.note);
+    return text;
 }
 
 std::string described(const Documented& documented, const Measured& measured) {

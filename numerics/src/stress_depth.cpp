@@ -523,6 +523,8 @@ std::vector<StressCase> depth_cases() {
                  accumulated("double", 1e6, 1024, accumulated_depth<double>(1e6, 1024), "2.4e-9");
                  accumulated("double", 1e8, 4096, accumulated_depth<double>(1e8, 4096), "7.8e-6");
                  accumulated("double", 1e12, 1024, accumulated_depth<double>(1e12, 1024), "0.016");
+                 // Two roundings of the value itself; or, in a row, of the difference, the slope, the
+                 // product and the sum, none of which is larger than the nearest depth.
                  for (const double r : {1e4, 1e6, 1e8}) {
                      rows.add("float", fmt::format("textbook: (1-t)/z0 + t/z1, r = {:g}", r),
                               mixed_depth<float>(r, 1024), within(4 * rounding_unit<float>()));

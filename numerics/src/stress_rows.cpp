@@ -120,7 +120,6 @@ void StressRows::expect_same(std::string_view scalar, std::string_view method, s
                              std::uint64_t expected, std::string_view unit) {
     add(scalar, method,
         {.wrong = found == expected ? 0u : 1u,
-         .unit = "count",
          .note = found == expected ? counted(found, unit)
                                    : fmt::format("{}, not {}", counted(found, unit), expected)},
         right());

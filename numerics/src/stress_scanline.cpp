@@ -356,8 +356,9 @@ std::vector<StressCase> scanline_cases() {
          .title = "700,001 rows",
          .input = "edge (0,0)-(100000,700000), floored",
          .why = "as S4, and longer",
-         .holds = "floor(y/7). Multiplied: every row right. Accumulated: almost none in float, one "
-                  "in ten wrong in double.",
+         .holds =
+             "floor(y/7). Multiplied: every row right. Accumulated: 670,337 rows wrong in float, "
+             "70,874 in double.",
          .scenes =
              [] {
                  return one(WalkedEdge{0, 100'000, 700'000}.json());

@@ -16,6 +16,8 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <random>
 #include <stdexcept>
@@ -79,6 +81,18 @@ TEST(StressCases, TakeEveryScalarOfTheMethod) {
         EXPECT_TRUE(std::any_of(rows.begin(), rows.end(), [scalar](const StressRow& row) {
             return row.scalar == scalar;
         })) << scalar;
+    }
+}
+
+// docs/stress.md has a row for each case.
+TEST(StressCases, AreInTheDocumentation) {
+    std::ifstream file(RASTERTRACE_EXAMPLES "/../docs/stress.md");
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    for (const StressCase& one : stress_cases()) {
+        std::string row = "\n| " + std::string(one.id) + " | " + std::string(one.title) + " | ";
+        for (const char c : one.holds)
+            row += c == '|' ? std::string("\\|") : std::string(1, c);
+        EXPECT_THAT(text, HasSubstr(row + " | "));
     }
 }
 

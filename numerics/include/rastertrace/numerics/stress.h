@@ -35,7 +35,7 @@ std::string_view name_of(Verdict verdict);
 /// What was found.
 struct Measured {
     std::uint64_t wrong = 0;     ///< pixels, rows, values that are not the exact ones
-    std::string unit = {};       ///< of `wrong`, in the singular
+    std::string unit = {};       ///< of `wrong`, in the singular; empty: the note says it all
     double worst = 0;            ///< the largest error
     std::string worst_unit = {}; ///< of `worst`; empty: no size of the error is measured
     bool is_refused = false;     ///< then `note` is the message
