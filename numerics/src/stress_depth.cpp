@@ -106,11 +106,11 @@ Measured middle_of_edge(std::string_view scalar, const Rational& r, bool is_inve
         DepthBuffer<D> buffer({}, {});
         const TriangleDepth<Scalar> depth(triangle, {one, far_depth, one}, buffer);
         const D found = depth.on_edge({0, 1}, one);
-        const Rational z = is_inverse ? Rational(1 / exactly(found)) : exactly(found);
         const Rational true_z = 2 * r / (1 + r);
-        const double error = nearest_double(abs(z - true_z) / true_z);
         if (is_inverse)
-            return Measured{.worst = error, .worst_unit = "of z"};
+            return Measured{.worst = relative_distance_from(Rational(1 / true_z), found),
+                            .worst_unit = "of 1/z"};
+        const Rational z = exact_value(found);
         return Measured{
             .wrong = 1,
             .unit = "depth",
@@ -145,7 +145,7 @@ template <typename Real> Measured accumulated_depth(double r, int n) {
         depth += step;
     return {.wrong = 1,
             .unit = "depth",
-            .worst = relative_error_of(depth, 1 / Rational(r)),
+            .worst = relative_distance_from(Rational(1 / Rational(r)), depth),
             .worst_unit = "of 1/z",
             .note = depth <= 0 ? "0 or less: never drawn" : ""};
 }
@@ -157,8 +157,9 @@ template <typename Real> Measured mixed_depth(double r, int n) {
         const Real t = static_cast<Real>(i) / static_cast<Real>(n);
         const Real depth = (1 - t) + t / static_cast<Real>(r);
         const Rational exact_t(i, n);
-        measured.worst = std::max(measured.worst,
-                                  relative_error_of(depth, (1 - exact_t) + exact_t / Rational(r)));
+        measured.worst = std::max(
+            measured.worst,
+            relative_distance_from(Rational((1 - exact_t) + exact_t / Rational(r)), depth));
     }
     return measured;
 }
@@ -178,8 +179,8 @@ Measured depth_row(std::string_view scalar, double r, int n) {
             const Rational t(i, n);
             const Rational exact = (1 - t) + t / Rational(r);
             const D found = row.at(i);
-            measured.worst = std::max(measured.worst, error_of(found, exact));
-            relative = std::max(relative, relative_error_of(found, exact));
+            measured.worst = std::max(measured.worst, distance_from(exact, found));
+            relative = std::max(relative, relative_distance_from(exact, found));
         }
         if (relative > 0)
             measured.note = fmt::format("{:.2g} of 1/z itself", relative);

@@ -101,7 +101,7 @@ struct WholeTriangle {
             const Scene scene = readable_scene(json(), {{"scalar", std::string(scalar)}});
             const Rational found =
                 with_numbers_of(scene, [&scene]<typename Scalar>(const Plan& plan) {
-                    return exactly(
+                    return exact_value(
                         Barycentric<Scalar>(Triangle<Scalar>{{place_of<Scalar>(scene, 0, plan),
                                                               place_of<Scalar>(scene, 1, plan),
                                                               place_of<Scalar>(scene, 2, plan)}})
@@ -258,7 +258,7 @@ Measured area_of_shifted(Index shift) {
                              static_cast<float>(y) / 16};
     };
     const Triangle<float> triangle{{place(106, 532), place(172, 71), place(55, 10)}};
-    const Rational found = exactly(Barycentric<float>(triangle).area2());
+    const Rational found = exact_value(Barycentric<float>(triangle).area2());
     const Rational exact = exact_area2(exact_corners(readable_scene(c16({0, 1, 2}, 0, 0)), 0));
     return {.wrong = found == exact ? 0u : 1u,
             .unit = "area",
@@ -388,8 +388,8 @@ std::vector<StressCase> edge_function_cases() {
                          readable_scene(shifted(1 << 24).json(), {{"scalar", std::string(scalar)}});
                      const Rational found =
                          with_numbers_of(with, [&with]<typename Scalar>(const Plan& plan) {
-                             return exactly(constant_term<Scalar>(place_of<Scalar>(with, 0, plan),
-                                                                  place_of<Scalar>(with, 1, plan)));
+                             return exact_value(constant_term<Scalar>(
+                                 place_of<Scalar>(with, 0, plan), place_of<Scalar>(with, 1, plan)));
                          });
                      rows.add(scalar, "constant term at k = 2^24",
                               {.wrong = found == -33'554'432 ? 0u : 1u,

@@ -88,10 +88,10 @@ struct LineLoop {
                                      static_cast<double>(dx));
             }
             if constexpr (!std::floating_point<Scalar>)
-                measured.worst = error_of(y, Rational(static_cast<long>(dy)));
+                measured.worst = distance_from(Rational(static_cast<long>(dy)), y);
             if (first_wrong)
                 measured.note = fmt::format("first at x={}, {:.3g} px at the end", *first_wrong,
-                                            error_of(y, Rational(static_cast<long>(dy))));
+                                            distance_from(Rational(static_cast<long>(dy)), y));
             return measured;
         });
     }

@@ -71,11 +71,26 @@ Result<Trace> trace_in(std::string_view json, const MethodOverrides& method = {}
 /// How many steps of a trace are of a kind.
 std::uint64_t count_of(const Trace& trace, StepKind kind);
 
+/// Calls `use.template operator()<Scalar>()`. What `adaptive` leaves open is done again with exact
+/// numbers, as in draw.h.
+template <typename Scalar, typename Use> auto decided_with(Use&& use) {
+    if constexpr (std::same_as<Scalar, Adaptive>) {
+        try {
+            return use.template operator()<Adaptive>();
+        } catch (const Undecided&) {
+            return use.template operator()<Rational>();
+        }
+    } else {
+        return use.template operator()<Scalar>();
+    }
+}
+
 /// Calls `use.template operator()<Scalar>(plan)` with the C++ type that a scene is drawn with.
-template <typename Use> decltype(auto) with_numbers_of(const Scene& scene, Use&& use) {
+template <typename Use> auto with_numbers_of(const Scene& scene, Use&& use) {
     const Plan plan = plan_for(scene);
-    return with_scalar(plan, [&]<typename Scalar>() -> decltype(auto) {
-        return use.template operator()<Scalar>(plan);
+    return with_scalar(plan, [&]<typename Chosen>() {
+        return decided_with<Chosen>(
+            [&]<typename Scalar>() { return use.template operator()<Scalar>(plan); });
     });
 }
 
@@ -83,12 +98,10 @@ template <typename Use> decltype(auto) with_numbers_of(const Scene& scene, Use&&
 /// tested in.
 template <typename Scalar> Scalar coordinate_type_of(const Geometry<Scalar>&);
 Rational coordinate_type_of(const TypedGeometry&);
-template <typename Use> decltype(auto) with_coordinates_of(const Scene& scene, Use&& use) {
+template <typename Use> auto with_coordinates_of(const Scene& scene, Use&& use) {
     const AnyGeometry geometry = geometry_for(scene);
     return std::visit(
-        [&](const auto& one) -> decltype(auto) {
-            return use.template operator()<decltype(coordinate_type_of(one))>();
-        },
+        [&](const auto& one) { return decided_with<decltype(coordinate_type_of(one))>(use); },
         geometry);
 }
 
@@ -99,40 +112,34 @@ Vec<Scalar, 2> place_of(const Scene& scene, std::size_t vertex, const Plan& plan
             scalar_from<Scalar>(scene.vertices[vertex].y, plan.denominator)};
 }
 
-/// A number as it is, without rounding.
-template <typename Scalar> Rational exactly(const Scalar& value) {
-    if constexpr (std::floating_point<Scalar>)
-        return Rational(value);
-    else
-        return Rational(value);
+/// A number as it is, without rounding; of a double that knows its error, the double.
+template <std::floating_point Real> Rational exact_value(Real value) {
+    return Rational(value);
 }
-inline Rational exactly(const Adaptive& value) {
+inline Rational exact_value(const Rational& value) {
+    return value;
+}
+template <typename Integer> Rational exact_value(const Fraction<Integer>& value) {
+    return exact(value);
+}
+inline Rational exact_value(const Adaptive& value) {
     return value.exact() ? *value.exact() : Rational(value.value());
 }
-inline Rational exactly(const Fraction64& value) {
-    Rational result(value.numerator, value.denominator);
-    result.canonicalize();
-    return result;
-}
-inline Rational exactly(const Fraction128& value) {
-    const auto whole = [](Int128 number) {
-        const auto high = static_cast<long>(number >> 64);
-        const auto low = static_cast<unsigned long>(number);
-        return mpz_class((mpz_class(high) << 64) + mpz_class(low));
-    };
-    Rational result(whole(value.numerator), whole(value.denominator));
-    result.canonicalize();
-    return result;
-}
 
-/// How far a number lies from the exact one, rounded to a double.
-template <typename Scalar> double error_of(const Scalar& value, const Rational& exact) {
-    return nearest_double(abs(exactly(value) - exact));
+/// How far a number lies from the exact one, rounded to a double. One that knows its error is as good
+/// as exact within it.
+template <typename Scalar> double distance_from(const Rational& exact, const Scalar& value) {
+    return nearest_double(abs(exact_value(value) - exact));
+}
+inline double distance_from(const Rational& exact, const Adaptive& value) {
+    const Rational distance = abs(exact_value(value) - exact);
+    return distance <= Rational(value.error()) ? 0 : nearest_double(distance);
 }
 
 /// The same over the exact one.
-template <typename Scalar> double relative_error_of(const Scalar& value, const Rational& exact) {
-    return nearest_double(abs(exactly(value) - exact) / abs(exact));
+template <typename Scalar>
+double relative_distance_from(const Rational& exact, const Scalar& value) {
+    return distance_from(exact, value) / nearest_double(abs(exact));
 }
 
 /// The largest relative error of one correctly rounded operation: 2^-24 for float, 2^-53 for double,
