@@ -20,7 +20,10 @@ struct StepsSink {
     std::size_t begun = 0;
 
     template <typename Step> void operator()(const Step&) {}
-    void operator()(const PrimitiveBegan<Adaptive>& step) { begun += step.is_part ? 0 : 1; }
+    /// One that is cut begins with the numbers that it has before it is placed.
+    template <typename Scalar> void operator()(const PrimitiveBegan<Scalar>& step) {
+        begun += step.is_part ? 0 : 1;
+    }
     void operator()(const SampleTested<Adaptive>&) { ++steps.samples_tested; }
     void operator()(const DepthTested<Adaptive>& step) {
         steps.tested.push_back({numbers[begun - 1], step.pixel, step.depth.value()});
@@ -30,8 +33,7 @@ struct StepsSink {
     }
 
     template <typename Step> bool takes() const {
-        return std::same_as<Step, PrimitiveBegan<Adaptive>> ||
-               std::same_as<Step, SampleTested<Adaptive>> ||
+        return std::same_as<Step, SampleTested<Adaptive>> ||
                std::same_as<Step, DepthTested<Adaptive>> || std::same_as<Step, PixelPlotted>;
     }
 };
