@@ -41,8 +41,8 @@ std::optional<ReportJob> report_job_named(std::string_view name);
 
 /// What is called an error.
 struct ErrorMeasure {
-    std::string_view key;  ///< "wrong_rows"
-    std::string_view name; ///< "wrong rows / rows"
+    std::string_view key;          ///< "wrong_rows"
+    std::string_view name;         ///< "wrong rows / rows"
     std::string_view unit;         ///< "px"; empty where there is none
     std::string_view against = {}; ///< of a ratio: what the wrong ones are counted against: "rows"
 };
