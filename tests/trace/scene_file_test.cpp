@@ -195,7 +195,7 @@ TEST(SceneFile, ColorsThatAreNone) {
 
 TEST(SceneFile, ValuesOfTheMethod) {
     EXPECT_EQ(complaint(R"({"method": {"scalar": "exat"}})"),
-              "scene.json:1:23: expected one of float, double, fixed, exact, found \"exat\"\n"
+              "scene.json:1:23: expected one of float, double, fixed, adaptive, exact, found \"exat\"\n"
               "{\"method\": {\"scalar\": \"exat\"}}\n"
               "                      ^\n"
               "hint: did you mean \"exact\"?");

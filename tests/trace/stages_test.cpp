@@ -19,10 +19,12 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstdlib>
 #include <filesystem>
 #include <initializer_list>
 #include <map>
 #include <random>
+#include <regex>
 #include <set>
 #include <string>
 #include <utility>
@@ -135,13 +137,38 @@ Scene full(Scene scene) {
     return scene;
 }
 
+/// Steps with their numbers rounded to nine places: `adaptive` writes doubles that are off by no more
+/// than their bounds, and exact numbers from where these leave a decision open, which may be earlier
+/// where more is asked.
+std::vector<std::string> with_rounded_numbers(std::vector<std::string> steps) {
+    static const std::regex number(R"(-?[0-9]+(\.[0-9]+)?(e[-+]?[0-9]+)?)");
+    for (std::string& step : steps) {
+        std::string rounded;
+        auto rest = step.cbegin();
+        for (std::sregex_iterator one(step.begin(), step.end(), number), end; one != end; ++one) {
+            rounded.append(rest, (*one)[0].first);
+            const std::string text =
+                fmt::format("{:.9f}", std::strtod(one->str().c_str(), nullptr));
+            rounded += text == "-0.000000000" ? "0.000000000" : text;
+            rest = (*one)[0].second;
+        }
+        step = rounded.append(rest, step.cend());
+    }
+    return steps;
+}
+
 /// Fails unless the scene gives the same picture and the same steps, planned and in full.
 void expect_same(const Scene& scene, const std::string& about) {
     const Plan plan = plan_for(scene);
     const Trace planned = trace_of(scene);
     const Trace complete = trace_of(full(scene));
     ASSERT_EQ(planned.end->frame, complete.end->frame) << about;
-    ASSERT_EQ(steps_of(planned), without_left_out(complete, scene, plan)) << about;
+    if (scene.method.scalar == ScalarKind::adaptive)
+        ASSERT_EQ(with_rounded_numbers(steps_of(planned)),
+                  with_rounded_numbers(without_left_out(complete, scene, plan)))
+            << about;
+    else
+        ASSERT_EQ(steps_of(planned), without_left_out(complete, scene, plan)) << about;
     // A sink that keeps nothing draws the same, with the canvas test compiled out.
     ASSERT_EQ(frame_name(draw_as_planned(scene)), planned.end->frame) << about;
 }

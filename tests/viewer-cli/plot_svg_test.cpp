@@ -178,7 +178,7 @@ TEST(ReportFile, CsvHasAsManyFieldsInEveryLine) {
             fields.push_back(1);
     }
     fields.pop_back();
-    EXPECT_THAT(fields, ElementsAre(21U, 21U, 21U));
+    EXPECT_THAT(fields, ElementsAre(22U, 22U, 22U));
     EXPECT_THAT(csv, HasSubstr("\"beyond, \"\"the largest\"\" <float>\""));
 }
 

@@ -552,7 +552,7 @@ TEST_F(ProgramTest, UsageErrorsNameTheWordAndANearOne) {
               "rastertrace: --only: expected kinds of step out of "
               "matrix,vertex,order,primitive,face,light,clip,edge,half,ray,scanline,along,decide,"
               "sample,depth,pixel,"
-              "reject,skip, found \"pixle\"\n"
+              "reject,skip,undecided, found \"pixle\"\n"
               "hint: did you mean pixel?\n");
     EXPECT_EQ(shell("$rastertrace trace x --region 1,2,3").err,
               "rastertrace: --region: expected two corners as x0,y0,x1,y1, like -4,-3,2,5, found "
