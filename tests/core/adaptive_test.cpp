@@ -294,5 +294,24 @@ TEST(Adaptive, SaysHowOftenItFellBack) {
     EXPECT_EQ(fallbacks.depths, 0u);
 }
 
+TEST(Adaptive, VerticesAtOneDistanceLeaveNoColorOpen) {
+    Scene scene =
+        triangle_scene({"-7/3", "-5/3", "9/7", "-5/3", "1/7", "13/3"}, {.width = 32, .height = 32},
+                       {.scalar = ScalarKind::adaptive, .fill = Fill::top_left});
+    const std::array<Color, 3> colors{{{255, 10, 3}, {7, 200, 90}, {31, 60, 240}}};
+    for (std::size_t i = 0; i < 3; ++i) {
+        scene.vertices[i].z = number(i < 2 ? "7/3" : "11/3");
+        scene.vertices[i].color = colors[i];
+    }
+    scene.projection = {.type = ProjectionType::pinhole};
+    scene.projection.distance = Number(11);
+    const Plan plan = plan_for(scene);
+    ASSERT_EQ(plan.stages.pixels[0].colors, ColorStage::perspective);
+    Fallbacks fallbacks;
+    const Image picture = draw<Adaptive>(scene, plan, NullSink{}, &fallbacks);
+    EXPECT_GT(picture.drawn(), 100u);
+    EXPECT_EQ(fallbacks.colors, 0u);
+}
+
 } // namespace
 } // namespace rastertrace

@@ -63,7 +63,7 @@ private:
                                     Scalar(scalar_from<Scalar>(pixel.y) + sample_offset)});
         // Where w is the same all over, so are the weights.
         if constexpr (in_perspective)
-            if (inverse_w[0] != inverse_w[1] || inverse_w[0] != inverse_w[2])
+            if (may_differ(inverse_w[0], inverse_w[1]) || may_differ(inverse_w[0], inverse_w[2]))
                 return mixed(in_space(weights));
         return mixed(weights);
     }
