@@ -12,8 +12,9 @@
 //
 // Each operation adds to the bound what it rounds: half a unit in the last place of its result (IEEE
 // 754), and for a sum the rounding error itself, which is a double (Knuth's two-sum; Shewchuk 1997,
-// "Adaptive Precision Floating-Point Arithmetic", theorem 7). Bounds are rounded, too, and are widened for that. The idea of a
-// filter with exact arithmetic behind it: Fortune and Van Wyk 1993; CGAL's Filtered_kernel.
+// "Adaptive Precision Floating-Point Arithmetic", theorem 7). Bounds are rounded, too, and are
+// widened for that. The idea of a filter with exact arithmetic behind it: Fortune and Van Wyk 1993;
+// CGAL's Filtered_kernel.
 
 #include <rastertrace/core/number.h>
 
