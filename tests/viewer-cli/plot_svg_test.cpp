@@ -149,7 +149,7 @@ TEST(ReportFile, TextHasTheFailuresAndFits) {
     const std::string text = report_text(hand_made_report());
     EXPECT_THAT(text, HasSubstr("a CPU; a compiler, -O3\n"));
     EXPECT_THAT(text, HasSubstr("\n  exact                    0/7*"));
-    EXPECT_THAT(text, HasSubstr("\n  float          failed: beyond, \"the largest\" <float>\n"));
+    EXPECT_THAT(text, HasSubstr("\n  float           failed: beyond, \"the largest\" <float>\n"));
     EXPECT_THAT(text, HasSubstr("\n-> wrong rows / rows: Choose exact.\n"));
     EXPECT_THAT(text, HasSubstr("\ndepth: nothing to measure: the scene has no depth\n"));
     EXPECT_EQ(text.find('\x1b'), std::string::npos);

@@ -73,8 +73,8 @@ void put_curve(std::string& text, const JobReport& job, const Curve& curve) {
     bool is_snapped = false;
     for (const Setting& setting : curve.settings) {
         if (!setting.failure.empty()) {
-            put_wrapped(text, fmt::format("  {:<15}", setting.name),
-                        "failed: " + printable(setting.failure), std::string(17, ' '));
+            put_wrapped(text, fmt::format("  {:<15} ", setting.name),
+                        "failed: " + printable(setting.failure), std::string(18, ' '));
             continue;
         }
         text += fmt::format("  {:<15}", setting.name);

@@ -24,6 +24,7 @@
 #include <iterator>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace rastertrace {
@@ -158,9 +159,13 @@ std::string as_text(const std::vector<StressRow>& rows) {
                described(rows[next]) == described(row);
              ++next)
             scalars += ", " + rows[next].scalar;
+        // More scalars than the column holds have a line of their own.
+        const char mark = is_as_documented(row) ? ' ' : '!';
+        if (scalars.size() > scalars_end - 6)
+            text += fmt::format("  {} {}\n", mark, std::exchange(scalars, ""));
         const std::string first =
-            fmt::format("  {} {:<{}}{:<{}}", is_as_documented(row) ? ' ' : '!', scalars,
-                        scalars_end - 4, name_of(verdict_of(row)), verdict_end - scalars_end);
+            fmt::format("  {} {:<{}}{:<{}}", scalars.empty() ? ' ' : mark, scalars, scalars_end - 4,
+                        name_of(verdict_of(row)), verdict_end - scalars_end);
         text += wrapped(first, verdict_end, described(row));
         if (!is_as_documented(row))
             text +=

@@ -11,10 +11,9 @@
 //     third * Adaptive(3) < Adaptive(1);           // throws Undecided
 //
 // Each operation adds to the bound what it rounds: half a unit in the last place of its result (IEEE
-// 754), and for a sum the rounding error itself, which is a double (Knuth's two-sum; Shewchuk 1997,
-// "Adaptive Precision Floating-Point Arithmetic", theorem 7). Bounds are rounded, too, and are
-// widened for that. The idea of a filter with exact arithmetic behind it: Fortune and Van Wyk 1993;
-// CGAL's Filtered_kernel.
+// 754), and for a sum the rounding error itself, which is a double (two-sum: Knuth; Shewchuk 1997,
+// theorem 7). Bounds are rounded, too, and are widened for that. A filter with exact arithmetic
+// behind it: Fortune and Van Wyk 1993; CGAL's Filtered_kernel.
 
 #include <rastertrace/core/number.h>
 
