@@ -248,10 +248,7 @@ private:
     }
     static Number number_of(const Rational& x) { return Number::fraction(x); }
     template <typename Integer> static Number number_of(const Fraction<Integer>& x) {
-        Rational exact(mpz_class(static_cast<long>(x.numerator)),
-                       mpz_class(static_cast<long>(x.denominator)));
-        exact.canonicalize();
-        return Number::fraction(exact);
+        return Number::fraction(exact(x));
     }
     static Number number_of(double x) { return Number::fraction(Rational(x)); }
 
