@@ -6,6 +6,7 @@
 #include <rastertrace/core/plan.h>
 #include <rastertrace/core/rounding.h>
 #include <rastertrace/numerics/drawing.h>
+#include <rastertrace/trace/primitive_name.h>
 #include <rastertrace/trace/scene_file.h>
 
 #include <fmt/format.h>
@@ -108,20 +109,6 @@ private:
         }
     }
 
-    static std::string_view noun_of(PrimitiveKind kind) {
-        switch (kind) {
-        case PrimitiveKind::point:
-            return "point";
-        case PrimitiveKind::line:
-            return "line";
-        case PrimitiveKind::outline:
-            return "outline";
-        case PrimitiveKind::triangle:
-            break;
-        }
-        return "triangle";
-    }
-
     // Vertices in space.
 
     void look_at_vertices() {
@@ -210,7 +197,7 @@ private:
     void look_at(const Piece<Rational>& piece) {
         if (piece.face.skip)
             return;
-        const std::string owner = fmt::format("{} {}", noun_of(piece.kind), piece.name);
+        const std::string owner = fmt::format("{} {}", name_of(piece.kind), piece.name);
         for (std::size_t i = 0; i < piece.count; ++i)
             if (piece.is_part || seen_vertices_.insert(piece.vertices[i]).second)
                 look_at_place(piece, i, owner);

@@ -2,6 +2,7 @@
 #include <rastertrace/trace/step_writer.h>
 
 #include <rastertrace/trace/color_text.h>
+#include <rastertrace/trace/primitive_name.h>
 #include <rastertrace/trace/scene_file.h>
 #include <rastertrace/trace/text.h>
 
@@ -16,20 +17,6 @@ namespace {
 
 /// What the buffer holds before it is handed on.
 constexpr std::size_t buffer_size = 256 * 1024;
-
-std::string_view name_of(PrimitiveKind kind) {
-    switch (kind) {
-    case PrimitiveKind::point:
-        return "point";
-    case PrimitiveKind::line:
-        return "line";
-    case PrimitiveKind::outline:
-        return "outline";
-    case PrimitiveKind::triangle:
-        break;
-    }
-    return "triangle";
-}
 
 std::string_view name_of(SkipReason reason) {
     switch (reason) {
