@@ -123,7 +123,8 @@ std::vector<SpansOfPiece> exact_spans(const Scene& scene) {
     const Plan plan = plan_for(exact);
     std::vector<SpansOfPiece> pieces;
     with_scalar(plan, [&]<typename Scalar>() {
-        auto target = target_for<Scalar>(exact, plan);
+        Image image(exact.canvas);
+        Target<Scalar> target{image, sample_grid<Scalar>(exact, plan)};
         for_each_placed_triangle<Scalar>(
             exact, plan, [&](const PlacedPrimitive<Scalar>& triangle, bool is_culled) {
                 auto& spans = pieces.emplace_back(SpansOfPiece{triangle.number, {}}).spans;

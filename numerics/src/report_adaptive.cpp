@@ -24,7 +24,9 @@ struct StepsSink {
     template <typename Scalar> void operator()(const PrimitiveBegan<Scalar>& step) {
         begun += step.is_part ? 0 : 1;
     }
-    void operator()(const SampleTested<Adaptive>&) { ++steps.samples_tested; }
+    template <typename Scalar> void operator()(const SampleTested<Scalar>&) {
+        ++steps.samples_tested;
+    }
     void operator()(const DepthTested<Adaptive>& step) {
         steps.tested.push_back({numbers[begun - 1], step.pixel, step.depth.value()});
     }
@@ -34,6 +36,7 @@ struct StepsSink {
 
     template <typename Step> bool takes() const {
         return std::same_as<Step, SampleTested<Adaptive>> ||
+               std::same_as<Step, SampleTested<Rational>> ||
                std::same_as<Step, DepthTested<Adaptive>> || std::same_as<Step, PixelPlotted>;
     }
 };

@@ -47,14 +47,11 @@ void sort_sets(PixelSets& sets) {
 /// The triangles of a scene in the numbers of its plan, ready to be filled again and again.
 template <typename Scalar> struct PlacedTriangles {
     std::vector<PlacedPrimitive<Scalar>> triangles;
-    Scalar sample_offset{};
+    Image image;
     Target<Scalar> target;
 
     PlacedTriangles(const Scene& scene, const Plan& plan)
-        : sample_offset(scalar_from<Scalar>(sample_offset_of(scene.method), plan.denominator)),
-          target{.image = Image(scene.canvas),
-                 .grid = {sample_offset, scene.canvas},
-                 .exactness = {}} {
+        : image(scene.canvas), target{image, sample_grid<Scalar>(scene, plan)} {
         for_each_placed_triangle<Scalar>(
             scene, plan, [this](const PlacedPrimitive<Scalar>& triangle, bool is_culled) {
                 if (!is_culled)
@@ -187,9 +184,9 @@ private:
     template <typename Scalar>
     static PixelSets count(const PlacedTriangles<Scalar>& placed, const Scene& scene, Work& work) {
         using Number = CountedOf<Scalar>;
-        Target<Number> target{.image = Image(scene.canvas),
-                              .grid = {as_counted(placed.sample_offset), scene.canvas},
-                              .exactness = {}};
+        Image image(scene.canvas);
+        Target<Number> target{image,
+                              {as_counted(placed.target.grid.sample_offset()), scene.canvas}};
         PixelSets sets(scene.primitives.size());
         for (const auto& triangle : placed.triangles) {
             auto& pixels = sets[triangle.number];

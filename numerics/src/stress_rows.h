@@ -123,7 +123,7 @@ template <typename Integer> Rational exact_value(const Fraction<Integer>& value)
     return exact(value);
 }
 inline Rational exact_value(const Adaptive& value) {
-    return value.exact() ? *value.exact() : Rational(value.value());
+    return Rational(value.value());
 }
 
 /// How far a number lies from the exact one, rounded to a double. One that knows its error is as good

@@ -3,12 +3,12 @@
 
 // A double that knows how far it may be off. As long as that decides every comparison, drawing costs
 // little more than with doubles; where it does not, Undecided is thrown, and what could not be
-// decided is done again with the same type in its other state: as exact fractions. So every decision
-// is the one that exact arithmetic takes.
+// decided is done again with exact numbers (exactly.h). So every decision is the one that exact
+// arithmetic takes.
 //
-//     Adaptive third = Adaptive(1) / Adaptive(3);  // 0.333..., off by at most 2^-54 or so
-//     third < Adaptive(0.5);                       // true
-//     third * Adaptive(3) < Adaptive(1);           // throws Undecided
+//     const Adaptive third = Adaptive(1) / Adaptive(3);  // 0.333..., off by at most 2^-54 or so
+//     third < Adaptive(0.5);                             // true
+//     third * Adaptive(3) < Adaptive(1);                 // throws Undecided
 //
 // Each operation adds to the bound what it rounds: half a unit in the last place of its result (IEEE
 // 754), and for a sum the rounding error itself, which is a double (two-sum: Knuth; Shewchuk 1997,
@@ -19,12 +19,10 @@
 
 #include <gmpxx.h>
 
-#include <cassert>
 #include <cmath>
 #include <compare>
 #include <limits>
 #include <optional>
-#include <utility>
 
 namespace rastertrace {
 
@@ -34,9 +32,8 @@ struct Undecided {
     double error;      ///< that it may be off by
 };
 
-/// Either a double with a bound on its distance from the number that it stands for, or that number
-/// itself. Operations on exact numbers are exact; a number without an error counts as one. What is
-/// calculated with doubles is compiled into the algorithms; what is exact is called.
+/// A double with a bound on its distance from the number that it stands for. Two doubles wide, so that
+/// it is handed over in registers.
 class Adaptive {
 public:
     Adaptive() = default;
@@ -44,61 +41,23 @@ public:
     /// A double that is off by at most `error`.
     explicit Adaptive(double value, double error = 0) : value_(value), error_(error) {}
 
-    /// An exact number. Its double is the one toward zero.
-    explicit Adaptive(mpq_class exact) : Adaptive(exactly(std::move(exact))) {}
-
-    Adaptive(const Adaptive& other)
-        : value_(other.value_), error_(other.error_), exact_(other.exact_) {
-        if (exact_ != nullptr) [[unlikely]]
-            ++exact_->owners;
-    }
-    Adaptive(Adaptive&& other) noexcept
-        : value_(other.value_), error_(other.error_), exact_(std::exchange(other.exact_, nullptr)) {
-    }
-    Adaptive& operator=(Adaptive other) noexcept {
-        value_ = other.value_;
-        error_ = other.error_;
-        std::swap(exact_, other.exact_);
-        return *this;
-    }
-    ~Adaptive() {
-        if (exact_ != nullptr) [[unlikely]]
-            release(exact_);
-    }
-
     double value() const { return value_; }
     double error() const { return error_; }
 
-    /// The number itself, if it is known.
-    const mpq_class* exact() const { return exact_ == nullptr ? nullptr : &exact_->value; }
-
-    /// The same number as a double with its error.
-    Adaptive rounded() const { return Adaptive(value_, error_); }
-
-    [[gnu::always_inline]] friend inline Adaptive operator+(const Adaptive& a, const Adaptive& b) {
-        if (is_exact(a, b)) [[unlikely]]
-            return Adaptive(exact_sum(a.parts(), b.parts()));
+    [[gnu::always_inline]] friend inline Adaptive operator+(Adaptive a, Adaptive b) {
         const double sum = a.value_ + b.value_;
         const double of_b = sum - a.value_;
         const double rounded_off = (a.value_ - (sum - of_b)) + (b.value_ - of_b);
         return finite(sum, (a.error_ + b.error_ + std::abs(rounded_off)) * widening);
     }
 
-    friend Adaptive operator-(const Adaptive& a) {
-        if (a.exact_ != nullptr) [[unlikely]]
-            return Adaptive(mpq_class(-a.exact_->value));
-        return Adaptive(-a.value_, a.error_);
+    friend Adaptive operator-(Adaptive a) { return Adaptive(-a.value_, a.error_); }
+
+    [[gnu::always_inline]] friend inline Adaptive operator-(Adaptive a, Adaptive b) {
+        return a + -b;
     }
 
-    [[gnu::always_inline]] friend inline Adaptive operator-(const Adaptive& a, const Adaptive& b) {
-        if (is_exact(a, b)) [[unlikely]]
-            return Adaptive(exact_difference(a.parts(), b.parts()));
-        return a + Adaptive(-b.value_, b.error_);
-    }
-
-    [[gnu::always_inline]] friend inline Adaptive operator*(const Adaptive& a, const Adaptive& b) {
-        if (is_exact(a, b)) [[unlikely]]
-            return Adaptive(exact_product(a.parts(), b.parts()));
+    [[gnu::always_inline]] friend inline Adaptive operator*(Adaptive a, Adaptive b) {
         const double product = a.value_ * b.value_;
         const double of_factors =
             std::abs(a.value_) * b.error_ + std::abs(b.value_) * a.error_ + a.error_ * b.error_;
@@ -110,9 +69,7 @@ public:
     }
 
     /// b must not be 0.
-    friend Adaptive operator/(const Adaptive& a, const Adaptive& b) {
-        if (is_exact(a, b)) [[unlikely]]
-            return Adaptive(exact_quotient(a.parts(), b.parts()));
+    friend Adaptive operator/(Adaptive a, Adaptive b) {
         const double quotient = a.value_ / b.value_;
         // (a + da)/(b + db) - a/b = (da - (a/b) db)/(b + db).
         const double nearest_to_zero = (std::abs(b.value_) - b.error_) / widening;
@@ -124,14 +81,12 @@ public:
                       (of_terms + std::abs(quotient) * half_ulp + smallest_error) * widening);
     }
 
-    Adaptive& operator+=(const Adaptive& b) { return *this = *this + b; }
+    Adaptive& operator+=(Adaptive b) { return *this = *this + b; }
 
     /// start + slope (at - from): the same as with the operators above, and with one bound for all
     /// three.
-    [[gnu::always_inline]] friend inline Adaptive
-    linear(const Adaptive& start, const Adaptive& slope, const Adaptive& at, const Adaptive& from) {
-        if (is_exact(start, slope) || is_exact(at, from)) [[unlikely]]
-            return start + slope * (at - from);
+    [[gnu::always_inline]] friend inline Adaptive linear(Adaptive start, Adaptive slope,
+                                                         Adaptive at, Adaptive from) {
         const double way = at.value_ - from.value_;
         const double rise = slope.value_ * way;
         const double value = start.value_ + rise;
@@ -144,19 +99,21 @@ public:
     }
 
     /// Which is the larger one, if that can be told.
-    [[gnu::always_inline]] friend inline std::optional<std::strong_ordering>
-    order_of(const Adaptive& a, const Adaptive& b) {
+    [[gnu::always_inline]] friend inline std::optional<std::strong_ordering> order_of(Adaptive a,
+                                                                                      Adaptive b) {
         const double difference = a.value_ - b.value_;
-        if (std::abs(difference) > (a.error_ + b.error_) * widening) [[likely]]
+        const double error = a.error_ + b.error_;
+        if (std::abs(difference) > error * widening) [[likely]]
             return difference < 0 ? std::strong_ordering::less : std::strong_ordering::greater;
-        return order_of_near(a.parts(), b.parts());
+        if (error == 0)
+            return std::strong_ordering::equal;
+        return std::nullopt;
     }
 
-    friend bool operator==(const Adaptive& a, const Adaptive& b) { return (a <=> b) == 0; }
+    friend bool operator==(Adaptive a, Adaptive b) { return (a <=> b) == 0; }
 
     /// Throws Undecided.
-    [[gnu::always_inline]] friend inline std::strong_ordering operator<=>(const Adaptive& a,
-                                                                          const Adaptive& b) {
+    [[gnu::always_inline]] friend inline std::strong_ordering operator<=>(Adaptive a, Adaptive b) {
         const auto order = order_of(a, b);
         if (!order) [[unlikely]]
             leave_open(a.value_ - b.value_, a.error_ + b.error_);
@@ -182,28 +139,6 @@ public:
 private:
     static constexpr double smallest_divisor = 0x1p-900;
 
-    /// An exact number, and how many have it.
-    struct Exact {
-        mpq_class value;
-        long owners = 1;
-    };
-
-    /// What a number consists of, to be handed over: so that numbers themselves stay in registers.
-    struct Parts {
-        double value;
-        double error;
-        Exact* exact;
-
-        bool is_known() const { return exact != nullptr || error == 0; }
-        mpq_class as_fraction() const { return exact != nullptr ? exact->value : mpq_class(value); }
-    };
-    explicit Adaptive(const Parts& parts)
-        : value_(parts.value), error_(parts.error), exact_(parts.exact) {}
-    Parts parts() const { return {value_, error_, exact_}; }
-
-    static bool is_exact(const Adaptive& a, const Adaptive& b) {
-        return a.exact_ != nullptr || b.exact_ != nullptr;
-    }
     bool is_trivial_factor() const {
         return error_ == 0 && (value_ == 0 || value_ == 1 || value_ == -1);
     }
@@ -216,72 +151,32 @@ private:
         return Adaptive(value, error);
     }
 
-    static Parts exactly(mpq_class exact) {
-        const double value = exact.get_d();
-        return {value, std::abs(value) * 2 * half_ulp + smallest_error,
-                new Exact{std::move(exact)}};
-    }
-    [[gnu::noinline]] static void release(Exact* exact) {
-        if (--exact->owners == 0)
-            delete exact;
-    }
-
-    /// Numbers that are worked out from exact ones are exact.
-    static std::pair<mpq_class, mpq_class> fractions(const Parts& a, const Parts& b) {
-        assert(a.is_known() && b.is_known() && "what begins with exact numbers stays exact");
-        return {a.as_fraction(), b.as_fraction()};
-    }
-    [[gnu::noinline]] static Parts exact_sum(Parts a, Parts b) {
-        const auto [p, q] = fractions(a, b);
-        return exactly(p + q);
-    }
-    [[gnu::noinline]] static Parts exact_difference(Parts a, Parts b) {
-        const auto [p, q] = fractions(a, b);
-        return exactly(p - q);
-    }
-    [[gnu::noinline]] static Parts exact_product(Parts a, Parts b) {
-        const auto [p, q] = fractions(a, b);
-        return exactly(p * q);
-    }
-    [[gnu::noinline]] static Parts exact_quotient(Parts a, Parts b) {
-        const auto [p, q] = fractions(a, b);
-        return exactly(p / q);
-    }
-
-    /// Of numbers that are not known to differ.
-    [[gnu::noinline]] static std::optional<std::strong_ordering> order_of_near(Parts a, Parts b) {
-        if (!a.is_known() || !b.is_known())
-            return std::nullopt;
-        return cmp(a.as_fraction(), b.as_fraction()) <=> 0;
-    }
-
     double value_ = 0;
     double error_ = 0;
-    Exact* exact_ = nullptr;
 };
+
+/// The double nearest to a number that is no double: off by half a unit in its last place, which among
+/// the subnormal numbers is half of the smallest one.
+inline Adaptive rounded_to(double nearest) {
+    return Adaptive(nearest, std::abs(nearest) * Adaptive::half_ulp +
+                                 std::numeric_limits<double>::denorm_min());
+}
 
 /// A fraction as a double with its error.
 inline Adaptive with_error(const mpq_class& exact) {
     const double value = nearest_double(exact);
-    if (std::isfinite(value) && mpq_class(value) == exact)
-        return Adaptive(value);
-    // Half a unit in the last place; of the subnormal numbers, that is half of the smallest one.
-    return Adaptive(value, std::abs(value) * Adaptive::half_ulp +
-                               std::numeric_limits<double>::denorm_min());
-}
-
-/// What has its error already.
-inline const Adaptive& with_error(const Adaptive& number) {
-    return number;
+    return std::isfinite(value) && mpq_class(value) == exact ? Adaptive(value) : rounded_to(value);
 }
 
 /// A number as typed, likewise.
 inline Adaptive with_error(const Number& number) {
     const double value = number.nearest_double();
-    return number.is_exactly(value)
-               ? Adaptive(value)
-               : Adaptive(value, std::abs(value) * Adaptive::half_ulp +
-                                     std::numeric_limits<double>::denorm_min());
+    return number.is_exactly(value) ? Adaptive(value) : rounded_to(value);
+}
+
+/// What has its error already.
+inline Adaptive with_error(Adaptive number) {
+    return number;
 }
 
 } // namespace rastertrace

@@ -66,6 +66,9 @@ public:
         return rule_.larger_passes ? Scalar(-depth) : depth;
     }
 
+    /// A depth as the number that the buffer compares.
+    static const Scalar& compared(const Scalar& depth) { return depth; }
+
     /// The turned depths of a row from column x on. The region must have the pixel.
     Scalar* row_from(int x, int row) {
         return cells_.data() + static_cast<std::ptrdiff_t>(row - region_.top_row) * region_.width +
@@ -145,14 +148,20 @@ public:
     /// How many tests have been decided exactly.
     std::uint64_t exact_tests() const { return exact_tests_; }
 
-    Adaptive turned(const Adaptive& depth) const { return rule_.larger_passes ? -depth : depth; }
+    /// Depths may be worked out in exact numbers, too.
+    template <typename Depth> Depth turned(const Depth& depth) const {
+        return rule_.larger_passes ? Depth(-depth) : depth;
+    }
+    template <typename Depth> static Adaptive compared(const Depth& depth) {
+        return with_error(depth);
+    }
 
     double* row_from(int x, int row) {
         return cells_.data() + static_cast<std::ptrdiff_t>(row - region_.top_row) * region_.width +
                (x - region_.left);
     }
 
-    [[gnu::always_inline]] bool keep_if_nearer(double& cell, const Adaptive& depth) {
+    [[gnu::always_inline]] bool keep_if_nearer(double& cell, Adaptive depth) {
         const double difference = cell - depth.value();
         const double error = (depth.error() + largest_error_) * Adaptive::widening;
         const auto place = static_cast<std::size_t>(&cell - cells_.data());
@@ -216,8 +225,7 @@ template <typename Scalar> struct DepthRow {
 
 /// The same in doubles that know their error: the row's numbers give the error of every pixel of it.
 template <> struct DepthRow<Adaptive> {
-    DepthRow(const Adaptive& x, const Adaptive& depth, const Adaptive& slope,
-             const std::optional<Adaptive>& end)
+    DepthRow(Adaptive x, Adaptive depth, Adaptive slope, std::optional<Adaptive> end)
         : x_(x.value()), depth_(depth.value()), slope_(slope.value()),
           first_(end ? x_ : -std::numeric_limits<double>::infinity()),
           last_(end ? end->value() : std::numeric_limits<double>::infinity()) {
@@ -275,13 +283,14 @@ std::array<Vec<double, 2>, 3> depth_positions(const Triangle<Fraction<Integer>>&
 }
 
 /// The turned depths of a triangle: those of its vertices, and linear between them. Both forms are
-/// equal in exact arithmetic, and both keep equal depths equal.
-template <typename Scalar> class TriangleDepth {
+/// equal in exact arithmetic, and both keep equal depths equal. `Buffer` is what they are tested
+/// against.
+template <typename Scalar, typename Buffer = DepthBuffer<DepthOf<Scalar>>> class TriangleDepth {
 public:
     using D = DepthOf<Scalar>;
 
     TriangleDepth(const Triangle<Scalar>& triangle, const std::array<D, 3>& depths,
-                  DepthBuffer<D>& depth_buffer)
+                  Buffer& depth_buffer)
         : buffer(depth_buffer),
           positions_(depth_positions(triangle)), depths_{buffer.turned(depths[0]),
                                                          buffer.turned(depths[1]),
@@ -333,7 +342,7 @@ public:
                 std::nullopt};
     }
 
-    DepthBuffer<D>& buffer;
+    Buffer& buffer;
 
 private:
     std::array<Vec<D, 2>, 3> positions_;

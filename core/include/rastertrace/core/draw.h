@@ -64,32 +64,22 @@ void draw_line(const PlacedPrimitive<Scalar>& primitive, EdgeName side, const Me
 }
 
 /// What pixels are drawn on and tested against, and where their samples lie.
-template <typename Scalar> struct Target {
-    Image image;
+template <typename Scalar, typename OfPixels = Scalar> struct Target {
+    Image& image;
     SampleGrid<Scalar> grid;
-    std::optional<DepthBuffer<DepthOf<Scalar>>> depth = {};
-    Exactness<Scalar> exactness;
+    DepthBuffer<DepthOf<OfPixels>>* depth = nullptr; ///< if depths are tested
+    Exactness* exactness = nullptr;                  ///< of `adaptive`
 };
 
-/// An empty picture for a scene, with what drawing on it needs but depths.
-template <typename Scalar> Target<Scalar> target_for(const Scene& scene, const Plan& plan) {
-    const auto exactness = [&]() -> Exactness<Scalar> {
-        if constexpr (std::same_as<Scalar, Adaptive>)
-            return {.pieces = ExactPieces(scene, plan),
-                    .sample_offset = scalar_from<Rational>(sample_offset_of(scene.method))};
-        else
-            return {};
-    };
-    return {.image = Image(scene.canvas),
-            .grid = {scalar_from<Scalar>(sample_offset_of(scene.method), plan.denominator),
-                     scene.canvas},
-            .exactness = exactness()};
+/// Where the samples of the scene's pixels lie.
+template <typename Scalar> SampleGrid<Scalar> sample_grid(const Scene& scene, const Plan& plan) {
+    return {scalar_from<Scalar>(sample_offset_of(scene.method), plan.denominator), scene.canvas};
 }
 
 /// Fills a triangle with the stages that its pixels go through.
-template <typename Scalar, PixelStages stages, typename Sink>
-void fill(const PlacedPrimitive<Scalar>& primitive, const Paint<Scalar, stages>& paint,
-          const Method& method, Target<Scalar>& target, Sink&& sink) {
+template <typename Scalar, PixelStages stages, typename OfPixels, typename Sink>
+void fill(const PlacedPrimitive<Scalar>& primitive, const Paint<Scalar, stages, OfPixels>& paint,
+          const Method& method, Target<Scalar, OfPixels>& target, Sink&& sink) {
     const Triangle<Scalar> triangle{primitive.positions};
     Image& image = target.image;
     const ScanlineRules rules{.lerp = method.lerp, .span = span_rounding(method)};
@@ -110,9 +100,9 @@ void fill(const PlacedPrimitive<Scalar>& primitive, const Paint<Scalar, stages>&
 }
 
 /// Fills a triangle.
-template <typename Scalar, typename Sink>
+template <typename Scalar, typename OfPixels, typename Sink>
 void fill(const PlacedPrimitive<Scalar>& primitive, Color flat, const Scene& scene,
-          const Plan& plan, Target<Scalar>& target, Sink&& sink) {
+          const Plan& plan, Target<Scalar, OfPixels>& target, Sink&& sink) {
     const Triangle<Scalar> triangle{primitive.positions};
     const Scalar sample_offset = target.grid.sample_offset();
 
@@ -121,19 +111,19 @@ void fill(const PlacedPrimitive<Scalar>& primitive, Color flat, const Scene& sce
     const auto& [a, b, c] = primitive.colors;
     if (plan.mixes_colors && a == b && a == c)
         flat = a;
-    std::optional<MixedColors<Scalar>> mixed;
+    std::optional<MixedColors<OfPixels>> mixed;
     if (stages.colors != ColorStage::flat) {
         const Barycentric<Scalar> barycentric(triangle);
         if (barycentric.area2() == scalar_from<Scalar>(0))
             stages.colors = ColorStage::flat;
-        else if constexpr (std::same_as<Scalar, Adaptive>)
-            mixed = mixed_colors(primitive, sample_offset, stages.colors, target.exactness);
+        else if constexpr (std::same_as<OfPixels, Adaptive>)
+            mixed = mixed_colors(primitive, stages.colors, *target.exactness);
         else
             mixed = {primitive.colors, barycentric, sample_offset, primitive.inverse_w};
     }
 
     // What its depths are.
-    std::optional<TriangleDepth<Scalar>> depth;
+    std::optional<TriangleDepth<Scalar, DepthBuffer<DepthOf<OfPixels>>>> depth;
     if (stages.tests_depth) {
         depth.emplace(triangle, primitive.depths, *target.depth);
         if (scene.method.fill == Fill::top_left)
@@ -141,35 +131,20 @@ void fill(const PlacedPrimitive<Scalar>& primitive, Color flat, const Scene& sce
     }
 
     with_stages<std::remove_cvref_t<Sink>>(stages, [&]<PixelStages with>() {
-        const Paint<Scalar, with> paint{flat, mixed ? &*mixed : nullptr, depth ? &*depth : nullptr};
+        const Paint<Scalar, with, OfPixels> paint{flat, mixed ? &*mixed : nullptr,
+                                                  depth ? &*depth : nullptr};
         fill(primitive, paint, scene.method, target, sink);
     });
 }
 
-/// A piece in the numbers that it is drawn with.
-template <typename Scalar, typename Coordinate>
-PlacedPrimitive<Scalar> placed_for(const Piece<Coordinate>& piece, const Plan& plan,
-                                   Exactness<Scalar>& exactness) {
-    if constexpr (std::same_as<Scalar, Adaptive>)
-        if (exactness.is_exact) {
-            auto primitive = exactly(exactness.pieces.placed(exactness.drawn.back()));
-            primitive.names = piece.names;
-            return primitive;
-        }
-    return placed<Scalar>(piece, plan);
-}
-
-/// Draws a primitive, or a part of one.
-template <typename Scalar, typename Coordinate, typename Sink>
-void draw_piece(const Piece<Coordinate>& piece, const Scene& scene, const Plan& plan,
-                Target<Scalar>& target, Sink&& sink) {
+/// Draws a primitive, or a part of one, that lies where `primitive` says.
+template <typename Coordinate, typename Scalar, typename OfPixels, typename Sink>
+void draw_piece(const Piece<Coordinate>& piece, const PlacedPrimitive<Scalar>& primitive,
+                const Scene& scene, const Plan& plan, Target<Scalar, OfPixels>& target,
+                Sink&& sink) {
     const Method& method = scene.method;
     Image& image = target.image;
     const bool is_tested = target.depth && piece.kind == PrimitiveKind::triangle;
-    const auto primitive = placed_for(piece, plan, target.exactness);
-    if constexpr (std::same_as<Scalar, Adaptive>)
-        if (target.depth)
-            target.depth->begin(static_cast<std::uint32_t>(target.exactness.drawn.size() - 1));
     const auto pixel_of = [&primitive](std::size_t corner) {
         return nearest_pixel(primitive.positions[corner].x, primitive.positions[corner].y);
     };
@@ -223,7 +198,7 @@ void draw_pieces(const Scene& scene, const Plan& plan, const AGeometry& geometry
                  Target<Scalar>& target, Sink&& sink) {
     for_each_piece(scene, geometry, sink, [&]<typename Coordinate>(const Piece<Coordinate>& piece) {
         if constexpr (draws<Scalar, Coordinate>)
-            draw_piece<Scalar>(piece, scene, plan, target, sink);
+            draw_piece(piece, placed<Scalar>(piece, plan), scene, plan, target, sink);
     });
 }
 
@@ -232,7 +207,9 @@ void draw_pieces(const Scene& scene, const Plan& plan, const AGeometry& geometry
 template <typename AGeometry, typename Sink>
 void draw_pieces(const Scene& scene, const Plan& plan, const AGeometry& geometry,
                  Target<Adaptive>& target, Sink&& sink) {
-    Exactness<Adaptive>& exactness = target.exactness;
+    Exactness& exactness = *target.exactness;
+    Target<Rational, Adaptive> exact_target{target.image, sample_grid<Rational>(scene, plan),
+                                            target.depth, &exactness};
     if (target.depth)
         target.depth->ask([&](auto... asked) { return is_nearer(scene, exactness, asked...); });
 
@@ -258,16 +235,22 @@ void draw_pieces(const Scene& scene, const Plan& plan, const AGeometry& geometry
                 if (part++ < drawn)
                     return;
                 exactness.drawn.push_back({number, drawn++});
+                if (target.depth)
+                    target.depth->begin(static_cast<std::uint32_t>(exactness.drawn.size() - 1));
                 ResumedSink resumed(sink);
-                exactness.is_exact = false;
-                const auto draw_it = [&] {
-                    draw_piece<Adaptive>(piece, scene, plan, target, resumed);
-                };
-                decide(resumed, draw_it, [&] {
-                    ++exactness.fallbacks.primitives;
-                    exactness.is_exact = true;
-                    draw_it();
-                });
+                decide(
+                    resumed,
+                    [&] {
+                        draw_piece(piece, placed<Adaptive>(piece, plan), scene, plan, target,
+                                   resumed);
+                    },
+                    [&] {
+                        ++exactness.fallbacks.primitives;
+                        PlacedPrimitive<Rational> exact =
+                            exactness.pieces.placed(exactness.drawn.back());
+                        exact.names = piece.names;
+                        draw_piece(piece, exact, scene, plan, exact_target, resumed);
+                    });
             }
         };
         // Which pieces it has may be left open, too.
@@ -290,9 +273,15 @@ void draw_pieces(const Scene& scene, const Plan& plan, const AGeometry& geometry
 /// numbers.
 template <typename Scalar, typename Sink>
 Image draw(const Scene& scene, const Plan& plan, Sink&& sink, Fallbacks* fallbacks = nullptr) {
-    Target<Scalar> target = target_for<Scalar>(scene, plan);
+    Image image(scene.canvas);
+    Target<Scalar> target{image, sample_grid<Scalar>(scene, plan)};
+    std::optional<DepthBuffer<DepthOf<Scalar>>> depth;
     if (scene.has_depth_buffer())
-        target.depth.emplace(plan.stages.depth_region, depth_rule<DepthOf<Scalar>>(scene));
+        target.depth = &depth.emplace(plan.stages.depth_region, depth_rule<DepthOf<Scalar>>(scene));
+    std::optional<Exactness> exactness;
+    if constexpr (std::same_as<Scalar, Adaptive>)
+        target.exactness = &exactness.emplace(
+            ExactPieces(scene, plan), scalar_from<Rational>(sample_offset_of(scene.method)));
     std::visit(
         [&](const auto& geometry) {
             // All vertices on their way to the screen, then what is drawn between them.
@@ -301,10 +290,9 @@ Image draw(const Scene& scene, const Plan& plan, Sink&& sink, Fallbacks* fallbac
             draw_pieces(scene, plan, geometry, target, sink);
         },
         plan.geometry);
-    if constexpr (std::same_as<Scalar, Adaptive>)
-        if (fallbacks)
-            *fallbacks = target.exactness.fallbacks;
-    return std::move(target.image);
+    if (fallbacks && exactness)
+        *fallbacks = exactness->fallbacks;
+    return image;
 }
 
 } // namespace rastertrace

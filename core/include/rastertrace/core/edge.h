@@ -34,14 +34,11 @@ template <typename Scalar> struct Vertex {
 };
 
 /// How far x may be off, as it is calculated anywhere between two vertices: worked out once for an edge
-/// whose numbers know their errors, so that no row has to. Nothing where the numbers are exact.
+/// whose numbers know their errors, so that no row has to. Other numbers know none.
 template <typename Scalar> struct ErrorOfX {};
-template <> struct ErrorOfX<Adaptive> { std::optional<double> of_x; };
+template <> struct ErrorOfX<Adaptive> { double of_x = 0; };
 
-inline ErrorOfX<Adaptive> error_of_x(const Vec<Adaptive, 2>& start, const Adaptive& dx_dy,
-                                     const Adaptive& dy) {
-    if (start.x.exact() || start.y.exact() || dx_dy.exact())
-        return {};
+inline ErrorOfX<Adaptive> error_of_x(const Vec<Adaptive, 2>& start, Adaptive dx_dy, Adaptive dy) {
     // x = x1 + a (y - y1): what x1, a and y1 are off by, and half a unit in the last place of each of
     // the three results, at the other end, where they are largest.
     constexpr double half_ulp = Adaptive::half_ulp;
@@ -67,11 +64,13 @@ template <typename Scalar> struct Edge {
 
     /// x at height y, which must lie between those of the vertices.
     Scalar x_at(const Scalar& y) const {
-        if constexpr (std::same_as<Scalar, Adaptive>)
-            if (error.of_x && y.error() == 0) [[likely]]
-                return Adaptive(start.x.value() + dx_dy.value() * (y.value() - start.y.value()),
-                                *error.of_x);
-        return start.x + dx_dy * (y - start.y);
+        if constexpr (std::same_as<Scalar, Adaptive>) {
+            const double of_y = (std::abs(dx_dy.value()) + dx_dy.error()) * y.error();
+            return Adaptive(start.x.value() + dx_dy.value() * (y.value() - start.y.value()),
+                            (error.of_x + of_y) * Adaptive::widening);
+        } else {
+            return linear(start.x, dx_dy, y, start.y);
+        }
     }
 };
 

@@ -128,18 +128,16 @@ struct Fallbacks {
     std::uint64_t colors = 0;     ///< of pixels
 };
 
-/// What drawing needs to decide exactly what its numbers leave open; most numbers leave nothing open.
-template <typename Scalar> struct Exactness {};
-template <> struct Exactness<Adaptive> {
+/// What `adaptive` needs to decide exactly what its numbers leave open.
+struct Exactness {
     ExactPieces pieces;
     Rational sample_offset;
     std::vector<PieceNumber> drawn = {}; ///< the pieces so far; the last one is being drawn
-    bool is_exact = false;               ///< its numbers are exact, too
     Fallbacks fallbacks = {};
 };
 
 /// Whether a piece is nearer in a pixel than what is stored there, in exact numbers.
-inline bool is_nearer(const Scene& scene, Exactness<Adaptive>& exactness, std::uint32_t piece,
+inline bool is_nearer(const Scene& scene, Exactness& exactness, std::uint32_t piece,
                       std::optional<std::uint32_t> stored, int x, int row) {
     const auto depth_of = [&](std::uint32_t number) {
         return exact_depth_at(scene, exactness.pieces.placed(exactness.drawn[number]), x,
@@ -154,15 +152,15 @@ inline bool is_nearer(const Scene& scene, Exactness<Adaptive>& exactness, std::u
 
 /// Colors that are mixed with errors, pixel by pixel, and exactly where an error reaches over half a
 /// level.
-inline MixedColors<Adaptive> mixed_colors(const PlacedPrimitive<Adaptive>& primitive,
-                                          const Adaptive& sample_offset, ColorStage stage,
-                                          Exactness<Adaptive>& exactness) {
+template <typename Scalar>
+MixedColors<Adaptive> mixed_colors(const PlacedPrimitive<Scalar>& primitive, ColorStage stage,
+                                   Exactness& exactness) {
     Triangle<Adaptive> triangle;
     std::array<Adaptive, 3> inverse_w;
     for (std::size_t i = 0; i < 3; ++i) {
         const auto& [x, y] = primitive.positions[i];
-        triangle.vertices[i] = {x.rounded(), y.rounded()};
-        inverse_w[i] = primitive.inverse_w[i].rounded();
+        triangle.vertices[i] = {with_error(x), with_error(y)};
+        inverse_w[i] = with_error(primitive.inverse_w[i]);
     }
     const auto exact_color =
         [&exactness, stage, colors = std::optional<MixedColors<Rational>>()](Pixel pixel) mutable {
@@ -175,8 +173,11 @@ inline MixedColors<Adaptive> mixed_colors(const PlacedPrimitive<Adaptive>& primi
             return stage == ColorStage::perspective ? colors->at<true>(pixel)
                                                     : colors->at<false>(pixel);
         };
-    return {
-        primitive.colors, Barycentric<Adaptive>(triangle), sample_offset, inverse_w, {exact_color}};
+    return {primitive.colors,
+            Barycentric<Adaptive>(triangle),
+            with_error(exactness.sample_offset),
+            inverse_w,
+            {exact_color}};
 }
 
 /// Passes steps on, and can be told to pass over as many as it has had: those that come again when

@@ -27,10 +27,11 @@ namespace rastertrace {
 /// both draw them. A sample lies `sample_offset` right of and above (in y) a pixel's integer point.
 /// The box is cut to the canvas. A triangle without area has no barycentric coordinates and is
 /// skipped.
-template <typename Scalar, PixelStages stages, typename Sink>
+template <typename Scalar, PixelStages stages, typename OfPixels, typename Sink>
 requires SinkFor<Sink, SampleTested<Scalar>, PixelPlotted, PrimitiveSkipped>
-void fill_barycentric(const Triangle<Scalar>& triangle, const Paint<Scalar, stages>& paint,
-                      const Scalar& sample_offset, Image& image, Sink&& sink) {
+void fill_barycentric(const Triangle<Scalar>& triangle,
+                      const Paint<Scalar, stages, OfPixels>& paint, const Scalar& sample_offset,
+                      Image& image, Sink&& sink) {
     const Canvas canvas = image.canvas();
     const Scalar zero = scalar_from<Scalar>(0);
     const Barycentric<Scalar> barycentric(triangle);
@@ -75,7 +76,7 @@ void fill_barycentric(const Triangle<Scalar>& triangle, const Paint<Scalar, stag
                     {depth_scalar(weights[0]), depth_scalar(weights[1]), depth_scalar(weights[2])});
                 auto& buffer = paint.depth->buffer;
                 auto& cell = *buffer.row_from(pixel.x, static_cast<int>(row));
-                if (!passes_depth_test(pixel, depth, cell, buffer, sink))
+                if (!passes_depth_test(pixel, buffer.compared(depth), cell, buffer, sink))
                     continue;
             }
             if constexpr (stages.colors != ColorStage::flat)

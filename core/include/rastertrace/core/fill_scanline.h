@@ -81,11 +81,11 @@ bool misses_canvas(const Triangle<Scalar>& triangle, const SpanRounding& rule,
 }
 
 /// Fills the row at `y` from where the left edge meets it to where the right edge does.
-template <typename Scalar, PixelStages stages, typename Sink>
+template <typename Scalar, PixelStages stages, typename OfPixels, typename Sink>
 requires SinkFor<Sink, ScanlineSpanned<Scalar>, PixelPlotted, PixelsRejected>
 void fill_row(int y, EdgeWalk<Scalar>& along_left, EdgeWalk<Scalar>& along_right,
-              const Paint<Scalar, stages>& paint, const ScanlineRules& rules, Image& image,
-              Sink&& sink) {
+              const Paint<Scalar, stages, OfPixels>& paint, const ScanlineRules& rules,
+              Image& image, Sink&& sink) {
     const Scalar left = along_left.x_on_row(y);
     const Scalar right = along_right.x_on_row(y);
 
@@ -125,10 +125,10 @@ void fill_row(int y, EdgeWalk<Scalar>& along_left, EdgeWalk<Scalar>& along_right
 /// area is drawn as its rows say: a point, or one pixel on each row. Time follows the rows and
 /// pixels on the canvas, not the size of the triangle. Coordinates must be finite, and so must the
 /// slope of every edge (plan.h tells).
-template <typename Scalar, PixelStages stages, typename Sink>
+template <typename Scalar, PixelStages stages, typename OfPixels, typename Sink>
 requires SinkFor<Sink, EdgeSetUp<Scalar>, ScanlineSpanned<Scalar>, PixelPlotted, PixelsRejected,
                  RowsRejected, PrimitiveSkipped>
-void fill_scanline(const Triangle<Scalar>& triangle, const Paint<Scalar, stages>& paint,
+void fill_scanline(const Triangle<Scalar>& triangle, const Paint<Scalar, stages, OfPixels>& paint,
                    const ScanlineRules& rules, Image& image, Sink&& sink) {
     const Canvas canvas = image.canvas();
     const int down = canvas.down();

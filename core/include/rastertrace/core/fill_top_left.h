@@ -106,10 +106,10 @@ void report_crossings(const Triangle<Scalar>& triangle, const TriangleOrder& ord
 
 /// Fills a triangle so that each sample of a shared edge is drawn exactly once. `grid`
 /// says where the samples lie. Top and left are those of the picture, whichever way y points. A triangle without area has no inside and is skipped.
-template <typename Scalar, PixelStages stages, typename Sink>
+template <typename Scalar, PixelStages stages, typename OfPixels, typename Sink>
 requires SinkFor<Sink, EdgeFunctionSetUp<Scalar>, ScanlineSpanned<Scalar>, PixelPlotted,
                  PixelsRejected, RowsRejected, PrimitiveSkipped>
-void fill_top_left(const Triangle<Scalar>& triangle, const Paint<Scalar, stages>& paint,
+void fill_top_left(const Triangle<Scalar>& triangle, const Paint<Scalar, stages, OfPixels>& paint,
                    const SampleGrid<Scalar>& grid, Image& image, Sink&& sink) {
     const Canvas canvas = image.canvas();
 

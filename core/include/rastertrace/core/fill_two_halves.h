@@ -18,11 +18,11 @@
 namespace rastertrace {
 
 /// Fills the rows of one half, from the one at `first_y`, lowest in the picture, up to `last_y`.
-template <typename Scalar, PixelStages stages, typename Sink>
+template <typename Scalar, PixelStages stages, typename OfPixels, typename Sink>
 requires SinkFor<Sink, ScanlineSpanned<Scalar>, PixelPlotted, PixelsRejected>
 void fill_half(const JoinedEdges<Scalar>& edges, const Edge<Scalar>& short_edge, Index first_y,
-               Index last_y, const Paint<Scalar, stages>& paint, const ScanlineRules& rules,
-               Image& image, Sink&& sink) {
+               Index last_y, const Paint<Scalar, stages, OfPixels>& paint,
+               const ScanlineRules& rules, Image& image, Sink&& sink) {
     const Canvas canvas = image.canvas();
     const int up = -canvas.down();
     const Index first_row = std::min<Index>(canvas.row_of(first_y), canvas.height - 1);
@@ -40,10 +40,10 @@ void fill_half(const JoinedEdges<Scalar>& edges, const Edge<Scalar>& short_edge,
 }
 
 /// Fills a triangle half by half. In exact arithmetic it draws the pixels of fill_scanline.
-template <typename Scalar, PixelStages stages, typename Sink>
+template <typename Scalar, PixelStages stages, typename OfPixels, typename Sink>
 requires SinkFor<Sink, EdgeSetUp<Scalar>, HalfBegan, ScanlineSpanned<Scalar>, PixelPlotted,
                  PixelsRejected, RowsRejected, PrimitiveSkipped>
-void fill_two_halves(const Triangle<Scalar>& triangle, const Paint<Scalar, stages>& paint,
+void fill_two_halves(const Triangle<Scalar>& triangle, const Paint<Scalar, stages, OfPixels>& paint,
                      const ScanlineRules& rules, Image& image, Sink&& sink) {
     const Canvas canvas = image.canvas();
     const int down = canvas.down();

@@ -143,11 +143,14 @@ void with_stages(const PixelStages& stages, FillWith&& fill_with) {
     }
 }
 
-/// How the pixels of a triangle get their colors, and which of them are hidden.
-template <typename Scalar, PixelStages stages = PixelStages{}> struct Paint {
-    Color flat;                                 ///< of every pixel, unless colors are mixed
-    const MixedColors<Scalar>* mixed = nullptr; ///< if colors are mixed
-    TriangleDepth<Scalar>* depth = nullptr;     ///< if depths are tested
+/// How the pixels of a triangle get their colors, and which of them are hidden. Colors and depth tests
+/// have numbers of their own where a triangle is exact and the rest of the picture is not.
+template <typename Scalar, PixelStages stages = PixelStages{}, typename OfPixels = Scalar>
+struct Paint {
+    Color flat;                                   ///< of every pixel, unless colors are mixed
+    const MixedColors<OfPixels>* mixed = nullptr; ///< if colors are mixed
+    TriangleDepth<Scalar, DepthBuffer<DepthOf<OfPixels>>>* depth =
+        nullptr; ///< if depths are tested
 };
 
 /// Tests a pixel's turned depth against what is stored for it, and keeps the nearer one.
@@ -212,10 +215,11 @@ requires SinkFor<Sink, PixelsRejected>
 }
 
 /// Plots the pixels of a row from x = `from` to x = `to`, as far as the canvas has them.
-template <typename Scalar, PixelStages stages, typename Sink>
+template <typename Scalar, PixelStages stages, typename OfPixels, typename Sink>
 requires SinkFor<Sink, PixelPlotted, PixelsRejected>
 [[gnu::always_inline]] inline void plot_span(const ImageRow& row, Index from, Index to,
-                                             const Paint<Scalar, stages>& paint, Sink&& sink) {
+                                             const Paint<Scalar, stages, OfPixels>& paint,
+                                             Sink&& sink) {
     const auto [first, last] = span_on_canvas<stages.tests_canvas>(row, from, to, sink);
     Color* const colors = row.colors - row.left;
     Color color = paint.flat; // a copy: no pixel that is written can be part of it
@@ -230,10 +234,10 @@ requires SinkFor<Sink, PixelPlotted, PixelsRejected>
 }
 
 /// The same for a triangle with depths: plots those pixels that no nearer triangle hides.
-template <typename Scalar, PixelStages stages, typename Sink>
-requires SinkFor<Sink, DepthTested<DepthOf<Scalar>>, PixelPlotted, PixelsRejected>
+template <typename Scalar, PixelStages stages, typename OfPixels, typename Sink>
+requires SinkFor<Sink, DepthTested<DepthOf<OfPixels>>, PixelPlotted, PixelsRejected>
 [[gnu::always_inline]] inline void plot_tested_span(const ImageRow& row, Index from, Index to,
-                                                    const Paint<Scalar, stages>& paint,
+                                                    const Paint<Scalar, stages, OfPixels>& paint,
                                                     const DepthRow<DepthOf<Scalar>>& depths,
                                                     Sink&& sink) {
     const auto [first, last] = span_on_canvas<stages.tests_canvas>(row, from, to, sink);
@@ -242,7 +246,7 @@ requires SinkFor<Sink, DepthTested<DepthOf<Scalar>>, PixelPlotted, PixelsRejecte
     Color* const colors = row.colors - row.left;
     Color color = paint.flat;
     for (int x = first; x <= last; ++x) {
-        if (!passes_depth_test({x, row.y}, depths.at(x), cells[x], buffer, sink))
+        if (!passes_depth_test({x, row.y}, buffer.compared(depths.at(x)), cells[x], buffer, sink))
             continue;
         if constexpr (stages.colors != ColorStage::flat)
             color = paint.mixed->template at<stages.colors == ColorStage::perspective>({x, row.y});

@@ -63,19 +63,4 @@ PlacedPrimitive<Scalar> placed(const Piece<Coordinate>& piece, const Plan& plan)
     return result;
 }
 
-/// What is exact, as numbers that stay exact.
-inline PlacedPrimitive<Adaptive> exactly(const PlacedPrimitive<Rational>& primitive) {
-    PlacedPrimitive<Adaptive> result{.number = primitive.number,
-                                     .count = primitive.count,
-                                     .names = primitive.names,
-                                     .colors = primitive.colors};
-    for (std::size_t i = 0; i < primitive.count; ++i) {
-        const auto& [x, y] = primitive.positions[i];
-        result.positions[i] = {Adaptive(x), Adaptive(y)};
-        result.depths[i] = Adaptive(primitive.depths[i]);
-        result.inverse_w[i] = Adaptive(primitive.inverse_w[i]);
-    }
-    return result;
-}
-
 } // namespace rastertrace

@@ -58,11 +58,6 @@ public:
         return Length(length - offset_) <= scalar_from<Scalar>(x);
     }
 
-    /// The height of the samples in a row.
-    double height_of(int row) const requires std::same_as<Scalar, Adaptive> {
-        return canvas_.y_of(row) + offset_.value();
-    }
-
     /// The first sample in a row that does not lie left of the edge.
     Index first_sample_from(const Edge<Length>& edge, int row) const {
         const Length height = scalar_from<Scalar>(canvas_.y_of(row)) + offset_;
@@ -150,22 +145,7 @@ public:
                const SampleGrid<Scalar>& grid, int row)
         : edge_(edge_between(upper, lower)), grid_(grid), row_(row) {}
 
-    Index first_sample() const {
-        if constexpr (std::same_as<Scalar, Adaptive>)
-            if (edge_.error.of_x) [[likely]] {
-                // A sample's height is a double; what is rounded off x less the offset is half a
-                // unit in its last place.
-                const double offset = grid_.sample_offset().value();
-                const double x =
-                    edge_.start.x.value() +
-                    edge_.dx_dy.value() * (grid_.height_of(row_) - edge_.start.y.value());
-                const double sample = x - offset;
-                return ceil_index(
-                    Adaptive(sample, (*edge_.error.of_x + std::abs(sample) * Adaptive::half_ulp) *
-                                         Adaptive::widening));
-            }
-        return grid_.first_sample_from(edge_, row_);
-    }
+    Index first_sample() const { return grid_.first_sample_from(edge_, row_); }
 
     void step() { ++row_; }
 

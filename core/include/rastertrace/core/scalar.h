@@ -2,8 +2,8 @@
 #pragma once
 
 // What the algorithms ask of a number, for each kind of number they run on: float, double, fractions
-// on 64 and on 128 bits, GMP rationals, and doubles that know their error. An algorithm that needs more than + - * / and < finds it
-// here.
+// on 64 and on 128 bits, GMP rationals, and doubles that know their error. An algorithm that needs
+// more than + - * / and < finds it here.
 //
 //     floor_index(2.75)                              // 2
 //     floor_index(Fraction<std::int64_t>{-1, 4})     // -1
@@ -72,8 +72,6 @@ inline Index floor_index(const Rational& x) {
 
 /// Throws Undecided if the bound reaches over a whole number.
 [[gnu::always_inline]] inline Index floor_index(const Adaptive& x) {
-    if (x.exact()) [[unlikely]]
-        return floor_index(*x.exact());
     const Index below = floor_index(x.value());
     if (x.error() == 0)
         return below;
@@ -104,7 +102,7 @@ template <typename Scalar> Scalar scalar_from(Index whole) {
         return Rational(static_cast<long>(whole));
     else if constexpr (std::same_as<Scalar, Adaptive>)
         return std::abs(whole) <= (Index{1} << 53) ? Adaptive(static_cast<double>(whole))
-                                                   : with_error(Rational(static_cast<long>(whole)));
+                                                   : rounded_to(static_cast<double>(whole));
     else
         return static_cast<Scalar>(whole);
 }
@@ -199,7 +197,7 @@ template <typename Integer> double to_double(const Fraction<Integer>& number) {
     return nearest_double(exact(number));
 }
 inline double to_double(const Adaptive& number) {
-    return number.exact() ? nearest_double(*number.exact()) : number.value();
+    return number.value();
 }
 
 /// How far the double nearest to a coordinate may lie from the coordinate that is drawn with.

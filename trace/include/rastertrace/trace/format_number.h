@@ -70,7 +70,7 @@ inline std::size_t room_for(const Rational& value) {
            6;
 }
 inline std::size_t room_for(const Adaptive& value) {
-    return room_for(0.0) + (value.exact() ? room_for(*value.exact()) : 0);
+    return room_for(value.value());
 }
 
 /// Writes a value to `out`, which must have room for it; returns the place behind it.
@@ -191,8 +191,7 @@ inline char* format_as_double(char* out, const Rational& value) {
 
 /// A double that knows its error; the error is not written.
 inline char* format_number(char* out, const Adaptive& value) {
-    return value.exact() ? format_as_double(out, *value.exact())
-                         : format_number(out, value.value());
+    return format_number(out, value.value());
 }
 
 inline char* format_number(char* out, const Rational& value) {
