@@ -33,7 +33,8 @@ struct Undecided {
 };
 
 /// A double with a bound on its distance from the number that it stands for. Two doubles wide, so that
-/// it is handed over in registers.
+/// it is handed over in registers. What has left the doubles has a bound that is infinite or no number,
+/// and so decides nothing.
 class Adaptive {
 public:
     Adaptive() = default;
@@ -48,7 +49,7 @@ public:
         const double sum = a.value_ + b.value_;
         const double of_b = sum - a.value_;
         const double rounded_off = (a.value_ - (sum - of_b)) + (b.value_ - of_b);
-        return finite(sum, (a.error_ + b.error_ + std::abs(rounded_off)) * widening);
+        return Adaptive(sum, (a.error_ + b.error_ + std::abs(rounded_off)) * widening);
     }
 
     friend Adaptive operator-(Adaptive a) { return Adaptive(-a.value_, a.error_); }
@@ -62,10 +63,10 @@ public:
         const double of_factors =
             std::abs(a.value_) * b.error_ + std::abs(b.value_) * a.error_ + a.error_ * b.error_;
         // Nothing is rounded off where a factor is 0 or 1, as most entries of matrices are.
-        if (a.is_trivial_factor() || b.is_trivial_factor())
-            return finite(product, of_factors * widening);
-        return finite(product,
-                      (of_factors + std::abs(product) * half_ulp + smallest_error) * widening);
+        const double rounded_off = a.is_trivial_factor() || b.is_trivial_factor()
+                                       ? 0
+                                       : std::abs(product) * half_ulp + smallest_error;
+        return Adaptive(product, (of_factors + rounded_off) * widening);
     }
 
     /// b must not be 0.
@@ -77,8 +78,8 @@ public:
             leave_open(b.value_, b.error_);
         const double of_terms =
             (a.error_ + std::abs(quotient) * b.error_) * widening / nearest_to_zero;
-        return finite(quotient,
-                      (of_terms + std::abs(quotient) * half_ulp + smallest_error) * widening);
+        return Adaptive(quotient,
+                        (of_terms + std::abs(quotient) * half_ulp + smallest_error) * widening);
     }
 
     Adaptive& operator+=(Adaptive b) { return *this = *this + b; }
@@ -93,9 +94,9 @@ public:
         const double of_way = at.error_ + from.error_ + std::abs(way) * half_ulp;
         const double of_rise = (std::abs(slope.value_) + slope.error_) * of_way +
                                slope.error_ * std::abs(way) + smallest_error;
-        return finite(value,
-                      (start.error_ + of_rise + (std::abs(rise) + std::abs(value)) * half_ulp) *
-                          widening);
+        return Adaptive(value,
+                        (start.error_ + of_rise + (std::abs(rise) + std::abs(value)) * half_ulp) *
+                            widening);
     }
 
     /// Which is the larger one, if that can be told.
@@ -139,16 +140,9 @@ public:
 private:
     static constexpr double smallest_divisor = 0x1p-900;
 
+    /// 0, 1 and -1 are what has its absolute value for a square.
     bool is_trivial_factor() const {
-        return error_ == 0 && (value_ == 0 || value_ == 1 || value_ == -1);
-    }
-
-    /// What has left the doubles decides nothing.
-    [[gnu::always_inline]] static Adaptive finite(double value, double error) {
-        if (!(error <= std::numeric_limits<double>::max() &&
-              std::abs(value) <= std::numeric_limits<double>::max())) [[unlikely]]
-            leave_open(value, error);
-        return Adaptive(value, error);
+        return error_ == 0 && value_ * value_ == std::abs(value_);
     }
 
     double value_ = 0;

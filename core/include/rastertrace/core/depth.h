@@ -171,7 +171,7 @@ public:
         if (passes) {
             cell = depth.value();
             pieces_[place] = piece_;
-            if (depth.error() > largest_error_) [[unlikely]]
+            if (!(depth.error() <= largest_error_)) [[unlikely]]
                 largest_error_ = depth.error();
         }
         return passes;

@@ -16,7 +16,6 @@
 #include <cmath>
 #include <concepts>
 #include <cstdint>
-#include <optional>
 #include <utility>
 
 namespace rastertrace {
@@ -49,8 +48,6 @@ inline ErrorOfX<Adaptive> error_of_x(const Vec<Adaptive, 2>& start, Adaptive dx_
                          steepest * (start.y.error() + height * half_ulp) +
                          (std::abs(start.x.value()) + 2 * rise) * half_ulp +
                          Adaptive::smallest_error;
-    if (!std::isfinite(error))
-        Adaptive::leave_open(rise, error);
     return {error * Adaptive::widening};
 }
 
@@ -65,9 +62,11 @@ template <typename Scalar> struct Edge {
     /// x at height y, which must lie between those of the vertices.
     Scalar x_at(const Scalar& y) const {
         if constexpr (std::same_as<Scalar, Adaptive>) {
-            const double of_y = (std::abs(dx_dy.value()) + dx_dy.error()) * y.error();
-            return Adaptive(start.x.value() + dx_dy.value() * (y.value() - start.y.value()),
-                            (error.of_x + of_y) * Adaptive::widening);
+            const double x = start.x.value() + dx_dy.value() * (y.value() - start.y.value());
+            if (y.error() == 0)
+                return Adaptive(x, error.of_x);
+            const double steepest = std::abs(dx_dy.value()) + dx_dy.error();
+            return Adaptive(x, (error.of_x + steepest * y.error()) * Adaptive::widening);
         } else {
             return linear(start.x, dx_dy, y, start.y);
         }

@@ -20,7 +20,6 @@
 
 #include <array>
 #include <cmath>
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -99,30 +98,20 @@ inline std::optional<double> cosine_between(const Vec<Rational, 3>& a, const Vec
     return sgn(product) * nearest_double(square_root(square));
 }
 
-/// Where the cosine of two vectors lies that are known up to an error.
-struct CosineBounds {
-    double low;
-    double high;
-};
-inline std::optional<CosineBounds> cosine_bounds(const Vec<Adaptive, 3>& a,
-                                                 const Vec<Adaptive, 3>& b) {
+inline std::optional<Adaptive> cosine_between(const Vec<Adaptive, 3>& a,
+                                              const Vec<Adaptive, 3>& b) {
     if (has_no_length<Adaptive>(a) || has_no_length<Adaptive>(b))
         return std::nullopt;
     const Adaptive product = dot(a, b);
     const Adaptive square = product * product / (dot(a, a) * dot(b, b));
     // Each of the roots is rounded once.
-    const double low = std::sqrt(std::max(0.0, square.value() - square.error()));
-    const double high = std::sqrt(square.value() + square.error());
-    const double inner = low / Adaptive::widening;
-    const double outer = std::min(1.0, high * Adaptive::widening);
-    const bool is_negative = product < Adaptive(0);
-    return is_negative ? CosineBounds{-outer, -inner} : CosineBounds{inner, outer};
-}
-inline std::optional<double> cosine_between(const Vec<Adaptive, 3>& a, const Vec<Adaptive, 3>& b) {
-    const auto bounds = cosine_bounds(a, b);
-    if (!bounds)
-        return std::nullopt;
-    return (bounds->low + bounds->high) / 2;
+    const double low =
+        std::sqrt(std::max(0.0, square.value() - square.error())) / Adaptive::widening;
+    const double high =
+        std::min(1.0, std::sqrt(square.value() + square.error()) * Adaptive::widening);
+    const double middle = (low + high) / 2;
+    return Adaptive(product < Adaptive(0) ? -middle : middle,
+                    (high - low) / 2 * Adaptive::widening);
 }
 
 /// True if a face with this normal . view is not drawn.
@@ -150,18 +139,12 @@ inline Color lit(Color color, double intensity) {
     return {level(color.red()), level(color.green()), level(color.blue()), color.alpha()};
 }
 
-/// The color in light that falls on a face at an angle of this cosine. Where numbers know their error,
-/// no level may hang on it.
-template <typename Scalar>
-Color lit_at(Color color, const Vec<Scalar, 3>& normal, const Vec<Scalar, 3>& light,
-             double intensity) {
-    if constexpr (std::same_as<Scalar, Adaptive>)
-        if (intensity > 0) {
-            const auto bounds = cosine_bounds(normal, light);
-            if (!bounds || lit(color, bounds->low) != lit(color, bounds->high))
-                throw Undecided{intensity, bounds ? bounds->high - bounds->low : 1};
-        }
-    return lit(color, intensity);
+/// The same for an intensity with an error. Throws Undecided if a level hangs on it.
+inline Color lit(Color color, Adaptive intensity) {
+    const Color darkest = lit(color, std::max(0.0, intensity.value() - intensity.error()));
+    if (lit(color, std::min(1.0, intensity.value() + intensity.error())) != darkest)
+        Adaptive::leave_open(intensity.value(), intensity.error());
+    return darkest;
 }
 
 /// The color of the primitive with this number, for `shade: faces`.

@@ -153,6 +153,8 @@ ScreenPlaces<Scalar> places_on_screen(const Vec<Scalar, 4>& clip,
                                             Scalar(clip.z / clip.w), scalar_from<Scalar>(1)}
                            : clip;
     const Vec<Scalar, 4> screen = moved(transforms.viewport, canonical);
+    require_finite(screen.x);
+    require_finite(screen.y);
     const auto snapped = [&transforms](const Scalar& x) {
         if constexpr (std::floating_point<Scalar>)
             if (!std::isfinite(x))
@@ -264,6 +266,8 @@ void place_in_clip_space(const Scene& scene, const std::optional<Matrix<Scalar>>
     vertex.distance = distance_along_view<Scalar>(scene, places.camera);
     if (!geometry.world.empty())
         geometry.world[place] = {places.world.x, places.world.y, places.world.z};
+    for (const Scalar* coordinate : {&vertex.clip.x, &vertex.clip.y, &vertex.clip.z, &vertex.clip.w})
+        require_finite(*coordinate);
     const auto& planes = geometry.transforms.planes;
     vertex.is_in_view = std::all_of(planes.begin(), planes.end(), [&vertex](const auto& plane) {
         return plane.has_inside(vertex.clip);

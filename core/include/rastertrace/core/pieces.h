@@ -81,10 +81,11 @@ Face<Scalar> face_of(const Scene& scene, const Geometry<Scalar>& geometry,
                                         ? geometry.eye - centroid
                                         : geometry.eye;
         const Scalar product = dot(normal, view);
+        const auto cosine = cosine_between(normal, view);
         face.tested = FaceTested<Scalar>{.normal = normal,
                                          .view = view,
                                          .dot = product,
-                                         .cosine = cosine_between(normal, view),
+                                         .cosine = cosine ? std::optional(to_double(*cosine)) : std::nullopt,
                                          .is_by_light = is_by_light,
                                          .is_culled = is_culled(cull, product),
                                          .is_culled_opposite = is_culled(cull, Scalar(-product))};
@@ -97,13 +98,15 @@ Face<Scalar> face_of(const Scene& scene, const Geometry<Scalar>& geometry,
     if (scene.method.shade == Shade::lambert) {
         const Vec<Scalar, 3> light = light_from<Scalar>(*scene.light, centroid);
         const Scalar product = dot(normal, light);
-        const double intensity = zero < product ? cosine_between(normal, light).value_or(0) : 0.0;
+        const auto cosine = cosine_between(normal, light);
+        using Cosine = typename decltype(cosine)::value_type;
+        const Cosine intensity = zero < product && cosine ? *cosine : Cosine(0);
         face.lit =
             FaceLit<Scalar>{.normal = normal,
                             .light = light,
                             .dot = product,
-                            .intensity = intensity,
-                            .color = lit_at<Scalar>(primitive.color, normal, light, intensity)};
+                            .intensity = to_double(intensity),
+                            .color = lit(primitive.color, intensity)};
     }
     return face;
 }

@@ -24,6 +24,17 @@
 
 namespace rastertrace {
 
+/// Where the vertex between `top` and `bottom` lies: -1 left of the edge from one to the other, as seen
+/// in the picture, +1 right of it, 0 on it.
+template <typename Scalar>
+int side_of_line(const Vertex<Scalar>& top, const Vertex<Scalar>& bottom,
+                 const Vertex<Scalar>& middle) {
+    if (top.position.y == bottom.position.y)
+        return 0;
+    const Scalar x = edge_between(top, bottom).x_at(middle.position.y);
+    return middle.position.x < x ? -1 : x < middle.position.x ? 1 : 0;
+}
+
 /// The samples of all pixels: each lies `sample_offset` from its pixel's integer point, in x and in
 /// y. A triangle is set against them in the scene's own coordinates.
 template <typename Scalar> class SampleGrid {
@@ -64,19 +75,57 @@ public:
         return ceil_index(Length(edge.x_at(height) - offset_));
     }
 
-    /// Where the vertex between `top` and `bottom` lies: -1 left of the edge from one to the other,
-    /// as seen in the picture, +1 right of it, 0 on it.
     static int side_of_edge(const Vertex<Length>& top, const Vertex<Length>& bottom,
                             const Vertex<Length>& middle) {
-        if (top.position.y == bottom.position.y)
-            return 0;
-        const Length x = edge_between(top, bottom).x_at(middle.position.y);
-        return middle.position.x < x ? -1 : x < middle.position.x ? 1 : 0;
+        return side_of_line(top, bottom, middle);
     }
 
 private:
     Canvas canvas_;
     Scalar offset_;
+};
+
+/// Doubles that know their error may be moved by the offset: then samples have whole coordinates, as
+/// the pixels have.
+template <> class SampleGrid<Adaptive> {
+public:
+    using Length = Adaptive;
+
+    SampleGrid(Adaptive sample_offset, const Canvas& canvas)
+        : canvas_(canvas), offset_(sample_offset) {}
+
+    Adaptive sample_offset() const { return offset_; }
+
+    Triangle<Length> placed(const Triangle<Adaptive>& triangle) const {
+        Triangle<Length> result;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto& [x, y] = triangle.vertices[i];
+            result.vertices[i] = {x - offset_, y - offset_};
+        }
+        return result;
+    }
+
+    int down() const { return canvas_.down(); }
+
+    Index first_row_from(Length y) const {
+        return canvas_.row_of(down() > 0 ? ceil_index(y) : floor_index(y));
+    }
+
+    bool reaches(Index x, Length length) const { return length <= scalar_from<Length>(x); }
+
+    /// The first sample in a row that does not lie left of the edge.
+    Index first_sample_from(const Edge<Length>& edge, int row) const {
+        return ceil_index(edge.x_at(scalar_from<Length>(canvas_.y_of(row))));
+    }
+
+    static int side_of_edge(const Vertex<Length>& top, const Vertex<Length>& bottom,
+                            const Vertex<Length>& middle) {
+        return side_of_line(top, bottom, middle);
+    }
+
+private:
+    Canvas canvas_;
+    Adaptive offset_;
 };
 
 /// Fractions over one denominator D become whole numbers, in units of 1/D pixel: x to the right of

@@ -70,19 +70,25 @@ inline Index floor_index(const Rational& x) {
     return std::clamp<Index>(quotient.get_si(), -farthest_index, farthest_index);
 }
 
-/// Throws Undecided if the bound reaches over a whole number.
-[[gnu::always_inline]] inline Index floor_index(const Adaptive& x) {
-    const Index below = floor_index(x.value());
-    if (x.error() == 0)
-        return below;
+/// Throws Undecided if the bound reaches over a whole number, or the number lies beyond the indices.
+[[gnu::always_inline]] inline Index floor_index(Adaptive x) {
+    if (!(std::abs(x.value()) < static_cast<double>(farthest_index))) [[unlikely]] {
+        if (x.error() == 0)
+            return floor_index(x.value());
+        Adaptive::leave_open(x.value(), x.error());
+    }
+    const auto toward_zero = static_cast<Index>(x.value());
+    const Index index =
+        static_cast<double>(toward_zero) > x.value() ? toward_zero - 1 : toward_zero;
+
     // How far to the whole numbers on both sides: exactly, as far as it is less than a half.
+    const auto below = static_cast<double>(index);
+    const double from_below = x.value() - below;
+    const double to_next = below + 1 - x.value();
     const double error = x.error() * Adaptive::widening;
-    const double from_below = x.value() - static_cast<double>(below);
-    const double to_next = static_cast<double>(below + 1) - x.value();
-    const bool is_farthest = below <= -farthest_index || farthest_index <= below;
-    if (!(error <= from_below && error < to_next) || is_farthest) [[unlikely]]
+    if (!(error <= from_below && error < to_next)) [[unlikely]]
         Adaptive::leave_open(from_below < to_next ? from_below : -to_next, x.error());
-    return below;
+    return index;
 }
 
 /// The smallest whole number not below `x`, kept within +-farthest_index.
@@ -206,6 +212,13 @@ inline double error_of(const Adaptive& number) {
 }
 template <typename Coordinate> double error_of(const Coordinate&) {
     return 0;
+}
+
+/// Throws Undecided if a number has left the doubles. Others have been looked at by plan.h.
+template <typename Scalar> void require_finite(const Scalar&) {}
+inline void require_finite(Adaptive number) {
+    if (!std::isfinite(number.value()) || !std::isfinite(number.error()))
+        Adaptive::leave_open(number.value(), number.error());
 }
 
 /// True if two numbers are not equal, whatever else is not known about them.

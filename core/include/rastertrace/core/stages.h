@@ -221,9 +221,9 @@ bool has_safe_depth(const Piece<Coordinate>& piece, const DepthRule<double>& rul
     const double epsilon = std::ldexp(1.0, is_single ? -18 : -46);
     // What is known with an error: each must be as exact as the rounding that is allowed for.
     for (std::size_t i = 0; i < 3; ++i)
-        if (error_of(piece.positions[i].x) + error_of(piece.positions[i].y) >
-                epsilon * farthest / 64 ||
-            error_of(piece.depths[i]) > epsilon * largest / 64)
+        if (!(error_of(piece.positions[i].x) + error_of(piece.positions[i].y) <=
+              epsilon * farthest / 64) ||
+            !(error_of(piece.depths[i]) <= epsilon * largest / 64))
             return false;
     if (!(area2 > epsilon * extent * farthest))
         return false;
