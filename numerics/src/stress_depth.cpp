@@ -104,7 +104,7 @@ Measured middle_of_edge(std::string_view scalar, const Rational& r, bool is_inve
         const D far_z = nearest_scalar<D>(r);
         const D far_depth = is_inverse ? D(one / far_z) : far_z;
         DepthBuffer<D> buffer({}, {});
-        const TriangleDepth<Scalar> depth(triangle, {one, far_depth, one}, buffer);
+        TriangleDepth<Scalar> depth(triangle, {one, far_depth, one}, buffer);
         const D found = depth.on_edge({0, 1}, one);
         const Rational true_z = 2 * r / (1 + r);
         if (is_inverse)
@@ -126,7 +126,7 @@ Measured largest_linear_error(const Rational& r) {
     const Rational t(root / (1 + root));
     const Triangle<Rational> triangle{{{{0, 0}, {0, 2}, {2, 0}}}};
     DepthBuffer<Rational> buffer({}, {});
-    const TriangleDepth<Rational> linear(triangle, {1, r, 1}, buffer);
+    TriangleDepth<Rational> linear(triangle, {1, r, 1}, buffer);
     const Rational true_z = 1 / ((1 - t) + t / r);
     return {.wrong = 1,
             .unit = "depth",

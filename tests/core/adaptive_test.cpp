@@ -201,7 +201,10 @@ double worst_use_of_bound(std::uint64_t seed, int exponents) {
     };
     double worst = 0;
     Pair value = leaf();
-    for (int i = 0; i < 12; ++i) {
+    const auto is_finite = [](const Adaptive& number) {
+        return std::isfinite(number.value()) && std::isfinite(number.error());
+    };
+    for (int i = 0; i < 12 && is_finite(value.with_error); ++i) {
         const Pair other = leaf();
         try {
             switch (random() % 5) {
@@ -224,7 +227,13 @@ double worst_use_of_bound(std::uint64_t seed, int exponents) {
                 break;
             }
         } catch (const Undecided&) {
-            return worst; // beyond the doubles
+            return worst; // a divisor that may be 0
+        }
+        if (!is_finite(value.with_error)) {
+            EXPECT_FALSE(order_of(value.with_error, other.with_error)) << "beyond the doubles";
+            EXPECT_THROW(floor_index(value.with_error), Undecided);
+            EXPECT_THROW(require_finite(value.with_error), Undecided);
+            return worst;
         }
         worst = std::max(worst, used_of_bound(value));
 

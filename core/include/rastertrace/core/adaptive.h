@@ -141,9 +141,7 @@ private:
     static constexpr double smallest_divisor = 0x1p-900;
 
     /// 0, 1 and -1 are what has its absolute value for a square.
-    bool is_trivial_factor() const {
-        return error_ == 0 && value_ * value_ == std::abs(value_);
-    }
+    bool is_trivial_factor() const { return error_ == 0 && value_ * value_ == std::abs(value_); }
 
     double value_ = 0;
     double error_ = 0;

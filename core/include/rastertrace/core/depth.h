@@ -29,11 +29,8 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
-#include <cstdint>
-#include <functional>
 #include <limits>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace rastertrace {
@@ -123,93 +120,6 @@ private:
     std::vector<bool> is_clear_;
 };
 
-/// One double per pixel, and which piece it is of: where the errors of two depths leave it open which
-/// one is nearer, the exact depths of the two pieces are asked for.
-template <> class DepthBuffer<Adaptive> {
-public:
-    /// Says whether the first piece is nearer than the second one, or than a clear cell if there is
-    /// none, in the pixel at this x and row.
-    using IsNearer = std::function<bool(std::uint32_t piece, std::optional<std::uint32_t> stored,
-                                        int x, int row)>;
-
-    DepthBuffer(const DepthRegion& region, const DepthRule<Adaptive>& rule)
-        : region_(region), rule_(rule),
-          cells_(static_cast<std::size_t>(region.width) * static_cast<std::size_t>(region.height),
-                 rule.cleared ? turned(*rule.cleared).value()
-                              : std::numeric_limits<double>::infinity()),
-          pieces_(cells_.size(), no_piece),
-          largest_error_(rule.cleared ? rule.cleared->error() : 0) {}
-
-    void ask(IsNearer is_nearer) { is_nearer_ = std::move(is_nearer); }
-
-    /// The depths that follow are of this piece.
-    void begin(std::uint32_t piece) { piece_ = piece; }
-
-    /// How many tests have been decided exactly.
-    std::uint64_t exact_tests() const { return exact_tests_; }
-
-    /// Depths may be worked out in exact numbers, too.
-    template <typename Depth> Depth turned(const Depth& depth) const {
-        return rule_.larger_passes ? Depth(-depth) : depth;
-    }
-    template <typename Depth> static Adaptive compared(const Depth& depth) {
-        return with_error(depth);
-    }
-
-    double* row_from(int x, int row) {
-        return cells_.data() + static_cast<std::ptrdiff_t>(row - region_.top_row) * region_.width +
-               (x - region_.left);
-    }
-
-    [[gnu::always_inline]] bool keep_if_nearer(double& cell, Adaptive depth) {
-        const double difference = cell - depth.value();
-        const double error = (depth.error() + largest_error_) * Adaptive::widening;
-        const auto place = static_cast<std::size_t>(&cell - cells_.data());
-        bool passes = difference > error;
-        if (!passes && !(-difference > error)) [[unlikely]]
-            passes = passes_when_near(place, error == 0);
-        if (passes) {
-            cell = depth.value();
-            pieces_[place] = piece_;
-            if (!(depth.error() <= largest_error_)) [[unlikely]]
-                largest_error_ = depth.error();
-        }
-        return passes;
-    }
-
-    std::optional<Adaptive> stored(const double& cell) const {
-        if (!std::isfinite(cell))
-            return std::nullopt;
-        return Adaptive(rule_.larger_passes ? -cell : cell, largest_error_);
-    }
-
-private:
-    static constexpr std::uint32_t no_piece = std::numeric_limits<std::uint32_t>::max();
-
-    [[gnu::noinline]] bool passes_when_near(std::size_t place, bool is_equal) {
-        // What a piece has drawn before its numbers were made exact is drawn by it again.
-        const std::uint32_t stored = pieces_[place];
-        if (stored == piece_)
-            return true;
-        if (is_equal)
-            return false;
-        ++exact_tests_;
-        const auto width = static_cast<std::size_t>(region_.width);
-        return is_nearer_(piece_, stored == no_piece ? std::nullopt : std::optional(stored),
-                          region_.left + static_cast<int>(place % width),
-                          region_.top_row + static_cast<int>(place / width));
-    }
-
-    DepthRegion region_;
-    DepthRule<Adaptive> rule_;
-    std::vector<double> cells_;
-    std::vector<std::uint32_t> pieces_;
-    double largest_error_; ///< of a depth that has been stored
-    std::uint32_t piece_ = no_piece;
-    std::uint64_t exact_tests_ = 0;
-    IsNearer is_nearer_;
-};
-
 /// The turned depths of a row of a triangle: linear in x.
 template <typename Scalar> struct DepthRow {
     Scalar x;                       ///< where
@@ -223,39 +133,6 @@ template <typename Scalar> struct DepthRow {
     }
 };
 
-/// The same in doubles that know their error: the row's numbers give the error of every pixel of it.
-template <> struct DepthRow<Adaptive> {
-    DepthRow(Adaptive x, Adaptive depth, Adaptive slope, std::optional<Adaptive> end)
-        : x_(x.value()), depth_(depth.value()), slope_(slope.value()),
-          first_(end ? x_ : -std::numeric_limits<double>::infinity()),
-          last_(end ? end->value() : std::numeric_limits<double>::infinity()) {
-        // d + s (x - x0), where s, x0 and the ends are off, and each operation rounds.
-        const double steepest = std::abs(slope_) + slope.error();
-        const double of_ends = x.error() + (end ? end->error() : 0);
-        const bool is_level = steepest == 0;
-        error_ =
-            (depth.error() + steepest * of_ends +
-             (is_level ? 0
-                       : 2 * Adaptive::half_ulp * std::abs(depth_) + Adaptive::smallest_error)) *
-            Adaptive::widening;
-        error_per_pixel_ = (slope.error() + 4 * Adaptive::half_ulp * steepest) * Adaptive::widening;
-    }
-
-    [[gnu::always_inline]] Adaptive at(int column) const {
-        const double way = std::min(std::max<double>(column, first_), last_) - x_;
-        return Adaptive(depth_ + slope_ * way, error_ + error_per_pixel_ * std::abs(way));
-    }
-
-private:
-    double x_;
-    double depth_;
-    double slope_;
-    double first_; ///< left of it, and right of
-    double last_;  ///< this, the depths of the ends hold
-    double error_;
-    double error_per_pixel_;
-};
-
 /// A slope that is too steep for its numbers belongs to a row or a triangle that is too thin to have
 /// more than one depth.
 template <typename Scalar> Scalar finite_or_zero(const Scalar& slope) {
@@ -264,6 +141,72 @@ template <typename Scalar> Scalar finite_or_zero(const Scalar& slope) {
     else
         return slope;
 }
+
+/// The depths of an edge between its vertices: linear in y. A horizontal edge has that of its first
+/// vertex.
+template <typename Scalar> class DepthEdge {
+public:
+    DepthEdge(const Scalar& y, const Scalar& depth, const Scalar& other_y,
+              const Scalar& other_depth)
+        : y_(y), depth_(depth), height_(other_y - y), rise_(other_depth - depth),
+          is_horizontal_(height_ == scalar_from<Scalar>(0)) {}
+
+    Scalar at(const Scalar& y) const {
+        return is_horizontal_ ? depth_ : Scalar(depth_ + rise_ * (y - y_) / height_);
+    }
+
+private:
+    Scalar y_;
+    Scalar depth_;
+    Scalar height_;
+    Scalar rise_;
+    bool is_horizontal_;
+};
+
+/// The depths between the two ends of a row.
+template <typename Scalar>
+DepthRow<Scalar> row_between(const Scalar& left, const Scalar& left_depth, const Scalar& right,
+                             const Scalar& right_depth) {
+    const Scalar zero = scalar_from<Scalar>(0);
+    const Scalar width = right - left;
+    const Scalar slope =
+        zero < width ? finite_or_zero(Scalar((right_depth - left_depth) / width)) : zero;
+    return {left, left_depth, slope, zero < width ? right : left};
+}
+
+/// The depths of a triangle as a plane: linear in x and y. Samples lie `sample_offset` from integer
+/// points.
+template <typename Scalar> class DepthPlane {
+public:
+    DepthPlane(const std::array<Vec<Scalar, 2>, 3>& positions, const std::array<Scalar, 3>& depths,
+               const Scalar& sample_offset) {
+        const auto& [a, b, c] = positions;
+        const Scalar abx = b.x - a.x;
+        const Scalar aby = b.y - a.y;
+        const Scalar acx = c.x - a.x;
+        const Scalar acy = c.y - a.y;
+        const Scalar area2 = abx * acy - acx * aby;
+        const Scalar ab = depths[1] - depths[0];
+        const Scalar ac = depths[2] - depths[0];
+        origin_ = {Scalar(a.x - sample_offset), Scalar(a.y - sample_offset)};
+        depth_ = depths[0];
+        if (area2 == scalar_from<Scalar>(0))
+            return;
+        slope_x_ = finite_or_zero(Scalar((ab * acy - ac * aby) / area2));
+        slope_y_ = finite_or_zero(Scalar((ac * abx - ab * acx) / area2));
+    }
+
+    DepthRow<Scalar> on_row(int y) const {
+        return {origin_.x, linear(depth_, slope_y_, scalar_from<Scalar>(y), origin_.y), slope_x_,
+                std::nullopt};
+    }
+
+private:
+    Vec<Scalar, 2> origin_{}; ///< the first vertex, as samples are counted
+    Scalar depth_{};          ///< there
+    Scalar slope_x_{};
+    Scalar slope_y_{};
+};
 
 /// The vertices in the numbers that depths are worked out in.
 template <typename Scalar>
@@ -296,22 +239,19 @@ public:
                                                          buffer.turned(depths[1]),
                                                          buffer.turned(depths[2])} {}
 
-    /// The depth where an edge is at height y. A horizontal edge has that of its first vertex.
-    D on_edge(const EdgeName& edge, const D& y) const {
-        const D height = positions_[edge.to].y - positions_[edge.from].y;
-        if (height == scalar_from<D>(0))
-            return depths_[edge.from];
-        return depths_[edge.from] +
-               (depths_[edge.to] - depths_[edge.from]) * (y - positions_[edge.from].y) / height;
+    /// The depth where an edge is at height y.
+    D on_edge(const EdgeName& edge, const D& y) {
+        auto& depths = edges_[edge.from + edge.to - 1U];
+        if (!depths)
+            depths.emplace(positions_[edge.from].y, depths_[edge.from], positions_[edge.to].y,
+                           depths_[edge.to]);
+        return depths->at(y);
     }
 
     /// By rows, then across: the depths between the two ends of a row.
     static DepthRow<D> between(const D& left, const D& left_depth, const D& right,
                                const D& right_depth) {
-        const D zero = scalar_from<D>(0);
-        const D width = right - left;
-        const D slope = zero < width ? finite_or_zero(D((right_depth - left_depth) / width)) : zero;
-        return {left, left_depth, slope, zero < width ? right : left};
+        return row_between(left, left_depth, right, right_depth);
     }
 
     /// By weights: d = d1 + w2 (d2 - d1) + w3 (d3 - d1).
@@ -321,35 +261,23 @@ public:
     }
 
     /// The same for whole rows: the weights are linear in x and y, and so is the depth. `prepare`
-    /// finds how fast it grows in x and in y. Samples lie `sample_offset` from integer points.
-    void prepare(const D& sample_offset) {
-        const auto& [a, b, c] = positions_;
-        const D abx = b.x - a.x;
-        const D aby = b.y - a.y;
-        const D acx = c.x - a.x;
-        const D acy = c.y - a.y;
-        const D area2 = abx * acy - acx * aby;
-        const D ab = depths_[1] - depths_[0];
-        const D ac = depths_[2] - depths_[0];
-        origin_ = {D(a.x - sample_offset), D(a.y - sample_offset)};
-        if (area2 == scalar_from<D>(0))
-            return;
-        slope_x_ = finite_or_zero(D((ab * acy - ac * aby) / area2));
-        slope_y_ = finite_or_zero(D((ac * abx - ab * acx) / area2));
-    }
-    DepthRow<D> on_row(int y) const {
-        return {origin_.x, linear(depths_[0], slope_y_, scalar_from<D>(y), origin_.y), slope_x_,
-                std::nullopt};
-    }
+    /// finds how fast it grows.
+    void prepare(const D& sample_offset) { plane_.emplace(positions_, depths_, sample_offset); }
+    DepthRow<D> on_row(int y) const { return plane_->on_row(y); }
 
     Buffer& buffer;
 
 private:
     std::array<Vec<D, 2>, 3> positions_;
     std::array<D, 3> depths_;
-    Vec<D, 2> origin_{}; ///< the first vertex, as samples are counted
-    D slope_x_{};
-    D slope_y_{};
+    std::array<std::optional<DepthEdge<D>>, 3> edges_; ///< those between 0 and 1, 0 and 2, 1 and 2
+    std::optional<DepthPlane<D>> plane_;
 };
+
+/// Doubles that know their error have forms of their own: adaptive_depth.h.
+template <> class DepthBuffer<Adaptive>;
+template <> struct DepthRow<Adaptive>;
+template <> class DepthEdge<Adaptive>;
+template <> class DepthPlane<Adaptive>;
 
 } // namespace rastertrace

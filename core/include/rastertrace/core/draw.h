@@ -6,6 +6,7 @@
 //     const Image picture = draw<double>(scene, plan_for(scene), NullSink{});
 
 #include <rastertrace/core/adaptive.h>
+#include <rastertrace/core/adaptive_depth.h>
 #include <rastertrace/core/depth.h>
 #include <rastertrace/core/exactly.h>
 #include <rastertrace/core/fill_barycentric.h>
@@ -182,16 +183,6 @@ void draw_piece(const Piece<Coordinate>& piece, const PlacedPrimitive<Scalar>& p
     }
 }
 
-/// True if vertices that lie at coordinates of this type are drawn with Scalar.
-template <typename Scalar, typename Coordinate>
-inline constexpr bool draws = std::same_as<Coordinate, Number> ||
-                              std::same_as<Scalar, Coordinate> ||
-                              (std::same_as<Scalar, Adaptive>
-                                   ? std::same_as<Coordinate, Rational>
-                                   : !std::floating_point<Scalar> &&
-                                         !std::same_as<Coordinate, float> &&
-                                         !std::same_as<Coordinate, Adaptive>);
-
 /// Draws all pieces of the scene.
 template <typename Scalar, typename AGeometry, typename Sink>
 void draw_pieces(const Scene& scene, const Plan& plan, const AGeometry& geometry,
@@ -211,7 +202,8 @@ void draw_pieces(const Scene& scene, const Plan& plan, const AGeometry& geometry
     Target<Rational, Adaptive> exact_target{target.image, sample_grid<Rational>(scene, plan),
                                             target.depth, &exactness};
     if (target.depth)
-        target.depth->ask([&](auto... asked) { return is_nearer(scene, exactness, asked...); });
+        target.depth->ask(
+            [&](auto... asked) { return is_nearer(scene, plan, exactness, asked...); });
 
     // What could not be decided is told, and done again.
     const auto decide = [&](auto& resumed, auto&& draw_it, auto&& draw_it_exactly) {

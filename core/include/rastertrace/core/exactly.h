@@ -8,6 +8,7 @@
 //     exact.placed({.primitive = 3, .part = 0});  // its corners as fractions
 
 #include <rastertrace/core/adaptive.h>
+#include <rastertrace/core/adaptive_depth.h>
 #include <rastertrace/core/barycentric.h>
 #include <rastertrace/core/depth.h>
 #include <rastertrace/core/edge.h>
@@ -22,6 +23,7 @@
 #include <rastertrace/core/sink.h>
 #include <rastertrace/core/triangle.h>
 
+#include <algorithm>
 #include <array>
 #include <compare>
 #include <cstddef>
@@ -95,30 +97,77 @@ private:
     std::map<PieceNumber, PlacedPrimitive<Rational>> placed_;
 };
 
+/// The edges that a row lies between.
+template <typename Scalar> struct EdgesOfRow {
+    Edge<Scalar> left;
+    Edge<Scalar> right;
+};
+template <typename Scalar>
+EdgesOfRow<Scalar> edges_of_row(const Triangle<Scalar>& triangle, int y, int down) {
+    const JoinedEdges<Scalar> edges = joined_edges(triangle, down);
+    const bool is_lower = first_lower_y(edges, down) * down <= Index{y} * down;
+    const Edge<Scalar>& short_edge = is_lower ? edges.lower : edges.upper;
+    return edges.long_edge_is_left ? EdgesOfRow<Scalar>{edges.long_edge, short_edge}
+                                   : EdgesOfRow<Scalar>{short_edge, edges.long_edge};
+}
+
+/// True if the fill that the scene names finds depths by rows, then across; else by weights.
+inline bool finds_depths_by_rows(const Scene& scene) {
+    return scene.method.fill != Fill::top_left && scene.method.fill != Fill::barycentric;
+}
+
 /// The turned depth of a triangle in the pixel at (x, y), as the fill that the scene names finds it.
 inline Rational exact_depth_at(const Scene& scene, const PlacedPrimitive<Rational>& primitive,
                                int x, int y) {
     const Triangle<Rational> triangle{primitive.positions};
     DepthBuffer<Rational> nothing({}, depth_rule<Rational>(scene));
     TriangleDepth<Rational> depth(triangle, primitive.depths, nothing);
-
-    // By weights.
-    if (scene.method.fill == Fill::top_left || scene.method.fill == Fill::barycentric) {
+    if (!finds_depths_by_rows(scene)) {
         depth.prepare(scalar_from<Rational>(sample_offset_of(scene.method)));
         return depth.on_row(y).at(x);
     }
-
-    // By rows, then across.
-    const int down = scene.canvas.down();
-    const JoinedEdges<Rational> edges = joined_edges(triangle, down);
-    const bool is_lower = first_lower_y(edges, down) * down <= Index{y} * down;
-    const Edge<Rational>& short_edge = is_lower ? edges.lower : edges.upper;
-    const Edge<Rational>& left = edges.long_edge_is_left ? edges.long_edge : short_edge;
-    const Edge<Rational>& right = edges.long_edge_is_left ? short_edge : edges.long_edge;
+    const auto [left, right] = edges_of_row(triangle, y, scene.canvas.down());
     const Rational height = y;
     return TriangleDepth<Rational>::between(left.x_at(height), depth.on_edge(left.name, height),
                                             right.x_at(height), depth.on_edge(right.name, height))
         .at(x);
+}
+
+/// The two vertices of the edge that a pixel has its depth from: it lies at an end of its row or beyond.
+/// Nothing if it does not, or if that cannot be told in doubles.
+inline std::optional<std::array<std::size_t, 2>>
+edge_of_depth(const Scene& scene, const Plan& plan, const PieceNumber& number, int x, int y) {
+    if (!finds_depths_by_rows(scene))
+        return std::nullopt;
+    std::optional<std::array<std::size_t, 2>> vertices;
+    const auto look_at = [&]<typename Coordinate>(const Piece<Coordinate>& piece) {
+        if constexpr (draws<Adaptive, Coordinate>) {
+            if (piece.is_part)
+                return;
+            const Triangle<Adaptive> triangle{placed<Adaptive>(piece, plan).positions};
+            const auto [left, right] = edges_of_row(triangle, y, scene.canvas.down());
+            const auto height = scalar_from<Adaptive>(y);
+            const auto column = scalar_from<Adaptive>(x);
+            const auto hold = [&](const EdgeName& edge) {
+                vertices = {piece.vertices[edge.from], piece.vertices[edge.to]};
+                std::sort(vertices->begin(), vertices->end());
+            };
+            if (column <= left.x_at(height))
+                hold(left.name);
+            else if (right.x_at(height) <= column)
+                hold(right.name);
+        }
+    };
+    try {
+        std::visit(
+            [&](const auto& geometry) {
+                visit_pieces(scene, geometry, number.primitive, false, NullSink{}, look_at);
+            },
+            plan.geometry);
+    } catch (const Undecided&) {
+        return std::nullopt;
+    }
+    return vertices;
 }
 
 /// How often `adaptive` could not decide with doubles.
@@ -137,14 +186,22 @@ struct Exactness {
 };
 
 /// Whether a piece is nearer in a pixel than what is stored there, in exact numbers.
-inline bool is_nearer(const Scene& scene, Exactness& exactness, std::uint32_t piece,
-                      std::optional<std::uint32_t> stored, int x, int row) {
+inline bool is_nearer(const Scene& scene, const Plan& plan, Exactness& exactness,
+                      std::uint32_t piece, std::optional<std::uint32_t> stored, int x, int row) {
+    const int y = scene.canvas.y_of(row);
     const auto depth_of = [&](std::uint32_t number) {
-        return exact_depth_at(scene, exactness.pieces.placed(exactness.drawn[number]), x,
-                              scene.canvas.y_of(row));
+        return exact_depth_at(scene, exactness.pieces.placed(exactness.drawn[number]), x, y);
     };
-    if (stored)
+    if (stored) {
+        // Two faces that meet in an edge seen from aside have one depth there: no need to work it out.
+        const auto edge_of = [&](std::uint32_t number) {
+            return edge_of_depth(scene, plan, exactness.drawn[number], x, y);
+        };
+        const auto edge = edge_of(piece);
+        if (edge && edge == edge_of(*stored))
+            return false;
         return depth_of(piece) < depth_of(*stored);
+    }
     const DepthRule<Rational> rule = depth_rule<Rational>(scene);
     const Rational cleared = rule.cleared.value_or(0);
     return depth_of(piece) < (rule.larger_passes ? Rational(-cleared) : cleared);

@@ -266,7 +266,8 @@ void place_in_clip_space(const Scene& scene, const std::optional<Matrix<Scalar>>
     vertex.distance = distance_along_view<Scalar>(scene, places.camera);
     if (!geometry.world.empty())
         geometry.world[place] = {places.world.x, places.world.y, places.world.z};
-    for (const Scalar* coordinate : {&vertex.clip.x, &vertex.clip.y, &vertex.clip.z, &vertex.clip.w})
+    for (const Scalar* coordinate :
+         {&vertex.clip.x, &vertex.clip.y, &vertex.clip.z, &vertex.clip.w})
         require_finite(*coordinate);
     const auto& planes = geometry.transforms.planes;
     vertex.is_in_view = std::all_of(planes.begin(), planes.end(), [&vertex](const auto& plane) {

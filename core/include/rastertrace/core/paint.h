@@ -7,6 +7,7 @@
 //     Paint<double> paint{.flat = Color{255, 0, 0}};
 //     plot_span(y, -1, 3, paint, image, sink);
 
+#include <rastertrace/core/adaptive_depth.h>
 #include <rastertrace/core/barycentric.h>
 #include <rastertrace/core/canvas.h>
 #include <rastertrace/core/depth.h>

@@ -82,13 +82,14 @@ Face<Scalar> face_of(const Scene& scene, const Geometry<Scalar>& geometry,
                                         : geometry.eye;
         const Scalar product = dot(normal, view);
         const auto cosine = cosine_between(normal, view);
-        face.tested = FaceTested<Scalar>{.normal = normal,
-                                         .view = view,
-                                         .dot = product,
-                                         .cosine = cosine ? std::optional(to_double(*cosine)) : std::nullopt,
-                                         .is_by_light = is_by_light,
-                                         .is_culled = is_culled(cull, product),
-                                         .is_culled_opposite = is_culled(cull, Scalar(-product))};
+        face.tested =
+            FaceTested<Scalar>{.normal = normal,
+                               .view = view,
+                               .dot = product,
+                               .cosine = cosine ? std::optional(to_double(*cosine)) : std::nullopt,
+                               .is_by_light = is_by_light,
+                               .is_culled = is_culled(cull, product),
+                               .is_culled_opposite = is_culled(cull, Scalar(-product))};
         if (face.tested->is_culled) {
             face.skip = SkipReason::culled;
             return face;
@@ -101,12 +102,11 @@ Face<Scalar> face_of(const Scene& scene, const Geometry<Scalar>& geometry,
         const auto cosine = cosine_between(normal, light);
         using Cosine = typename decltype(cosine)::value_type;
         const Cosine intensity = zero < product && cosine ? *cosine : Cosine(0);
-        face.lit =
-            FaceLit<Scalar>{.normal = normal,
-                            .light = light,
-                            .dot = product,
-                            .intensity = to_double(intensity),
-                            .color = lit(primitive.color, intensity)};
+        face.lit = FaceLit<Scalar>{.normal = normal,
+                                   .light = light,
+                                   .dot = product,
+                                   .intensity = to_double(intensity),
+                                   .color = lit(primitive.color, intensity)};
     }
     return face;
 }

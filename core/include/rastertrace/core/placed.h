@@ -31,6 +31,16 @@ template <typename Scalar> struct PlacedPrimitive {
     std::array<DepthOf<Scalar>, 3> inverse_w{};
 };
 
+/// True if vertices that lie at coordinates of this type are drawn with Scalar.
+template <typename Scalar, typename Coordinate>
+inline constexpr bool draws = std::same_as<Coordinate, Number> ||
+                              std::same_as<Scalar, Coordinate> ||
+                              (std::same_as<Scalar, Adaptive>
+                                   ? std::same_as<Coordinate, Rational>
+                                   : !std::floating_point<Scalar> &&
+                                         !std::same_as<Coordinate, float> &&
+                                         !std::same_as<Coordinate, Adaptive>);
+
 /// A coordinate of a vertex as a Scalar, over the plan's denominator if that is a fraction.
 template <typename Scalar, typename Coordinate>
 Scalar on_grid(const Coordinate& coordinate, const Plan& plan) {

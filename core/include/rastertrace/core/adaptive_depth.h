@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Depths in doubles that know their error, and the buffer that they are tested against. The formulas
+// are those of depth.h; in place of an error for every operation there is one for a whole row or
+// triangle. u is 2^-53, what a result may be rounded by, relative to it.
+//
+//     DepthBuffer<Adaptive> buffer(region, rule);
+//     buffer.ask(is_nearer);  // who decides what errors leave open
+
+#include <rastertrace/core/adaptive.h>
+#include <rastertrace/core/depth.h>
+#include <rastertrace/core/scalar.h>
+#include <rastertrace/core/vec.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace rastertrace {
+
+/// One double per pixel, and which piece it is of: where the errors of two depths leave it open which
+/// one is nearer, the exact depths of the two pieces are asked for.
+template <> class DepthBuffer<Adaptive> {
+public:
+    /// Says whether the first piece is nearer than the second one, or than a clear cell if there is
+    /// none, in the pixel at this x and row.
+    using IsNearer = std::function<bool(std::uint32_t piece, std::optional<std::uint32_t> stored,
+                                        int x, int row)>;
+
+    DepthBuffer(const DepthRegion& region, const DepthRule<Adaptive>& rule)
+        : region_(region), rule_(rule),
+          cells_(static_cast<std::size_t>(region.width) * static_cast<std::size_t>(region.height),
+                 rule.cleared ? turned(*rule.cleared).value()
+                              : std::numeric_limits<double>::infinity()),
+          pieces_(cells_.size(), no_piece),
+          largest_error_(rule.cleared ? rule.cleared->error() : 0) {}
+
+    void ask(IsNearer is_nearer) { is_nearer_ = std::move(is_nearer); }
+
+    /// The depths that follow are of this piece.
+    void begin(std::uint32_t piece) { piece_ = piece; }
+
+    /// How many tests have been decided exactly.
+    std::uint64_t exact_tests() const { return exact_tests_; }
+
+    /// Depths may be worked out in exact numbers, too.
+    template <typename Depth> Depth turned(const Depth& depth) const {
+        return rule_.larger_passes ? Depth(-depth) : depth;
+    }
+    template <typename Depth> static Adaptive compared(const Depth& depth) {
+        return with_error(depth);
+    }
+
+    double* row_from(int x, int row) {
+        return cells_.data() + static_cast<std::ptrdiff_t>(row - region_.top_row) * region_.width +
+               (x - region_.left);
+    }
+
+    [[gnu::always_inline]] bool keep_if_nearer(double& cell, Adaptive depth) {
+        const double difference = cell - depth.value();
+        const double error = (depth.error() + largest_error_) * Adaptive::widening;
+        const auto place = static_cast<std::size_t>(&cell - cells_.data());
+        bool passes = difference > error;
+        if (!passes && !(-difference > error)) [[unlikely]]
+            passes = passes_when_near(place, error == 0);
+        if (passes) {
+            cell = depth.value();
+            pieces_[place] = piece_;
+            if (!(depth.error() <= largest_error_)) [[unlikely]]
+                largest_error_ = depth.error();
+        }
+        return passes;
+    }
+
+    std::optional<Adaptive> stored(const double& cell) const {
+        if (!std::isfinite(cell))
+            return std::nullopt;
+        return Adaptive(rule_.larger_passes ? -cell : cell, largest_error_);
+    }
+
+private:
+    static constexpr std::uint32_t no_piece = std::numeric_limits<std::uint32_t>::max();
+
+    [[gnu::noinline]] bool passes_when_near(std::size_t place, bool is_equal) {
+        // What a piece has drawn before its numbers were made exact is drawn by it again.
+        const std::uint32_t stored = pieces_[place];
+        if (stored == piece_)
+            return true;
+        if (is_equal)
+            return false;
+        ++exact_tests_;
+        const auto width = static_cast<std::size_t>(region_.width);
+        return is_nearer_(piece_, stored == no_piece ? std::nullopt : std::optional(stored),
+                          region_.left + static_cast<int>(place % width),
+                          region_.top_row + static_cast<int>(place / width));
+    }
+
+    DepthRegion region_;
+    DepthRule<Adaptive> rule_;
+    std::vector<double> cells_;
+    std::vector<std::uint32_t> pieces_;
+    double largest_error_; ///< of a depth that has been stored
+    std::uint32_t piece_ = no_piece;
+    std::uint64_t exact_tests_ = 0;
+    IsNearer is_nearer_;
+};
+
+/// The turned depths of a row, all with the same error.
+template <> struct DepthRow<Adaptive> {
+    double x;
+    double depth;
+    double slope;
+    double first; ///< left of it, and right of
+    double last;  ///< this, the depths of the ends hold
+    double error;
+
+    [[gnu::always_inline]] Adaptive at(int column) const {
+        const double way = std::min(std::max<double>(column, first), last) - x;
+        return Adaptive(depth + slope * way, error);
+    }
+};
+
+/// What a depth d1 + t (d2 - d1), 0 <= t <= 1, is off by if the depths are and t is. With what the ends
+/// are off by and no rounding, it lies between two depths that are as far off as the worse one. t is
+/// never off by more than 1. Five operations are rounded on the way to t (d2 - d1), which is `rise`,
+/// and the sum is.
+inline double error_between(Adaptive depth, Adaptive other_depth, double rise, double of_t) {
+    constexpr double u = Adaptive::half_ulp;
+    const double of_depths = std::max(depth.error(), other_depth.error());
+    if (rise == 0)
+        return of_depths;
+    const double largest = std::max(std::abs(depth.value()), std::abs(other_depth.value()));
+    return (of_depths + (std::min(of_t, 1.0) + 6 * u) * std::abs(rise) + u * largest +
+            Adaptive::smallest_error) *
+           Adaptive::widening;
+}
+
+/// The depths of an edge, all with the same error.
+template <> class DepthEdge<Adaptive> {
+public:
+    /// t is off by what the heights of the vertices are off by, over the one between them. Throws
+    /// Undecided if the edge may be horizontal or not.
+    DepthEdge(Adaptive y, Adaptive depth, Adaptive other_y, Adaptive other_depth)
+        : y_(y.value()), depth_(depth.value()), height_(other_y.value() - y_),
+          rise_(other_depth.value() - depth_), is_horizontal_(y == other_y),
+          error_(is_horizontal_ ? depth.error()
+                                : error_between(depth, other_depth, rise_,
+                                                (y.error() + other_y.error()) * Adaptive::widening /
+                                                    std::abs(height_))) {}
+
+    /// Rows have exact heights.
+    Adaptive at(Adaptive y) const {
+        return Adaptive(is_horizontal_ ? depth_ : depth_ + rise_ * (y.value() - y_) / height_,
+                        error_);
+    }
+
+private:
+    double y_;
+    double depth_;
+    double height_;
+    double rise_;
+    bool is_horizontal_;
+    double error_;
+};
+
+/// t is off by what the ends are off by, over the width. Where that leaves it open whether there is any
+/// width, the depth still lies between those of the ends.
+inline DepthRow<Adaptive> row_between(Adaptive left, Adaptive left_depth, Adaptive right,
+                                      Adaptive right_depth) {
+    const double width = right.value() - left.value();
+    const double rise = right_depth.value() - left_depth.value();
+    const double slope = rise / width;
+    const bool is_wide = width > 0 && std::isfinite(slope);
+    const double of_t = is_wide ? (left.error() + right.error()) * Adaptive::widening / width : 1;
+    return {.x = left.value(),
+            .depth = left_depth.value(),
+            .slope = is_wide ? slope : 0,
+            .first = left.value(),
+            .last = is_wide ? right.value() : left.value(),
+            .error = error_between(left_depth, right_depth, rise, of_t)};
+}
+
+/// The depths of a triangle as a plane: what is said of it holds in the triangle.
+template <> class DepthPlane<Adaptive> {
+public:
+    /// Throws Undecided if the triangle may have no area.
+    DepthPlane(const std::array<Vec<Adaptive, 2>, 3>& positions,
+               const std::array<Adaptive, 3>& depths, Adaptive sample_offset) {
+        const auto& [a, b, c] = positions;
+        const double abx = b.x.value() - a.x.value();
+        const double aby = b.y.value() - a.y.value();
+        const double acx = c.x.value() - a.x.value();
+        const double acy = c.y.value() - a.y.value();
+        const double area2 = abx * acy - acx * aby;
+        const double ab = depths[1].value() - depths[0].value();
+        const double ac = depths[2].value() - depths[0].value();
+        const Adaptive x = a.x - sample_offset;
+        const Adaptive y = a.y - sample_offset;
+        origin_ = {x.value(), y.value()};
+        depth_ = depths[0].value();
+        slope_x_ = (ab * acy - ac * aby) / area2;
+        slope_y_ = (ac * abx - ab * acx) / area2;
+
+        // All differences of places are at most `reach`, of depths at most `range`, and off by
+        // of_reach and of_range. A difference of two products of them is off by what they are off
+        // by, and by 4 u of a product: each product is rounded, and so is their difference.
+        constexpr double u = Adaptive::half_ulp;
+        const double reach = std::max({std::abs(abx), std::abs(aby), std::abs(acx), std::abs(acy)});
+        const double range = std::max(std::abs(ab), std::abs(ac));
+        const double of_reach = 2 * std::max({a.x.error(), a.y.error(), b.x.error(), b.y.error(),
+                                              c.x.error(), c.y.error()}) +
+                                u * reach;
+        const double of_depths =
+            std::max({depths[0].error(), depths[1].error(), depths[2].error()});
+        const double of_range = 2 * of_depths + u * range;
+        const auto of_products = [](double p, double of_p, double q, double of_q) {
+            return (2 * (p * of_q + q * of_p + of_p * of_q) + 4 * u * p * q +
+                    Adaptive::smallest_error) *
+                   Adaptive::widening;
+        };
+        const double of_area2 = of_products(reach, of_reach, reach, of_reach);
+        const double smallest_area2 = (std::abs(area2) - of_area2) / Adaptive::widening;
+        if (!(smallest_area2 > 0))
+            Adaptive::leave_open(area2, of_area2);
+        error_ = depths[0].error();
+        if (range == 0 && of_depths == 0)
+            return;
+        const double slope = std::max(std::abs(slope_x_), std::abs(slope_y_));
+        const double of_slope = (of_products(range, of_range, reach, of_reach) + slope * of_area2) *
+                                    Adaptive::widening / smallest_area2 +
+                                u * slope;
+
+        // d + s_x (x - x0) + s_y (y - y0): both ways are at most `reach` long.
+        const double of_way = std::max(x.error(), y.error()) + of_reach + u * reach;
+        error_ = (error_ + 2 * ((slope + of_slope) * of_way + of_slope * reach) +
+                  u * (6 * slope * reach + 2 * std::abs(depth_)) + Adaptive::smallest_error) *
+                 Adaptive::widening;
+    }
+
+    DepthRow<Adaptive> on_row(int y) const {
+        constexpr double infinity = std::numeric_limits<double>::infinity();
+        return {.x = origin_.x,
+                .depth = depth_ + slope_y_ * (y - origin_.y),
+                .slope = slope_x_,
+                .first = -infinity,
+                .last = infinity,
+                .error = error_};
+    }
+
+private:
+    Vec<double, 2> origin_{};
+    double depth_;
+    double slope_x_;
+    double slope_y_;
+    double error_; ///< of every depth in the triangle
+};
+
+} // namespace rastertrace
