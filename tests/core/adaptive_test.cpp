@@ -5,6 +5,7 @@
 #include "picture.h"
 
 #include <rastertrace/core/adaptive.h>
+#include <rastertrace/core/exactly.h>
 
 #include <gtest/gtest.h>
 
@@ -301,6 +302,54 @@ TEST(Adaptive, SaysHowOftenItFellBack) {
     draw<Adaptive>(scene, plan, NullSink{}, &fallbacks);
     EXPECT_EQ(fallbacks.primitives, 1u);
     EXPECT_EQ(fallbacks.depths, 0u);
+}
+
+TEST(Adaptive, FacesThatMeetInAnEdgeTieThere) {
+    // Two triangles of four corners on a small grid: they share an edge or more, fold over it, have
+    // sides that are horizontal, or no height at all.
+    std::mt19937_64 random(23);
+    const auto whole = [&random](int below) {
+        return static_cast<int>(random() % static_cast<std::uint64_t>(below));
+    };
+    int ties = 0;
+    for (int i = 0; i < 4000; ++i) {
+        Scene scene;
+        scene.canvas = {.width = 8, .height = 8, .origin = Origin::top_left};
+        scene.method = {.scalar = ScalarKind::adaptive,
+                        .fill = i % 2 == 0 ? Fill::scanline : Fill::two_halves,
+                        .depth = Depth::linear_z};
+        for (int corner = 0; corner < 4; ++corner)
+            scene.vertices.push_back({std::string(1, static_cast<char>('A' + corner)),
+                                      whole(7),
+                                      whole(7),
+                                      {},
+                                      Number::fraction(Rational(1 + whole(9)) / 7)});
+        for (std::size_t face = 0; face < 2; ++face) {
+            const auto a = static_cast<std::size_t>(whole(4));
+            scene.primitives.push_back({.kind = PrimitiveKind::triangle,
+                                        .name = face == 0 ? "1" : "2",
+                                        .vertices = {a, (a + 1) % 4, (a + 2 + face) % 4},
+                                        .color = {}});
+        }
+        const Plan plan = plan_for(scene);
+        ExactPieces exact(scene, plan);
+        const auto has_row = [&exact](std::size_t face, int y) {
+            const auto& [a, b, c] = exact.placed({face, 0}).positions;
+            const auto [low, high] = std::minmax({a.y, b.y, c.y});
+            return low <= y && y <= high;
+        };
+        for (int y = 0; y < 8; ++y)
+            for (int x = 0; x < 8 && has_row(0, y) && has_row(1, y); ++x) {
+                const auto first = edge_of_depth(scene, plan, {0, 0}, x, y);
+                if (!first || first != edge_of_depth(scene, plan, {1, 0}, x, y))
+                    continue;
+                ++ties;
+                ASSERT_EQ(exact_depth_at(scene, exact.placed({0, 0}), x, y),
+                          exact_depth_at(scene, exact.placed({1, 0}), x, y))
+                    << "scene " << i << " at " << x << ", " << y;
+            }
+    }
+    EXPECT_GT(ties, 1000);
 }
 
 TEST(Adaptive, VerticesAtOneDistanceLeaveNoColorOpen) {

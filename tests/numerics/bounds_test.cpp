@@ -3,8 +3,11 @@
 // larger error against the bound, moving one number by a few last places or to another size. No step
 // may pass the bound; and it must come near enough to show that the bound says something.
 
+#include "hill_climb.h"
+
 #include <rastertrace/core/barycentric.h>
 #include <rastertrace/core/edge.h>
+#include <rastertrace/core/paint.h>
 #include <rastertrace/numerics/bounds.h>
 #include <rastertrace/numerics/knobs.h>
 
@@ -21,68 +24,6 @@
 
 namespace rastertrace {
 namespace {
-
-/// The worst inputs found by hill-climbing: `error_over_bound` gives their error as a part of the
-/// bound, or nothing if they are no inputs. Fails as soon as that is more than 1.
-template <typename Scalar, std::size_t count>
-double worst(
-    const std::function<std::optional<double>(const std::array<Scalar, count>&)>& error_over_bound,
-    double largest, int climbs = 30, int steps = 400) {
-    std::mt19937_64 random(20220705);
-    const auto uniform = [&random](double low, double high) {
-        return std::uniform_real_distribution<double>(low, high)(random);
-    };
-    const auto draw = [&]() -> Scalar {
-        const auto value = static_cast<Scalar>(uniform(-largest, largest));
-        // Whole numbers, short ones and small ones are where rounding is different.
-        switch (random() % 4) {
-        case 0:
-            return std::floor(value);
-        case 1:
-            return std::floor(value * 16) / 16;
-        case 2:
-            return static_cast<Scalar>(value * std::exp2(uniform(-12, 0)));
-        default:
-            return value;
-        }
-    };
-    double best = 0;
-    for (int climb = 0; climb < climbs; ++climb) {
-        std::array<Scalar, count> at;
-        for (Scalar& one : at)
-            one = draw();
-        double here = error_over_bound(at).value_or(-1);
-        for (int step = 0; step < steps; ++step) {
-            std::array<Scalar, count> next = at;
-            Scalar& moved = next[random() % count];
-            if (random() % 3 == 0)
-                moved = draw();
-            else
-                for (std::uint64_t i = 0; i <= random() % 8; ++i)
-                    moved =
-                        std::nextafter(moved, random() % 2 == 0 ? static_cast<Scalar>(largest)
-                                                                : static_cast<Scalar>(-largest));
-            const double there = error_over_bound(next).value_or(-1);
-            EXPECT_LE(there, 1) << "the bound is broken";
-            if (there > 1)
-                return there;
-            if (there >= here) {
-                at = next;
-                here = there;
-            }
-        }
-        best = std::max(best, here);
-    }
-    testing::Test::RecordProperty("worst", std::to_string(best));
-    return best;
-}
-
-template <typename Scalar> Rational exact(Scalar value) {
-    return Rational(static_cast<double>(value));
-}
-double magnitude(const Rational& value) {
-    return std::abs(nearest_double(value));
-}
 
 template <typename Scalar> class Bounds : public testing::Test {};
 using Floats = testing::Types<float, double>;
@@ -259,33 +200,99 @@ TEST(BoundsOfFixedPoint, TruncatedSlope) {
     }
 }
 
+/// A triangle, a pixel's sample, and the weights there: exactly, and what they may be off by.
+template <typename Scalar> struct WeightsAtPixel {
+    Triangle<Scalar> triangle;
+    Pixel pixel;
+    std::array<Rational, 3> weights;
+    std::array<double, 3> bounds;
+
+    std::array<Scalar, 3> computed() const {
+        const Scalar half = static_cast<Scalar>(0.5);
+        return Barycentric<Scalar>(triangle).weights_at(
+            {static_cast<Scalar>(pixel.x) + half, static_cast<Scalar>(pixel.y) + half});
+    }
+};
+template <typename Scalar, std::size_t count>
+std::optional<WeightsAtPixel<Scalar>> weights_at_pixel(const std::array<Scalar, count>& in) {
+    WeightsAtPixel<Scalar> at{
+        .triangle = {{{{in[0], in[1]}, {in[2], in[3]}, {in[4], in[5]}}}},
+        .pixel = {static_cast<int>(std::floor(in[6])), static_cast<int>(std::floor(in[7]))},
+        .weights = {},
+        .bounds = {}};
+    const Rational half(1, 2);
+    std::array<Rational, 6> e;
+    for (std::size_t i = 0; i < 6; ++i)
+        e[i] = exact(in[i]);
+    const Rational abx = e[2] - e[0], aby = e[3] - e[1], acx = e[4] - e[0], acy = e[5] - e[1];
+    const Rational pax = e[0] - at.pixel.x - half, pay = e[1] - at.pixel.y - half;
+    const Rational area = abx * acy - acx * aby;
+    if (area == 0 || Barycentric<Scalar>(at.triangle).area2() == 0)
+        return std::nullopt;
+    const double area_size = magnitude(abx * acy) + magnitude(acx * aby);
+    const double size_b = magnitude(acx * pay) + magnitude(pax * acy);
+    const double size_c = magnitude(pax * aby) + magnitude(abx * pay);
+    at.weights[1] = (acx * pay - pax * acy) / area;
+    at.weights[2] = (pax * aby - abx * pay) / area;
+    at.weights[0] = 1 - at.weights[1] - at.weights[2];
+    const auto bound_of = [&](std::size_t i, double size, double roundings) {
+        at.bounds[i] = weight_bound<Scalar>(magnitude(at.weights[i]), size, magnitude(area),
+                                            area_size, roundings);
+    };
+    bound_of(0, area_size + size_b + size_c, 7);
+    bound_of(1, size_b, 5);
+    bound_of(2, size_c, 5);
+    return std::isfinite(at.bounds[0]) ? std::optional(at) : std::nullopt;
+}
+
 TYPED_TEST(Bounds, BarycentricWeights) {
     using Scalar = TypeParam;
-    const double found = worst<Scalar, 8>(
-        [](const std::array<Scalar, 8>& in) -> std::optional<double> {
-            const Triangle<Scalar> triangle{{{{in[0], in[1]}, {in[2], in[3]}, {in[4], in[5]}}}};
-            const Scalar half = static_cast<Scalar>(0.5);
-            const Vec<Scalar, 2> p{std::floor(in[6]) + half, std::floor(in[7]) + half};
-            std::array<Rational, 8> e;
-            for (std::size_t i = 0; i < 6; ++i)
-                e[i] = exact(in[i]);
-            const Rational abx = e[2] - e[0], aby = e[3] - e[1], acx = e[4] - e[0],
-                           acy = e[5] - e[1], pax = e[0] - exact(p.x), pay = e[1] - exact(p.y);
-            const Rational area = abx * acy - acx * aby;
-            if (area == 0 || Barycentric<Scalar>(triangle).area2() == 0)
+    for (const std::size_t corner : {0U, 1U, 2U}) {
+        const double found = worst<Scalar, 8>(
+            [corner](const std::array<Scalar, 8>& in) -> std::optional<double> {
+                const auto at = weights_at_pixel(in);
+                if (!at || at->bounds[corner] == 0)
+                    return std::nullopt;
+                return magnitude(exact(at->computed()[corner]) - at->weights[corner]) /
+                       at->bounds[corner];
+            },
+            512);
+        EXPECT_GT(found, 0.2) << corner;
+    }
+}
+
+TYPED_TEST(Bounds, MixedLevels) {
+    using Scalar = TypeParam;
+    const double found = worst<Scalar, 11>(
+        [](const std::array<Scalar, 11>& in) -> std::optional<double> {
+            const auto at = weights_at_pixel(in);
+            if (!at)
                 return std::nullopt;
-            const Rational cross = acx * pay - pax * acy;
-            const Rational weight = cross / area;
-            const double bound =
-                weight_bound<Scalar>(magnitude(weight), magnitude(acx * pay) + magnitude(pax * acy),
-                                     magnitude(area), magnitude(abx * acy) + magnitude(acx * aby));
-            if (!std::isfinite(bound) || bound == 0)
-                return std::nullopt;
-            const Scalar computed = Barycentric<Scalar>(triangle).weights_at(p)[1];
-            return magnitude(exact(computed) - weight) / bound;
+            MixedColors<Scalar> colors{.corners = {},
+                                       .barycentric = Barycentric<Scalar>(at->triangle),
+                                       .sample_offset = static_cast<Scalar>(0.5)};
+            Rational level;
+            double size = 0;
+            double of_weights = 0;
+            for (std::size_t i = 0; i < 3; ++i) {
+                const auto red = static_cast<std::uint8_t>(std::abs(in[8 + i]) / 2);
+                colors.corners[i] = {red, 0, 0};
+                level += red * at->weights[i];
+                size += red * magnitude(at->weights[i]);
+                of_weights += red * at->bounds[i];
+            }
+            // The level before it is rounded, unless it is the same everywhere.
+            std::optional<Scalar> computed;
+            colors.mixed(colors.on_screen(at->pixel), [&computed](Scalar mixed) {
+                computed = mixed;
+                return 0;
+            });
+            return computed ? std::optional(magnitude(exact(*computed) - level) /
+                                            level_bound<Scalar>(size, of_weights))
+                            : std::nullopt;
         },
-        512);
-    EXPECT_GT(found, 0.25);
+        510);
+    EXPECT_GT(found, 0.2);
 }
 
 TYPED_TEST(Bounds, DepthsOfARowDirectAndAccumulated) {

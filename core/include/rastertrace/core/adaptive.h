@@ -147,6 +147,15 @@ private:
     double error_ = 0;
 };
 
+/// What the difference of two products p q is off by, if no p is larger than this and off by more than
+/// of_p, and no q likewise. Each product is rounded by half a unit in its last place, and so is their
+/// difference, which may be twice as large.
+inline double error_of_products(double p, double of_p, double q, double of_q) {
+    return (2 * (p * of_q + q * of_p + of_p * of_q) + 4 * Adaptive::half_ulp * p * q +
+            Adaptive::smallest_error) *
+           Adaptive::widening;
+}
+
 /// The double nearest to a number that is no double: off by half a unit in its last place, which among
 /// the subnormal numbers is half of the smallest one.
 inline Adaptive rounded_to(double nearest) {

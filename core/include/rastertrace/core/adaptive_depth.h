@@ -210,8 +210,7 @@ public:
         slope_y_ = (ac * abx - ab * acx) / area2;
 
         // All differences of places are at most `reach`, of depths at most `range`, and off by
-        // of_reach and of_range. A difference of two products of them is off by what they are off
-        // by, and by 4 u of a product: each product is rounded, and so is their difference.
+        // of_reach and of_range.
         constexpr double u = Adaptive::half_ulp;
         const double reach = std::max({std::abs(abx), std::abs(aby), std::abs(acx), std::abs(acy)});
         const double range = std::max(std::abs(ab), std::abs(ac));
@@ -221,12 +220,7 @@ public:
         const double of_depths =
             std::max({depths[0].error(), depths[1].error(), depths[2].error()});
         const double of_range = 2 * of_depths + u * range;
-        const auto of_products = [](double p, double of_p, double q, double of_q) {
-            return (2 * (p * of_q + q * of_p + of_p * of_q) + 4 * u * p * q +
-                    Adaptive::smallest_error) *
-                   Adaptive::widening;
-        };
-        const double of_area2 = of_products(reach, of_reach, reach, of_reach);
+        const double of_area2 = error_of_products(reach, of_reach, reach, of_reach);
         const double smallest_area2 = (std::abs(area2) - of_area2) / Adaptive::widening;
         if (!(smallest_area2 > 0))
             Adaptive::leave_open(area2, of_area2);
@@ -234,9 +228,10 @@ public:
         if (range == 0 && of_depths == 0)
             return;
         const double slope = std::max(std::abs(slope_x_), std::abs(slope_y_));
-        const double of_slope = (of_products(range, of_range, reach, of_reach) + slope * of_area2) *
-                                    Adaptive::widening / smallest_area2 +
-                                u * slope;
+        const double of_slope =
+            (error_of_products(range, of_range, reach, of_reach) + slope * of_area2) *
+                Adaptive::widening / smallest_area2 +
+            u * slope;
 
         // d + s_x (x - x0) + s_y (y - y0): both ways are at most `reach` long.
         const double of_way = std::max(x.error(), y.error()) + of_reach + u * reach;

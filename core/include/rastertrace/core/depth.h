@@ -240,7 +240,7 @@ public:
                                                          buffer.turned(depths[2])} {}
 
     /// The depth where an edge is at height y.
-    D on_edge(const EdgeName& edge, const D& y) {
+    [[gnu::always_inline]] D on_edge(const EdgeName& edge, const D& y) {
         auto& depths = edges_[edge.from + edge.to - 1U];
         if (!depths)
             depths.emplace(positions_[edge.from].y, depths_[edge.from], positions_[edge.to].y,

@@ -161,7 +161,7 @@ public:
     EdgeName name() const { return edge_.name; }
 
     /// x on row `y`. After the first call, every call must ask for the next row.
-    Scalar x_on_row(int y) {
+    [[gnu::always_inline]] Scalar x_on_row(int y) {
         if (form_ == LerpForm::direct)
             return edge_.x_at(scalar_from<Scalar>(y));
         if (has_begun_)

@@ -8,6 +8,7 @@
 //     exact.placed({.primitive = 3, .part = 0});  // its corners as fractions
 
 #include <rastertrace/core/adaptive.h>
+#include <rastertrace/core/adaptive_color.h>
 #include <rastertrace/core/adaptive_depth.h>
 #include <rastertrace/core/barycentric.h>
 #include <rastertrace/core/depth.h>
@@ -148,14 +149,16 @@ edge_of_depth(const Scene& scene, const Plan& plan, const PieceNumber& number, i
             const auto [left, right] = edges_of_row(triangle, y, scene.canvas.down());
             const auto height = scalar_from<Adaptive>(y);
             const auto column = scalar_from<Adaptive>(x);
-            const auto hold = [&](const EdgeName& edge) {
-                vertices = {piece.vertices[edge.from], piece.vertices[edge.to]};
+            const auto hold = [&](const Edge<Adaptive>& edge) {
+                if (edge.is_horizontal)
+                    return; // it has many depths in this row
+                vertices = {piece.vertices[edge.name.from], piece.vertices[edge.name.to]};
                 std::sort(vertices->begin(), vertices->end());
             };
             if (column <= left.x_at(height))
-                hold(left.name);
+                hold(left);
             else if (right.x_at(height) <= column)
-                hold(right.name);
+                hold(right);
         }
     };
     try {
@@ -182,6 +185,7 @@ struct Exactness {
     ExactPieces pieces;
     Rational sample_offset;
     std::vector<PieceNumber> drawn = {}; ///< the pieces so far; the last one is being drawn
+    std::optional<MixedColors<Rational>> colors = {}; ///< of that, if one has been asked for
     Fallbacks fallbacks = {};
 };
 
@@ -219,22 +223,20 @@ MixedColors<Adaptive> mixed_colors(const PlacedPrimitive<Scalar>& primitive, Col
         triangle.vertices[i] = {with_error(x), with_error(y)};
         inverse_w[i] = with_error(primitive.inverse_w[i]);
     }
-    const auto exact_color =
-        [&exactness, stage, colors = std::optional<MixedColors<Rational>>()](Pixel pixel) mutable {
-            ++exactness.fallbacks.colors;
-            if (!colors) {
-                const auto& exact = exactness.pieces.placed(exactness.drawn.back());
-                colors = {exact.colors, Barycentric<Rational>({exact.positions}),
-                          exactness.sample_offset, exact.inverse_w};
-            }
-            return stage == ColorStage::perspective ? colors->at<true>(pixel)
-                                                    : colors->at<false>(pixel);
-        };
-    return {primitive.colors,
-            Barycentric<Adaptive>(triangle),
-            with_error(exactness.sample_offset),
-            inverse_w,
-            {exact_color}};
+    exactness.colors.reset();
+    const auto exact_color = [&exactness, stage](Pixel pixel) {
+        ++exactness.fallbacks.colors;
+        auto& colors = exactness.colors;
+        if (!colors) {
+            const auto& exact = exactness.pieces.placed(exactness.drawn.back());
+            colors = {exact.colors, Barycentric<Rational>({exact.positions}),
+                      exactness.sample_offset, exact.inverse_w};
+        }
+        return stage == ColorStage::perspective ? colors->at<true>(pixel)
+                                                : colors->at<false>(pixel);
+    };
+    return {primitive.colors, triangle, with_error(exactness.sample_offset), inverse_w,
+            exact_color};
 }
 
 /// Passes steps on, and can be told to pass over as many as it has had: those that come again when

@@ -92,7 +92,7 @@ inline Index floor_index(const Rational& x) {
 }
 
 /// The smallest whole number not below `x`, kept within +-farthest_index.
-template <typename Scalar> Index ceil_index(const Scalar& x) {
+template <typename Scalar> [[gnu::always_inline]] inline Index ceil_index(const Scalar& x) {
     return -floor_index(Scalar(-x));
 }
 

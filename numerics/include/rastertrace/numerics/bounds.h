@@ -61,13 +61,22 @@ inline double snapping_bound(int bits) {
 
 /// A barycentric weight w = cross/area: `cross_size` and `area_size` are what the two differences of
 /// products would be if they were sums, of magnitudes. Where the area drowns in its own rounding there
-/// is no bound (infinity).
+/// is no bound (infinity). The third weight is what the two cross products leave of the area: its
+/// `cross_size` is that of all three, and two more `roundings` come in.
 template <std::floating_point Scalar>
-double weight_bound(double weight, double cross_size, double area, double area_size) {
+double weight_bound(double weight, double cross_size, double area, double area_size,
+                    double roundings = 5) {
     const double lost = gamma_of<Scalar>(4) * area_size;
     if (!(lost < std::abs(area)))
         return std::numeric_limits<double>::infinity();
-    return (gamma_of<Scalar>(5) * cross_size + std::abs(weight) * lost) / (std::abs(area) - lost);
+    return (gamma_of<Scalar>(roundings) * cross_size + std::abs(weight) * lost) /
+           (std::abs(area) - lost);
+}
+
+/// A level of a color, the sum of three weights times levels, before it is rounded: `size` is the sum
+/// of their magnitudes, `of_weights` that of the levels times what the weights are off by.
+template <std::floating_point Scalar> double level_bound(double size, double of_weights) {
+    return of_weights + gamma_of<Scalar>(4) * (size + of_weights);
 }
 
 /// A depth of a row, d0 + slope (x - x0): `offset` is the exact slope (x - x0). Against the *largest*
