@@ -96,6 +96,61 @@ TEST(StressCases, AreInTheDocumentation) {
     }
 }
 
+/// "2983" as "2,983", the way the documentation writes it.
+std::string with_commas(std::uint64_t number) {
+    std::string digits = std::to_string(number);
+    for (auto place = static_cast<std::ptrdiff_t>(digits.size()) - 3; place > 0; place -= 3)
+        digits.insert(static_cast<std::size_t>(place), ",");
+    return digits;
+}
+
+/// True if the text has this number, and not as a part of a longer one.
+bool has_number(const std::string& text, const std::string& number) {
+    const auto is_part = [](char c) { return (c >= '0' && c <= '9') || c == ',' || c == '.'; };
+    for (auto at = text.find(number); at != std::string::npos; at = text.find(number, at + 1)) {
+        const std::size_t end = at + number.size();
+        const bool begins = at == 0 || !is_part(text[at - 1]);
+        const bool ends = end == text.size() || !is_part(text[end]) ||
+                          (text[end] != '.' && (end + 1 == text.size() || !is_part(text[end + 1])));
+        if (begins && ends)
+            return true;
+    }
+    return false;
+}
+
+// The last column of that row has every count that is documented in the code, and names what is refused;
+// it says "nothing" where that is all.
+TEST(StressCases, AreAsWrongInTheDocumentation) {
+    std::ifstream file(RASTERTRACE_EXAMPLES "/../docs/stress.md");
+    std::map<std::string, std::string> columns;
+    for (std::string line; std::getline(file, line);)
+        if (line.rfind("| ", 0) == 0 && line.size() > 4) {
+            const auto end = line.rfind(" |");
+            const auto begin = line.rfind(" | ", end - 1);
+            if (begin != std::string::npos)
+                columns[line.substr(2, line.find(' ', 2) - 2)] =
+                    line.substr(begin + 3, end - begin - 3);
+        }
+    for (const StressCase& one : stress_cases()) {
+        const std::string column = columns[std::string(one.id)];
+        bool is_right = true;
+        for (const StressRow& row : rows_of(one, {.quick = true})) {
+            if (row.documented.verdict == Verdict::wrong) {
+                is_right = false;
+                EXPECT_TRUE(has_number(column, with_commas(row.documented.wrong)))
+                    << one.id << ", " << row.scalar << ", " << row.method << ": "
+                    << row.documented.wrong << "\n"
+                    << column;
+            }
+            if (row.documented.verdict == Verdict::refused) {
+                is_right = false;
+                EXPECT_THAT(column, HasSubstr("refused")) << one.id;
+            }
+        }
+        EXPECT_EQ(column == "nothing", is_right) << one.id << ": " << column;
+    }
+}
+
 // What is said of a row.
 
 StressRow row_of(Measured measured, Documented documented) {
