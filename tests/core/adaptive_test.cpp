@@ -78,10 +78,10 @@ private:
     }
 };
 
-Decisions decisions_of(Scene scene, ScalarKind scalar, std::string& picture) {
+Decisions decisions_of(Scene scene, ScalarKind scalar, std::vector<Color>& picture) {
     scene.method.scalar = scalar;
     Decisions decisions;
-    picture = picture_of(draw_as_planned(scene, decisions));
+    picture = draw_as_planned(scene, decisions).colors();
     return decisions;
 }
 
@@ -119,17 +119,17 @@ TEST(Adaptive, DecidesAsExact) {
         if (find_unfit(scene))
             continue;
         ++drawn;
-        std::string exact_picture, adaptive_picture;
+        std::vector<Color> exact_picture, adaptive_picture;
         const Decisions exact = decisions_of(scene, ScalarKind::exact, exact_picture);
         const Decisions adaptive = decisions_of(scene, ScalarKind::adaptive, adaptive_picture);
         ASSERT_EQ(exact.all, adaptive.all) << "scene " << drawn;
-        ASSERT_EQ(exact_picture, adaptive_picture) << "scene " << drawn;
+        ASSERT_TRUE(exact_picture == adaptive_picture) << "scene " << drawn;
         fallen_back += adaptive.undecided > 0;
 
         // Planned, and with the sink that keeps nothing, it draws the same.
         scene.keep = needed;
         scene.method.scalar = ScalarKind::adaptive;
-        ASSERT_EQ(picture_of(draw_as_planned(scene)), exact_picture) << "scene " << drawn;
+        ASSERT_TRUE(draw_as_planned(scene).colors() == exact_picture) << "scene " << drawn;
     }
     EXPECT_GT(fallen_back, drawn / 4) << "these scenes are made to be undecided";
 }
@@ -160,11 +160,11 @@ TEST(Adaptive, DecidesWithinAnUlpOfAnEdge) {
         for (const Fill fill :
              {Fill::scanline, Fill::two_halves, Fill::barycentric, Fill::top_left}) {
             scene.method.fill = fill;
-            std::string exact_picture, adaptive_picture;
+            std::vector<Color> exact_picture, adaptive_picture;
             const Decisions exact = decisions_of(scene, ScalarKind::exact, exact_picture);
             const Decisions adaptive = decisions_of(scene, ScalarKind::adaptive, adaptive_picture);
             ASSERT_EQ(exact.all, adaptive.all) << "triangle " << i;
-            ASSERT_EQ(exact_picture, adaptive_picture) << "triangle " << i;
+            ASSERT_TRUE(exact_picture == adaptive_picture) << "triangle " << i;
             undecided += adaptive.undecided;
         }
     }
@@ -261,6 +261,85 @@ TEST(Adaptive, ErrorsStayBelowTheirBounds) {
 TEST(Adaptive, SubnormalAndHugeNumbersDecideNothingWrong) {
     for (std::uint64_t seed = 0; seed < 5000; ++seed)
         worst_use_of_bound(seed, 1020);
+}
+
+TEST(Adaptive, QuotientsOfTheSmallestNumbersStayWithinTheirBounds) {
+    // Terms of the bound are too small for a double, and the divisor is smaller still.
+    std::mt19937_64 random(31);
+    const auto part = [&random] {
+        return 1 + std::ldexp(static_cast<double>(random() >> 12), -52);
+    };
+    const auto exponent = [&random](int low, int high) {
+        return low + static_cast<int>(random() % static_cast<std::uint64_t>(high - low));
+    };
+    int checked = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const double a = std::ldexp(part(), exponent(-1074, -1000));
+        const double b = std::ldexp(part(), exponent(-900, -860));
+        const double error = b * std::ldexp(part(), exponent(-60, -20));
+        try {
+            const Adaptive quotient = Adaptive(a) / Adaptive(b, error);
+            for (const double side : {-1.0, 1.0}) {
+                ++checked;
+                const mpq_class exact =
+                    mpq_class(a) / (mpq_class(b) + mpq_class(side) * mpq_class(error));
+                ASSERT_LE(abs(exact - mpq_class(quotient.value())), mpq_class(quotient.error()))
+                    << a << " / " << b << " +- " << error;
+            }
+        } catch (const Undecided&) {
+            continue; // the divisor may be too small
+        }
+    }
+    EXPECT_GT(checked, 10000);
+}
+
+/// Triangles whose corners are given as x, y, z, tested against a depth buffer.
+Scene triangles_in_depth(const std::vector<std::array<const char*, 9>>& triangles, Fill fill) {
+    Scene scene;
+    scene.canvas = {.width = 16, .height = 16, .origin = Origin::top_left};
+    scene.method = {.scalar = ScalarKind::adaptive, .fill = fill, .depth = Depth::linear_z};
+    scene.keep = StageSet::all();
+    for (const auto& corners : triangles) {
+        const std::size_t first = scene.vertices.size();
+        for (std::size_t i = 0; i < 9; i += 3)
+            scene.vertices.push_back(
+                {"V", number(corners[i]), number(corners[i + 1]), {}, number(corners[i + 2])});
+        scene.primitives.push_back({.kind = PrimitiveKind::triangle,
+                                    .name = "T" + std::to_string(first),
+                                    .vertices = {first, first + 1, first + 2},
+                                    .color = {static_cast<std::uint8_t>(first + 1), 80, 20}});
+    }
+    return scene;
+}
+
+TEST(Adaptive, DepthsOfAnySizeAreDecidedAsExact) {
+    // Depths whose differences, products and errors leave the doubles at either end.
+    const std::vector<std::vector<std::array<const char*, 9>>> scenes{
+        {{"0.1", "0.2", "1e307", "10", "0.3", "2e307", "0.7", "10", "3e307"},
+         {"0.3", "0.25", "1.1e307", "10.5", "0.35", "1e306", "0.8", "11", "5e307"}},
+        {{"0.1", "-0.1", "1.5e-60", "10.3", "-0.2", "1.5e-60", "0.2", "10.3", "1.5e-60"},
+         {"1", "-1e-265", "1e-60", "2", "1e-265", "3e-60", "9.5", "3e-265", "9e-60"}},
+        {{"-0.9", "-0.9", "1.6e308", "16.3", "-0.9", "1.6e308", "-0.9", "16.3", "1.6e308"},
+         {"4.3", "0.4", "1e300", "0.3", "10.3", "1.5e308", "8.4", "10.4", "1.5e308"},
+         {"12.3", "0.4", "1e307", "13.4", "0.4", "1e307", "12.3", "1.4", "1e307"},
+         {"0.3", "0.3", "1.55e308", "10.3", "0.4", "1.55e308", "0.4", "10.3", "1.55e308"}}};
+    for (const auto& triangles : scenes)
+        for (const Fill fill :
+             {Fill::scanline, Fill::two_halves, Fill::barycentric, Fill::top_left}) {
+            Scene scene = triangles_in_depth(triangles, fill);
+            std::vector<Color> exact_picture, adaptive_picture;
+            const Decisions exact = decisions_of(scene, ScalarKind::exact, exact_picture);
+            const Decisions adaptive = decisions_of(scene, ScalarKind::adaptive, adaptive_picture);
+            EXPECT_EQ(exact.all, adaptive.all) << triangles.front()[2];
+            EXPECT_TRUE(exact_picture == adaptive_picture) << triangles.front()[2];
+            for (const bool keeps_depth : {false, true}) {
+                scene.keep = {};
+                if (keeps_depth)
+                    scene.keep.add(Stage::depth);
+                EXPECT_TRUE(draw_as_planned(scene).colors() == exact_picture)
+                    << triangles.front()[2];
+            }
+        }
 }
 
 TEST(Adaptive, FloorsNextToWholeNumbers) {

@@ -76,8 +76,9 @@ public:
         const double nearest_to_zero = (std::abs(b.value_) - b.error_) / widening;
         if (!(nearest_to_zero > smallest_divisor)) [[unlikely]]
             leave_open(b.value_, b.error_);
-        const double of_terms =
-            (a.error_ + std::abs(quotient) * b.error_) * widening / nearest_to_zero;
+        // The product may be too small for a double, and the divisor smaller still.
+        const double of_terms = (a.error_ + std::abs(quotient) * b.error_ + smallest_product) *
+                                widening / nearest_to_zero;
         return Adaptive(quotient,
                         (of_terms + std::abs(quotient) * half_ulp + smallest_error) * widening);
     }
@@ -139,6 +140,7 @@ public:
 
 private:
     static constexpr double smallest_divisor = 0x1p-900;
+    static constexpr double smallest_product = std::numeric_limits<double>::min();
 
     /// 0, 1 and -1 are what has its absolute value for a square.
     bool is_trivial_factor() const { return error_ == 0 && value_ * value_ == std::abs(value_); }

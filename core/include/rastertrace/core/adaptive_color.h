@@ -9,6 +9,7 @@
 //     colors.at<false>({3, 4});
 
 #include <rastertrace/core/adaptive.h>
+#include <rastertrace/core/adaptive_depth.h>
 #include <rastertrace/core/barycentric.h>
 #include <rastertrace/core/canvas.h>
 #include <rastertrace/core/image.h>
@@ -37,27 +38,23 @@ struct ErrorOfLevels {
 inline ErrorOfLevels error_of_levels(const Triangle<Adaptive>& triangle,
                                      const std::array<Adaptive, 3>& inverse_w) {
     constexpr double u = Adaptive::half_ulp;
-    const auto& [a, b, c] = triangle.vertices;
 
-    // The sides, and the way from the first vertex to a pixel.
-    const Adaptive abx = b.x - a.x, aby = b.y - a.y, acx = c.x - a.x, acy = c.y - a.y;
-    const double reach = std::max({std::abs(abx.value()), std::abs(aby.value()),
-                                   std::abs(acx.value()), std::abs(acy.value())});
-    const double of_reach =
-        std::max({abx.error(), aby.error(), acx.error(), acy.error()}) + u * reach;
-    const double way = reach + 2;
-    const double of_way = std::max(a.x.error(), a.y.error()) + of_reach + u * way;
+    // Two sides, and the way from the first vertex to a pixel.
+    const KnownSides sides(triangle.vertices);
+    const double way = sides.reach + 2;
+    const double of_way = std::max(triangle.vertices[0].x.error(), triangle.vertices[0].y.error()) +
+                          sides.of_reach + u * way;
 
     // Weights: a cross product, or what two of them leave of the area, over the area. In the
-    // triangle they are at most 1; a pixel outside of it adds as much of a side as it is away.
-    const double area2 = std::abs(abx.value() * acy.value() - acx.value() * aby.value());
-    const double of_area2 = error_of_products(reach, of_reach, reach, of_reach);
-    const double smallest_area2 = std::max(0.0, area2 - of_area2) / Adaptive::widening;
-    const double weight = 1 + 2 * reach * Adaptive::widening / smallest_area2;
-    const double of_cross = error_of_products(reach, of_reach, way, of_way);
-    const double of_rest = of_area2 + 2 * of_cross + 6 * u * weight * area2;
+    // triangle they are at most 1. A pixel outside of it adds at most the third side, which may be
+    // twice as long as the others, times how far it is away.
+    const double area2 = std::abs(sides.area2);
+    const double weight = 1 + 4 * sides.reach * Adaptive::widening / sides.smallest_area2;
+    const double of_cross = error_of_products(sides.reach, sides.of_reach, way, of_way);
+    const double of_rest = sides.of_area2 + 2 * of_cross + 6 * u * weight * area2;
     const double of_weight =
-        (of_rest + weight * of_area2) * Adaptive::widening / smallest_area2 + 2 * u * weight;
+        (of_rest + weight * sides.of_area2) * Adaptive::widening / sides.smallest_area2 +
+        2 * u * weight;
 
     // A level is a sum of three products, and half a level more.
     const auto of_level = [](double of_one, double largest) {

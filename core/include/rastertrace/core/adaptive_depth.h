@@ -2,8 +2,9 @@
 #pragma once
 
 // Depths in doubles that know their error, and the buffer that they are tested against. The formulas
-// are those of depth.h; in place of an error for every operation there is one for a whole row or
-// triangle. u is 2^-53, what a result may be rounded by, relative to it.
+// are those of depth.h, in an order in which nothing gets larger or smaller than the depths are; in place
+// of an error for every operation there is one for a whole row, edge or triangle. u is 2^-53, what a
+// result may be rounded by, relative to it.
 //
 //     DepthBuffer<Adaptive> buffer(region, rule);
 //     buffer.ask(is_nearer);  // who decides what errors leave open
@@ -75,13 +76,16 @@ public:
             cell = depth.value();
             pieces_[place] = piece_;
             if (!(depth.error() <= largest_error_)) [[unlikely]]
-                largest_error_ = depth.error();
+                largest_error_ = std::isfinite(depth.error())
+                                     ? depth.error()
+                                     : std::numeric_limits<double>::infinity();
         }
         return passes;
     }
 
     std::optional<Adaptive> stored(const double& cell) const {
-        if (!std::isfinite(cell))
+        const auto place = static_cast<std::size_t>(&cell - cells_.data());
+        if (!rule_.cleared && pieces_[place] == no_piece)
             return std::nullopt;
         return Adaptive(rule_.larger_passes ? -cell : cell, largest_error_);
     }
@@ -158,7 +162,7 @@ public:
 
     /// Rows have exact heights.
     Adaptive at(Adaptive y) const {
-        return Adaptive(is_horizontal_ ? depth_ : depth_ + rise_ * (y.value() - y_) / height_,
+        return Adaptive(is_horizontal_ ? depth_ : depth_ + rise_ * ((y.value() - y_) / height_),
                         error_);
     }
 
@@ -188,55 +192,69 @@ inline DepthRow<Adaptive> row_between(Adaptive left, Adaptive left_depth, Adapti
             .error = error_between(left_depth, right_depth, rise, of_t)};
 }
 
+/// Two sides of a triangle as doubles, from its first vertex on, and what all bounds on it begin with.
+struct KnownSides {
+    double abx, aby, acx, acy;
+    double reach;    ///< none of these is larger,
+    double of_reach; ///< or off by more
+    double area2;    ///< twice the signed area
+    double of_area2;
+    double smallest_area2; ///< its magnitude is not below this: 0 if there may be no area
+
+    explicit KnownSides(const std::array<Vec<Adaptive, 2>, 3>& positions) {
+        const auto& [a, b, c] = positions;
+        abx = b.x.value() - a.x.value();
+        aby = b.y.value() - a.y.value();
+        acx = c.x.value() - a.x.value();
+        acy = c.y.value() - a.y.value();
+        reach = std::max({std::abs(abx), std::abs(aby), std::abs(acx), std::abs(acy)});
+        of_reach = 2 * std::max({a.x.error(), a.y.error(), b.x.error(), b.y.error(), c.x.error(),
+                                 c.y.error()}) +
+                   Adaptive::half_ulp * reach;
+        area2 = abx * acy - acx * aby;
+        of_area2 = error_of_products(reach, of_reach, reach, of_reach);
+        const double smallest = (std::abs(area2) - of_area2) / Adaptive::widening;
+        smallest_area2 = smallest > 0 ? smallest : 0;
+    }
+};
+
 /// The depths of a triangle as a plane: what is said of it holds in the triangle.
 template <> class DepthPlane<Adaptive> {
 public:
     /// Throws Undecided if the triangle may have no area.
     DepthPlane(const std::array<Vec<Adaptive, 2>, 3>& positions,
                const std::array<Adaptive, 3>& depths, Adaptive sample_offset) {
-        const auto& [a, b, c] = positions;
-        const double abx = b.x.value() - a.x.value();
-        const double aby = b.y.value() - a.y.value();
-        const double acx = c.x.value() - a.x.value();
-        const double acy = c.y.value() - a.y.value();
-        const double area2 = abx * acy - acx * aby;
+        const KnownSides sides(positions);
+        if (sides.smallest_area2 == 0)
+            Adaptive::leave_open(sides.area2, sides.of_area2);
         const double ab = depths[1].value() - depths[0].value();
         const double ac = depths[2].value() - depths[0].value();
-        const Adaptive x = a.x - sample_offset;
-        const Adaptive y = a.y - sample_offset;
+        const Adaptive x = positions[0].x - sample_offset;
+        const Adaptive y = positions[0].y - sample_offset;
         origin_ = {x.value(), y.value()};
         depth_ = depths[0].value();
-        slope_x_ = (ab * acy - ac * aby) / area2;
-        slope_y_ = (ac * abx - ab * acx) / area2;
+        slope_x_ = (ab * sides.acy - ac * sides.aby) / sides.area2;
+        slope_y_ = (ac * sides.abx - ab * sides.acx) / sides.area2;
 
-        // All differences of places are at most `reach`, of depths at most `range`, and off by
-        // of_reach and of_range.
+        // Depths differ by at most `range`, off by of_range.
         constexpr double u = Adaptive::half_ulp;
-        const double reach = std::max({std::abs(abx), std::abs(aby), std::abs(acx), std::abs(acy)});
         const double range = std::max(std::abs(ab), std::abs(ac));
-        const double of_reach = 2 * std::max({a.x.error(), a.y.error(), b.x.error(), b.y.error(),
-                                              c.x.error(), c.y.error()}) +
-                                u * reach;
         const double of_depths =
             std::max({depths[0].error(), depths[1].error(), depths[2].error()});
         const double of_range = 2 * of_depths + u * range;
-        const double of_area2 = error_of_products(reach, of_reach, reach, of_reach);
-        const double smallest_area2 = (std::abs(area2) - of_area2) / Adaptive::widening;
-        if (!(smallest_area2 > 0))
-            Adaptive::leave_open(area2, of_area2);
         error_ = depths[0].error();
         if (range == 0 && of_depths == 0)
             return;
         const double slope = std::max(std::abs(slope_x_), std::abs(slope_y_));
-        const double of_slope =
-            (error_of_products(range, of_range, reach, of_reach) + slope * of_area2) *
-                Adaptive::widening / smallest_area2 +
-            u * slope;
+        const double of_slope = (error_of_products(range, of_range, sides.reach, sides.of_reach) +
+                                 slope * sides.of_area2) *
+                                    Adaptive::widening / sides.smallest_area2 +
+                                u * slope;
 
         // d + s_x (x - x0) + s_y (y - y0): both ways are at most `reach` long.
-        const double of_way = std::max(x.error(), y.error()) + of_reach + u * reach;
-        error_ = (error_ + 2 * ((slope + of_slope) * of_way + of_slope * reach) +
-                  u * (6 * slope * reach + 2 * std::abs(depth_)) + Adaptive::smallest_error) *
+        const double of_way = std::max(x.error(), y.error()) + sides.of_reach + u * sides.reach;
+        error_ = (error_ + 2 * ((slope + of_slope) * of_way + of_slope * sides.reach) +
+                  u * (6 * slope * sides.reach + 2 * std::abs(depth_)) + Adaptive::smallest_error) *
                  Adaptive::widening;
     }
 

@@ -229,30 +229,32 @@ void draw_pieces(const Scene& scene, const Plan& plan, const AGeometry& geometry
                 exactness.drawn.push_back({number, drawn++});
                 if (target.depth)
                     target.depth->begin(static_cast<std::uint32_t>(exactness.drawn.size() - 1));
-                ResumedSink resumed(sink);
+                ResumedSink steps_of_piece(sink);
                 decide(
-                    resumed,
+                    steps_of_piece,
                     [&] {
                         draw_piece(piece, placed<Adaptive>(piece, plan), scene, plan, target,
-                                   resumed);
+                                   steps_of_piece);
                     },
                     [&] {
                         ++exactness.fallbacks.primitives;
                         PlacedPrimitive<Rational> exact =
                             exactness.pieces.placed(exactness.drawn.back());
                         exact.names = piece.names;
-                        draw_piece(piece, exact, scene, plan, exact_target, resumed);
+                        draw_piece(piece, exact, scene, plan, exact_target, steps_of_piece);
                     });
             }
         };
         // Which pieces it has may be left open, too.
-        ResumedSink resumed(sink);
+        ResumedSink steps_of_primitive(sink);
         decide(
-            resumed,
-            [&] { visit_pieces(scene, geometry, number, mixes_colors, resumed, draw_one); },
+            steps_of_primitive,
+            [&] {
+                visit_pieces(scene, geometry, number, mixes_colors, steps_of_primitive, draw_one);
+            },
             [&] {
                 part = 0;
-                exactness.pieces.visit(number, resumed, draw_one);
+                exactness.pieces.visit(number, steps_of_primitive, draw_one);
             });
     }
     if (target.depth)

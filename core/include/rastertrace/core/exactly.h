@@ -31,6 +31,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -59,14 +60,16 @@ public:
             visit_pieces(scene_, geometry_with(number), number, mixes_colors, sink, visit);
     }
 
-    /// The corners of a piece, as they are drawn.
+    /// The corners of a piece, as they are drawn, without their names.
     const PlacedPrimitive<Rational>& placed(const PieceNumber& piece) {
         const auto known = placed_.find(piece);
         if (known != placed_.end())
             return known->second;
         PieceNumber next{piece.primitive, 0};
         visit(piece.primitive, NullSink{}, [&](const auto& one) {
-            placed_.emplace(next, rastertrace::placed<Rational>(one, plan_));
+            auto exact = rastertrace::placed<Rational>(one, plan_);
+            exact.names = {}; // those of parts end with the visit
+            placed_.emplace(next, std::move(exact));
             ++next.part;
         });
         return placed_.at(piece);
@@ -135,7 +138,8 @@ inline Rational exact_depth_at(const Scene& scene, const PlacedPrimitive<Rationa
 }
 
 /// The two vertices of the edge that a pixel has its depth from: it lies at an end of its row or beyond.
-/// Nothing if it does not, or if that cannot be told in doubles.
+/// Nothing if it does not, or if that cannot be told in doubles; so it is never told of a triangle
+/// without area, whose rows have no width, and two depths: doubles do not know that it has none.
 inline std::optional<std::array<std::size_t, 2>>
 edge_of_depth(const Scene& scene, const Plan& plan, const PieceNumber& number, int x, int y) {
     if (!finds_depths_by_rows(scene))
@@ -207,8 +211,9 @@ inline bool is_nearer(const Scene& scene, const Plan& plan, Exactness& exactness
         return depth_of(piece) < depth_of(*stored);
     }
     const DepthRule<Rational> rule = depth_rule<Rational>(scene);
-    const Rational cleared = rule.cleared.value_or(0);
-    return depth_of(piece) < (rule.larger_passes ? Rational(-cleared) : cleared);
+    if (!rule.cleared)
+        return true;
+    return depth_of(piece) < (rule.larger_passes ? Rational(-*rule.cleared) : *rule.cleared);
 }
 
 /// Colors that are mixed with errors, pixel by pixel, and exactly where an error reaches over half a

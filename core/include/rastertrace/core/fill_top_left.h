@@ -105,7 +105,8 @@ void report_crossings(const Triangle<Scalar>& triangle, const TriangleOrder& ord
 }
 
 /// Fills a triangle so that each sample of a shared edge is drawn exactly once. `grid`
-/// says where the samples lie. Top and left are those of the picture, whichever way y points. A triangle without area has no inside and is skipped.
+/// says where the samples lie. Top and left are those of the picture, whichever way y points. A
+/// triangle without area has no inside and is skipped.
 template <typename Scalar, PixelStages stages, typename OfPixels, typename Sink>
 requires SinkFor<Sink, EdgeFunctionSetUp<Scalar>, ScanlineSpanned<Scalar>, PixelPlotted,
                  PixelsRejected, RowsRejected, PrimitiveSkipped>

@@ -159,8 +159,11 @@ NumberChoice choose_exact_numbers(const Scene& scene, const AGeometry& geometry)
     std::int64_t common = sample_of(scene.method) == Sample::center ? 2 : 1;
     const bool has_common = all_coordinates(scene, geometry, [&common](const auto& coordinate) {
         const auto denominator = denominator_of(coordinate);
-        return denominator && !__builtin_mul_overflow(common / std::gcd(common, *denominator),
-                                                      *denominator, &common);
+        if (!denominator)
+            return false;
+        const bool divides = common % *denominator == 0;
+        return divides || !__builtin_mul_overflow(common / std::gcd(common, *denominator),
+                                                  *denominator, &common);
     });
     if (!has_common)
         return {.number = NumberType::rational};

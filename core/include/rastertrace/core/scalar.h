@@ -98,7 +98,8 @@ template <typename Scalar> [[gnu::always_inline]] inline Index ceil_index(const 
 
 /// start + slope (at - from): a point on a line. Adaptive has its own, in adaptive.h.
 template <typename Scalar>
-Scalar linear(const Scalar& start, const Scalar& slope, const Scalar& at, const Scalar& from) {
+[[gnu::always_inline]] inline Scalar linear(const Scalar& start, const Scalar& slope,
+                                            const Scalar& at, const Scalar& from) {
     return start + slope * (at - from);
 }
 
