@@ -59,6 +59,8 @@ public:
     template <typename Depth> static Adaptive compared(const Depth& depth) {
         return with_error(depth);
     }
+    static const DepthRow<Adaptive>& compared(const DepthRow<Adaptive>& row, int, int);
+    static DepthRow<Adaptive> compared(const DepthRow<Rational>& row, int from, int to);
 
     double* row_from(int x, int row) {
         return cells_.data() + static_cast<std::ptrdiff_t>(row - region_.top_row) * region_.width +
@@ -131,6 +133,37 @@ template <> struct DepthRow<Adaptive> {
         return Adaptive(depth + slope * way, error);
     }
 };
+
+inline const DepthRow<Adaptive>& DepthBuffer<Adaptive>::compared(const DepthRow<Adaptive>& row, int,
+                                                                 int) {
+    return row;
+}
+
+/// d + s (x - x0) from exact numbers, each rounded once, and each of the three operations. No pixel is
+/// farther from x0 than the first or the last one, or has a farther end to hold on to.
+inline DepthRow<Adaptive> DepthBuffer<Adaptive>::compared(const DepthRow<Rational>& row, int from,
+                                                          int to) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    constexpr double u = Adaptive::half_ulp;
+    const Adaptive x = with_error(row.x);
+    const Adaptive depth = with_error(row.depth);
+    const Adaptive slope = with_error(row.slope);
+    const Adaptive end = row.end ? with_error(*row.end) : x;
+    const double reach = std::max(std::abs(from - x.value()), std::abs(to - x.value()));
+    const double steepest = std::abs(slope.value()) + slope.error();
+    const double of_way = x.error() + end.error() + u * reach;
+    const bool is_level = steepest == 0;
+    const double rounded_off = is_level ? 0
+                                        : u * (4 * steepest * reach + 2 * std::abs(depth.value())) +
+                                              Adaptive::smallest_error;
+    return {.x = x.value(),
+            .depth = depth.value(),
+            .slope = slope.value(),
+            .first = row.end ? x.value() : -infinity,
+            .last = row.end ? end.value() : infinity,
+            .error = (depth.error() + steepest * of_way + slope.error() * reach + rounded_off) *
+                     Adaptive::widening};
+}
 
 /// What a depth d1 + t (d2 - d1), 0 <= t <= 1, is off by if the depths are and t is. With what the ends
 /// are off by and no rounding, it lies between two depths that are as far off as the worse one. t is

@@ -49,6 +49,8 @@ struct DepthRegion {
     int height = 0;
 };
 
+template <typename Scalar> struct DepthRow;
+
 /// One number per pixel of its region.
 template <typename Scalar> class DepthBuffer {
 public:
@@ -63,8 +65,9 @@ public:
         return rule_.larger_passes ? Scalar(-depth) : depth;
     }
 
-    /// A depth as the number that the buffer compares.
+    /// A depth, or those of a row from one pixel to another, in the numbers that the buffer compares.
     static const Scalar& compared(const Scalar& depth) { return depth; }
+    static const DepthRow<Scalar>& compared(const DepthRow<Scalar>& row, int, int) { return row; }
 
     /// The turned depths of a row from column x on. The region must have the pixel.
     Scalar* row_from(int x, int row) {

@@ -239,11 +239,12 @@ requires SinkFor<Sink, DepthTested<DepthOf<OfPixels>>, PixelPlotted, PixelsRejec
                                                     Sink&& sink) {
     const auto [first, last] = span_on_canvas<stages.tests_canvas>(row, from, to, sink);
     auto& buffer = paint.depth->buffer;
+    const auto& compared = buffer.compared(depths, first, last);
     auto* const cells = buffer.row_from(0, row.index);
     Color* const colors = row.colors - row.left;
     Color color = paint.flat;
     for (int x = first; x <= last; ++x) {
-        if (!passes_depth_test({x, row.y}, buffer.compared(depths.at(x)), cells[x], buffer, sink))
+        if (!passes_depth_test({x, row.y}, compared.at(x), cells[x], buffer, sink))
             continue;
         if constexpr (stages.colors != ColorStage::flat)
             color = paint.mixed->template at<stages.colors == ColorStage::perspective>({x, row.y});
