@@ -28,6 +28,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::EndsWith;
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
 struct Outcome {
@@ -164,6 +165,38 @@ TEST_F(ProgramTest, StatsCountsHiddenPixelsAsCovered) {
     EXPECT_THAT(shell("$rastertrace stats culled.json").out,
                 EndsWith("triangle ABC: 10 writes\n"
                          "triangle ACB: 0 writes, skipped: culled\n"));
+}
+
+// C15 of the catalogue: M lies 1/40 px below the edge PQ, or above it. No scalar cures it.
+TEST_F(ProgramTest, StatsTellsOfTJunctionsWithTheirPixels) {
+    const Outcome gap = shell("$rastertrace stress --case C15 --scene 1 | $rastertrace stats -");
+    EXPECT_EQ(gap.status, 0);
+    EXPECT_THAT(gap.out,
+                EndsWith("T-junction at edge PQ of PQT: M 0.025 px from it; beside it PMB, MQB: "
+                         "0 pixels in two triangles; 1 in none: (8, 21)\n"));
+    for (const std::string scalar : {"float", "double", "fixed", "adaptive"})
+        EXPECT_THAT(shell("$rastertrace stress --case C15 --scene 2 | $rastertrace stats - "
+                          "--scalar " +
+                          scalar)
+                        .out,
+                    HasSubstr("1 pixel in two triangles: (31, 25); 0 in none\n"))
+            << scalar;
+    EXPECT_THAT(
+        shell("$rastertrace stress --case C15 --scene 1 | $rastertrace stats - --json").out,
+        HasSubstr(R"("t_junctions":[{"edge":"PQ","triangle":"PQT",)"
+                  R"("vertices":[{"vertex":"M","distance":0.025}],"beside":["PMB","MQB"],)"
+                  R"("twice":{"count":0,"pixels":[]},"never":{"count":1,"pixels":[[8,21]]}}])"));
+}
+
+// None of them has one: what lies beside each other there shares its edges, or only passes.
+TEST_F(ProgramTest, StatsTellsOfNoTJunctionInTheExamples) {
+    for (const auto& entry : fs::recursive_directory_iterator(RASTERTRACE_EXAMPLES)) {
+        if (entry.path().extension() != ".json")
+            continue;
+        const Outcome outcome = shell("$rastertrace stats '" + entry.path().string() + "'");
+        EXPECT_EQ(outcome.status, 0) << entry.path();
+        EXPECT_THAT(outcome.out, Not(HasSubstr("T-junction"))) << entry.path();
+    }
 }
 
 TEST_F(ProgramTest, PlanSaysWhichStagesAreNeededAndWhy) {
@@ -332,6 +365,23 @@ TEST_F(ProgramTest, StressLooksForCliffsInAScene) {
                    "Near no cliff: no sample within 2^-20 px of an edge, no sliver, nothing "
                    "steep, deep, far out\n"
                    "or edge-on.\n"));
+}
+
+TEST_F(ProgramTest, StressTellsOfTJunctionsInAScene) {
+    const auto cliffs = [this](const std::string& scene, const std::string& options = "") {
+        return shell("$rastertrace stress --case C15 --scene " + scene +
+                     " | $rastertrace stress - " + options)
+            .out;
+    };
+    EXPECT_THAT(cliffs("1"), HasSubstr("T-junctions, vertices on an edge that has no vertex there: "
+                                       "every scalar may fall, `exact` too\n"
+                                       "  edge PQ of triangle PQT                 M lies 0.025 px "
+                                       "from it; 0 pixels in two triangles; 1\n"
+                                       "                                          pixel in none: "
+                                       "(8, 21)\n"));
+    EXPECT_THAT(cliffs("2", "--json"),
+                HasSubstr(R"("how_near":"M lies 0.025 px from it; 1 pixel in two triangles: )"
+                          R"((31, 25); 0 pixels in none")"));
 }
 
 TEST_F(ProgramTest, StressRefusesWhatItCannotRun) {
@@ -539,11 +589,10 @@ TEST_F(ProgramTest, StepsOutOfRangeAndKindsThatAreNotThere) {
 TEST_F(ProgramTest, UsageErrorsNameTheWordAndANearOne) {
     EXPECT_EQ(shell("$rastertrace").status, 2);
     EXPECT_THAT(shell("$rastertrace").err, HasSubstr("rastertrace show examples/"));
-    EXPECT_EQ(
-        shell("$rastertrace shw x").err,
-        "rastertrace: expected a command out of trace, show, stats, plan, stress, report, help, found "
-        "\"shw\"\n"
-        "hint: did you mean show?\n");
+    EXPECT_EQ(shell("$rastertrace shw x").err, "rastertrace: expected a command out of trace, "
+                                               "show, stats, plan, stress, report, help, found "
+                                               "\"shw\"\n"
+                                               "hint: did you mean show?\n");
     EXPECT_EQ(shell("$rastertrace show x --evry pixel").err,
               "rastertrace show: --evry: no such option\nhint: did you mean --every?\n"
               "see rastertrace show --help\n");

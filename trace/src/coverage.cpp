@@ -3,6 +3,7 @@
 
 #include <rastertrace/core/number.h>
 #include <rastertrace/trace/scene_file.h>
+#include <rastertrace/trace/t_junctions.h>
 
 #include <fmt/format.h>
 #include <gmpxx.h>
@@ -23,10 +24,7 @@ namespace rastertrace {
 namespace {
 
 /// An exact point of the scene.
-struct Position {
-    mpq_class x;
-    mpq_class y;
-};
+using Position = ScreenPoint;
 
 /// Where sample points are.
 struct Grid {
@@ -402,6 +400,61 @@ void compare_at_edge(const EdgeUse& edge, const Trace& trace, const Grid& grid, 
                      never_drawn(first.at[edge.from], first.at[edge.to], **one, **other, grid)});
 }
 
+// Vertices on edges that have no vertex there.
+
+/// A vertex's name in a trace, or its place where the step names no vertices.
+std::string vertex_name(const StepView& step, std::size_t corner) {
+    const std::vector<std::string> names = step.texts("vertices");
+    if (names.size() == 3)
+        return names[corner];
+    const auto at = step.text_rows("at");
+    return fmt::format("({}, {})", at[corner][0], at[corner][1]);
+}
+
+PixelList pixel_list(const std::vector<std::uint32_t>& offsets, const Canvas& canvas) {
+    PixelList list;
+    for (const std::uint32_t offset : offsets)
+        add(list, pixel_at(offset, canvas));
+    return list;
+}
+
+/// The T-junctions among the triangles that are drawn. The edges of those that are not count too:
+/// whoever shares one has a neighbor.
+void find_junctions(const std::vector<Cornered>& drawn, const std::vector<Cornered>& not_drawn,
+                    const Trace& trace, const Grid& grid, Stats& stats) {
+    std::vector<ScreenTriangle> mesh;
+    for (const Cornered& triangle : drawn)
+        mesh.push_back({.at = triangle.at, .corners = triangle.corners});
+    for (const Cornered& triangle : not_drawn)
+        mesh.push_back({.at = triangle.at, .corners = triangle.corners, .is_drawn = false});
+
+    const auto step_of = [&](std::size_t triangle) {
+        return trace.step(drawn[triangle].drawn->step);
+    };
+    const auto name_of_triangle = [&](std::size_t triangle) {
+        return stats.primitives[drawn[triangle].place].name;
+    };
+    const auto covered_by = [&drawn](std::size_t triangle) {
+        return std::span<const std::uint32_t>(drawn[triangle].drawn->covering());
+    };
+    for (const TJunction& junction : t_junctions_of(mesh)) {
+        EdgeWithJunctions edge;
+        const std::size_t owner = junction.from.triangle;
+        edge.name = edge_name(step_of(owner), junction.from.corner, junction.to.corner);
+        edge.triangle = name_of_triangle(owner);
+        for (const auto& [vertex, distance] : junction.vertices)
+            edge.vertices.push_back(
+                {vertex_name(step_of(vertex.triangle), vertex.corner), nearest_double(distance)});
+        for (const EdgeBeside& beside : junction.beside)
+            edge.beside.push_back(name_of_triangle(beside.from.triangle));
+        const JunctionPixels pixels =
+            pixels_at(junction, mesh, covered_by, grid.canvas, grid.sample_offset);
+        edge.twice = pixel_list(pixels.twice, grid.canvas);
+        edge.never = pixel_list(pixels.never, grid.canvas);
+        stats.t_junctions.push_back(std::move(edge));
+    }
+}
+
 // Outlines against fills.
 
 PixelList drawn_by_first_only(const DrawnPrimitive& first, const DrawnPrimitive& other,
@@ -480,22 +533,27 @@ void compare_with_corners(const Trace& trace, std::span<const DrawnPrimitive> dr
     // The triangles and the outlines whose corners are known.
     PositionNumbers numbers;
     std::vector<Cornered> fills;
+    std::vector<Cornered> not_drawn;
     std::vector<Cornered> outlines;
     for (std::size_t place = 0; place < drawn.size(); ++place) {
         const std::string& kind = stats.primitives[place].kind;
         const bool is_culled = stats.primitives[place].skipped == "culled";
-        if ((kind != "triangle" && kind != "outline") || is_culled)
+        if (kind != "triangle" && (kind != "outline" || is_culled))
             continue;
         if (auto cornered = corners_of(trace.step(drawn[place].step), numbers)) {
             cornered->drawn = &drawn[place];
             cornered->place = place;
-            (kind == "triangle" ? fills : outlines).push_back(std::move(*cornered));
+            auto& list = kind == "outline" ? outlines : is_culled ? not_drawn : fills;
+            list.push_back(std::move(*cornered));
         }
     }
     compare_outlines(outlines, fills, grid.canvas, stats);
 
     // A triangle without area covers nothing, and shares an edge with nobody.
-    std::erase_if(fills, [](const Cornered& fill) { return sgn(area2(fill.at)) == 0; });
+    const auto flat = std::stable_partition(
+        fills.begin(), fills.end(), [](const Cornered& fill) { return sgn(area2(fill.at)) != 0; });
+    std::move(flat, fills.end(), std::back_inserter(not_drawn));
+    fills.erase(flat, fills.end());
     for (Cornered& fill : fills) {
         fill.closed = region_of(fill.at, grid);
         fill.interior = interior_of(fill.closed);
@@ -503,6 +561,7 @@ void compare_with_corners(const Trace& trace, std::span<const DrawnPrimitive> dr
     }
     for (const EdgeUse& edge : shared_edges(fills))
         compare_at_edge(edge, trace, grid, stats);
+    find_junctions(fills, not_drawn, trace, grid, stats);
 }
 
 } // namespace rastertrace

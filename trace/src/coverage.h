@@ -2,7 +2,7 @@
 #pragma once
 
 // What the primitives of a trace drew, compared with the corners that their steps give: holes,
-// pixels outside, edges drawn twice or not at all, outlines that stick out of their fill.
+// pixels outside, edges drawn twice or not at all, T-junctions, outlines that stick out of their fill.
 //
 //     std::vector<DrawnPrimitive> drawn{{.step = 1, .pixels = {39, 55, 56}}};
 //     compare_with_corners(trace, drawn, stats);
@@ -36,8 +36,8 @@ void add_hidden_pixel(DrawnPrimitive& primitive, std::size_t offset);
 /// Puts the pixels in order, and keeps each of them once.
 void keep_each_once(DrawnPrimitive& primitive);
 
-/// Fills in the coverage of stats.primitives, stats.edges and stats.outlines. `drawn` are the first
-/// primitives of `stats`, one for one.
+/// Fills in the coverage of stats.primitives, stats.edges, stats.t_junctions and stats.outlines.
+/// `drawn` are the first primitives of `stats`, one for one.
 void compare_with_corners(const Trace& trace, std::span<const DrawnPrimitive> drawn, Stats& stats);
 
 } // namespace rastertrace

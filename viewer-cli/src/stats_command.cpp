@@ -63,6 +63,30 @@ std::string as_text(const SharedEdge& edge) {
                        places_of(edge.twice), edge.never.count, places_of(edge.never));
 }
 
+/// "a, b ... and 3 more", by what says how an entry reads.
+template <typename List, typename TextOf> std::string some_of(const List& list, TextOf&& text_of) {
+    std::string text;
+    const std::size_t named = std::min(list.size(), most_pixels_named);
+    for (std::size_t i = 0; i < named; ++i)
+        text += (i == 0 ? "" : ", ") + text_of(list[i]);
+    if (list.size() > named)
+        text += fmt::format(" ... and {} more", list.size() - named);
+    return text;
+}
+
+std::string as_text(const EdgeWithJunctions& edge) {
+    const auto vertex = [](const VertexOnEdge& one) {
+        return shown(one.name) +
+               (one.distance == 0 ? " on it" : fmt::format(" {:.3g} px from it", one.distance));
+    };
+    return fmt::format(
+        "T-junction{} at edge {} of {}: {}; beside it {}: {} in two triangles{}; {} in "
+        "none{}\n",
+        edge.vertices.size() == 1 ? "" : "s", shown(edge.name), shown(edge.triangle),
+        some_of(edge.vertices, vertex), some_of(edge.beside, shown), counted(edge.twice.count),
+        places_of(edge.twice), edge.never.count, places_of(edge.never));
+}
+
 std::string as_text(const OutlineOnFill& pair) {
     return fmt::format("outline {} on triangle {}: {} outside the fill{}\n", shown(pair.outline),
                        shown(pair.fill), counted(pair.outside.count), places_of(pair.outside));
@@ -97,6 +121,8 @@ std::string as_text(const Trace& trace, const Stats& stats) {
     for (const SharedEdge& edge : stats.edges)
         if (edge.twice.count > 0 || edge.never.count > 0)
             text += as_text(edge);
+    for (const EdgeWithJunctions& edge : stats.t_junctions)
+        text += as_text(edge);
     for (const OutlineOnFill& pair : stats.outlines)
         if (pair.outside.count > 0)
             text += as_text(pair);
@@ -139,6 +165,33 @@ std::string pairs_as_json(const Stats& stats) {
     return text + "]";
 }
 
+/// The edges that vertices of other triangles lie on.
+std::string junctions_as_json(const Stats& stats) {
+    std::string text = R"("t_junctions":[)";
+    std::string_view separator;
+    for (const EdgeWithJunctions& edge : stats.t_junctions) {
+        text += fmt::format(R"({}{{"edge":{},"triangle":{},"vertices":[)", separator,
+                            json_quoted(edge.name), json_quoted(edge.triangle));
+        separator = "";
+        for (const VertexOnEdge& vertex : edge.vertices) {
+            text += fmt::format(R"({}{{"vertex":{},"distance":{}}})", separator,
+                                json_quoted(vertex.name), vertex.distance);
+            separator = ",";
+        }
+        text += R"(],"beside":[)";
+        separator = "";
+        for (const std::string& triangle : edge.beside) {
+            text += separator;
+            text += json_quoted(triangle);
+            separator = ",";
+        }
+        text +=
+            fmt::format(R"(],"twice":{},"never":{}}})", as_json(edge.twice), as_json(edge.never));
+        separator = ",";
+    }
+    return text + "]";
+}
+
 std::string as_json(const Trace& trace, const Stats& stats) {
     std::string text =
         fmt::format(R"({{"title":{},"steps":{},"count":{{)", json_quoted(trace.title), stats.steps);
@@ -168,7 +221,7 @@ std::string as_json(const Trace& trace, const Stats& stats) {
     const bool has_depth =
         std::any_of(stats.count.begin(), stats.count.end(),
                     [](const auto& entry) { return entry.first == name_of(StepKind::depth); });
-    return text + "]," + pairs_as_json(stats) +
+    return text + "]," + pairs_as_json(stats) + "," + junctions_as_json(stats) +
            (has_depth ? R"(,"depth_ties":)" + as_json(stats.depth_ties) : "") + "}\n";
 }
 

@@ -68,6 +68,28 @@ struct SharedEdge {
     PixelList never;
 };
 
+/// A vertex that lies on an edge that has no vertex there, or near it.
+struct VertexOnEdge {
+    std::string name;
+    double distance = 0; ///< from the edge, in pixels, as t_junctions.h measures it
+};
+
+/// An edge that one triangle has and no other, with T-junctions: vertices of other triangles lie on
+/// it or near it. Which ones, t_junctions.h says. No rule for shared edges holds there, so it is told
+/// even if no pixel came out wrong: rounded otherwise, one may.
+struct EdgeWithJunctions {
+    std::string name;                   ///< as its triangle names its vertices
+    std::string triangle;               ///< the one that has it
+    std::vector<VertexOnEdge> vertices; ///< from one end of the edge to the other
+    std::vector<std::string> beside;    ///< the triangles whose edges run beside it, the same
+    PixelList twice;                    ///< in its triangle and in one of those; hidden ones too
+
+    /// In none of these, nor in any other triangle that has one of the vertices. The sample point
+    /// lies strictly inside a triangle, or between the edges, or on them; near the edge, as in
+    /// SharedEdge.
+    PixelList never;
+};
+
 /// An outline, and a filled triangle with the same three corners.
 struct OutlineOnFill {
     std::string outline;
@@ -82,7 +104,8 @@ struct Stats {
     std::uint64_t pixels = 0;                                 ///< different pixels drawn
     std::uint64_t writes = 0;                                 ///< pixel steps on the canvas
     std::vector<PrimitiveStats> primitives;
-    std::vector<SharedEdge> edges;       ///< every pair of triangles with area at every edge
+    std::vector<SharedEdge> edges; ///< every pair of triangles with area at every edge
+    std::vector<EdgeWithJunctions> t_junctions;
     std::vector<OutlineOnFill> outlines; ///< every pair of an outline and a fill
 
     /// Where a triangle of another color had just the depth of the one that is seen, and came too
