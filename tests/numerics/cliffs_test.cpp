@@ -160,7 +160,7 @@ TEST(Cliffs, VerticesOnAnEdgeThatHasNone) {
               "edge PQ of triangle PQT: M lies on it; 0 pixels in two triangles; 0 pixels in none");
     EXPECT_EQ(worst_of(CliffKind::t_junction, mesh(R"("PQT","PMB","MNB","NQB")")),
               "edge PQ of triangle PQT: N lies 0.25 px from it, and 1 more no farther; 0 pixels in "
-              "two triangles; NEVER");
+              "two triangles; 1 pixel in none: (10, 6)");
     EXPECT_EQ(worst_of(CliffKind::t_junction, mesh(R"("PMT","MQT","PMB","MQB")")), "");
 }
 

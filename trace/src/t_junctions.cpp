@@ -152,36 +152,42 @@ private:
         double high_across = -std::numeric_limits<double>::infinity();
     };
 
-    /// An edge in doubles, and how far from it one has to look.
+    /// An edge in doubles without what is next to its ends, and how far across from it one has to
+    /// look.
     struct Line {
         explicit Line(const Run& run)
-            : low(run.low.get_d()), high(run.high.get_d()), low_across(run.low_across.get_d()),
-              slope(run.slope.get_d()) {
+            : low(run.low.get_d()), low_across(run.low_across.get_d()), slope(run.slope.get_d()) {
             // The slope is at most 1, so all numbers are at most of this size; 2^-40 of it is far
             // more than what rounding loses.
+            const double high = run.high.get_d();
             const double size = std::abs(low) + std::abs(high) + std::abs(low_across);
-            margin = 2 * on_edge_reach + std::ldexp(size, -40);
+            const double slack = std::ldexp(size, -40);
+            first = low + on_edge_reach - slack;
+            last = high - on_edge_reach + slack;
+            margin = 2 * on_edge_reach + slack;
         }
 
         /// False only if the box is surely farther away. A number that is none, of coordinates that
         /// no double holds, makes no comparison true.
         bool may_touch(const Box& box) const {
-            const double from = std::max(box.low_along, low - margin);
-            const double to = std::min(box.high_along, high + margin);
+            const double from = std::max(box.low_along, first);
+            const double to = std::min(box.high_along, last);
             if (from > to)
                 return false;
-            const double first = low_across + slope * (from - low);
-            const double last = low_across + slope * (to - low);
-            const bool is_below = first + margin < box.low_across && last + margin < box.low_across;
+            const double at_from = low_across + slope * (from - low);
+            const double at_to = low_across + slope * (to - low);
+            const bool is_below =
+                at_from + margin < box.low_across && at_to + margin < box.low_across;
             const bool is_above =
-                first - margin > box.high_across && last - margin > box.high_across;
+                at_from - margin > box.high_across && at_to - margin > box.high_across;
             return !is_below && !is_above;
         }
 
         double low;
-        double high;
         double low_across;
         double slope;
+        double first = 0;
+        double last = 0;
         double margin = 0;
     };
 
