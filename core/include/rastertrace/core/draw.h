@@ -274,8 +274,8 @@ Image draw(const Scene& scene, const Plan& plan, Sink&& sink, Fallbacks* fallbac
         target.depth = &depth.emplace(plan.stages.depth_region, depth_rule<DepthOf<Scalar>>(scene));
     std::optional<Exactness> exactness;
     if constexpr (std::same_as<Scalar, Adaptive>)
-        target.exactness = &exactness.emplace(
-            ExactPieces(scene, plan), scalar_from<Rational>(sample_offset_of(scene.method)));
+        target.exactness = &exactness.emplace(Exactness{
+            ExactPieces(scene, plan), scalar_from<Rational>(sample_offset_of(scene.method))});
     std::visit(
         [&](const auto& geometry) {
             // All vertices on their way to the screen, then what is drawn between them.
