@@ -1,0 +1,40 @@
+#!/bin/sh
+# accept.sh CLANGXX OPTION... -- SOURCE...: fails if clang++ refuses, or warns of, a public header or a
+# source. Runs in the project's folder. Nothing is generated, but all templates in use are instantiated.
+set -eu
+compiler=$1
+shift
+if ! command -v "$compiler" >/dev/null; then
+    echo "clang++ is missing: ./test.sh installs it, or apt-get install clang" >&2
+    exit 1
+fi
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+
+# The options turn into "$@", and the sources into lines of a file.
+for word; do
+    shift
+    if [ "${in_sources:-}" ]; then
+        printf '%s\n' "$word" >>"$folder/sources"
+    elif [ "$word" = -- ]; then
+        in_sources=yes
+    else
+        set -- "$@" "$word"
+    fi
+done
+accepts() { # accepts ARGUMENT...
+    "$compiler" -std=c++20 "$@" -Werror -Wno-unknown-warning-option # g++ knows other warnings
+}
+
+# All public headers, and what most of the sources include besides, are read once.
+for include in core/include trace/include numerics/include; do
+    (cd "$include" && find rastertrace -name '*.h' | LC_ALL=C sort | sed 's/.*/#include <&>/')
+done >"$folder/headers.h"
+printf '#include <%s>\n' fmt/format.h nlohmann/json.hpp CLI/CLI.hpp >>"$folder/headers.h"
+accepts "$@" -x c++-header -fpch-instantiate-templates "$folder/headers.h" -o "$folder/headers.pch"
+
+while read -r source; do
+    accepts "$@" -include-pch "$folder/headers.pch" -fsyntax-only "$source" || failed=1
+done <"$folder/sources"
+echo "$(wc -l <"$folder/headers.h") headers, $(wc -l <"$folder/sources") sources"
+exit "${failed:-0}"
