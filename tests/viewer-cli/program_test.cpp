@@ -589,11 +589,10 @@ TEST_F(ProgramTest, StepsOutOfRangeAndKindsThatAreNotThere) {
 TEST_F(ProgramTest, UsageErrorsNameTheWordAndANearOne) {
     EXPECT_EQ(shell("$rastertrace").status, 2);
     EXPECT_THAT(shell("$rastertrace").err, HasSubstr("rastertrace show examples/"));
-    EXPECT_EQ(
-        shell("$rastertrace shw x").err,
-        "rastertrace: expected a command out of trace, show, stats, plan, stress, report, help, found "
-        "\"shw\"\n"
-        "hint: did you mean show?\n");
+    EXPECT_EQ(shell("$rastertrace shw x").err, "rastertrace: expected a command out of trace, "
+                                               "show, stats, plan, stress, report, help, found "
+                                               "\"shw\"\n"
+                                               "hint: did you mean show?\n");
     EXPECT_EQ(shell("$rastertrace show x --evry pixel").err,
               "rastertrace show: --evry: no such option\nhint: did you mean --every?\n"
               "see rastertrace show --help\n");
@@ -614,6 +613,75 @@ TEST_F(ProgramTest, RegionMayBeginWithANegativeNumber) {
                                   "--region -4,-3,-3,-3 --only pixel");
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_THAT(outcome.out, HasSubstr("\"count\":{\"pixel\":2}"));
+}
+
+// What small files could ask for, in processor time that even a slow build does not need (ulimit -t).
+TEST_F(ProgramTest, ManyMeshesOfOneFileAreNamedQuickly) {
+    write("one.obj", "v 0 0 0\nv 4 0 0\nv 0 4 0\nf 1 2 3\n");
+    std::string meshes = R"({"obj":"one.obj"},{"obj":"one.obj","name":"one-3"})";
+    for (int i = 2; i < 8000; ++i)
+        meshes += R"(,{"obj":"one.obj"})";
+    write("many.json", R"({"canvas":{"width":8,"height":8},"meshes":[)" + meshes + "]}");
+    const Outcome trace = shell("ulimit -t 20; $rastertrace trace many.json --only primitive");
+    EXPECT_EQ(trace.status, 0) << trace.err;
+    const std::vector<std::string> names{"one.f1", "one-3.f1", "one-2.f1", "one-4.f1", "one-5.f1"};
+    std::size_t at = 0;
+    for (const std::string& name : names) {
+        at = trace.out.find(R"("name":")" + name + "\"", at);
+        ASSERT_NE(at, std::string::npos) << name;
+    }
+    EXPECT_THAT(trace.out, HasSubstr(R"("name":"one-8000.f1")"));
+    EXPECT_THAT(trace.out, Not(HasSubstr(R"("name":"one-8001.f1")")));
+}
+
+TEST_F(ProgramTest, ManyUnknownKindsOfStepAreCountedQuickly) {
+    std::string steps;
+    for (int i = 0; i < 200000; ++i)
+        steps += "{\"step\":\"kind" + std::to_string(i) + "\"}\n";
+    write("many.jsonl", R"({"rastertrace":1,"canvas":{"width":1,"height":1}})"
+                        "\n" +
+                            steps + R"({"end":{"steps":200000}})" + "\n");
+    const Outcome stats = shell("ulimit -t 20; $rastertrace stats many.jsonl");
+    EXPECT_EQ(stats.status, 0) << stats.err;
+    EXPECT_THAT(stats.out, HasSubstr("  kind199999 1\n"));
+    const Outcome show = shell("ulimit -t 20; $rastertrace show many.jsonl --every kind");
+    EXPECT_EQ(show.status, 2);
+    EXPECT_THAT(show.err, HasSubstr("(kind0, kind1, kind2, "));
+}
+
+TEST_F(ProgramTest, AModelOfManyLongNumbersIsRefusedAtOnce) {
+    // A 1 above and 997 bits below the bar, and two times 1/1: 1002 bits each step.
+    const auto model = [](int steps) {
+        const std::string large = "1" + std::string(300, '0');
+        std::string text;
+        for (int i = 0; i < steps; ++i)
+            text += (i == 0 ? "\n" : ",\n") + (R"({"scale":["1/)" + large + R"(",1,1]})");
+        return R"({"canvas":{"width":4,"height":4},"vertices":{"A":[0,0],"B":[1,0],"C":[0,1]},)"
+               R"("triangles":["ABC"],"model":[)" +
+               text + "]}";
+    };
+    write("long.json", model(64));
+    const Outcome refused = shell("ulimit -t 20; $rastertrace plan long.json");
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_THAT(refused.err,
+                StartsWith("rastertrace: long.json:34:1: expected a model whose numbers have "
+                           "at most 32768 bits as fractions, all together; found more\n"));
+}
+
+TEST_F(ProgramTest, AFanWiderThanEveryCanvasIsRefusedAtOnce) {
+    const auto fan = [](const std::string& x) {
+        return R"({"canvas":{"width":16,"height":16},"vertices":{"A":[0,0],"B":[)" + x +
+               R"(,1],"C":[1,9]},"triangles":["ABC"],"method":{"fill":"fan"}})";
+    };
+    write("wide.json", fan("16384"));
+    EXPECT_EQ(shell("$rastertrace stats wide.json").status, 0);
+    write("wider.json", fan("16385"));
+    const Outcome refused = shell("$rastertrace trace wider.json -o wider.trace.json");
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_THAT(refused.err,
+                StartsWith("rastertrace: wider.json:1:58: expected edges of at most 16384 "
+                           "pixels for the fan, which draws a line for each, found vertex A at "
+                           "(0, 0) and vertex B at (16385, 1)\n"));
 }
 
 TEST_F(ProgramTest, ReportMeasuresErrorAgainstRunTime) {

@@ -8,12 +8,19 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cstddef>
 #include <string_view>
 #include <utility>
+#include <variant>
 
 namespace rastertrace {
 
 namespace {
+
+/// The most bits of all numbers of a model, as fractions: its matrix has a multiple of them, and exact
+/// arithmetic uses that for every vertex. Room for eight of the longest numbers, or for 256 rotations by
+/// ordinary ones.
+constexpr std::size_t most_model_bits = 32768;
 
 /// x, y, z or the axis that a value names.
 Numbers3 axis_in(const JsonReader& json, const JsonValue& value) {
@@ -52,6 +59,32 @@ Number positive_in(const JsonReader& json, const JsonValue& value, std::string_v
     if (sgn(number.exact()) <= 0)
         json.fail_expecting(value, fmt::format("{} above 0", what));
     return number;
+}
+
+/// How many bits a number has as a fraction: those above and those below the bar.
+std::size_t bits_of(const Number& number) {
+    const mpq_class value = number.exact();
+    return mpz_sizeinbase(value.get_num_mpz_t(), 2) + mpz_sizeinbase(value.get_den_mpz_t(), 2);
+}
+
+std::size_t bits_of(const Numbers3& numbers) {
+    return bits_of(numbers[0]) + bits_of(numbers[1]) + bits_of(numbers[2]);
+}
+
+/// The bits of all numbers of a step.
+std::size_t bits_of(const ModelStep& step) {
+    struct Bits {
+        std::size_t operator()(const Scale& scale) const { return bits_of(scale.by); }
+        std::size_t operator()(const Translate& translate) const { return bits_of(translate.by); }
+        std::size_t operator()(const Rotate& rotate) const {
+            return bits_of(rotate.axis) + bits_of(rotate.degrees);
+        }
+        std::size_t operator()(const Shear& shear) const {
+            return bits_of({shear.xy, shear.xz, shear.yx}) +
+                   bits_of({shear.yz, shear.zx, shear.zy});
+        }
+    };
+    return std::visit(Bits(), step);
 }
 
 /// Two numbers of an object of which the first must be the smaller.
@@ -121,6 +154,7 @@ void read_frustum(const JsonReader& json, const JsonValue& value, Projection& pr
 std::vector<ModelStep> read_model(const JsonReader& json, const JsonValue& value) {
     const std::vector<std::string_view> known{"scale", "translate", "rotate", "shear"};
     std::vector<ModelStep> steps;
+    std::size_t bits = 0;
     for (const JsonValue& item :
          json.array_in(value, R"(a list, like [{"scale": [2, 2, 2]}, {"translate": [0, 0, 4]}])")) {
         constexpr std::size_t most_steps = 256;
@@ -142,6 +176,11 @@ std::vector<ModelStep> read_model(const JsonReader& json, const JsonValue& value
             steps.push_back(read_rotate(json, what));
         else
             steps.push_back(read_shear(json, what));
+        bits += bits_of(steps.back());
+        if (bits > most_model_bits)
+            json.fail(item, fmt::format("expected a model whose numbers have at most {} bits as "
+                                        "fractions, all together; found more",
+                                        most_model_bits));
     }
     return steps;
 }

@@ -53,6 +53,12 @@ void put_number(std::string& name, std::size_t length, std::size_t number) {
     name.append(digits.data(), digits.size());
 }
 
+/// Makes room for `more` elements, and for as many again as there are: many meshes move no element often.
+template <typename Element> void make_room(std::vector<Element>& list, std::size_t more) {
+    if (list.capacity() - list.size() < more)
+        list.reserve(list.size() + std::max(more, list.size()));
+}
+
 /// What to do where a canvas is missing or too small.
 constexpr const char* canvas_hint = R"(say "canvas": {"width": ..., "height": ...})";
 
@@ -175,8 +181,12 @@ private:
              model == nullptr ? std::vector<ModelStep>() : read_model(json_, *model)});
         if (meshes == nullptr)
             return;
-        for (const JsonValue& mesh :
-             json_.array_in(*meshes, R"(a list of meshes, like [{"obj": "cube.obj"}])"))
+        const auto& list =
+            json_.array_in(*meshes, R"(a list of meshes, like [{"obj": "cube.obj"}])");
+        for (const JsonValue& mesh : list)
+            if (const JsonValue* obj = mesh.find("obj"))
+                ++obj_files_[obj->text].uses;
+        for (const JsonValue& mesh : list)
             read_mesh(mesh);
     }
 
@@ -187,7 +197,7 @@ private:
             object.model = read_model(json_, *model);
         if (const JsonValue* name = mesh.find("name"))
             object.name = json_.string_in(*name, "a name in quotes");
-        if (!object.name.empty() && has_object(object.name))
+        if (!object.name.empty() && !names_of_objects_.insert(object.name).second)
             json_.fail_expecting(*mesh.find("name"), "a name that no other mesh has");
 
         // What all faces have in common.
@@ -239,28 +249,22 @@ private:
             json_.fail(faces, "expected at least one face, found none");
     }
 
-    /// A mesh from a file, which a relative path finds beside the scene.
+    /// A mesh from a file.
     void read_obj_mesh(const JsonValue& obj, SceneObject& object, const ScenePrimitive& like) {
         const std::string& path = json_.string_in(obj, "the path of an OBJ file");
-        const auto file = read_named_file(beside_scene(path));
-        if (!file)
-            json_.fail(obj, fmt::format("{} ({})", file.problem().message, beside_scene(path)),
-                       "a relative path starts from the scene's folder");
-        auto read = read_obj(file.value());
-        if (!read)
-            throw read.problem();
-        ObjMesh& mesh = read.value();
+        ObjMesh mesh = obj_mesh(obj, path);
 
         if (object.name.empty()) {
             // The file's name; a second mesh of the same file gets a number.
             const std::string base = base_name(path);
             const std::string stem = base.substr(0, base.find_last_of('.'));
             object.name = stem;
-            for (int i = 2; has_object(object.name); ++i)
-                object.name = fmt::format("{}-{}", stem, i);
+            std::size_t& number = next_numbers_.try_emplace(stem, 2).first->second;
+            while (!names_of_objects_.insert(object.name).second)
+                object.name = fmt::format("{}-{}", stem, number++);
         }
         const std::size_t first = scene_.vertices.size();
-        scene_.vertices.reserve(first + mesh.vertices.size());
+        make_room(scene_.vertices, mesh.vertices.size());
         std::string name = object.name + ".";
         const std::size_t of_object = name.size();
         for (Numbers3& at : mesh.vertices) {
@@ -270,7 +274,7 @@ private:
         }
         places_of_vertices_.resize(scene_.vertices.size(), obj.begin);
         first_of_obj_.emplace(object.name, std::pair(first, mesh.vertices.size()));
-        faces_.reserve(faces_.size() + mesh.triangles());
+        make_room(faces_, mesh.triangles());
         name.replace(of_object, std::string::npos, "f");
         for (std::size_t i = 0; i < mesh.faces(); ++i) {
             const auto corners = mesh.face(i);
@@ -288,9 +292,21 @@ private:
         }
     }
 
-    bool has_object(std::string_view name) const {
-        return std::any_of(scene_.objects.begin(), scene_.objects.end(),
-                           [name](const SceneObject& one) { return one.name == name; });
+    /// The mesh of an OBJ file, which a relative path finds beside the scene. Each file is read once, and
+    /// kept as long as it is used again.
+    ObjMesh obj_mesh(const JsonValue& obj, const std::string& path) {
+        ObjFile& known = obj_files_[path];
+        if (!known.mesh) {
+            const auto file = read_named_file(beside_scene(path));
+            if (!file)
+                json_.fail(obj, fmt::format("{} ({})", file.problem().message, beside_scene(path)),
+                           "a relative path starts from the scene's folder");
+            auto read = read_obj(file.value());
+            if (!read)
+                throw read.problem();
+            known.mesh = std::move(read.value());
+        }
+        return --known.uses == 0 ? std::move(*known.mesh) : *known.mesh;
     }
 
     std::string beside_scene(const std::string& path) const {
@@ -571,7 +587,14 @@ private:
     std::vector<std::size_t> places_of_vertices_; ///< offsets of their names in the source
     std::unordered_map<std::string, std::size_t> vertex_by_name_; ///< but for those of OBJ files
     std::unordered_map<std::string, std::pair<std::size_t, std::size_t>>
-        first_of_obj_;                  ///< by mesh: its first vertex, and how many it has
+        first_of_obj_; ///< by mesh: its first vertex, and how many it has
+    std::unordered_set<std::string> names_of_objects_{""};      ///< the scene itself has none
+    std::unordered_map<std::string, std::size_t> next_numbers_; ///< of unnamed meshes, by file name
+    struct ObjFile {
+        std::size_t uses = 0; ///< that are still to come
+        std::optional<ObjMesh> mesh;
+    };
+    std::unordered_map<std::string, ObjFile> obj_files_; ///< by path
     std::vector<ScenePrimitive> faces_; ///< of meshes, until they are drawn in their turn
     std::unordered_set<std::string> names_of_primitives_; ///< those that the author gave
 };

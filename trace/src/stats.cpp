@@ -6,10 +6,10 @@
 #include <rastertrace/trace/frame.h>
 #include <rastertrace/trace/write_trace.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -17,15 +17,22 @@ namespace rastertrace {
 
 namespace {
 
-/// Adds one to the count of a kind of step.
-void count_step(Stats& stats, std::string kind) {
-    const auto known = std::find_if(stats.count.begin(), stats.count.end(),
-                                    [&kind](const auto& entry) { return entry.first == kind; });
-    if (known == stats.count.end())
-        stats.count.emplace_back(std::move(kind), 1);
-    else
-        ++known->second;
-}
+/// Counts steps by their kind. A trace may hold as many kinds as it has steps.
+class KindCounts {
+public:
+    explicit KindCounts(Stats& stats) : count_(stats.count) {}
+
+    void add(const std::string& kind) {
+        const auto [place, is_new] = places_.try_emplace(kind, count_.size());
+        if (is_new)
+            count_.emplace_back(kind, 0);
+        ++count_[place->second].second;
+    }
+
+private:
+    std::vector<std::pair<std::string, std::uint64_t>>& count_;
+    std::unordered_map<std::string, std::size_t> places_; ///< in count_
+};
 
 /// The pixel that a step is about, if the canvas has it.
 std::optional<Pixel> pixel_of(const StepView& step, const Canvas& canvas) {
@@ -103,6 +110,7 @@ Stats stats_of(const Trace& trace) {
     // Step by step, what is drawn and by which primitive.
     Stats stats;
     stats.steps = trace.size();
+    KindCounts kinds(stats);
     std::vector<DrawnPrimitive> drawn;
     DepthTies ties(trace.canvas);
     Replay replay(trace);
@@ -110,7 +118,7 @@ Stats stats_of(const Trace& trace) {
         replay.go_to(n);
         const StepView step = trace.step(n);
         const auto kind = trace.kind_of(n);
-        count_step(stats, kind ? std::string(name_of(*kind)) : step.kind_name());
+        kinds.add(kind ? std::string(name_of(*kind)) : step.kind_name());
         if (kind == StepKind::primitive) {
             PrimitiveStats& primitive = stats.primitives.emplace_back();
             primitive.kind = step.text("kind");

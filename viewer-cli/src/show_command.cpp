@@ -11,8 +11,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 namespace rastertrace {
@@ -28,11 +28,10 @@ struct Shown {
 /// The kinds of step in a trace, each once.
 std::vector<std::string> kinds_in(const Trace& trace) {
     std::vector<std::string> kinds;
-    for (std::size_t n = 1; n <= trace.size(); ++n) {
-        const std::string kind = trace.step(n).kind_name();
-        if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
-            kinds.push_back(kind);
-    }
+    std::unordered_set<std::string> seen;
+    for (std::size_t n = 1; n <= trace.size(); ++n)
+        if (const auto [kind, is_new] = seen.insert(trace.step(n).kind_name()); is_new)
+            kinds.push_back(*kind);
     return kinds;
 }
 

@@ -10,6 +10,7 @@
 //
 //     fill_fan(triangle, colors, rules, image, sink);
 
+#include <rastertrace/core/canvas.h>
 #include <rastertrace/core/line_bresenham.h>
 #include <rastertrace/core/rounding.h>
 #include <rastertrace/core/triangle.h>
@@ -19,8 +20,9 @@
 
 namespace rastertrace {
 
-/// The longest edge that a fan is drawn from, in pixels: it draws one line for each of them.
-inline constexpr Index longest_fan_edge = 1 << 20;
+/// The longest edge that a fan is drawn from, in pixels: it draws one line for each of them, on the canvas
+/// or off it. No canvas is wider.
+inline constexpr Index longest_fan_edge = largest_canvas_side;
 
 /// The choices that the fan leaves open.
 struct FanRules {

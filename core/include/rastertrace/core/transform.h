@@ -120,13 +120,47 @@ inline Matrix<Rational> matrix_of(const Shear& shear) {
               {0, 0, 0, 1}}}};
 }
 
+/// A matrix as whole numbers over one denominator. Products of many stay cheap: fractions would be
+/// reduced in each of their sums.
+struct WholeMatrix {
+    std::array<std::array<mpz_class, 4>, 4> above;
+    mpz_class below = 1;
+};
+
+inline WholeMatrix whole(const Matrix<Rational>& matrix) {
+    WholeMatrix result;
+    for (const auto& row : matrix.rows)
+        for (const Rational& entry : row)
+            result.below = lcm(result.below, entry.get_den());
+    for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t j = 0; j < 4; ++j)
+            result.above[i][j] =
+                matrix.rows[i][j].get_num() * mpz_class(result.below / matrix.rows[i][j].get_den());
+    return result;
+}
+
+inline WholeMatrix operator*(const WholeMatrix& a, const WholeMatrix& b) {
+    WholeMatrix product;
+    for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t j = 0; j < 4; ++j)
+            product.above[i][j] = a.above[i][0] * b.above[0][j] + a.above[i][1] * b.above[1][j] +
+                                  a.above[i][2] * b.above[2][j] + a.above[i][3] * b.above[3][j];
+    product.below = a.below * b.below;
+    return product;
+}
+
 /// The steps of a model as one matrix: the first listed moves a point first, so it stands on the
 /// right of the product.
 inline Matrix<Rational> model_matrix(std::span<const ModelStep> steps) {
-    Matrix<Rational> product = identity<Rational>();
+    WholeMatrix product = whole(identity<Rational>());
     for (const ModelStep& step : steps)
-        product = std::visit([](const auto& one) { return matrix_of(one); }, step) * product;
-    return product;
+        product = whole(std::visit([](const auto& one) { return matrix_of(one); }, step)) * product;
+
+    Matrix<Rational> matrix;
+    for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t j = 0; j < 4; ++j)
+            matrix.rows[i][j] = trigonometry::quotient_of(product.above[i][j], product.below);
+    return matrix;
 }
 
 /// The matrix with each entry rounded to a Scalar.
