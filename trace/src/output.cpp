@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/trace/output.h>
 
+#include "unfinished_list.h"
+
 #include <fmt/format.h>
 
 #include <fcntl.h>
+#include <limits.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdio>
-#include <cstdlib>
-#include <memory>
 #include <system_error>
 
 namespace rastertrace {
@@ -24,21 +27,113 @@ namespace {
     throw problem;
 }
 
+constexpr std::string_view not_created = "could not be created";
+constexpr std::string_view not_written = "could not be written";
+constexpr std::string_view not_named = "could not be given its name";
+
 void write_all(int descriptor, std::string_view bytes, const std::string& name) {
     while (!bytes.empty()) {
         const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
         if (count >= 0)
             bytes.remove_prefix(static_cast<std::size_t>(count));
+        else if (errno == EAGAIN)
+            wait_until_writable(descriptor);
         else if (errno != EINTR)
-            fail(name, "could not be written", errno);
+            fail(name, not_written, errno);
     }
 }
 
-/// The path with all symbolic links followed, or as it is if there is no such file yet.
-std::string resolved(const std::string& path) {
-    const std::unique_ptr<char, decltype(&std::free)> real(::realpath(path.c_str(), nullptr),
-                                                           &std::free);
-    return real ? std::string(real.get()) : path;
+FileId id_of(const struct stat& status) {
+    return {.device = status.st_dev, .inode = status.st_ino};
+}
+
+/// A name in an open folder.
+struct Place {
+    Descriptor folder;
+    std::string name;
+};
+
+/// Where the symbolic link at a place leads to; nullopt if there is none.
+std::optional<std::string> link_at(const Place& place) {
+    std::array<char, PATH_MAX> text;
+    const ssize_t length =
+        ::readlinkat(place.folder.number(), place.name.c_str(), text.data(), text.size());
+    if (length < 0)
+        return std::nullopt;
+    return std::string(text.data(), static_cast<std::size_t>(length));
+}
+
+/// The place that a path names, symbolic links followed, even if there is no file yet. Working in an
+/// open folder, nothing depends on the length of the path.
+Place place_of(const std::string& path) {
+    Place place;
+    std::string rest = path.find('/') == std::string::npos ? "./" + path : path;
+    // As many links as the system follows.
+    for (int links = 0; links < 40; ++links) {
+        const std::size_t name_begin = rest.find_last_of('/') + 1;
+        if (name_begin > 0) {
+            const std::string folder = rest.substr(0, name_begin);
+            const int from = place.folder.is_open() ? place.folder.number() : AT_FDCWD;
+            place.folder =
+                Descriptor(::openat(from, folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+            if (!place.folder.is_open())
+                fail(path, not_created, errno);
+        }
+        place.name = rest.substr(name_begin);
+        auto link = link_at(place);
+        if (!link)
+            return place;
+        rest = std::move(*link);
+    }
+    fail(path, not_created, ELOOP);
+}
+
+/// The path by which a file that is open can be named once more.
+std::string path_of_open(const Descriptor& file) {
+    return fmt::format("/proc/self/fd/{}", file.number());
+}
+
+/// Calls `make(name)`, which returns false with errno set if it fails, with names that a file may
+/// have for a while, until one is free. Returns the name, which is on the list of unfinished files
+/// then; "" if it failed for another reason. The names are short: they fit where the final name does.
+template <typename Make>
+std::string make_under_temporary_name(const Descriptor& folder, Make&& make) {
+    for (int attempt = 0; attempt < 100; ++attempt) {
+        std::string name = fmt::format("rastertrace-{}-{}.part", ::getpid(), attempt);
+        note_unfinished(folder.number(), name);
+        if (make(name.c_str()))
+            return name;
+        const int error = errno;
+        forget_unfinished(folder.number(), name);
+        errno = error;
+        if (error != EEXIST)
+            break;
+    }
+    return "";
+}
+
+/// Removes what make_under_temporary_name made.
+void remove_unfinished(const Descriptor& folder, const std::string& name) {
+    if (name.empty())
+        return;
+    const SignalsHeldBack held;
+    ::unlinkat(folder.number(), name.c_str(), 0);
+    forget_unfinished(folder.number(), name);
+}
+
+/// A file without a name in a folder; closed where the system has no such thing, or no way to give it
+/// a name later.
+Descriptor open_unnamed(const Descriptor& folder, mode_t mode) {
+    Descriptor file(::openat(folder.number(), ".", O_TMPFILE | O_WRONLY | O_CLOEXEC, mode));
+    if (file.is_open() && ::access(path_of_open(file).c_str(), F_OK) != 0)
+        file.close();
+    return file;
+}
+
+/// Gives an unnamed file a name that no other has; false, with errno set, if it cannot.
+bool give_name(const Descriptor& file, const Descriptor& folder, const char* name) {
+    return ::linkat(AT_FDCWD, path_of_open(file).c_str(), folder.number(), name,
+                    AT_SYMLINK_FOLLOW) == 0;
 }
 
 } // namespace
@@ -47,51 +142,102 @@ void DescriptorOutput::write(std::string_view bytes) {
     write_all(descriptor_, bytes, name_);
 }
 
-FileOutput::FileOutput(const std::string& path) : path_(path), target_(resolved(path)) {
+FileOutput::FileOutput(const std::string& path, std::span<const FileId> inputs) : path_(path) {
     struct stat status {};
-    const bool exists = ::stat(target_.c_str(), &status) == 0;
+    const bool exists = ::stat(path_.c_str(), &status) == 0;
+    if (!exists && errno != ENOENT)
+        fail(path_, not_created, errno);
     if (exists && S_ISDIR(status.st_mode))
         throw problem_of(path_, "expected a file to write, found a folder");
-
     if (exists && !S_ISREG(status.st_mode)) {
-        descriptor_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
-    } else {
-        // An older file that may not be written is not replaced either.
-        if (exists && ::access(target_.c_str(), W_OK) != 0)
-            fail(path_, "could not be written", errno);
-        const mode_t mode = exists ? status.st_mode & 07777 : 0666;
-        for (int attempt = 0; descriptor_ < 0 && attempt < 100; ++attempt) {
-            temporary_ = fmt::format("{}.{}.{}.part", target_, ::getpid(), attempt);
-            descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
-            if (descriptor_ < 0 && errno != EEXIST)
-                break;
-        }
+        file_ = Descriptor(::open(path_.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC));
+        if (!file_.is_open())
+            fail(path_, not_created, errno);
+        return;
     }
-    if (descriptor_ < 0) {
-        temporary_.clear();
-        fail(path_, "could not be created", errno);
+
+    std::optional<unsigned> mode;
+    if (exists) {
+        older_ = id_of(status);
+        mode = status.st_mode & 07777u;
+        if (std::find(inputs.begin(), inputs.end(), *older_) != inputs.end())
+            throw problem_of(path_, "expected another file than those that are read, found one of "
+                                    "them");
+        // An older file that may not be written is not replaced either.
+        if (::access(path_.c_str(), W_OK) != 0)
+            fail(path_, not_written, errno);
+    }
+    Place place = place_of(path_);
+    name_ = std::move(place.name);
+    folder_ = std::move(place.folder);
+    if (::fstat(folder_.number(), &status) != 0)
+        fail(path_, not_created, errno);
+    folder_id_ = id_of(status);
+    open_beside_target(mode);
+}
+
+void FileOutput::open_beside_target(std::optional<unsigned> mode) {
+    // Until it has the mode of the older file, a file is its owner's alone.
+    const mode_t first_mode = mode ? 0600 : 0666;
+    file_ = open_unnamed(folder_, first_mode);
+    if (!file_.is_open()) {
+        const SignalsHeldBack held;
+        temporary_ = make_under_temporary_name(folder_, [&](const char* name) {
+            file_ = Descriptor(::openat(folder_.number(), name,
+                                        O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, first_mode));
+            return file_.is_open();
+        });
+    }
+    if (!file_.is_open() && mode)
+        fail(path_, "may be written, but its folder takes no new file to replace it by", errno);
+    if (!file_.is_open())
+        fail(path_, not_created, errno);
+    if (mode && ::fchmod(file_.number(), *mode) != 0) {
+        const int error = errno;
+        remove_unfinished(folder_, temporary_);
+        fail(path_, not_written, error);
     }
 }
 
 FileOutput::~FileOutput() {
-    if (descriptor_ >= 0)
-        ::close(descriptor_);
-    if (!temporary_.empty())
-        ::unlink(temporary_.c_str());
+    remove_unfinished(folder_, temporary_);
+}
+
+bool FileOutput::is_same_file(const FileOutput& other) const {
+    if (older_ || other.older_)
+        return older_ == other.older_;
+    return folder_.is_open() && other.folder_.is_open() && folder_id_ == other.folder_id_ &&
+           name_ == other.name_;
 }
 
 void FileOutput::write(std::string_view bytes) {
-    write_all(descriptor_, bytes, path_);
+    write_all(file_.number(), bytes, path_);
 }
 
 void FileOutput::commit() {
-    const int descriptor = std::exchange(descriptor_, -1);
-    if (::close(descriptor) != 0)
-        fail(path_, "could not be written", errno);
-    if (temporary_.empty())
+    // A device or a pipe has its name; what it says when it is closed is all that it says.
+    if (!folder_.is_open()) {
+        if (!file_.close())
+            fail(path_, not_written, errno);
         return;
-    if (std::rename(temporary_.c_str(), target_.c_str()) != 0)
-        fail(path_, "could not be given its name", errno);
+    }
+
+    // What closing could complain of, this does while the older file is still there.
+    if (::fsync(file_.number()) != 0)
+        fail(path_, not_written, errno);
+
+    // An unnamed file takes its name at once, or, where an older one has it, another one first. In
+    // that moment only SIGKILL can leave a file behind.
+    const SignalsHeldBack held;
+    if (temporary_.empty() && !older_ && give_name(file_, folder_, name_.c_str()))
+        return;
+    if (temporary_.empty())
+        temporary_ = make_under_temporary_name(
+            folder_, [this](const char* name) { return give_name(file_, folder_, name); });
+    if (temporary_.empty() ||
+        ::renameat(folder_.number(), temporary_.c_str(), folder_.number(), name_.c_str()) != 0)
+        fail(path_, not_named, errno);
+    forget_unfinished(folder_.number(), temporary_);
     temporary_.clear();
 }
 

@@ -91,6 +91,13 @@ std::string to_text(const Problem& problem) {
 
 namespace {
 
+/// True if a file could not be opened for what its path is; false if the system could not open any.
+bool is_due_to_path(int error) {
+    constexpr std::array errors{ENOENT,       ENOTDIR, EISDIR, EACCES, EPERM,    ELOOP,
+                                ENAMETOOLONG, ENXIO,   ENODEV, EINVAL, EOVERFLOW};
+    return std::find(errors.begin(), errors.end(), error) != errors.end();
+}
+
 Result<Source> read_path(const std::string& path, bool is_standard_input, bool must_be_regular) {
     Source source{.name = is_standard_input ? "standard input" : path, .text = {}};
     const auto failure = [&source](Problem::Cause cause, const std::string& why) {
@@ -99,34 +106,38 @@ Result<Source> read_path(const std::string& path, bool is_standard_input, bool m
         return problem;
     };
 
-    // A file that cannot be opened was asked for wrongly; one that cannot be read on is broken.
+    // A file that is not there was asked for wrongly; one that cannot be read on is broken.
     const int flags = O_RDONLY | O_CLOEXEC | (must_be_regular ? O_NONBLOCK : 0);
-    const int descriptor = is_standard_input ? STDIN_FILENO : ::open(path.c_str(), flags);
-    if (descriptor < 0)
-        return failure(Problem::Cause::input,
+    const Descriptor opened(is_standard_input ? -1 : ::open(path.c_str(), flags));
+    if (!is_standard_input && !opened.is_open())
+        return failure(is_due_to_path(errno) ? Problem::Cause::input : Problem::Cause::system,
                        fmt::format("expected a file that can be read, found: {}",
                                    std::generic_category().message(errno)));
+    const int descriptor = is_standard_input ? STDIN_FILENO : opened.number();
     struct stat status {};
-    const bool is_folder = ::fstat(descriptor, &status) == 0 && S_ISDIR(status.st_mode);
-    const bool is_refused = is_folder || (must_be_regular && !S_ISREG(status.st_mode));
+    int error = ::fstat(descriptor, &status) == 0 ? 0 : errno;
+    const bool is_folder = error == 0 && S_ISDIR(status.st_mode);
+    const bool is_refused =
+        is_folder || (error == 0 && must_be_regular && !S_ISREG(status.st_mode));
 
-    int error = 0;
-    if (!is_refused) {
-        if (S_ISREG(status.st_mode))
+    if (error == 0 && !is_refused) {
+        if (S_ISREG(status.st_mode)) {
+            source.file = FileId{.device = status.st_dev, .inode = status.st_ino};
             source.text.reserve(static_cast<std::size_t>(status.st_size) + 1);
+        }
         std::array<char, 1 << 16> buffer;
         ssize_t count = 0;
         while ((count = ::read(descriptor, buffer.data(), buffer.size())) != 0) {
             if (count > 0)
                 source.text.append(buffer.data(), static_cast<std::size_t>(count));
+            else if (errno == EAGAIN)
+                wait_until_readable(descriptor);
             else if (errno != EINTR) {
                 error = errno;
                 break;
             }
         }
     }
-    if (!is_standard_input)
-        ::close(descriptor);
     if (is_refused)
         return failure(Problem::Cause::input, is_folder
                                                   ? "expected a file, found a folder"

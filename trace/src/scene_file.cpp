@@ -66,7 +66,9 @@ constexpr const char* canvas_hint = R"(say "canvas": {"width": ..., "height": ..
 class SceneReader {
 public:
     SceneReader(const Source& source, const MethodOverrides& overrides)
-        : source_(source), json_{source}, overrides_(overrides) {}
+        : source_(source), json_{source}, overrides_(overrides) {
+        remember(source);
+    }
 
     PlannedScene read(const JsonValue& root) {
         // The smallest scene has vertices and triangles; everything else has a default.
@@ -105,10 +107,15 @@ public:
         auto plan = plan_or_unfit(scene_);
         if (const auto* unfit = std::get_if<Unfit>(&plan))
             refuse(*unfit);
-        return {std::move(scene_), std::get<Plan>(std::move(plan))};
+        return {std::move(scene_), std::get<Plan>(std::move(plan)), std::move(files_)};
     }
 
 private:
+    void remember(const Source& source) {
+        if (source.file)
+            files_.push_back(*source.file);
+    }
+
     void read_method(const JsonValue& method) {
         std::vector<std::string_view> known;
         for (const MethodKey& key : method_keys())
@@ -298,9 +305,12 @@ private:
         ObjFile& known = obj_files_[path];
         if (!known.mesh) {
             const auto file = read_named_file(beside_scene(path));
+            if (!file && file.problem().cause == Problem::Cause::system)
+                throw file.problem();
             if (!file)
                 json_.fail(obj, fmt::format("{} ({})", file.problem().message, beside_scene(path)),
                            "a relative path starts from the scene's folder");
+            remember(file.value());
             auto read = read_obj(file.value());
             if (!read)
                 throw read.problem();
@@ -596,6 +606,7 @@ private:
     };
     std::unordered_map<std::string, ObjFile> obj_files_; ///< by path
     std::vector<ScenePrimitive> faces_; ///< of meshes, until they are drawn in their turn
+    std::vector<FileId> files_;         ///< that were read
     std::unordered_set<std::string> names_of_primitives_; ///< those that the author gave
 };
 

@@ -4,6 +4,7 @@
 #include "command_line.h"
 
 #include "commands.h"
+#include "load.h"
 
 #include <rastertrace/trace/method_names.h>
 #include <rastertrace/trace/problem.h>
@@ -16,7 +17,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cstdio>
 #include <exception>
 #include <functional>
 #include <map>
@@ -173,7 +173,7 @@ public:
 
     int run(int count, const char* const* arguments) {
         if (count < 2) {
-            fmt::print(stderr, "{}", welcome);
+            print_error(welcome);
             return exit_bad_input;
         }
         try {
@@ -183,7 +183,7 @@ public:
         } catch (const CLI::CallForHelp&) {
             print_help(chosen());
         } catch (const CLI::CallForVersion&) {
-            fmt::print("rastertrace {}\n", RASTERTRACE_VERSION);
+            print(fmt::format("rastertrace {}\n", RASTERTRACE_VERSION));
         } catch (const CLI::ParseError& error) {
             return complain(error, count, arguments);
         }
@@ -437,7 +437,7 @@ private:
     }
 
     void print_help(const CLI::App& command) const {
-        fmt::print("{}", command.help(&command == &app_ ? "" : app_.get_name()));
+        print(command.help(&command == &app_ ? "" : app_.get_name()));
     }
 
     /// The command that was named, or the program as a whole.
@@ -484,10 +484,9 @@ private:
         }
         const std::string name =
             is_command ? "rastertrace " + command.get_name() : std::string("rastertrace");
-        fmt::print(stderr, "{}: {}\n", name, printable(message));
-        if (!hint.empty())
-            fmt::print(stderr, "hint: {}\n", printable(hint));
-        fmt::print(stderr, "see {} --help\n", name);
+        print_error(fmt::format("{}: {}\n{}see {} --help\n", name, printable(message),
+                                hint.empty() ? "" : fmt::format("hint: {}\n", printable(hint)),
+                                name));
         return exit_bad_input;
     }
 
@@ -526,15 +525,20 @@ private:
 
 } // namespace
 
-int run_command_line(int count, const char* const* arguments) {
+int run_command_line(int count, const char* const* arguments) noexcept {
     try {
-        Program program;
-        return program.run(count, arguments);
-    } catch (const Problem& problem) {
-        fmt::print(stderr, "rastertrace: {}\n", to_text(problem));
-        return problem.cause == Problem::Cause::system ? exit_system : exit_bad_input;
-    } catch (const std::bad_alloc&) {
-        fmt::print(stderr, "rastertrace: out of memory\n");
+        try {
+            Program program;
+            return program.run(count, arguments);
+        } catch (const Problem& problem) {
+            print_error(fmt::format("rastertrace: {}\n", to_text(problem)));
+            return problem.cause == Problem::Cause::system ? exit_system : exit_bad_input;
+        }
+    } catch (const std::exception& failure) {
+        // What the C++ library cannot do; no input should lead here.
+        print_error("rastertrace: ");
+        print_error(failure.what());
+        print_error("\n");
         return exit_system;
     }
 }

@@ -9,19 +9,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <cstdio>
+#include <algorithm>
+#include <cerrno>
 #include <utility>
 
 namespace rastertrace {
 
 namespace {
-
-bool is_same_file(const std::string& a, const std::string& b) {
-    struct stat of_a {};
-    struct stat of_b {};
-    return ::stat(a.c_str(), &of_a) == 0 && ::stat(b.c_str(), &of_b) == 0 &&
-           S_ISREG(of_a.st_mode) && of_a.st_dev == of_b.st_dev && of_a.st_ino == of_b.st_ino;
-}
 
 template <typename T> T value_or_throw(Result<T> result) {
     if (!result)
@@ -29,10 +23,35 @@ template <typename T> T value_or_throw(Result<T> result) {
     return std::move(result.value());
 }
 
+/// What is printed must not go into a file that is read, as after `>>` it would.
+void refuse_as_standard_output(const std::vector<FileId>& inputs) {
+    struct stat status {};
+    if (::fstat(STDOUT_FILENO, &status) != 0 || !S_ISREG(status.st_mode))
+        return;
+    const FileId output{.device = status.st_dev, .inode = status.st_ino};
+    if (std::find(inputs.begin(), inputs.end(), output) != inputs.end())
+        throw problem_of("standard output",
+                         "expected another file than those that are read, found one of them");
+}
+
+/// Reads a file that is a scene or a trace.
+Source read_input(const std::string& path) {
+    Source source = value_or_throw(read_source(path));
+    if (source.file)
+        refuse_as_standard_output({*source.file});
+    return source;
+}
+
+PlannedScene planned(const Source& source, const MethodOverrides& method) {
+    PlannedScene scene = value_or_throw(read_scene(source, method));
+    refuse_as_standard_output(scene.files);
+    return scene;
+}
+
 } // namespace
 
 Source load_scene_source(const std::string& path) {
-    Source source = value_or_throw(read_source(path));
+    Source source = read_input(path);
     if (is_trace(source))
         throw problem_of(source.name, "expected a scene, found a trace",
                          "a trace is what this command makes; `show` and `stats` read it");
@@ -40,11 +59,11 @@ Source load_scene_source(const std::string& path) {
 }
 
 PlannedScene load_scene(const std::string& path, const MethodOverrides& method) {
-    return value_or_throw(read_scene(load_scene_source(path), method));
+    return planned(load_scene_source(path), method);
 }
 
 Trace load_trace(const std::string& path, const MethodOverrides& method) {
-    Source source = value_or_throw(read_source(path));
+    Source source = read_input(path);
     if (is_trace(source)) {
         if (!method.empty())
             throw problem_of(source.name,
@@ -53,7 +72,7 @@ Trace load_trace(const std::string& path, const MethodOverrides& method) {
                                          method.front().first, method.front().second));
         return value_or_throw(read_trace(std::move(source)));
     }
-    const auto [scene, plan] = value_or_throw(read_scene(source, method));
+    const auto [scene, plan, files] = planned(source, method);
     Source drawn{.name = source.name, .text = {}};
     StringOutput output(drawn.text);
     write_trace(scene, plan, {}, output);
@@ -62,17 +81,24 @@ Trace load_trace(const std::string& path, const MethodOverrides& method) {
 
 ExitStatus report_damage(const Trace& trace) {
     for (const Problem& problem : trace.damage)
-        fmt::print(stderr, "rastertrace: {}\n", to_text(problem));
+        print_error(fmt::format("rastertrace: {}\n", to_text(problem)));
     return trace.damage.empty() ? exit_fine : exit_bad_input;
-}
-
-void refuse_overwriting(const std::string& scene, const std::string& output) {
-    if (is_same_file(scene, output))
-        throw problem_of(output, "expected another file than the scene itself, found the scene");
 }
 
 void print(std::string_view text) {
     DescriptorOutput(STDOUT_FILENO, "standard output").write(text);
+}
+
+void print_error(std::string_view text) noexcept {
+    while (!text.empty()) {
+        const ssize_t count = ::write(STDERR_FILENO, text.data(), text.size());
+        if (count >= 0)
+            text.remove_prefix(static_cast<std::size_t>(count));
+        else if (errno == EAGAIN)
+            wait_until_writable(STDERR_FILENO);
+        else if (errno != EINTR)
+            return;
+    }
 }
 
 } // namespace rastertrace

@@ -14,7 +14,8 @@
 
 namespace rastertrace {
 
-/// Reads and plans the scene in a file ("-" for standard input). Throws a Problem.
+/// Reads and plans the scene in a file ("-" for standard input). Throws a Problem; that standard
+/// output is one of the files that are read is one.
 PlannedScene load_scene(const std::string& path, const MethodOverrides& method);
 
 /// The text of the scene in a file, not yet read. Throws a Problem; a trace is one.
@@ -28,10 +29,10 @@ Trace load_trace(const std::string& path, const MethodOverrides& method);
 /// exit status that this means: bad input if there was something to tell.
 ExitStatus report_damage(const Trace& trace);
 
-/// Throws a Problem if the file to write is the scene that is read.
-void refuse_overwriting(const std::string& scene, const std::string& output);
-
 /// Writes to standard output. Throws a Problem.
 void print(std::string_view text);
+
+/// Writes to standard error, if it takes it: that it does not changes nothing else.
+void print_error(std::string_view text) noexcept;
 
 } // namespace rastertrace

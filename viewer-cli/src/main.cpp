@@ -1,10 +1,92 @@
 // SPDX-License-Identifier: MIT
+// What belongs to the process: its signals, its standard descriptors, and what happens when there is
+// no memory left.
+
 #include "command_line.h"
+#include "commands.h"
+#include "load.h"
 
+#include <rastertrace/trace/unfinished_files.h>
+
+#include <gmp.h>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
 #include <csignal>
+#include <cstdlib>
+#include <new>
 
-int main(int count, char** arguments) {
+namespace {
+
+/// Ends the program at once. Unwinding is no way out: GMP calls its allocation functions from C and
+/// assembly, which no exception can pass, and messages need memory themselves.
+[[noreturn]] void end_without_memory() {
+    rastertrace::remove_unfinished_files();
+    rastertrace::print_error("rastertrace: out of memory\n");
+    ::_exit(rastertrace::exit_system);
+}
+
+void* allocate(std::size_t size) {
+    void* const memory = std::malloc(size);
+    if (memory == nullptr)
+        end_without_memory();
+    return memory;
+}
+
+void* reallocate(void* old, std::size_t, std::size_t size) {
+    void* const memory = std::realloc(old, size);
+    if (memory == nullptr)
+        end_without_memory();
+    return memory;
+}
+
+void release(void* memory, std::size_t) {
+    std::free(memory);
+}
+
+/// Runs before all constructors of static objects, which allocate too.
+[[gnu::constructor(101)]] void prepare_for_lack_of_memory() {
+    std::set_new_handler(end_without_memory);
+    ::mp_set_memory_functions(allocate, reallocate, release);
+}
+
+/// The signal does what it would have done, once nothing is left behind.
+extern "C" void end_by_signal(int signal) {
+    rastertrace::remove_unfinished_files();
+    ::raise(signal);
+}
+
+void prepare_for_signals() {
     // A reader that has seen enough, as in `| head`, ends us quietly.
     std::signal(SIGPIPE, SIG_DFL);
+    // A file that may grow no more is a failed write, with a message.
+    std::signal(SIGXFSZ, SIG_IGN);
+
+    struct sigaction action {};
+    action.sa_handler = end_by_signal;
+    action.sa_flags = SA_RESETHAND; // so that the signal raised again has its usual effect
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU, SIGPIPE, SIGABRT}) {
+        struct sigaction before {};
+        // What is ignored from the start, as by nohup, stays so.
+        if (::sigaction(signal, nullptr, &before) == 0 && before.sa_handler != SIG_IGN)
+            ::sigaction(signal, &action, nullptr);
+    }
+}
+
+/// A file that is opened must not get the number of a standard descriptor that was closed: messages
+/// would go into it. What is put there instead refuses to be read or written, as before.
+void fill_closed_descriptors() {
+    for (int number = STDIN_FILENO; number <= STDERR_FILENO; ++number)
+        if (::fcntl(number, F_GETFD) < 0 && errno == EBADF)
+            ::open("/dev/null", number == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+}
+
+} // namespace
+
+int main(int count, char** arguments) {
+    prepare_for_signals();
+    fill_closed_descriptors();
     return rastertrace::run_command_line(count, arguments);
 }

@@ -12,7 +12,6 @@
 
 #include <unistd.h>
 
-#include <cstdio>
 #include <memory>
 #include <string_view>
 #include <utility>
@@ -49,12 +48,28 @@ public:
 
     void say(std::string_view what) const {
         if (is_shown_)
-            fmt::print(stderr, "\r\x1b[K{}", what);
+            print_error(fmt::format("\r\x1b[K{}", what));
     }
 
 private:
     bool is_shown_;
 };
+
+/// The files to write, each another one than the others and than the inputs.
+std::vector<std::unique_ptr<FileOutput>> opened(const std::vector<std::string>& paths,
+                                                const std::vector<FileId>& inputs) {
+    std::vector<std::unique_ptr<FileOutput>> files;
+    for (const std::string& path : paths) {
+        auto file = std::make_unique<FileOutput>(path, inputs);
+        for (std::size_t i = 0; i < files.size(); ++i)
+            if (file->is_same_file(*files[i]))
+                throw problem_of(path, fmt::format("expected files to write that differ, found "
+                                                   "the file {} again",
+                                                   paths[i]));
+        files.push_back(std::move(file));
+    }
+    return files;
+}
 
 /// Why nothing of a scene could be measured.
 std::string reasons_of(const SceneReport& scene) {
@@ -69,17 +84,16 @@ std::string reasons_of(const SceneReport& scene) {
 int run(const ReportCommand& command) {
     // Everything that can be refused is, before minutes of measuring: the scenes, and the files.
     std::vector<Scene> scenes;
-    for (const std::string& path : command.scenes)
-        scenes.push_back(load_scene(path, command.method).scene);
-    std::vector<ReportFormat> formats;
-    for (const std::string& path : command.outputs) {
-        formats.push_back(command.format ? *command.format : format_of(path));
-        for (const std::string& scene : command.scenes)
-            refuse_overwriting(scene, path);
+    std::vector<FileId> inputs;
+    for (const std::string& path : command.scenes) {
+        PlannedScene planned = load_scene(path, command.method);
+        scenes.push_back(std::move(planned.scene));
+        inputs.insert(inputs.end(), planned.files.begin(), planned.files.end());
     }
-    std::vector<std::unique_ptr<FileOutput>> files;
+    std::vector<ReportFormat> formats;
     for (const std::string& path : command.outputs)
-        files.push_back(std::make_unique<FileOutput>(path));
+        formats.push_back(command.format ? *command.format : format_of(path));
+    const auto files = opened(command.outputs, inputs);
 
     MeasuredReport report{.machine = this_machine(), .timing = {}, .scenes = {}};
     if (command.quick)

@@ -20,7 +20,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
 #include <iterator>
 #include <string>
 #include <string_view>
@@ -55,7 +54,7 @@ class Progress {
 public:
     void show(std::string_view what) const {
         if (is_terminal_)
-            fmt::print(stderr, "\r{:<{}}", what, width);
+            print_error(fmt::format("\r{:<{}}", what, width));
     }
     ~Progress() { show(""); }
 

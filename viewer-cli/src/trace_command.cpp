@@ -29,7 +29,7 @@ TraceLayout layout_of(const TraceCommand& command) {
 } // namespace
 
 int run(const TraceCommand& command) {
-    const auto [scene, plan] = load_scene(command.scene, command.method);
+    const auto [scene, plan, files] = load_scene(command.scene, command.method);
     if (const auto& name = command.filter.primitive) {
         std::vector<std::string_view> names;
         for (const ScenePrimitive& primitive : scene.primitives)
@@ -46,8 +46,7 @@ int run(const TraceCommand& command) {
         write_trace(scene, plan, options, output);
         return exit_fine;
     }
-    refuse_overwriting(command.scene, command.output);
-    FileOutput output(command.output);
+    FileOutput output(command.output, files);
     write_trace(scene, plan, options, output);
     output.commit();
     return exit_fine;

@@ -3,9 +3,11 @@
 
 // Where bytes go: a string, standard output, or a file that gets its name only when it is complete.
 
+#include <rastertrace/trace/descriptor.h>
 #include <rastertrace/trace/problem.h>
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -40,27 +42,37 @@ private:
     std::string name_;
 };
 
-/// Writes a file. A regular file is written beside its final place under another name, and takes
-/// the final name in `commit`: until then, and if `commit` is never called, an older file of that
-/// name stays as it was. A device or pipe is written directly.
+/// Writes a file. A regular file is written beside its final place, and takes the final name in
+/// `commit`: until then, and if `commit` is never called, an older file of that name stays as it
+/// was. It replaces the file that a symbolic link leads to, not the link, and keeps the mode of the
+/// older file. A device or pipe is written directly.
 class FileOutput final : public Output {
 public:
-    /// Opens the file; throws a Problem if that cannot be done.
-    explicit FileOutput(const std::string& path);
+    /// Opens the file; throws a Problem if that cannot be done, or if it is one of the `inputs`,
+    /// which would be lost.
+    explicit FileOutput(const std::string& path, std::span<const FileId> inputs = {});
     FileOutput(const FileOutput&) = delete;
     FileOutput& operator=(const FileOutput&) = delete;
     ~FileOutput() override;
 
+    /// True if both would replace or create one regular file.
+    bool is_same_file(const FileOutput& other) const;
+
     void write(std::string_view bytes) override;
 
-    /// Closes the file and gives it its name; throws a Problem if that fails.
+    /// Sees the bytes to the disk and gives the file its name; throws a Problem if that fails.
     void commit();
 
 private:
-    std::string path_;      ///< as the user wrote it
-    std::string target_;    ///< the final place, links followed
-    std::string temporary_; ///< the name it is written under; empty for a device or pipe
-    int descriptor_ = -1;
+    void open_beside_target(std::optional<unsigned> mode);
+
+    std::string path_;            ///< as the user wrote it
+    std::optional<FileId> older_; ///< the file that is replaced
+    Descriptor folder_;           ///< of the final place, links followed; closed for a device
+    FileId folder_id_;
+    std::string name_;      ///< the final name in the folder
+    std::string temporary_; ///< the name it is written under; empty if it has none
+    Descriptor file_;
 };
 
 } // namespace rastertrace

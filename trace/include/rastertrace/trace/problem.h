@@ -8,7 +8,10 @@
 //                            ^
 //     hint: ...
 
+#include <rastertrace/trace/descriptor.h>
+
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -20,6 +23,7 @@ namespace rastertrace {
 struct Source {
     std::string name;
     std::string text;
+    std::optional<FileId> file = {}; ///< which one it was, if it was a regular file
 };
 
 /// Why something could not be done.

@@ -14,6 +14,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace rastertrace {
 
@@ -21,6 +22,7 @@ namespace rastertrace {
 struct PlannedScene {
     Scene scene;
     Plan plan;
+    std::vector<FileId> files; ///< that it was read from: its own, and those of its meshes
 };
 
 /// Reads a scene. `overrides` take the place of what its "method" says. The scene that comes back
