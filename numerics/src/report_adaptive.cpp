@@ -27,8 +27,8 @@ struct StepsSink {
     template <typename Scalar> void operator()(const SampleTested<Scalar>&) {
         ++steps.samples_tested;
     }
-    void operator()(const DepthTested<Adaptive>& step) {
-        steps.tested.push_back({numbers[begun - 1], step.pixel, step.depth.value()});
+    template <typename Scalar> void operator()(const DepthTested<Scalar>& step) {
+        steps.tested.push_back({numbers[begun - 1], step.pixel, to_double(step.depth)});
     }
     void operator()(const PixelPlotted& step) {
         steps.plotted.push_back({numbers[begun - 1], step.pixel, step.color});

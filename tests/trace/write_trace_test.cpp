@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
+#include "edge_scenes.h"
 #include "picture.h"
 
+#include <rastertrace/trace/trace.h>
 #include <rastertrace/trace/write_trace.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
+#include <cmath>
+#include <random>
 #include <string>
 
 namespace rastertrace {
@@ -37,6 +42,56 @@ TEST(WriteTrace, AdaptiveTellsWhereDoublesLeaveADecisionOpen) {
     EXPECT_THAT(fraction_trace, testing::HasSubstr(R"("numbers":"fractions of 64 bits")"));
     EXPECT_THAT(fraction_trace, testing::HasSubstr(R"("at":[[0.5,0],[2,0],[0,2]])"));
     EXPECT_THAT(fraction_trace, testing::Not(testing::HasSubstr("undecided")));
+}
+
+/// Multiplies some coordinates by powers of ten, up to the ends of the doubles.
+Scene stretched(Scene scene, std::mt19937_64& random) {
+    const std::uint64_t reach = random() % 2 == 0 ? 20 : 300;
+    for (SceneVertex& vertex : scene.vertices)
+        for (Number* const coordinate : {&vertex.x, &vertex.y, &vertex.z})
+            if (random() % 3 == 0) {
+                const int exponent =
+                    static_cast<int>(random() % (2 * reach + 1)) - static_cast<int>(reach);
+                const Rational moved = coordinate->exact() * Number::decimal(1, exponent).exact();
+                if (std::isfinite(nearest_double(moved)))
+                    *coordinate = Number::fraction(moved);
+            }
+    return scene;
+}
+
+TEST(WriteTrace, WhatIsNotRefusedIsJson) {
+    EdgeScenes scenes(23);
+    std::mt19937_64 random(23);
+    int drawn = 0;
+    for (int i = 0; i < 3000; ++i) {
+        Scene scene = stretched(scenes.next(), random);
+        if (random() % 2 == 0)
+            scene.keep = StageSet::all();
+        if (scene.method.fill == Fill::fan) // it has no numbers but indices, and may have millions
+            scene.method.fill = Fill::barycentric;
+        if (find_unfit(scene))
+            continue;
+        ++drawn;
+        std::string text;
+        ASSERT_NO_THROW(text = trace_of(scene)) << "scene " << i;
+        const auto trace = read_trace({"trace", text});
+        ASSERT_TRUE(trace) << "scene " << i << ": " << to_text(trace.problem());
+        ASSERT_TRUE(trace.value().damage.empty()) << to_text(trace.value().damage.front());
+        ASSERT_TRUE(nlohmann::json::accept(text)) << "scene " << i;
+    }
+    EXPECT_GT(drawn, 1000);
+}
+
+TEST(WriteTrace, NoInfinityReachesATrace) {
+    std::string text;
+    StringOutput output(text);
+    StepWriter writer(output, TraceLayout::json, {});
+    const auto write = [&writer](double value) {
+        writer(EdgeSetUp<double>{.edge = {0, 1}, .is_horizontal = false, .dx_dy = value});
+    };
+    EXPECT_THROW(write(HUGE_VAL), Problem);
+    EXPECT_THROW(write(std::nan("")), Problem);
+    EXPECT_NO_THROW(write(1e308));
 }
 
 /// (0,0) (2,0) (0,2) on a canvas of 3x3: left, below and far enough to the right to be cut.

@@ -95,6 +95,51 @@ protected:
     fs::path folder_;
 };
 
+TEST_F(ProgramTest, AdaptiveWritesJsonBeyondTheDoubles) {
+    // Areas, and a depth, that no double holds.
+    write("area.json", R"({"canvas":{"width":8,"height":8,"origin":"top-left"},
+"vertices":{"A":[0,0],"B":[1e160,0],"C":[0,1e160]},"triangles":["ABC"],
+"method":{"fill":"barycentric","scalar":"adaptive"}})");
+    write("depth.json", R"({"canvas":{"width":4,"height":4,"origin":"top-left"},
+"vertices":{"A":[11,-3,1e300],"B":[19,12,1],"C":[-7e12,-4,1]},"triangles":["ABC"],"keep":["depth"],
+"method":{"fill":"top-left","scalar":"adaptive","depth":"linear-z"}})");
+    for (const char* const scene : {"area.json", "depth.json"}) {
+        const Outcome trace = shell(std::string("$rastertrace trace ") + scene);
+        EXPECT_EQ(trace.status, 0) << trace.err;
+        EXPECT_TRUE(nlohmann::json::accept(trace.out)) << scene;
+        const std::string to_pictures = std::string("$rastertrace trace ") + scene +
+                                        " | $rastertrace show - --bare; $rastertrace show " +
+                                        scene + " --scalar exact --bare";
+        const Outcome pictures = shell(to_pictures);
+        const std::string& both = pictures.out;
+        EXPECT_EQ(both.substr(0, both.size() / 2), both.substr(both.size() / 2)) << scene;
+    }
+    EXPECT_THAT(shell("$rastertrace trace depth.json").out,
+                HasSubstr(R"("x":0,"y":0,"depth":7.6666666666)"));
+}
+
+TEST_F(ProgramTest, StatsJudgeAdaptiveByTheCornersThatItDraws) {
+    // B is no double: its nearest one would move pixels across the edges.
+    write("scene.json", R"({"canvas":{"width":12,"height":12,"origin":"bottom-left"},
+"vertices":{"A":[0,0],"B":["10/3",10],"C":[-8,5],"D":[10,0]},"triangles":["ABC","ABD"],
+"method":{"fill":"top-left","sample":"integer"}})");
+    const std::string exact = shell("$rastertrace stats scene.json --scalar exact").out;
+    EXPECT_EQ(shell("$rastertrace stats scene.json --scalar adaptive").out, exact);
+    EXPECT_THAT(shell("$rastertrace trace scene.json --scalar adaptive").out,
+                HasSubstr(R"("at":[[0,0],["10/3",10],[-8,5]])"));
+    // Once more in numbers that are no fractions of machine size.
+    write("long.json", R"({"canvas":{"width":12,"height":12,"origin":"bottom-left"},
+"vertices":{"A":[0,0],"B":["10/3",10],"C":[-8,"5000000000000000000001/1000000000000000000000"],"D":[10,0]},
+"triangles":["ABC","ABD"],"method":{"fill":"top-left","sample":"integer"}})");
+    EXPECT_THAT(shell("$rastertrace trace long.json --scalar adaptive").out,
+                HasSubstr(R"("numbers":"doubles with an error bound)"));
+    const auto without_steps = [](const std::string& text) {
+        return text.substr(text.find("ABC"));
+    };
+    EXPECT_EQ(without_steps(shell("$rastertrace stats long.json --scalar adaptive").out),
+              without_steps(shell("$rastertrace stats long.json --scalar exact").out));
+}
+
 TEST_F(ProgramTest, ShowWalksAVertexThroughSixSpaces) {
     const Outcome walk =
         shell("$rastertrace show $examples/t4-pipeline/six-spaces.json --every vertex");

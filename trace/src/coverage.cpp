@@ -197,10 +197,10 @@ struct Cornered {
 /// Numbers positions: equal ones have the same number.
 using PositionNumbers = std::unordered_map<std::string, std::uint32_t>;
 
-/// The corners that a primitive's step gives, if they are three pairs of numbers.
+/// The corners that a primitive's step gives, if they are three pairs of numbers and given exactly.
 std::optional<Cornered> corners_of(const StepView& step, PositionNumbers& numbers) {
     const auto rows = step.text_rows("at");
-    if (rows.size() != 3)
+    if (rows.size() != 3 || !step.text("within").empty())
         return std::nullopt;
     Cornered result;
     for (std::size_t i = 0; i < 3; ++i) {

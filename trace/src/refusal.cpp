@@ -66,6 +66,12 @@ Refusal refusal_of(const Scene& scene, const Unfit& unfit) {
                             "draws a line for each, found {} and {}",
                             unfit.limit, from, to),
                 {}};
+    case What::face:
+        return {
+            fmt::format("expected a face whose normal, times its view or its light, fits in {}, "
+                        "found that of vertex {} beyond the largest number",
+                        scalar, scene.vertices[unfit.from].name),
+            hint};
     case What::depth:
         return {fmt::format("expected a distance above 0 for 1/distance, found vertex {} "
                             "at distance {}",

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace rastertrace {
@@ -245,7 +246,12 @@ void StepWriter::operator()(const BoundExceeded& step) {
     if (!wants(StepKind::undecided))
         return;
     begin_line(StepKind::undecided);
-    put(R"({"step":"undecided","difference":)", step.difference, R"(,"error":)", step.error, "}");
+    // What has left the doubles has no difference to tell.
+    if (std::isfinite(step.difference) && std::isfinite(step.error))
+        put(R"({"step":"undecided","difference":)", step.difference, R"(,"error":)", step.error,
+            "}");
+    else
+        put(R"({"step":"undecided"})");
 }
 
 } // namespace rastertrace

@@ -28,7 +28,8 @@ std::optional<Index> whole_in(std::string_view json) {
     const auto read = std::from_chars(json.data(), end, value);
     if (json.empty() || read.ec != std::errc{} || read.ptr != end)
         return std::nullopt;
-    if (value < -farthest_index || value > farthest_index)
+    // What lies next to the farthest index is a whole double, too: an empty span ends there.
+    if (value < -farthest_index - 1 || value > farthest_index + 1)
         return std::nullopt;
     return value;
 }
@@ -133,7 +134,7 @@ const std::vector<FieldRule>& required_fields(StepKind kind) {
         /* pixel */ {{"x", FieldType::whole}, {"y", FieldType::whole}},
         /* reject */ {{"why", FieldType::string}},
         /* skip */ {{"why", FieldType::string}},
-        /* undecided */ {{"difference", FieldType::quantity}, {"error", FieldType::quantity}},
+        /* undecided */ {},
     }};
     return rules[static_cast<std::size_t>(kind)];
 }

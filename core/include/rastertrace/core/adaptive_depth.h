@@ -10,8 +10,10 @@
 //     buffer.ask(is_nearer);  // who decides what errors leave open
 
 #include <rastertrace/core/adaptive.h>
+#include <rastertrace/core/canvas.h>
 #include <rastertrace/core/depth.h>
 #include <rastertrace/core/scalar.h>
+#include <rastertrace/core/steps.h>
 #include <rastertrace/core/vec.h>
 
 #include <algorithm>
@@ -36,6 +38,9 @@ public:
     using IsNearer = std::function<bool(std::uint32_t piece, std::optional<std::uint32_t> stored,
                                         int x, int row)>;
 
+    /// Says how deep a piece lies in a pixel, exactly; or a clear cell.
+    using ExactDepth = std::function<Rational(std::optional<std::uint32_t> piece, int x, int row)>;
+
     DepthBuffer(const DepthRegion& region, const DepthRule<Adaptive>& rule)
         : region_(region), rule_(rule),
           cells_(static_cast<std::size_t>(region.width) * static_cast<std::size_t>(region.height),
@@ -44,7 +49,10 @@ public:
           pieces_(cells_.size(), no_piece),
           largest_error_(rule.cleared ? rule.cleared->error() : 0) {}
 
-    void ask(IsNearer is_nearer) { is_nearer_ = std::move(is_nearer); }
+    void ask(IsNearer is_nearer, ExactDepth exact_depth) {
+        is_nearer_ = std::move(is_nearer);
+        exact_depth_ = std::move(exact_depth);
+    }
 
     /// The depths that follow are of this piece.
     void begin(std::uint32_t piece) { piece_ = piece; }
@@ -92,6 +100,37 @@ public:
         return Adaptive(rule_.larger_passes ? -cell : cell, largest_error_);
     }
 
+    /// The piece that a cell has its depth from, if one has been drawn there.
+    std::optional<std::uint32_t> piece_in(const double& cell) const {
+        const std::uint32_t piece = pieces_[static_cast<std::size_t>(&cell - cells_.data())];
+        return piece == no_piece ? std::nullopt : std::optional(piece);
+    }
+
+    /// Tests a depth as keep_if_nearer does, and tells both depths: as doubles if these have decided,
+    /// else exactly.
+    template <typename Sink>
+    bool keep_and_tell(Pixel pixel, int row, double& cell, Adaptive depth, Sink&& sink) {
+        const std::optional<Adaptive> stored_depth = stored(cell);
+        const std::optional<std::uint32_t> stored_piece = piece_in(cell);
+        const std::uint64_t exact_before = exact_tests_;
+        const bool passes = keep_if_nearer(cell, depth);
+        const bool told_by_doubles = exact_tests_ == exact_before && std::isfinite(depth.value()) &&
+                                     (!stored_depth || std::isfinite(stored_depth->value()));
+        if (told_by_doubles) {
+            sink(DepthTested<Adaptive>{
+                .pixel = pixel, .depth = turned(depth), .stored = stored_depth, .passes = passes});
+        } else {
+            std::optional<Rational> exactly_stored;
+            if (stored_depth)
+                exactly_stored = exact_depth_(stored_piece, pixel.x, row);
+            sink(DepthTested<Rational>{.pixel = pixel,
+                                       .depth = exact_depth_(piece_, pixel.x, row),
+                                       .stored = exactly_stored,
+                                       .passes = passes});
+        }
+        return passes;
+    }
+
 private:
     static constexpr std::uint32_t no_piece = std::numeric_limits<std::uint32_t>::max();
 
@@ -117,6 +156,7 @@ private:
     std::uint32_t piece_ = no_piece;
     std::uint64_t exact_tests_ = 0;
     IsNearer is_nearer_;
+    ExactDepth exact_depth_;
 };
 
 /// The turned depths of a row, all with the same error.

@@ -149,16 +149,23 @@ void draw_piece(const Piece<Coordinate>& piece, const PlacedPrimitive<Scalar>& p
     const auto pixel_of = [&primitive](std::size_t corner) {
         return nearest_pixel(primitive.positions[corner].x, primitive.positions[corner].y);
     };
-    sink(PrimitiveBegan<Scalar>{
-        .kind = piece.kind,
-        .name = piece.name,
-        .vertices = std::span(primitive.names).first(primitive.count),
-        .positions = std::span(primitive.positions).first(primitive.count),
-        .color = piece.color,
-        .colors = std::span(primitive.colors).first(plan.mixes_colors ? primitive.count : 0),
-        .octant = piece.kind == PrimitiveKind::line ? octant_of(pixel_of(0), pixel_of(1)) : 0,
-        .is_part = piece.is_part,
-        .depths = std::span(primitive.depths).first(is_tested ? primitive.count : 0)});
+    const auto tell_beginning = [&]<typename Told>(const PlacedPrimitive<Told>& told) {
+        sink(PrimitiveBegan<Told>{
+            .kind = piece.kind,
+            .name = piece.name,
+            .vertices = std::span(primitive.names).first(primitive.count),
+            .positions = std::span(told.positions).first(primitive.count),
+            .color = piece.color,
+            .colors = std::span(primitive.colors).first(plan.mixes_colors ? primitive.count : 0),
+            .octant = piece.kind == PrimitiveKind::line ? octant_of(pixel_of(0), pixel_of(1)) : 0,
+            .is_part = piece.is_part,
+            .depths = std::span(told.depths).first(is_tested ? primitive.count : 0)});
+    };
+    // The corners of `adaptive` are told as what they stand for: all decisions are about those.
+    if constexpr (std::same_as<Scalar, Adaptive> && keeps_steps<Sink>)
+        tell_beginning(target.exactness->pieces.placed(target.exactness->drawn.back()));
+    else
+        tell_beginning(primitive);
     if constexpr (!std::same_as<Coordinate, Number>)
         if (!report_face(piece.face, sink))
             return;
@@ -203,7 +210,8 @@ void draw_pieces(const Scene& scene, const Plan& plan, const AGeometry& geometry
                                             target.depth, &exactness};
     if (target.depth)
         target.depth->ask(
-            [&](auto... asked) { return is_nearer(scene, plan, exactness, asked...); });
+            [&](auto... asked) { return is_nearer(scene, plan, exactness, asked...); },
+            [&](auto... asked) { return told_depth(scene, exactness, asked...); });
 
     // What could not be decided is told, and done again.
     const auto decide = [&](auto& resumed, auto&& draw_it, auto&& draw_it_exactly) {

@@ -22,13 +22,18 @@
 #include <rastertrace/core/scalar.h>
 #include <rastertrace/core/scene.h>
 #include <rastertrace/core/sink.h>
+#include <rastertrace/core/steps.h>
 #include <rastertrace/core/triangle.h>
+#include <rastertrace/core/vec.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <compare>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
 #include <utility>
@@ -216,6 +221,17 @@ inline bool is_nearer(const Scene& scene, const Plan& plan, Exactness& exactness
     return depth_of(piece) < (rule.larger_passes ? Rational(-*rule.cleared) : *rule.cleared);
 }
 
+/// The exact depth of a piece in a pixel, as it is told; of a clear cell if there is no piece.
+inline Rational told_depth(const Scene& scene, Exactness& exactness,
+                           std::optional<std::uint32_t> piece, int x, int row) {
+    const DepthRule<Rational> rule = depth_rule<Rational>(scene);
+    if (!piece)
+        return *rule.cleared;
+    const Rational turned = exact_depth_at(scene, exactness.pieces.placed(exactness.drawn[*piece]),
+                                           x, scene.canvas.y_of(row));
+    return rule.larger_passes ? Rational(-turned) : turned;
+}
+
 /// Colors that are mixed with errors, pixel by pixel, and exactly where an error reaches over half a
 /// level.
 template <typename Scalar>
@@ -244,8 +260,45 @@ MixedColors<Adaptive> mixed_colors(const PlacedPrimitive<Scalar>& primitive, Col
             exact_color};
 }
 
+/// False if a number of a step has left the doubles: it can only be told exactly.
+template <typename Step> bool is_told_by_doubles(const Step&) {
+    return true;
+}
+inline bool is_finite(std::same_as<Adaptive> auto... numbers) {
+    return (std::isfinite(numbers.value()) && ...);
+}
+inline bool is_finite(const Vec<Adaptive, 3>& at) {
+    return is_finite(at.x, at.y, at.z);
+}
+inline bool is_told_by_doubles(const VertexPlaced<Adaptive>& step) {
+    return std::all_of(step.at.begin(), step.at.end(), [](Adaptive x) { return is_finite(x); });
+}
+inline bool is_told_by_doubles(const FaceTested<Adaptive>& step) {
+    return is_finite(step.normal) && is_finite(step.view) && is_finite(step.dot);
+}
+inline bool is_told_by_doubles(const FaceLit<Adaptive>& step) {
+    return is_finite(step.normal) && is_finite(step.light) && is_finite(step.dot);
+}
+inline bool is_told_by_doubles(const EdgeSetUp<Adaptive>& step) {
+    return is_finite(step.dx_dy);
+}
+inline bool is_told_by_doubles(const EdgeFunctionSetUp<Adaptive>& step) {
+    return is_finite(step.a, step.b, step.c);
+}
+inline bool is_told_by_doubles(const ScanlineSpanned<Adaptive>& step) {
+    return is_finite(step.left, step.right) && (!step.left_depth || is_finite(*step.left_depth)) &&
+           (!step.right_depth || is_finite(*step.right_depth));
+}
+inline bool is_told_by_doubles(const LineSampled<Adaptive>& step) {
+    return is_finite(step.value);
+}
+inline bool is_told_by_doubles(const SampleTested<Adaptive>& step) {
+    return is_finite(step.weights[0], step.weights[1], step.weights[2]);
+}
+
 /// Passes steps on, and can be told to pass over as many as it has had: those that come again when
-/// what stopped halfway is done once more from its beginning.
+/// what stopped halfway is done once more from its beginning. A step that doubles cannot tell is left
+/// open like a decision that they cannot take.
 template <typename Sink> class ResumedSink {
 public:
     explicit ResumedSink(Sink& sink) : sink_(sink) {}
@@ -254,6 +307,10 @@ public:
         if (to_pass_over_ > 0) {
             --to_pass_over_;
             return;
+        }
+        if (!is_told_by_doubles(step)) {
+            constexpr double infinity = std::numeric_limits<double>::infinity();
+            Adaptive::leave_open(infinity, infinity);
         }
         ++passed_on_;
         sink_(step);

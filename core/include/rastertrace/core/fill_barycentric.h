@@ -75,8 +75,9 @@ void fill_barycentric(const Triangle<Scalar>& triangle,
                 const auto depth = paint.depth->by_weights(
                     {depth_scalar(weights[0]), depth_scalar(weights[1]), depth_scalar(weights[2])});
                 auto& buffer = paint.depth->buffer;
-                auto& cell = *buffer.row_from(pixel.x, static_cast<int>(row));
-                if (!passes_depth_test(pixel, buffer.compared(depth), cell, buffer, sink))
+                const auto index = static_cast<int>(row);
+                auto& cell = *buffer.row_from(pixel.x, index);
+                if (!passes_depth_test(pixel, index, buffer.compared(depth), cell, buffer, sink))
                     continue;
             }
             if constexpr (stages.colors != ColorStage::flat)

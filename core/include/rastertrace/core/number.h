@@ -327,6 +327,12 @@ inline std::variant<Number, NumberFault> parse_number(std::string_view text,
         return Number::fraction(std::move(value));
     }
 
+    // A whole number that only an exact result can be.
+    if (size == NumberSize::any && rest.empty() && whole.size() > 309) {
+        const mpq_class value(mpz_class(std::string(whole), 10));
+        return Number::fraction(negative ? mpq_class(-value) : value);
+    }
+
     // A decimal: whole.fraction e exponent.
     std::string_view fraction;
     if (take(rest, '.')) {

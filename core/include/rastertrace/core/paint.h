@@ -153,9 +153,12 @@ struct Paint {
 /// Tests a pixel's turned depth against what is stored for it, and keeps the nearer one.
 template <typename D, typename Cell, typename Sink>
 requires SinkFor<Sink, DepthTested<D>>
-[[gnu::always_inline]] inline bool passes_depth_test(Pixel pixel, const D& depth, Cell& cell,
-                                                     DepthBuffer<D>& buffer, Sink&& sink) {
-    if constexpr (keeps_steps<Sink>) {
+[[gnu::always_inline]] inline bool passes_depth_test(Pixel pixel, int row, const D& depth,
+                                                     Cell& cell, DepthBuffer<D>& buffer,
+                                                     Sink&& sink) {
+    if constexpr (keeps_steps<Sink> && std::same_as<D, Adaptive>) {
+        return buffer.keep_and_tell(pixel, row, cell, depth, sink);
+    } else if constexpr (keeps_steps<Sink>) {
         const std::optional<D> stored = buffer.stored(cell);
         const bool passes = buffer.keep_if_nearer(cell, depth);
         sink(DepthTested<D>{
@@ -244,7 +247,7 @@ requires SinkFor<Sink, DepthTested<DepthOf<OfPixels>>, PixelPlotted, PixelsRejec
     Color* const colors = row.colors - row.left;
     Color color = paint.flat;
     for (int x = first; x <= last; ++x) {
-        if (!passes_depth_test({x, row.y}, compared.at(x), cells[x], buffer, sink))
+        if (!passes_depth_test({x, row.y}, row.index, compared.at(x), cells[x], buffer, sink))
             continue;
         if constexpr (stages.colors != ColorStage::flat)
             color = paint.mixed->template at<stages.colors == ColorStage::perspective>({x, row.y});

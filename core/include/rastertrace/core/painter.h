@@ -10,6 +10,8 @@
 #include <rastertrace/core/scene.h>
 
 #include <algorithm>
+#include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -39,7 +41,13 @@ Scalar painter_key(const Scene& scene, const ScenePrimitive& triangle, DistanceO
     case PainterKey::mean:
         break;
     }
-    return (a + b + c) / scalar_from<Scalar>(3);
+    const Scalar three = scalar_from<Scalar>(3);
+    const Scalar sum = a + b + c;
+    require_finite(sum);
+    if constexpr (std::floating_point<Scalar>)
+        if (!std::isfinite(sum))
+            return a / three + b / three + c / three;
+    return sum / three;
 }
 
 /// True if sorting the triangles would leave them as they are.

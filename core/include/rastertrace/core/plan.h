@@ -254,6 +254,7 @@ struct Unfit {
         coordinate_of_snap,    ///< beyond the limit: no index is that large
         coordinate_of_line,    ///< beyond the limit: Bresenham's d could not be held in 64 bits
         edge_of_fan,           ///< longer than longest_fan_edge
+        face,                  ///< its normal, or that times the view or the light, is no number
         depth,                 ///< 0 or less from the eye, where 1/distance is asked for
         depth_times_size,      ///< so large that its product with a coordinate may be infinite
     };
@@ -389,6 +390,35 @@ inline std::optional<Unfit> unfit_vertex(const Scene&, const TypedGeometry&) {
     return std::nullopt;
 }
 
+/// The first triangle whose face would be told with an infinity: a normal is a product of two lengths,
+/// and is multiplied by a third one.
+template <typename Coordinate>
+std::optional<Unfit> unfit_face(const Scene& scene, const Geometry<Coordinate>& geometry) {
+    if constexpr (std::floating_point<Coordinate>) {
+        const auto is_finite = [](const Vec<Coordinate, 3>& v) {
+            return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+        };
+        for (const ScenePrimitive& primitive : scene.primitives) {
+            const Face<Coordinate> face = face_of(scene, geometry, primitive);
+            const auto& tested = face.tested;
+            const auto& lit = face.lit;
+            if ((!tested ||
+                 (is_finite(tested->normal) && is_finite(tested->view) &&
+                  std::isfinite(tested->dot) && std::isfinite(tested->cosine.value_or(0)))) &&
+                (!lit || (is_finite(lit->normal) && is_finite(lit->light) &&
+                          std::isfinite(lit->dot) && std::isfinite(lit->intensity))))
+                continue;
+            const auto [a, b, c] = primitive.vertices;
+            const auto& at = geometry.world[a];
+            return Unfit{Unfit::What::face, a, c, {at.x, at.y}, {at.x, at.y}, 0};
+        }
+    }
+    return std::nullopt;
+}
+inline std::optional<Unfit> unfit_face(const Scene&, const TypedGeometry&) {
+    return std::nullopt;
+}
+
 /// Decides how a scene is drawn, from the scene alone; or tells the first place where drawing it
 /// would make an infinity or overflow. `grid` is what `fixed` snaps to: so many places to a pixel.
 inline std::variant<Plan, Unfit> plan_or_unfit(const Scene& scene, std::int64_t grid = fixed_grid) {
@@ -404,6 +434,9 @@ inline std::variant<Plan, Unfit> plan_or_unfit(const Scene& scene, std::int64_t 
                         : unfit_of<double>(piece, scene.method, plan.mixes_colors);
             return !unfit;
         });
+        if (unfit)
+            return unfit;
+        unfit = unfit_face(scene, geometry);
         if (unfit)
             return unfit;
 

@@ -108,8 +108,11 @@ inline char* format_number(char* out, int value) {
     return format_number(out, std::int64_t{value});
 }
 
+/// Throws a Problem: JSON has no infinity, and no NaN.
+[[noreturn]] void refuse_to_format(double value);
+
 /// The shortest text that reads back to the same bits, as std::to_chars gives it; -0 is written 0.
-/// `value` must be finite.
+/// Throws a Problem if `value` is not finite: no infinity can reach a file.
 inline char* format_number(char* out, double value) {
     // A multiple of 1/1024 is written from tables. In scientific notation it would only be shorter
     // if it ended in zeros before the point, as 100000 does (1e+05).
@@ -134,11 +137,15 @@ inline char* format_number(char* out, double value) {
             }
         }
     }
+    if (!std::isfinite(value)) [[unlikely]]
+        refuse_to_format(value);
     return std::to_chars(out, out + 32, value).ptr;
 }
 
-/// The shortest text that reads back to the same float; -0 is written 0. `value` must be finite.
+/// The shortest text that reads back to the same float; -0 is written 0. Throws as above.
 inline char* format_number(char* out, float value) {
+    if (!std::isfinite(value)) [[unlikely]]
+        refuse_to_format(value);
     return std::to_chars(out, out + 32, value == 0 ? 0 : value).ptr;
 }
 
@@ -187,6 +194,24 @@ inline char* format_number(char* out, const Rational& value);
 inline char* format_as_double(char* out, const Rational& value) {
     const double near = nearest_double(value);
     return std::isfinite(near) ? format_number(out, near) : format_number(out, value);
+}
+
+/// The longest fraction that is written where its nearest double would do for most readers, in digits
+/// of numerator and denominator together.
+inline constexpr std::size_t most_digits_told = 200;
+
+/// True if a fraction has no more digits than that.
+inline bool is_short(const Rational& value) {
+    return mpz_sizeinbase(value.get_num_mpz_t(), 10) + mpz_sizeinbase(value.get_den_mpz_t(), 10) <=
+           most_digits_told;
+}
+
+/// A double where that is the number itself, else the fraction, unless that is too long.
+inline char* format_exactly(char* out, const Rational& value) {
+    const double near = nearest_double(value);
+    if (std::isfinite(near) && (!is_short(value) || Rational(near) == value))
+        return format_number(out, near);
+    return format_number(out, value);
 }
 
 /// A double that knows its error; the error is not written.

@@ -21,9 +21,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -68,6 +70,11 @@ enum class NumberStyle {
 
 /// A method that draws some of its numbers exactly and others not writes all of them alike.
 NumberStyle number_style_of(const Method& method);
+
+/// A number that is written as it is: in the style of doubles as a string where no double is that
+/// number.
+template <typename Number> struct Exactly { const Number& number; };
+template <typename Number> Exactly(const Number&) -> Exactly<Number>;
 
 class StepWriter {
 public:
@@ -115,15 +122,25 @@ public:
         if (!wants(StepKind::primitive))
             return;
         begin_primitive_line(step.kind, step.name, step.vertices);
+        // Who looks for pixels that are wrong has to know just where the corners are.
         std::string_view before = R"(,"at":[[)";
+        double within = 0;
         for (const auto& position : step.positions) {
-            put(before, position.x, ",", position.y, "]");
+            put(before, Exactly{position.x}, ",", Exactly{position.y}, "]");
             before = ",[";
+            within = std::max({within, rounded_off(position.x), rounded_off(position.y)});
         }
         if (!step.positions.empty())
             put("]");
+        if (within > 0)
+            put(R"(,"within":)", within);
+        before = R"(,"depths":[)";
+        for (const auto& depth : step.depths) {
+            put(before, Exactly{depth});
+            before = ",";
+        }
         if (!step.depths.empty())
-            put_numbers(R"(,"depths":[)", step.depths);
+            put("]");
         end_primitive_line(step.color, step.colors, step.octant, step.is_part);
     }
 
@@ -172,10 +189,11 @@ public:
         begin_line(StepKind::depth);
         if (step.stored)
             put(R"({"step":"depth","x":)", step.pixel.x, R"(,"y":)", step.pixel.y, R"(,"depth":)",
-                step.depth, R"(,"stored":)", *step.stored, R"(,"pass":)", word(step.passes), "}");
+                Exactly{step.depth}, R"(,"stored":)", Exactly{*step.stored}, R"(,"pass":)",
+                word(step.passes), "}");
         else
             put(R"({"step":"depth","x":)", step.pixel.x, R"(,"y":)", step.pixel.y, R"(,"depth":)",
-                step.depth, R"(,"stored":null,"pass":)", word(step.passes), "}");
+                Exactly{step.depth}, R"(,"stored":null,"pass":)", word(step.passes), "}");
     }
 
     template <typename Scalar> void operator()(const EdgeSetUp<Scalar>& step) {
@@ -342,6 +360,9 @@ private:
     template <typename Number> static std::size_t size_of(const Number& number) {
         return room_for(number);
     }
+    template <typename Number> std::size_t size_of(const Exactly<Number>& told) const {
+        return size_of(told.number);
+    }
     std::size_t size_of(const Rational& number) const { return room_for(number) + room_for(0.0); }
 
     template <std::size_t size> static char* append(char* out, const char (&literal)[size]) {
@@ -362,6 +383,30 @@ private:
     char* append(char* out, const Rational& number) const {
         return numbers_ == NumberStyle::doubles ? format_as_double(out, number)
                                                 : format_number(out, number);
+    }
+
+    template <typename Number> char* append(char* out, const Exactly<Number>& told) const {
+        return append(out, told.number);
+    }
+    template <typename Integer>
+    char* append(char* out, const Exactly<Fraction<Integer>>& told) const {
+        return numbers_ == NumberStyle::doubles ? format_exactly(out, exact(told.number))
+                                                : format_number(out, told.number);
+    }
+    char* append(char* out, const Exactly<Rational>& told) const {
+        return numbers_ == NumberStyle::doubles ? format_exactly(out, told.number)
+                                                : format_number(out, told.number);
+    }
+
+    /// How far what is written by Exactly lies from the number at most.
+    template <typename Number> static double rounded_off(const Number&) { return 0; }
+    double rounded_off(const Rational& number) const {
+        if (numbers_ == NumberStyle::exact || is_short(number))
+            return 0;
+        const double near = nearest_double(number);
+        return std::isfinite(near) && Rational(near) != number
+                   ? std::abs(near) * std::numeric_limits<double>::epsilon()
+                   : 0;
     }
 
     static constexpr std::size_t most_vertices = 3;
