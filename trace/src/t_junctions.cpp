@@ -458,6 +458,8 @@ private:
     /// Adds the end of an edge to a T-junction if it lies on another edge, and its edge runs on
     /// beside that one.
     void compare(std::size_t edge, const Run& run, const EdgeEnd& end) {
+        if (is_told_often(number(end.end), edge))
+            return;
         const ScreenPoint& vertex = point(end.end);
         if (are_of_one_triangle(edge, end.edge) || !run.is_between_ends(vertex))
             return;
@@ -471,10 +473,6 @@ private:
         const mpq_class last = std::clamp(place, run.low, run.high);
         if (abs(run.across_at(last) - beside.across_at(last)) > reach)
             return;
-        const std::uint32_t corner = number(end.end);
-        const bool is_known = found_.contains(edge) && found_[edge].vertices.contains(corner);
-        if (!is_known && edges_told_[corner] >= most_edges_at_vertex)
-            return;
         add({edge, end.end});
         add_beside(edge, end.edge);
     }
@@ -485,6 +483,15 @@ private:
         std::map<std::uint32_t, TriangleCorner> vertices; ///< by number
         std::map<std::size_t, EdgeBeside> beside;         ///< by edge
     };
+
+    /// Is a vertex told of at as many edges as it may be, and not at this one?
+    bool is_told_often(std::uint32_t corner, std::size_t edge) const {
+        const auto told = edges_told_.find(corner);
+        if (told == edges_told_.end() || told->second < most_edges_at_vertex)
+            return false;
+        const auto found = found_.find(edge);
+        return found == found_.end() || !found->second.vertices.contains(corner);
+    }
 
     void add(const Meeting& meeting) {
         const std::uint32_t corner = number(meeting.vertex);
