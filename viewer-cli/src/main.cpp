@@ -66,7 +66,8 @@ void prepare_for_signals() {
 
     struct sigaction action {};
     action.sa_handler = end_by_signal;
-    action.sa_flags = SA_RESETHAND; // so that the signal raised again has its usual effect
+    // So that the signal raised again has its usual effect.
+    action.sa_flags = static_cast<int>(SA_RESETHAND);
     for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU, SIGPIPE, SIGABRT}) {
         struct sigaction before {};
         // What is ignored from the start, as by nohup, stays so.
