@@ -651,6 +651,11 @@ TEST_F(ProgramTest, TheExitStatusStandsWhereStandardErrorCannotBeWritten) {
         EXPECT_EQ(shell("$rastertrace" + no_stderr).status, 2);
         EXPECT_EQ(shell("$rastertrace --version >/dev/full" + no_stderr).status, 3);
     }
+    EXPECT_EQ(
+        shell("mkfifo pipe; exec 3<>pipe 4>pipe; exec 3<&-; $rastertrace show nothing.json 2>&4")
+            .status,
+        2)
+        << "a pipe that nobody reads";
     // No file gets the number of a closed descriptor, and so no message or picture.
     EXPECT_EQ(shell("$rastertrace trace $examples/t0-fill/first-triangle.json -o t.json "
                     "<&- >&- 2>&-")

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <utility>
 
 namespace rastertrace {
@@ -90,15 +91,22 @@ void print(std::string_view text) {
 }
 
 void print_error(std::string_view text) noexcept {
-    while (!text.empty()) {
+    // A pipe that nobody reads must not end the program by its signal.
+    struct sigaction ignored {};
+    struct sigaction before {};
+    ignored.sa_handler = SIG_IGN;
+    ::sigaction(SIGPIPE, &ignored, &before);
+    bool is_taken = true;
+    while (is_taken && !text.empty()) {
         const ssize_t count = ::write(STDERR_FILENO, text.data(), text.size());
         if (count >= 0)
             text.remove_prefix(static_cast<std::size_t>(count));
         else if (errno == EAGAIN)
             wait_until_writable(STDERR_FILENO);
-        else if (errno != EINTR)
-            return;
+        else
+            is_taken = errno == EINTR;
     }
+    ::sigaction(SIGPIPE, &before, nullptr);
 }
 
 } // namespace rastertrace
