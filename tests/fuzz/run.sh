@@ -1,51 +1,74 @@
 #!/bin/sh
-# Builds the fuzz targets and runs each for some time:
+# Builds the fuzz targets and runs each, or those that are named, for some time or with so many inputs:
 #
-#     tests/fuzz/run.sh SECONDS
+#     tests/fuzz/run.sh SECONDS [TARGET...]
+#     tests/fuzz/run.sh INPUTSx [TARGET...]        # 1000000x fuzz_scene
 #
 # Needs clang++ with libFuzzer, and Ninja. What the fuzzer learns stays in build/fuzz/corpus and is
 # used again by the next run. An input that breaks something is left as build/fuzz/TARGET-crash-...
 # (or -timeout-, -oom-, -leak-); to see it fail again, give its name to
 # build/fuzz/tests/fuzz/TARGET. Exit status: 0 nothing found, 1 something found, 2 bad usage.
 set -eu
-case ${1:-} in
-'' | *[!0-9]*)
-    echo "usage: tests/fuzz/run.sh SECONDS" >&2
+usage() {
+    echo "usage: tests/fuzz/run.sh SECONDS|INPUTSx [fuzz_number] [fuzz_obj] [fuzz_scene] [fuzz_trace]" >&2
     exit 2
-    ;;
+}
+case ${1:-} in
+*x) limit=-runs=${1%x} ;;
+*) limit=-max_total_time=${1:-} ;;
 esac
-seconds=$1
+case ${limit#*=} in
+'' | *[!0-9]*) usage ;;
+esac
+shift
+[ $# -gt 0 ] || set -- fuzz_number fuzz_obj fuzz_scene fuzz_trace
+for target; do
+    case $target in
+    fuzz_number | fuzz_obj | fuzz_scene | fuzz_trace) ;;
+    *) usage ;;
+    esac
+done
 cd "$(dirname "$0")/../.."
 
 cmake --preset fuzz -G Ninja
 cmake --build --preset fuzz --parallel "${CMAKE_BUILD_PARALLEL_LEVEL:-1}" \
-    --target rastertrace_program fuzz_number fuzz_obj fuzz_scene fuzz_trace
+    --target rastertrace_program "$@"
 
-# To start from: a few numbers, every model, every example, and its trace in both layouts, whole and
-# cut short.
+# To start from: a few numbers, the models, the examples, and traces of them in both layouts, cut short.
+# What is longer than an input may be is cut.
+longest=2560
 corpus=build/fuzz/corpus
 mkdir -p "$corpus/fuzz_number" "$corpus/fuzz_obj" "$corpus/fuzz_scene" "$corpus/fuzz_trace"
 for number in -4 0.25 1e-3 25/8 -1/4 1e-320 123456789012345678901/7; do
     printf %s "$number" >"$corpus/fuzz_number/seed-$(printf %s "$number" | tr / _)"
 done
 for model in examples/models/*.obj; do
-    cp "$model" "$corpus/fuzz_obj/seed-$(basename "$model")"
+    head -c "$longest" "$model" >"$corpus/fuzz_obj/seed-$(basename "$model")"
 done
 for scene in examples/*/*.json; do
     name=$(basename "$scene" .json)
     cp "$scene" "$corpus/fuzz_scene/seed-$name.json"
     for layout in json jsonl; do
-        trace=$corpus/fuzz_trace/seed-$name.$layout
-        build/fuzz/viewer-cli/rastertrace trace "$scene" --format "$layout" -o "$trace"
-        head -n 12 "$trace" >"$corpus/fuzz_trace/seed-$name-cut.$layout"
+        build/fuzz/viewer-cli/rastertrace trace "$scene" --format "$layout" |
+            head -c "$longest" >"$corpus/fuzz_trace/seed-$name.$layout"
     done
 done
 
+# Whole traces that are short enough: a small triangle by every fill.
+small='{"canvas":{"width":6,"height":5},"vertices":{"A":[2,2],"B":[-2,-1],"C":[2,-2]},"triangles":["ABC"]}'
+for fill in scanline two-halves barycentric top-left fan; do
+    printf %s "$small" | build/fuzz/viewer-cli/rastertrace trace - --fill "$fill" --scalar exact \
+        >"$corpus/fuzz_trace/seed-small-$fill.json"
+done
+
+# What makes a run slow and finds nothing: weighing inputs by rare features, keeping much freed memory, and
+# deep stacks of every allocation.
+export ASAN_OPTIONS="${ASAN_OPTIONS:-quarantine_size_mb=8:malloc_context_size=4}"
 found=0
-for target in fuzz_number fuzz_obj fuzz_scene fuzz_trace; do
-    echo "$target: $seconds seconds"
-    "build/fuzz/tests/fuzz/$target" "$corpus/$target" \
+for target; do
+    echo "$target: $limit"
+    "build/fuzz/tests/fuzz/$target" "$corpus/$target" "$limit" -max_len="$longest" -entropic=0 \
         -dict="tests/fuzz/${target#fuzz_}.dict" -artifact_prefix="build/fuzz/$target-" \
-        -max_total_time="$seconds" -timeout=20 -print_final_stats=1 || found=1
+        -timeout=20 -print_final_stats=1 || found=1
 done
 exit "$found"
