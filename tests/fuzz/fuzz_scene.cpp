@@ -61,13 +61,13 @@ void draw_and_read_back(const Source& source, const std::string& scalar, TraceLa
     const auto scene = read_scene(source, {{"scalar", scalar}});
     if (!scene)
         return check_message(scene.problem());
-    const auto& [drawn, plan] = scene.value();
+    const Scene& drawn = scene.value().scene;
     if (!is_small(drawn.canvas) || drawn.primitives.size() > most_primitives)
         return;
 
     ShortOutput output;
     try {
-        write_trace(drawn, plan, {.layout = layout, .filter = {}}, output);
+        write_trace(drawn, scene.value().plan, {.layout = layout, .filter = {}}, output);
     } catch (const Problem&) {
         return;
     }
