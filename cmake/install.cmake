@@ -9,5 +9,6 @@ write_basic_package_version_file(rastertrace-config-version.cmake COMPATIBILITY 
 install(FILES
     ${CMAKE_CURRENT_LIST_DIR}/rastertrace-config.cmake
     ${CMAKE_CURRENT_LIST_DIR}/FindGMP.cmake
+    ${CMAKE_CURRENT_LIST_DIR}/FindUnistring.cmake
     ${CMAKE_CURRENT_BINARY_DIR}/rastertrace-config-version.cmake
   DESTINATION ${package_dir})

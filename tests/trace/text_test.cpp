@@ -27,6 +27,35 @@ TEST(Printable, ShowsWhatATerminalWouldObey) {
     EXPECT_EQ(printable("é 三"), "é 三");
 }
 
+TEST(Printable, ShowsWhatNobodySees) {
+    for (const auto& [text, shown] : std::vector<std::pair<std::string, std::string>>{
+             {"A\u200B", "A<U+200B>"},      // a blank of no width
+             {"A\u2060", "A<U+2060>"},      // a joiner of words
+             {"A\u00AD", "A<U+00AD>"},      // a soft hyphen
+             {"A\u3164", "A<U+3164>"},      // fillers
+             {"A\u115F", "A<U+115F>"},      //
+             {"A\U000E0041", "A<U+E0041>"}, // a tag
+             {"A\uFE0F", "A<U+FE0F>"},      // a selector of variants
+             {"A\uFFF9", "A<U+FFF9>"},      // the mark of an annotation
+             {"A\uFFFE", "A<U+FFFE>"},      // no character at all
+             {"A\U0010FFFF", "A<U+10FFFF>"}})
+        EXPECT_EQ(printable(text), shown);
+    EXPECT_EQ(printable("e\u0301 \u05D0 \u00A0"), "e\u0301 \u05D0 \u00A0");
+}
+
+TEST(Columns, AreThoseOfATerminal) {
+    EXPECT_EQ(columns_in("abc"), 3u);
+    EXPECT_EQ(columns_in("三角"), 4u) << "wide";
+    EXPECT_EQ(columns_in("e\u0301"), 1u) << "combining";
+    EXPECT_EQ(columns_in("\xFF"), 1u);
+    EXPECT_EQ(first_columns("三角形", 5), "三角") << "no half of a character";
+    EXPECT_EQ(first_columns("e\u0301x", 1), "e\u0301") << "with what belongs to it";
+    EXPECT_EQ(shortened("三角形です", 10), "三角形です");
+    EXPECT_EQ(shortened("三角形です", 9), "三角形...");
+    EXPECT_EQ(padded("三", 4), "三  ");
+    EXPECT_EQ(padded("三角形", 4), "三角形");
+}
+
 RC_GTEST_PROP(Printable, NeverHoldsAControlByte, (const std::string& text)) {
     for (const char c : printable(text)) {
         const auto byte = static_cast<unsigned char>(c);

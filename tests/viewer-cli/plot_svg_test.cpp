@@ -62,6 +62,33 @@ std::string xml_fault(const std::string& xml) {
     return open.empty() ? "" : "a tag left open: " + open.back();
 }
 
+/// A character in UTF-8, as a program might write it that checks nothing.
+std::string utf8(char32_t c) {
+    if (c < 0x80)
+        return {static_cast<char>(c)};
+    const auto part = [c](int shift) { return static_cast<char>(0x80 | (c >> shift & 0x3F)); };
+    if (c < 0x800)
+        return {static_cast<char>(0xC0 | c >> 6), part(0)};
+    if (c < 0x10000)
+        return {static_cast<char>(0xE0 | c >> 12), part(6), part(0)};
+    return {static_cast<char>(0xF0 | c >> 18), part(12), part(6), part(0)};
+}
+
+// Char of XML 1.0, section 2.2: all but most control characters, surrogates, U+FFFE and U+FFFF.
+TEST(Escaped, IsXmlWhateverTheCharacter) {
+    for (char32_t c = 0; c <= 0x10FFFF; ++c) {
+        const bool is_xml = c == 0x9 || c == 0xA || c == 0xD || (0x20 <= c && c <= 0xD7FF) ||
+                            (0xE000 <= c && c <= 0xFFFD) || 0x10000 <= c;
+        const std::string text = escaped(utf8(c));
+        const bool is_markup = c == '&' || c == '<' || c == '>' || c == '"' || c == '\'';
+        if (text != utf8(c) && !is_markup) {
+            ASSERT_THAT(text, testing::MatchesRegex("(&lt;[U0][+x][0-9A-F]+&gt;)+"));
+        } else {
+            ASSERT_TRUE(is_xml) << text;
+        }
+    }
+}
+
 TEST(PlotSvg, TheCheckItselfSeesFaults) {
     EXPECT_EQ(xml_fault("<a b=\"1\"><c/>x &amp; y</a>"), "");
     EXPECT_NE(xml_fault("<a><b></a></b>"), "");

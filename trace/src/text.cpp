@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <unictype.h>
+#include <uniwidth.h>
+
 #include <algorithm>
 #include <array>
 #include <numeric>
@@ -45,6 +48,12 @@ bool is_unsafe(char32_t c) {
            between(0x2028, 0x202E) || between(0x2066, 0x2069) || c == 0xFEFF;
 }
 
+bool is_invisible(char32_t c) {
+    const bool is_annotation = 0xFFF9 <= c && c <= 0xFFFB;
+    return uc_is_property_default_ignorable_code_point(c) || uc_is_property_not_a_character(c) ||
+           is_annotation;
+}
+
 std::string printable(std::string_view text) {
     std::string out;
     out.reserve(text.size());
@@ -52,7 +61,7 @@ std::string printable(std::string_view text) {
         const CodePoint character = first_code_point(text);
         if (character.value == not_a_character)
             out += fmt::format("<0x{:02X}>", static_cast<unsigned char>(text.front()));
-        else if (is_unsafe(character.value))
+        else if (is_unsafe(character.value) || is_invisible(character.value))
             out += fmt::format("<U+{:04X}>", static_cast<unsigned>(character.value));
         else
             out += text.substr(0, character.length);
@@ -75,11 +84,50 @@ std::string_view first_characters(std::string_view text, std::size_t count) {
     return text.substr(0, text.size() - rest.size());
 }
 
+namespace {
+
+/// How many columns a character takes; 1 for a byte that is not UTF-8.
+std::size_t columns_of(char32_t c) {
+    if (c == not_a_character)
+        return 1;
+    return static_cast<std::size_t>(std::max(uc_width(c, "UTF-8"), 0));
+}
+
+} // namespace
+
+std::size_t columns_in(std::string_view text) {
+    std::size_t columns = 0;
+    while (!text.empty()) {
+        const CodePoint character = first_code_point(text);
+        columns += columns_of(character.value);
+        text.remove_prefix(character.length);
+    }
+    return columns;
+}
+
+std::string_view first_columns(std::string_view text, std::size_t count) {
+    std::string_view rest = text;
+    while (!rest.empty()) {
+        const CodePoint character = first_code_point(rest);
+        const std::size_t columns = columns_of(character.value);
+        if (columns > count)
+            break;
+        count -= columns;
+        rest.remove_prefix(character.length);
+    }
+    return text.substr(0, text.size() - rest.size());
+}
+
+std::string padded(std::string_view text, std::size_t width) {
+    const std::size_t columns = columns_in(text);
+    return std::string(text) + std::string(width - std::min(columns, width), ' ');
+}
+
 std::string shortened(std::string_view text, std::size_t width) {
-    const std::string_view head = first_characters(text, width);
+    const std::string_view head = first_columns(text, width);
     if (head.size() == text.size())
         return std::string(text);
-    return std::string(first_characters(text, width - std::min<std::size_t>(width, 3))) + "...";
+    return std::string(first_columns(text, width - std::min<std::size_t>(width, 3))) + "...";
 }
 
 namespace {

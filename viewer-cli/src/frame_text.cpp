@@ -103,7 +103,8 @@ std::map<std::size_t, std::string> vertex_letters(const Replay& replay) {
     };
     const Canvas& canvas = replay.trace().canvas;
     for (std::size_t i = 0; i < names.size() && i < places.size(); ++i) {
-        if (places[i].size() < 2 || characters_in(names[i]) != 1 || printable(names[i]) != names[i])
+        if (places[i].size() < 2 || characters_in(names[i]) != 1 || columns_in(names[i]) != 1 ||
+            printable(names[i]) != names[i])
             continue;
         const auto x = whole(places[i][0]);
         const auto y = whole(places[i][1]);
@@ -137,7 +138,7 @@ std::string title_line(const Trace& trace, const FrameText& about, std::size_t c
     const std::size_t width = std::clamp(columns, steps.size() + 5, page_columns);
     const std::size_t room = width - steps.size() - 2;
     const std::string title = shortened(printable(trace.title), room);
-    return fmt::format("{}{:>{}}", title, steps, width - characters_in(title));
+    return fmt::format("{}{:>{}}", title, steps, width - columns_in(title));
 }
 
 } // namespace

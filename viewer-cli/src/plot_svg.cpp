@@ -256,7 +256,7 @@ private:
         for (const PlotMark& mark : plot_.curves[curve].marks) {
             const double x = x_of(curve, mark);
             const double y = y_of(mark);
-            const double width = label_advance * static_cast<double>(characters_in(mark.label)) + 1;
+            const double width = label_advance * static_cast<double>(columns_in(mark.label)) + 1;
             const double height = label_size;
             const double away = mark.is_on_front ? ring_radius + 1 : mark_radius + 2;
             struct Place {
@@ -389,7 +389,7 @@ std::vector<std::string> wrapped(std::string_view text, std::size_t width) {
         const std::size_t space = std::min(text.find(' '), text.size());
         const std::string_view word = text.substr(0, space);
         text.remove_prefix(std::min(space + 1, text.size()));
-        if (lines.empty() || characters_in(lines.back()) + 1 + characters_in(word) > width)
+        if (lines.empty() || columns_in(lines.back()) + 1 + columns_in(word) > width)
             lines.emplace_back(word);
         else
             lines.back() += fmt::format(" {}", word);

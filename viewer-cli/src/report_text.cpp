@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <fstream>
@@ -198,9 +199,19 @@ Json json_of(const JobReport& job) {
     return json;
 }
 
-/// A field of a CSV file: in quotes if it has to be.
+bool is_number(std::string_view text) {
+    double value = 0;
+    const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
+    return read.ec == std::errc{} && read.ptr == text.data() + text.size();
+}
+
+/// A field of a CSV file: in quotes if it has to be. A spreadsheet would take a name like "=1+1" for
+/// a formula and run it; behind an apostrophe it is text.
 std::string csv_field(std::string_view text) {
     std::string field = printable(text);
+    if (!field.empty() && std::string_view("=+-@").find(field.front()) != std::string_view::npos &&
+        !is_number(field))
+        field.insert(0, "'");
     if (field.find_first_of(",\"\r\n") == std::string::npos)
         return field;
     std::string quoted = "\"";
@@ -252,7 +263,7 @@ std::string report_text(const MeasuredReport& report) {
                 "  ");
     for (const SceneReport& scene : report.scenes) {
         const std::string title = shortened(printable(scene.title), text_width);
-        text += fmt::format("\n{}\n{:=<{}}\n", title, "", characters_in(title));
+        text += fmt::format("\n{}\n{:=<{}}\n", title, "", columns_in(title));
         for (const JobReport& job : scene.jobs)
             put_job(text, job);
         const TraceCost& trace = scene.trace;

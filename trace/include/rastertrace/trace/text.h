@@ -28,8 +28,12 @@ CodePoint first_code_point(std::string_view text);
 /// them: control characters (C0, DEL, C1), line and paragraph separators, direction marks.
 bool is_unsafe(char32_t character);
 
-/// `text` with every unsafe character written as <U+001B>, and every byte that is not UTF-8 as
-/// <0xFF>.
+/// True for characters that nobody sees: of no width (joiners, tags, selectors of variants), fillers,
+/// soft hyphens, marks of annotations; and those that no text should hold, like U+FFFE.
+bool is_invisible(char32_t character);
+
+/// `text` with every unsafe or invisible character written as <U+001B>, and every byte that is not
+/// UTF-8 as <0xFF>: no two texts look alike because of what cannot be seen.
 std::string printable(std::string_view text);
 
 /// How many characters `text` has.
@@ -38,7 +42,17 @@ std::size_t characters_in(std::string_view text);
 /// The first `count` characters of `text`.
 std::string_view first_characters(std::string_view text, std::size_t count);
 
-/// `text`, cut to at most `width` characters; what was cut is told by "..." at the end.
+/// How many columns of a terminal a printable text takes: two for wide characters, none for those
+/// that combine with the one before.
+std::size_t columns_in(std::string_view text);
+
+/// As much of the beginning of `text` as `count` columns hold.
+std::string_view first_columns(std::string_view text, std::size_t count);
+
+/// `text` with blanks behind it, to `width` columns.
+std::string padded(std::string_view text, std::size_t width);
+
+/// `text`, cut to at most `width` columns; what was cut is told by "..." at the end.
 std::string shortened(std::string_view text, std::size_t width);
 
 /// The entry of `known` that `word` was probably meant to be, or "" if none is near.
