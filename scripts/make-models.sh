@@ -159,3 +159,5 @@ model cube >"$folder/cube.obj"
 model tetrahedron >"$folder/tetrahedron.obj"
 model torus 24 12 >"$folder/torus.obj"
 model icosphere >"$folder/icosphere.obj"
+# The scenes of t3-light have their own: an OBJ file lies in the folder of its scene.
+[ $# -gt 0 ] || cp "$folder/icosphere.obj" "$folder/../t3-light/icosphere.obj"

@@ -681,12 +681,12 @@ std::vector<CliffGroup> cliffs_of(const Scene& scene) {
     return CliffFinder(scene).find();
 }
 
-std::vector<ComparedPicture> compared_pictures(const Source& source,
-                                               const MethodOverrides& method) {
+std::vector<ComparedPicture> compared_pictures(const Source& source, const MethodOverrides& method,
+                                               const InputLimits& limits) {
     const auto read_with = [&](std::string_view scalar) {
         MethodOverrides with = method;
         with.emplace_back("scalar", scalar);
-        return read_scene(source, with);
+        return read_scene(source, with, limits);
     };
     const auto drawn_with = [](const PlannedScene& one) { return drawn(one.scene, one.plan); };
     std::optional<Image> exact;

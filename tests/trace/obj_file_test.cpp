@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "picture.h"
 
+#include <rastertrace/trace/input.h>
 #include <rastertrace/trace/obj_file.h>
 
 #include <gtest/gtest.h>
@@ -119,6 +120,19 @@ TEST(ObjFile, IndexForms) {
     EXPECT_EQ(faces_after_four("f 1/1/1 2/2/1 3/1/1"), (std::vector<Corners>{{0, 1, 2}}));
 }
 
+// An index is a whole number, which zeros in front do not change; tinyobjloader reads the same.
+TEST(ObjFile, LeadingZerosChangeNoNumber) {
+    const std::string plain = "v 0 0 0\nv 12.5 0 0\nv 0 -30 0\nf 1 -2 3\n";
+    const std::string zeros = "v 00 0 -00.0\nv 0012.5 00e1 0\nv 0 -003e01 0\nf 01 -02 003\n";
+    const ObjMesh expected = read_obj({"plain.obj", plain}).value();
+    const auto mesh = read_obj({"zeros.obj", zeros});
+    ASSERT_TRUE(mesh) << to_text(mesh.problem());
+    EXPECT_EQ(mesh.value().corners, expected.corners);
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t k = 0; k < 3; ++k)
+            EXPECT_EQ(mesh.value().vertices[i][k].exact(), expected.vertices[i][k].exact());
+}
+
 TEST(ObjFile, NegativeIndicesCountFromTheLastVertexSoFar) {
     EXPECT_EQ(faces_after_four("f -1 -2 -3"), (std::vector<Corners>{{3, 2, 1}}));
     EXPECT_EQ(faces_after_four("f -4/-2/-1 -3/-1/-1 2/1/1"), (std::vector<Corners>{{0, 1, 1}}));
@@ -160,20 +174,29 @@ TEST(ObjFile, UnknownStatement) {
               "mtllib, found \"xyz\"\n"
               "  xyz 1 2\n"
               "  ^");
-    EXPECT_EQ(complaint("\\"), "model.obj:1:1: expected a statement out of v, vt, vn, f, l, p, g, "
-                               "o, s, usemtl, mtllib, found \"\\\"\n"
-                               "\\\n"
-                               "^");
+    EXPECT_EQ(complaint("v 0 0 0\n\\"),
+              "model.obj:2:1: expected a statement out of v, vt, vn, f, l, p, g, "
+              "o, s, usemtl, mtllib, found \"\\\"\n"
+              "\\\n"
+              "^");
     EXPECT_EQ(complaint("v 0 0 0\rv 1 1 1\rf 1 1 1\r"),
               "model.obj:1:7: expected a number, found \"0<U+000D>v\"\n"
               "v 0 0 0\n"
               "      ^")
         << "a carriage return alone is no line end";
-    EXPECT_EQ(complaint("\0\x1B[2J"s),
-              "model.obj:1:1: expected a statement out of v, vt, vn, f, l, p, g, o, s, usemtl, "
-              "mtllib, found \"<U+0000><U+001B>[2J\"\n"
-              "<U+0000><U+001B>[2J\n"
-              "^");
+    EXPECT_EQ(complaint("v 0 0 0\n\0\x1B[2J"s), "model.obj:2:1: expected text, found a zero byte");
+}
+
+// A scene from somebody else might name a file that holds a secret.
+TEST(ObjFile, OfWhatIsNoObjFileNothingIsQuoted) {
+    constexpr std::string_view hint =
+        "\nhint: its statements are v, vt, vn, f, l, p, g, o, s, usemtl, mtllib";
+    EXPECT_EQ(complaint("root:$6$salt$hash:19000:0\n"),
+              "model.obj:1:1: expected an OBJ file, found a line that is none of it" +
+                  std::string(hint));
+    EXPECT_EQ(complaint("# a comment\ng group\n\n password=1234\n"),
+              "model.obj:4:2: expected an OBJ file, found a line that is none of it" +
+                  std::string(hint));
 }
 
 TEST(ObjFile, MissingFaces) {
@@ -182,9 +205,11 @@ TEST(ObjFile, MissingFaces) {
     EXPECT_EQ(complaint("v 0 0 0\nv 1 0 0\n"),
               "model.obj:3:1: expected at least one face, found none\n"
               "hint: a face of three vertices: f 1 2 3");
+    EXPECT_EQ(complaint("v 0 0 0\nl 1 2"), "model.obj:2:6: expected at least one face, found none\n"
+                                           "l 1 2\n"
+                                           "     ^\n"
+                                           "hint: a face of three vertices: f 1 2 3");
     EXPECT_EQ(complaint("l 1 2"), "model.obj:1:6: expected at least one face, found none\n"
-                                  "l 1 2\n"
-                                  "     ^\n"
                                   "hint: a face of three vertices: f 1 2 3");
 }
 
@@ -450,7 +475,7 @@ const fs::path models = fs::path(RASTERTRACE_EXAMPLES) / "models";
 const fs::path make_models = fs::path(RASTERTRACE_EXAMPLES) / "../scripts/make-models.sh";
 
 std::string text_of(const fs::path& path) {
-    const auto source = read_source(path.string());
+    const auto source = read_named_file(path.string(), {});
     EXPECT_TRUE(source) << to_text(source.problem());
     return source ? source.value().text : "";
 }

@@ -261,7 +261,75 @@ TEST(Trace, CountsThatDoNotAgreeAreTold) {
     EXPECT_EQ(
         damage(with(trace_text(first_triangle()), "{\"step\":\"pixel\",\"x\":2,\"y\":5},\n", "")),
         (std::vector<std::string>{"expected 62 steps as the end record says, found 61",
-                                  "expected 49 pixel steps as the end record says, found 48"}));
+                                  "expected 49 pixel steps as the end record says, found 48",
+                                  "expected 49 pixels as the end record says, found 48"}));
+    const std::string foreign =
+        with(with(trace_text(first_triangle()), "\"count\":{", "\"count\":{\"tile\":2,"), "],\n",
+             "{\"step\":\"tile\"}],\n");
+    EXPECT_EQ(damage(with(with(foreign, "}\n{\"step\":\"tile\"}", "},\n{\"step\":\"tile\"}\n"),
+                          "\"steps\":62", "\"steps\":63")),
+              std::vector<std::string>{"expected 2 tile steps as the end record says, found 1"});
+}
+
+TEST(Trace, APictureThatIsNotThatOfTheEndRecordIsTold) {
+    const std::string whole = trace_text(first_triangle());
+    EXPECT_EQ(damage(with(whole, "\"pixels\":49", "\"pixels\":50")),
+              std::vector<std::string>{"expected 50 pixels as the end record says, found 49"});
+    const auto moved = damage(with(whole, "\"x\":2,\"y\":5}", "\"x\":2,\"y\":6}"));
+    ASSERT_EQ(moved.size(), 1u);
+    EXPECT_TRUE(moved[0].starts_with(
+        "expected the picture 96f1b027ae1e2a78 as the end record says, found "));
+}
+
+// Steps that are not there cannot be missed, but those that are there are held against the whole.
+TEST(Trace, APartOfATraceIsHeldAgainstWhatItCanTell) {
+    const auto part = [](const StepFilter& filter) {
+        std::string text;
+        StringOutput output(text);
+        write_trace(first_triangle(), {.layout = TraceLayout::json, .filter = filter}, output);
+        return text;
+    };
+    StepFilter rows;
+    rows.only = {StepKind::scanline};
+    StepFilter pixels;
+    pixels.only = {StepKind::pixel};
+    StepFilter region;
+    region.region = Region{0, 0, 3, 3};
+    StepFilter other;
+    other.primitive = "XYZ";
+    for (const StepFilter& filter : {rows, pixels, region, other})
+        EXPECT_EQ(damage(part(filter)), std::vector<std::string>{});
+
+    EXPECT_EQ(damage(with(part(rows), "\"pixels\":49", "\"pixels\":7")), std::vector<std::string>{})
+        << "no pixel is there to be counted";
+    EXPECT_EQ(damage(with(part(pixels), "\"pixels\":49", "\"pixels\":50")),
+              std::vector<std::string>{"expected 50 pixels as the end record says, found 49"});
+    EXPECT_EQ(
+        damage(with(part(region), "\"pixels\":49", "\"pixels\":7")),
+        std::vector<std::string>{"expected at most 7 pixels as the end record says, found 15"});
+    EXPECT_EQ(damage(with(part(rows), "\"steps\":9", "\"steps\":8")),
+              std::vector<std::string>{"expected 8 steps as the end record says, found 9"});
+}
+
+TEST(Trace, NumbersBeyondDoublesAreRefusedInEveryLayout) {
+    for (const std::string& number :
+         {std::string("1e999"), std::string("-1E+400"), "1" + std::string(400, '0')}) {
+        const std::string step =
+            with(R"({"step":"pixel","x":2,"y":5,"note":[{"a":NUMBER}]})", "NUMBER", number);
+        const std::string line =
+            with(trace_text(first_triangle()), R"({"step":"pixel","x":2,"y":5})", step);
+        std::string one_line = line;
+        one_line.erase(std::remove(one_line.begin(), one_line.end(), '\n'), one_line.end());
+        const std::string lines = with(trace_text(first_triangle(), TraceLayout::jsonl),
+                                       R"({"step":"pixel","x":2,"y":5})", step);
+        for (const std::string& text : {line, one_line, lines})
+            EXPECT_NE(complaint(text).find("expected a number up to 1.797e308, found"),
+                      std::string::npos)
+                << complaint(text);
+    }
+    const std::string large = with(trace_text(first_triangle()), R"({"step":"pixel","x":2,"y":5})",
+                                   R"({"step":"pixel","x":2,"y":5,"note":[1e308,1e-999]})");
+    EXPECT_EQ(damage(large), std::vector<std::string>{});
 }
 
 TEST(Trace, AHeaderThatCannotBeUsed) {

@@ -8,6 +8,7 @@
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/ioctl.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -37,6 +38,7 @@ struct Outcome {
     int status = -1; ///< as the shell tells it: 128 + signal if it was killed
     std::string out;
     std::string err;
+    long peak_memory = 0; ///< of the largest program that ran, in bytes
 };
 
 class ProgramTest : public testing::Test {
@@ -73,9 +75,10 @@ protected:
                   0);
         posix_spawn_file_actions_destroy(&actions);
         int status = 0;
-        ::waitpid(child, &status, 0);
+        struct rusage usage {};
+        ::wait4(child, &status, 0, &usage);
         return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), content(".out"),
-                content(".err")};
+                content(".err"), 1024 * usage.ru_maxrss};
     }
 
     void write(const std::string& name, const std::string& text) const {
@@ -571,6 +574,239 @@ TEST_F(ProgramTest, FilesThatCannotBeRead) {
     EXPECT_EQ(shell("head -c 3000 $rastertrace >binary; $rastertrace show binary").status, 2);
 }
 
+// What stands behind a zero byte would go unseen.
+TEST_F(ProgramTest, AZeroByteIsRefusedInEveryFile) {
+    write("scene.json", R"({"vertices":{"A":[1,1]},"points":["A"]})" + std::string("\0?", 2));
+    EXPECT_EQ(shell("$rastertrace trace scene.json").err,
+              "rastertrace: scene.json:1:40: expected text, found a zero byte\n"
+              "{\"vertices\":{\"A\":[1,1]},\"points\":[\"A\"]}<U+0000>?\n" +
+                  std::string(39, ' ') + "^\n");
+    shell("$rastertrace trace $examples/t0-fill/first-triangle.json -o t.jsonl; "
+          "printf '\\000?' >> t.jsonl");
+    const Outcome trace = shell("$rastertrace show t.jsonl");
+    EXPECT_EQ(trace.status, 2);
+    EXPECT_THAT(trace.err, HasSubstr("expected text, found a zero byte"));
+    write("a.obj", std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n# \0\nf 9 9 9\n", 44));
+    write("mesh.json", R"({"canvas":{"width":9,"height":9},"meshes":[{"obj":"a.obj"}]})");
+    const Outcome mesh = shell("$rastertrace trace mesh.json");
+    EXPECT_EQ(mesh.status, 2);
+    EXPECT_THAT(mesh.err, HasSubstr("a.obj:5:3: expected text, found a zero byte"));
+}
+
+TEST_F(ProgramTest, ATraceThatContradictsItselfIsTold) {
+    write("t.json", R"({"rastertrace":1,"canvas":{"width":3,"height":3},"steps":[
+{"step":"pixel","x":0,"y":0}
+],
+"end":{"steps":1,"pixels":99}})");
+    for (const std::string command : {"show", "stats"}) {
+        const Outcome told = shell("$rastertrace " + command + " t.json");
+        EXPECT_EQ(told.status, 2);
+        EXPECT_EQ(told.err,
+                  "rastertrace: t.json:4:7: expected 99 pixels as the end record says, found 1\n"
+                  "\"end\":{\"steps\":1,\"pixels\":99}}\n"
+                  "      ^\n");
+    }
+}
+
+// A script whose variable is empty must not get the standard output, or the whole catalogue.
+TEST_F(ProgramTest, AnEmptyWordIsRefused) {
+    for (const std::string words :
+         {"stress ''", "trace ''", "show ''", "stats ''", "plan ''", "report ''", "help ''",
+          "trace $examples/t0-fill/first-triangle.json -o ''",
+          "trace $examples/t0-fill/first-triangle.json --output=",
+          "show $examples/t0-fill/first-triangle.json --every ''", "stress --case ''"}) {
+        const Outcome refused = shell("$rastertrace " + words);
+        EXPECT_EQ(refused.status, 2) << words;
+        EXPECT_EQ(refused.out, "") << words;
+        EXPECT_THAT(refused.err, EndsWith(", found \"\"\n")) << words;
+    }
+    EXPECT_EQ(shell("$rastertrace stress ''").err,
+              "rastertrace: stress: expected a word behind it, found \"\"\n");
+}
+
+TEST_F(ProgramTest, WhatNeverEndsIsRefusedAtOnce) {
+    EXPECT_EQ(shell("timeout 20 $rastertrace show /dev/zero").err.substr(0, 64),
+              "rastertrace: /dev/zero:1:1: expected text, found a zero byte\n<U+");
+    const Outcome random = shell("timeout 20 $rastertrace plan /dev/urandom");
+    EXPECT_EQ(random.status, 2);
+    EXPECT_THAT(random.err, StartsWith("rastertrace: /dev/urandom:"));
+    const Outcome words = shell("yes word | timeout 20 $rastertrace stats -");
+    EXPECT_EQ(words.status, 2);
+    EXPECT_EQ(words.err, "rastertrace: standard input:1:1: expected a JSON value, found 'word'\n"
+                         "word\n"
+                         "^\n");
+    const Outcome blanks = shell("yes '' | timeout 20 $rastertrace show - --max-input 1MB");
+    EXPECT_EQ(blanks.status, 2);
+    EXPECT_EQ(blanks.err,
+              "rastertrace: standard input: expected a file of at most 1 MB, found a larger one\n"
+              "hint: --max-input SIZE raises the limit\n");
+    EXPECT_EQ(shell("mkfifo pipe; cat $examples/t0-fill/first-triangle.json >pipe & "
+                    "timeout 20 $rastertrace show pipe")
+                  .status,
+              0);
+}
+
+TEST_F(ProgramTest, TheLimitOnInputCanBeRaised) {
+    const std::string scene = R"({"canvas":{"width":9,"height":9},"meshes":[{"obj":"a.obj"}]})";
+    write("scene.json", std::string(1500, ' ') + scene);
+    write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n" + std::string(2500, '#'));
+    const Outcome whole = shell("$rastertrace plan scene.json");
+    EXPECT_EQ(whole.status, 0) << whole.err;
+    const Outcome refused = shell("$rastertrace plan scene.json --max-input 1kB");
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_EQ(refused.err,
+              "rastertrace: scene.json: expected a file of at most 1000 bytes, found a larger one\n"
+              "hint: --max-input SIZE raises the limit\n");
+    EXPECT_THAT(shell("$rastertrace plan scene.json --max-input 2kB").err,
+                HasSubstr("expected a file of at most 2000 bytes, found a larger one (a.obj)"));
+    EXPECT_EQ(shell("$rastertrace plan scene.json --max-input 3kB").status, 0);
+
+    // A trace may have any size.
+    EXPECT_EQ(shell("$rastertrace trace scene.json -o t.json; $rastertrace stats t.json "
+                    "--max-input 1kB")
+                  .status,
+              0);
+    EXPECT_EQ(shell("$rastertrace show scene.json --max-input lots").err,
+              "rastertrace: --max-input: expected a size in kB, MB or GB, like 512MB, found "
+              "\"lots\"\n");
+}
+
+TEST_F(ProgramTest, ALineOfATraceHasAnEnd) {
+    const Outcome refused =
+        shell("(echo '{\"rastertrace\":1,\"canvas\":{\"width\":3,\"height\":3}}'; "
+              "head -c 16000001 /dev/zero | tr '\\000' ' '; echo '{\"step\":\"pixel\"}') | "
+              "$rastertrace stats -");
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_THAT(refused.err, HasSubstr("standard input:2:1: expected lines of at most 16 MB in a "
+                                       "trace, found a longer one"));
+}
+
+// The largest file that the file system makes has no byte on the disk.
+TEST_F(ProgramTest, AFileOfAnySizeIsReadBlockByBlock) {
+    const Outcome huge = shell("for size in 9223372036854775807 17592186040320 1099511627776; do "
+                               "truncate -s $size huge 2>/dev/null && break; done; "
+                               "$rastertrace show huge");
+    EXPECT_EQ(huge.status, 2);
+    EXPECT_THAT(huge.err, StartsWith("rastertrace: huge:1:1: expected text, found a zero byte\n"));
+}
+
+// 8 bytes for each byte of input, and what the program itself needs.
+TEST_F(ProgramTest, ReadingTakesLittleMemory) {
+#ifdef __SANITIZE_ADDRESS__
+    GTEST_SKIP() << "the sanitizer needs memory of its own";
+#endif
+    constexpr long of_program = 16'000'000;
+    const auto peak = [this](const std::string& name) {
+        const Outcome outcome = shell("$rastertrace plan " + name);
+        EXPECT_LE(outcome.peak_memory,
+                  8 * static_cast<long>(fs::file_size(folder_ / name)) + of_program)
+            << name;
+        return outcome;
+    };
+    // Straight to the disk: a program that is started counts the memory of the one that starts it.
+    const auto write_around = [this](const std::string& name, std::string_view before,
+                                     std::string_view after, const auto& item) {
+        std::ofstream file(folder_ / name);
+        file << before;
+        for (int i = 0; i < 300'000; ++i)
+            file << item(i) << ',';
+        file << after;
+    };
+    const auto numbers = [](int) { return "1,1,1,1,1,1,1,1,1,1,1,1"; };
+    write_around("unknown.json", "{\"unknown\":[", "1]}", numbers);
+    EXPECT_THAT(peak("unknown.json").err, HasSubstr("expected a key out of"));
+    write_around("wrong.json", "{\"vertices\":{\"A\":[", "1]}}", numbers);
+    EXPECT_THAT(peak("wrong.json").err, HasSubstr("found an array of 3600001"));
+    write_around("broken.json", "{\"vertices\":{\"A\":[", "1}}", numbers);
+    EXPECT_THAT(peak("broken.json").err, HasSubstr("expected ',' or ']', found '}'"));
+    write_around("keys.json", "{", "\"last\":1}",
+                 [](int i) { return "\"" + std::to_string(1'000'000 + i) + "\":1"; });
+    EXPECT_THAT(peak("keys.json").err, HasSubstr("expected a key out of"));
+    write_around("mesh.json", R"({"canvas":{"width":9,"height":9},"meshes":[{"vertices":{)",
+                 R"("A":[0,0,1],"B":[3,0,1],"C":[0,3,1]},"faces":["ABC"]}]})", [](int i) {
+                     return "\"v" + std::to_string(i) + "\":[" + std::to_string(i % 89) + ".25,-" +
+                            std::to_string(i % 97) + ".125,0.5]";
+                 });
+    EXPECT_EQ(peak("mesh.json").status, 0);
+}
+
+// A scene from somewhere else cannot look around.
+TEST_F(ProgramTest, AnObjFileLiesInTheFolderOfItsScene) {
+    shell("mkdir -p scenes/models; ln -s ../../outside.obj scenes/models/link.obj; "
+          "ln -s models/inside.obj scenes/alias.obj");
+    const std::string obj = "v 0 0 1\nv 1 0 1\nv 0 1 1\nf 1 2 3\n";
+    write("outside.obj", obj);
+    write("scenes/models/inside.obj", obj);
+    const auto scene = [](const std::string& path) {
+        return R"({"canvas":{"width":9,"height":9},"meshes":[{"obj":")" + path + "\"}]}";
+    };
+    for (const std::string path : {"models/inside.obj", "alias.obj", "models/../models/inside.obj",
+                                   "../scenes/models/inside.obj"}) {
+        write("scenes/scene.json", scene(path));
+        const Outcome drawn = shell("$rastertrace plan scenes/scene.json");
+        EXPECT_EQ(drawn.status, 0) << path << drawn.err;
+        EXPECT_EQ(shell("cd scenes; $rastertrace plan - <scene.json").status, 0) << path;
+    }
+    const std::string absolute = folder_ / "outside.obj";
+    for (const std::string& path :
+         {std::string("../outside.obj"), std::string("models/link.obj"), absolute}) {
+        write("scenes/scene.json", scene(path));
+        const Outcome refused = shell("$rastertrace plan scenes/scene.json");
+        EXPECT_EQ(refused.status, 2) << path;
+        EXPECT_THAT(refused.err, HasSubstr("expected an OBJ file in the scene's folder or below, "
+                                           "found \""))
+            << path;
+        EXPECT_THAT(refused.err, EndsWith("hint: --allow-outside lets it lie anywhere\n")) << path;
+        for (const std::string command : {"plan", "trace", "show", "stats", "stress"}) {
+            const Outcome allowed =
+                shell("$rastertrace " + command + " scenes/scene.json --allow-outside");
+            EXPECT_EQ(allowed.status, 0) << path << allowed.err;
+        }
+    }
+    write("scenes/scene.json", scene("../no-such-file.obj"));
+    EXPECT_THAT(shell("$rastertrace plan scenes/scene.json").err, HasSubstr("or below, found"))
+        << "nothing is told about files outside";
+
+    write("scenes/shadow", "root:$6$secret:19000:0:99999:7:::\n");
+    write("scenes/scene.json", scene("shadow"));
+    EXPECT_EQ(shell("$rastertrace plan scenes/scene.json").err,
+              "rastertrace: scenes/shadow:1:1: expected an OBJ file, found a line that is none of "
+              "it\n"
+              "hint: its statements are v, vt, vn, f, l, p, g, o, s, usemtl, mtllib\n");
+}
+
+TEST_F(ProgramTest, CaretsAndTitlesCountColumns) {
+    write("scene.json", "{\"title\":\"三e\u0301\", \"tile\":1}");
+    EXPECT_EQ(
+        shell("$rastertrace plan scene.json").err,
+        "rastertrace: scene.json:1:17: expected a key out of title, canvas, vertices, colors, "
+        "triangles, outlines, lines, points, meshes, model, camera, projection, viewport, "
+        "light, method, keep, found \"tile\"\n"
+        "{\"title\":\"三e\u0301\", \"tile\":1}\n"
+        "                ^\n"
+        "hint: did you mean \"title\"?\n");
+
+    // A wide title moves nothing, and a wide name marks no pixel, which is one column.
+    const auto shown = [this](const std::string& title, const std::string& name) {
+        write("scene.json", "{\"title\":\"" + title + "\",\"vertices\":{\"" + name +
+                                "\":[1,1]},\"points\":[[\"" + name +
+                                "\"]],"
+                                "\"canvas\":{\"width\":5,\"height\":5}}");
+        std::string out = shell("$rastertrace show scene.json").out;
+        return out.replace(0, title.size(), "TITLE");
+    };
+    EXPECT_EQ(shown("三角e\u0301", "三"), shown("abcde", "long"));
+}
+
+TEST_F(ProgramTest, NamesThatDifferLookDifferent) {
+    write("scene.json", "{\"vertices\":{\"A\":[1,1]},\"points\":[[\"A\u200B\"]]}");
+    EXPECT_EQ(shell("$rastertrace plan scene.json").err,
+              "rastertrace: scene.json:1:36: expected the name of a vertex, found \"A<U+200B>\"\n"
+              "{\"vertices\":{\"A\":[1,1]},\"points\":[[\"A<U+200B>\"]]}\n"
+              "                                   ^\n"
+              "hint: the scene has the vertices A\n");
+}
+
 TEST_F(ProgramTest, AFullDiskLeavesNoHalfFile) {
     EXPECT_EQ(shell("$rastertrace trace $examples/t0-fill/first-triangle.json >/dev/full").status,
               3);
@@ -985,6 +1221,20 @@ TEST_F(ProgramTest, ReportMeasuresErrorAgainstRunTime) {
     EXPECT_THAT(content("r.html"), EndsWith("</html>\n"));
     EXPECT_THAT(content("r.csv"), StartsWith("scene,job,method,knob,setting,measure,error,"));
     EXPECT_THAT(content("r.json"), StartsWith("{\n \"report\": 1,\n"));
+}
+
+// A title may be anything: in SVG and HTML it is XML, and in CSV no formula.
+TEST_F(ProgramTest, ReportQuotesTitlesForEveryFormat) {
+    write("scene.json", "{\"title\":\"=1+1\uFFFE\uFFFF\",\"vertices\":{\"A\":[0,0],\"B\":[5,0],"
+                        "\"C\":[0,5]},\"triangles\":[\"ABC\"]}");
+    const Outcome written = shell("$rastertrace report scene.json --quick --jobs edge "
+                                  "-o r.svg -o r.html -o r.csv");
+    EXPECT_EQ(written.status, 0) << written.err;
+    for (const std::string name : {"r.svg", "r.html"}) {
+        EXPECT_THAT(content(name), HasSubstr("=1+1&lt;U+FFFE&gt;&lt;U+FFFF&gt;")) << name;
+        EXPECT_EQ(content(name).find("\uFFFE"), std::string::npos) << name;
+    }
+    EXPECT_THAT(content("r.csv"), HasSubstr("\n'=1+1<U+FFFE><U+FFFF>,"));
 }
 
 TEST_F(ProgramTest, ReportHasTheSameNumbersTwiceButForTheTimes) {

@@ -58,9 +58,7 @@ Result<CanvasJson> read_canvas_json(const Source& source, const JsonValue& value
         return expecting(value, R"(a canvas, like {"width": 17, "height": 14})");
 
     CanvasJson canvas;
-    for (std::size_t i = 0; i < value.keys.size(); ++i) {
-        const JsonValue& key = value.keys[i];
-        const JsonValue& item = value.items[i];
+    for (const auto& [key, item] : value.members()) {
         if (key.text == "width" || key.text == "height") {
             const auto side = side_in(item);
             if (!side)

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "json_document.h"
 
+#include "json_scanner.h"
+#include "name_index.h"
+#include "zero_byte.h"
+
 #include <rastertrace/trace/text.h>
 
 #include <fmt/format.h>
@@ -8,39 +12,113 @@
 
 #include <algorithm>
 #include <cctype>
-#include <optional>
-#include <unordered_set>
+#include <limits>
+#include <utility>
+#include <vector>
 
 namespace rastertrace {
 
-const JsonValue* JsonValue::find(std::string_view key) const {
-    for (std::size_t i = 0; i < keys.size(); ++i)
-        if (keys[i].text == key)
-            return &items[i];
-    return nullptr;
+namespace {
+
+constexpr std::string_view blanks = " \t\r\n";
+
+/// How much of a word is shown.
+constexpr std::size_t shown_of_word = 40;
+
+/// The offset behind the string, number or word that begins at `begin`.
+std::size_t end_of_token(std::string_view text, std::size_t begin) {
+    if (text[begin] != '"')
+        return std::min(text.find_first_of(" \t\r\n,:]}", begin), text.size());
+    std::size_t at = begin + 1;
+    while (text[at] != '"')
+        at += text[at] == '\\' ? 2 : 1;
+    return at + 1;
+}
+
+JsonValue::Kind kind_of(char first) {
+    switch (first) {
+    case '{':
+        return JsonValue::Kind::object;
+    case '[':
+        return JsonValue::Kind::array;
+    case '"':
+        return JsonValue::Kind::string;
+    case 't':
+    case 'f':
+        return JsonValue::Kind::boolean;
+    case 'n':
+        return JsonValue::Kind::null;
+    default:
+        return JsonValue::Kind::number;
+    }
+}
+
+/// A string, number or word as plain text.
+std::string text_of_token(std::string_view text, std::size_t begin) {
+    return plain_text(text.substr(begin, end_of_token(text, begin) - begin));
+}
+
+bool is_container(JsonValue::Kind kind) {
+    return kind == JsonValue::Kind::array || kind == JsonValue::Kind::object;
+}
+
+} // namespace
+
+JsonValue::JsonValue(const JsonDocument& document, std::uint32_t node)
+    : begin(document.nodes_[node].begin), document_(&document), node_(node) {
+    kind = kind_of(document.text()[begin]);
+    if (!is_container(kind) && kind != Kind::null)
+        text = text_of_token(document.text(), begin);
+}
+
+std::size_t JsonValue::end() const {
+    const std::string_view all = document_->text();
+    if (!is_container(kind))
+        return end_of_token(all, begin);
+    // Behind the last thing inside of it comes nothing but its bracket.
+    const std::uint32_t next = document_->nodes_[node_].next;
+    std::uint32_t last = node_;
+    for (std::uint32_t node = node_ + 1; node != next; node = document_->nodes_[node].next)
+        last = node;
+    const std::size_t inside = last == node_ ? begin + 1 : JsonValue(*document_, last).end();
+    return all.find_first_not_of(blanks, inside) + 1;
+}
+
+std::optional<JsonValue> JsonValue::find(std::string_view key) const {
+    for (const auto& [name, value] : members())
+        if (name.text == key)
+            return value;
+    return std::nullopt;
+}
+
+JsonElements JsonValue::elements() const {
+    const std::uint32_t end = document_->nodes_[node_].next;
+    return {*document_, kind == Kind::array ? node_ + 1 : end, end};
+}
+
+JsonMembers JsonValue::members() const {
+    const std::uint32_t end = document_->nodes_[node_].next;
+    return {*document_, kind == Kind::object ? node_ + 1 : end, end};
 }
 
 std::string described(const JsonValue& value) {
-    constexpr std::size_t width = 40;
     switch (value.kind) {
     case JsonValue::Kind::null:
         return "null";
     case JsonValue::Kind::boolean:
         return value.text;
     case JsonValue::Kind::number:
-        return shortened(value.text, width);
+        return shortened(value.text, shown_of_word);
     case JsonValue::Kind::string:
-        return fmt::format("\"{}\"", shortened(value.text, width));
+        return fmt::format("\"{}\"", shortened(value.text, shown_of_word));
     case JsonValue::Kind::array:
-        return value.items.empty() ? "an empty array"
-                                   : fmt::format("an array of {}", value.items.size());
+        return value.elements().empty() ? "an empty array"
+                                        : fmt::format("an array of {}", value.elements().size());
     case JsonValue::Kind::object:
         break;
     }
     return "an object";
 }
-
-namespace {
 
 using nlohmann::json;
 
@@ -48,39 +126,38 @@ using nlohmann::json;
 class DocumentBuilder final : public nlohmann::json_sax<json> {
 public:
     DocumentBuilder(const Source& source, std::size_t begin, std::size_t end)
-        : source_(source), position_(begin), begin_(begin), end_(end) {
+        : source_(source), document_(source, end), position_(begin), begin_(begin), end_(end) {
         constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
         if (std::string_view(source.text).substr(begin).starts_with(byte_order_mark))
             position_ += byte_order_mark.size();
     }
 
-    JsonValue take_root() { return std::move(root_); }
+    JsonDocument take_document() { return std::move(document_); }
     const std::optional<Problem>& problem() const { return problem_; }
 
-    bool null() override { return add(JsonValue::Kind::null, {}); }
-    bool boolean(bool value) override {
-        return add(JsonValue::Kind::boolean, value ? "true" : "false");
-    }
-    bool number_integer(number_integer_t) override { return add_number(); }
-    bool number_unsigned(number_unsigned_t) override { return add_number(); }
-    bool number_float(number_float_t, const string_t&) override { return add_number(); }
-    bool string(string_t& value) override { return add(JsonValue::Kind::string, std::move(value)); }
+    bool null() override { return add(); }
+    bool boolean(bool) override { return add(); }
+    bool number_integer(number_integer_t) override { return add(); }
+    bool number_unsigned(number_unsigned_t) override { return add(); }
+    bool number_float(number_float_t, const string_t&) override { return add(); }
+    bool string(string_t&) override { return add(); }
     bool binary(binary_t&) override { return false; }
-    bool start_object(std::size_t) override { return open(JsonValue::Kind::object); }
-    bool start_array(std::size_t) override { return open(JsonValue::Kind::array); }
+    bool start_object(std::size_t) override { return open(); }
+    bool start_array(std::size_t) override { return open(); }
     bool end_object() override { return close(); }
     bool end_array() override { return close(); }
 
     bool key(string_t& value) override {
-        JsonValue name = token(JsonValue::Kind::string, std::move(value));
-        Container& object = open_.back();
-        if (!object.seen.insert(name.text).second) {
-            problem_ =
-                problem_at(source_, name.begin,
-                           fmt::format("expected each key once, found {} again", described(name)));
+        const std::uint32_t node = add_node();
+        const auto name_of = [this](std::uint32_t other) {
+            return text_of_token(document_.text(), document_.nodes_[other].begin);
+        };
+        if (!open_.back().keys.insert(node, name_of)) {
+            problem_ = problem_at(source_, document_.nodes_[node].begin,
+                                  fmt::format("expected each key once, found \"{}\" again",
+                                              shortened(value, shown_of_word)));
             return false;
         }
-        object.value.keys.push_back(std::move(name));
         after_key_ = true;
         return true;
     }
@@ -93,70 +170,59 @@ public:
 
 private:
     struct Container {
-        JsonValue value;
-        std::unordered_set<std::string> seen; ///< keys
+        std::uint32_t node;
+        bool is_object;
+        NameIndex keys;
     };
 
-    /// The bytes of the next token, which the parser has already accepted.
-    JsonValue token(JsonValue::Kind kind, std::string text) {
-        const std::string& all = source_.text;
-        position_ = all.find_first_not_of(" \t\r\n,:", position_);
-        JsonValue value;
-        value.kind = kind;
-        value.begin = position_;
-        value.text = std::move(text);
-        if (all[position_] == '"') {
-            ++position_;
-            while (all[position_] != '"')
-                position_ += all[position_] == '\\' ? 2 : 1;
-            ++position_;
-        } else if (std::string_view("[]{}").find(all[position_]) != std::string_view::npos) {
-            ++position_;
-        } else {
-            position_ = std::min(all.find_first_of(" \t\r\n,:]}", position_), end_);
-        }
-        value.end = position_;
+    bool is_empty(const Container& container) const {
+        return document_.nodes_.size() == container.node + std::size_t{1};
+    }
+
+    /// Goes to the next token, which the parser has already accepted, and behind it. Returns where
+    /// it begins.
+    std::size_t take_token() {
+        const std::string_view text = document_.text();
+        const std::size_t begin = text.find_first_not_of(" \t\r\n,:", position_);
+        const bool is_bracket =
+            std::string_view("[]{}").find(text[begin]) != std::string_view::npos;
+        position_ = is_bracket ? begin + 1 : end_of_token(text, begin);
         after_key_ = false;
-        return value;
+        return begin;
     }
 
-    bool add_number() {
-        JsonValue number = token(JsonValue::Kind::number, {});
-        number.text = source_.text.substr(number.begin, number.end - number.begin);
-        return place(std::move(number));
+    /// Adds the next token with nothing inside of it.
+    std::uint32_t add_node() {
+        const auto node = static_cast<std::uint32_t>(document_.nodes_.size());
+        document_.nodes_.push_back({static_cast<std::uint32_t>(take_token()), node + 1});
+        return node;
     }
 
-    bool add(JsonValue::Kind kind, std::string text) { return place(token(kind, std::move(text))); }
-
-    bool place(JsonValue value) {
-        if (open_.empty()) {
-            root_ = std::move(value);
-            has_root_ = true;
-        } else {
-            open_.back().value.items.push_back(std::move(value));
-        }
+    bool add() {
+        add_node();
         return true;
     }
 
-    bool open(JsonValue::Kind kind) {
-        JsonValue container = token(kind, {});
+    bool open() {
+        const std::uint32_t node = add_node();
+        const std::size_t begin = document_.nodes_[node].begin;
         if (open_.size() == deepest_json) {
-            problem_ = problem_at(source_, container.begin,
+            problem_ = problem_at(source_, begin,
                                   fmt::format("expected at most {} arrays and objects in one "
                                               "another, found one more",
                                               deepest_json));
             return false;
         }
-        open_.push_back({std::move(container), {}});
+        open_.push_back({node, source_.text[begin] == '{', {}});
         return true;
     }
 
     bool close() {
-        token(JsonValue::Kind::null, {});
-        JsonValue value = std::move(open_.back().value);
+        take_token();
+        document_.nodes_[open_.back().node].next =
+            static_cast<std::uint32_t>(document_.nodes_.size());
         open_.pop_back();
-        value.end = position_;
-        return place(std::move(value));
+        return true;
     }
 
     /// What the parser stumbled over, in our words.
@@ -191,7 +257,7 @@ private:
                 fmt::format(
                     "expected a number up to 1.797e308, found {}",
                     shortened(text.substr(place, text.find_first_of(" \t\r\n,]}", place) - place),
-                              40)));
+                              shown_of_word)));
         return problem_at(
             source_, place,
             fmt::format("expected {}, found {}", expected_at(place), found_at(place)));
@@ -202,14 +268,14 @@ private:
             std::string_view(source_.text).substr(begin_, place - begin_);
         const std::size_t last = before.find_last_not_of(" \t\r\n");
         const char previous = last == std::string_view::npos ? '\0' : before[last];
-        const bool in_object = !open_.empty() && open_.back().value.kind == JsonValue::Kind::object;
+        const bool in_object = !open_.empty() && open_.back().is_object;
         if (after_key_ && previous != ':')
             return "':'";
         if (previous == ':')
             return "a value";
         if (open_.empty())
-            return has_root_ ? "the end of the file" : "a JSON value";
-        const bool is_first = open_.back().value.items.empty();
+            return document_.nodes_.empty() ? "a JSON value" : "the end of the file";
+        const bool is_first = is_empty(open_.back());
         if (in_object)
             return is_first ? "a key in double quotes or '}'"
                             : (previous == ',' ? "a key in double quotes" : "',' or '}'");
@@ -237,24 +303,30 @@ private:
     }
 
     const Source& source_;
+    JsonDocument document_;
     std::size_t position_; ///< behind the last token
     std::size_t begin_;
     std::size_t end_;
     std::vector<Container> open_; ///< arrays and objects not yet closed, outermost first
     bool after_key_ = false;
-    JsonValue root_;
-    bool has_root_ = false;
     std::optional<Problem> problem_;
 };
 
-} // namespace
-
-Result<JsonValue> parse_json(const Source& source, std::size_t begin, std::size_t size) {
+Result<JsonDocument> parse_json(const Source& source, std::size_t begin, std::size_t size) {
+    // The parser takes a zero byte for the end.
+    if (begin == 0)
+        if (auto problem = zero_byte_in(source))
+            return *std::move(problem);
     const std::string_view text = std::string_view(source.text).substr(begin, size);
+    constexpr std::size_t largest = std::numeric_limits<std::uint32_t>::max();
+    if (begin + text.size() > largest)
+        return problem_of(source.name, fmt::format("expected JSON of at most {} bytes in one "
+                                                   "piece, found more",
+                                                   largest));
     DocumentBuilder builder(source, begin, begin + text.size());
     if (!json::sax_parse(text.begin(), text.end(), &builder) && builder.problem())
         return *builder.problem();
-    return builder.take_root();
+    return builder.take_document();
 }
 
 } // namespace rastertrace

@@ -24,30 +24,29 @@ void JsonReader::allow_keys(const JsonValue& value,
                             const std::vector<std::string_view>& known) const {
     if (value.kind != JsonValue::Kind::object)
         fail_expecting(value, fmt::format("an object with the keys {}", fmt::join(known, ", ")));
-    for (const JsonValue& key : value.keys)
+    for (const auto& [key, member] : value.members())
         if (std::find(known.begin(), known.end(), key.text) == known.end())
             fail_expecting(key, fmt::format("a key out of {}", fmt::join(known, ", ")),
                            did_you_mean(key.text, known, "\""));
 }
 
-const JsonValue& JsonReader::member(const JsonValue& object, std::string_view key) const {
-    const JsonValue* value = object.find(key);
-    if (value == nullptr)
+JsonValue JsonReader::member(const JsonValue& object, std::string_view key) const {
+    const auto value = object.find(key);
+    if (!value)
         fail(object, fmt::format("expected the key \"{}\", found none", key));
     return *value;
 }
 
-const std::string& JsonReader::string_in(const JsonValue& value, std::string_view expected) const {
+std::string JsonReader::string_in(const JsonValue& value, std::string_view expected) const {
     if (value.kind != JsonValue::Kind::string || value.text.empty())
         fail_expecting(value, expected);
     return value.text;
 }
 
-const std::vector<JsonValue>& JsonReader::array_in(const JsonValue& value,
-                                                   std::string_view expected) const {
+JsonElements JsonReader::array_in(const JsonValue& value, std::string_view expected) const {
     if (value.kind != JsonValue::Kind::array)
         fail_expecting(value, expected);
-    return value.items;
+    return value.elements();
 }
 
 Number JsonReader::number_in(const JsonValue& value) const {
@@ -72,7 +71,7 @@ Number JsonReader::number_in(const JsonValue& value) const {
 }
 
 Numbers3 JsonReader::numbers3_in(const JsonValue& value, std::string_view expected) const {
-    const auto& items = array_in(value, expected);
+    const JsonElements items = array_in(value, expected);
     if (items.size() != 3)
         fail_expecting(value, expected);
     return {number_in(items[0]), number_in(items[1]), number_in(items[2])};

@@ -38,12 +38,12 @@ struct JsonReader {
     void allow_keys(const JsonValue& value, const std::vector<std::string_view>& known) const;
 
     /// The value under a key that must be there.
-    const JsonValue& member(const JsonValue& object, std::string_view key) const;
+    JsonValue member(const JsonValue& object, std::string_view key) const;
 
     /// A string that is not empty.
-    const std::string& string_in(const JsonValue& value, std::string_view expected) const;
+    std::string string_in(const JsonValue& value, std::string_view expected) const;
 
-    const std::vector<JsonValue>& array_in(const JsonValue& value, std::string_view expected) const;
+    JsonElements array_in(const JsonValue& value, std::string_view expected) const;
 
     /// A JSON number, or a fraction in quotes.
     Number number_in(const JsonValue& value) const;

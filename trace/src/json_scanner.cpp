@@ -9,6 +9,14 @@
 
 namespace rastertrace {
 
+namespace {
+
+/// A number of so few characters, whose exponent has so few digits, lies below 1.797e308.
+constexpr std::size_t longest_plain_number = 200;
+constexpr std::size_t longest_plain_exponent = 2;
+
+} // namespace
+
 void JsonScanner::skip_blanks() {
     while (position_ < text_.size() && (text_[position_] == ' ' || text_[position_] == '\t' ||
                                         text_[position_] == '\r' || text_[position_] == '\n'))
@@ -42,6 +50,7 @@ bool JsonScanner::skip_string() {
 }
 
 bool JsonScanner::skip_number() {
+    const std::size_t begin = position_;
     const auto skip_digits = [this] {
         const std::size_t first = position_;
         while (position_ < text_.size() && '0' <= text_[position_] && text_[position_] <= '9')
@@ -53,11 +62,16 @@ bool JsonScanner::skip_number() {
         return false;
     if (take('.') && !skip_digits())
         return false;
+    bool can_be_large = false;
     if (take('e') || take('E')) {
-        if (!take('+'))
-            take('-');
-        return skip_digits();
+        can_be_large = take('+') || !take('-');
+        const std::size_t exponent = position_;
+        if (!skip_digits())
+            return false;
+        can_be_large = can_be_large && position_ - exponent > longest_plain_exponent;
     }
+    if (can_be_large || position_ - begin > longest_plain_number)
+        needs_full_check_ = true;
     return true;
 }
 

@@ -31,7 +31,8 @@ public:
     /// has read valid JSON, except that needs_full_check may tell otherwise.
     bool failed() const { return failed_; }
 
-    /// True if something was passed over that is not checked here: escapes, bytes beyond ASCII.
+    /// True if something was passed over that is not checked here: escapes, bytes beyond ASCII,
+    /// numbers that might be larger than a double.
     bool needs_full_check() const { return needs_full_check_; }
 
 private:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/trace/obj_file.h>
 
+#include "zero_byte.h"
+
 #include <rastertrace/trace/text.h>
 
 #include <fmt/format.h>
@@ -72,6 +74,9 @@ public:
                 read_statement();
             skip_line();
         }
+        if (mesh_.face_ends.empty() && mesh_.vertices.empty())
+            fail_unquoted(end_, "expected at least one face, found none",
+                          "a face of three vertices: f 1 2 3");
         if (mesh_.face_ends.empty())
             fail(end_, "expected at least one face, found none",
                  "a face of three vertices: f 1 2 3");
@@ -88,6 +93,17 @@ private:
         fail(found.data(),
              fmt::format("expected {}, found \"{}\"", expected, shortened(found, shown_of_word)),
              std::move(hint));
+    }
+
+    /// Of a file without a vertex, which may be anything, not a word is shown: a scene from somewhere
+    /// else could name a file that holds a secret.
+    [[noreturn]] void fail_unquoted(const char* place, std::string message,
+                                    std::string hint) const {
+        Problem problem =
+            problem_at(source_, static_cast<std::size_t>(place - source_.text.c_str()),
+                       std::move(message), std::move(hint));
+        problem.excerpt.clear();
+        throw problem;
     }
 
     /// How many lines start like a vertex, of those that there is room for: "v 0 0 0" and its end.
@@ -157,6 +173,9 @@ private:
                  name == "usemtl" || name == "mtllib")
             while (at_word())
                 take_word();
+        else if (mesh_.vertices.empty())
+            fail_unquoted(name.data(), "expected an OBJ file, found a line that is none of it",
+                          "its statements are v, vt, vn, f, l, p, g, o, s, usemtl, mtllib");
         else
             fail_expecting("a statement out of v, vt, vn, f, l, p, g, o, s, usemtl, mtllib", name);
     }
@@ -339,6 +358,10 @@ Result<ObjMesh> read_obj(const Source& source) {
     if (source.text.size() > largest_file)
         return problem_of(source.name, fmt::format("expected a file of at most {} bytes, found {}",
                                                    largest_file, source.text.size()));
+    if (auto problem = zero_byte_in(source)) {
+        problem->excerpt.clear();
+        return *std::move(problem);
+    }
     try {
         return ObjReader(source).read();
     } catch (const Problem& problem) {

@@ -48,8 +48,8 @@ Rotate read_rotate(const JsonReader& json, const JsonValue& value) {
 Shear read_shear(const JsonReader& json, const JsonValue& value) {
     json.allow_keys(value, {"xy", "xz", "yx", "yz", "zx", "zy"});
     const auto factor = [&json, &value](std::string_view key) {
-        const JsonValue* found = value.find(key);
-        return found == nullptr ? Number(0) : json.number_in(*found);
+        const auto found = value.find(key);
+        return !found ? Number(0) : json.number_in(*found);
     };
     return {factor("xy"), factor("xz"), factor("yx"), factor("yz"), factor("zx"), factor("zy")};
 }
@@ -90,8 +90,8 @@ std::size_t bits_of(const ModelStep& step) {
 /// Two numbers of an object of which the first must be the smaller.
 void read_range(const JsonReader& json, const JsonValue& object, std::string_view low_key,
                 std::string_view high_key, Number& low, Number& high) {
-    const JsonValue& low_value = json.member(object, low_key);
-    const JsonValue& high_value = json.member(object, high_key);
+    const JsonValue low_value = json.member(object, low_key);
+    const JsonValue high_value = json.member(object, high_key);
     low = json.number_in(low_value);
     high = json.number_in(high_value);
     if (low.exact() >= high.exact())
@@ -107,7 +107,7 @@ void read_bounds(const JsonReader& json, const JsonValue& value, Projection& pro
 void read_orthographic(const JsonReader& json, const JsonValue& value, Projection& projection) {
     json.allow_keys(value, {"type", "left", "right", "bottom", "top", "near", "far"});
     read_bounds(json, value, projection);
-    if (value.find("near") != nullptr || value.find("far") != nullptr) {
+    if (value.find("near") || value.find("far")) {
         Number near;
         Number far;
         read_range(json, value, "near", "far", near, far);
@@ -119,15 +119,15 @@ void read_orthographic(const JsonReader& json, const JsonValue& value, Projectio
 void read_view_plane(const JsonReader& json, const JsonValue& value, Projection& projection) {
     json.allow_keys(value, {"type", "distance", "near"});
     projection.distance = positive_in(json, json.member(value, "distance"), "a distance");
-    if (const JsonValue* near = value.find("near"))
+    if (const auto near = value.find("near"))
         projection.near = positive_in(json, *near, "a distance");
 }
 
 void read_frustum(const JsonReader& json, const JsonValue& value, Projection& projection) {
     json.allow_keys(value, {"type", "fov_y", "left", "right", "bottom", "top", "near", "far"});
-    if (const JsonValue* fov_y = value.find("fov_y")) {
+    if (const auto fov_y = value.find("fov_y")) {
         for (const std::string_view bound : {"left", "right", "bottom", "top"})
-            if (const JsonValue* found = value.find(bound))
+            if (const auto found = value.find(bound))
                 json.fail_expecting(*found, fmt::format("fov_y or {}, not both", bound));
         projection.fov_y = json.number_in(*fov_y);
         const mpq_class degrees = projection.fov_y->exact();
@@ -140,7 +140,7 @@ void read_frustum(const JsonReader& json, const JsonValue& value, Projection& pr
         read_bounds(json, value, projection);
     }
     projection.near = positive_in(json, json.member(value, "near"), "a distance");
-    const JsonValue& far = json.member(value, "far");
+    const JsonValue far = json.member(value, "far");
     if (far.kind == JsonValue::Kind::string && far.text == "infinity")
         return;
     Number low;
@@ -161,13 +161,14 @@ std::vector<ModelStep> read_model(const JsonReader& json, const JsonValue& value
         if (steps.size() == most_steps)
             json.fail(item, fmt::format("expected at most {} steps, found more", most_steps));
         json.allow_keys(item, known);
-        if (item.keys.size() != 1)
+        const JsonMembers members = item.members();
+        if (members.size() != 1)
             json.fail(item,
                       fmt::format("expected one step of the model, found {} in one object",
-                                  item.keys.size()),
+                                  members.size()),
                       R"(each in its own braces: [{"scale": ...}, {"translate": ...}])");
-        const std::string& name = item.keys[0].text;
-        const JsonValue& what = item.items[0];
+        const auto [key, what] = members[0];
+        const std::string& name = key.text;
         if (name == "scale")
             steps.push_back(Scale{json.numbers3_in(what, "[x, y, z] to multiply by")});
         else if (name == "translate")
@@ -190,9 +191,9 @@ Camera read_camera(const JsonReader& json, const JsonValue& value) {
     Camera camera;
     camera.position = json.numbers3_in(json.member(value, "position"), "a place [x, y, z]");
     camera.look_at = {0, 0, 0};
-    if (const JsonValue* look_at = value.find("look_at"))
+    if (const auto look_at = value.find("look_at"))
         camera.look_at = json.numbers3_in(*look_at, "a place [x, y, z]");
-    if (const JsonValue* up = value.find("up"))
+    if (const auto up = value.find("up"))
         camera.up = json.numbers3_in(*up, "a direction [x, y, z]");
 
     switch (fault_of(camera)) {
@@ -200,7 +201,7 @@ Camera read_camera(const JsonReader& json, const JsonValue& value) {
         json.fail(value, "expected a camera that looks at another place than its own, found "
                          "position = look_at");
     case CameraFault::up_along_view:
-        json.fail(value.find("up") != nullptr ? *value.find("up") : value,
+        json.fail(value.find("up").value_or(value),
                   "expected an up that is not parallel to the view, found one that is",
                   R"(for a camera that looks straight down, say "up": [0, 0, -1])");
     case CameraFault::none:
@@ -212,7 +213,7 @@ Camera read_camera(const JsonReader& json, const JsonValue& value) {
 Projection read_projection(const JsonReader& json, const JsonValue& value) {
     if (value.kind != JsonValue::Kind::object)
         json.fail_expecting(value, R"(a projection, like {"type": "pinhole", "distance": 1})");
-    const JsonValue& type = json.member(value, "type");
+    const JsonValue type = json.member(value, "type");
     const auto named =
         type.kind == JsonValue::Kind::string ? projection_named(type.text) : std::nullopt;
     if (!named)
@@ -241,11 +242,12 @@ Projection read_projection(const JsonReader& json, const JsonValue& value) {
 
 Light read_light(const JsonReader& json, const JsonValue& value) {
     json.allow_keys(value, {"direction", "position"});
-    if (value.keys.size() != 1)
+    const JsonMembers members = value.members();
+    if (members.size() != 1)
         json.fail(value, fmt::format("expected a direction or a position, found {}",
-                                     value.keys.empty() ? "neither" : "both"));
-    const bool is_position = value.keys[0].text == "position";
-    const JsonValue& at = value.items[0];
+                                     members.empty() ? "neither" : "both"));
+    const auto [kind, at] = members[0];
+    const bool is_position = kind.text == "position";
     Light light{.kind = is_position ? Light::Kind::position : Light::Kind::direction,
                 .at = json.numbers3_in(at, "[x, y, z]")};
     if (!is_position && is_zero(exact(light.at)))

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "input_check.h"
+#include "zero_byte.h"
+
+#include <rastertrace/trace/input.h>
 #include <rastertrace/trace/problem.h>
 #include <rastertrace/trace/text.h>
 
@@ -65,12 +69,19 @@ Problem problem_at(const Source& source, std::size_t offset, std::string message
     std::string shown = excerpt_of(last_characters(before, shown_before));
     if (characters_in(before) > shown_before)
         shown.insert(0, "...");
-    problem.caret = characters_in(shown);
+    problem.caret = columns_in(shown);
     shown += excerpt_of(first_characters(after, shown_after));
     if (characters_in(after) > shown_after)
         shown += "...";
     problem.excerpt = std::move(shown);
     return problem;
+}
+
+std::optional<Problem> zero_byte_in(const Source& source) {
+    const std::size_t at = source.text.find('\0');
+    if (at == std::string::npos)
+        return std::nullopt;
+    return problem_at(source, at, "expected text, found a zero byte");
 }
 
 std::string to_text(const Problem& problem) {
@@ -98,7 +109,8 @@ bool is_due_to_path(int error) {
     return std::find(errors.begin(), errors.end(), error) != errors.end();
 }
 
-Result<Source> read_path(const std::string& path, bool is_standard_input, bool must_be_regular) {
+Result<Source> read_path(const std::string& path, bool is_standard_input, bool must_be_regular,
+                         InputCheck fault_of) {
     Source source{.name = is_standard_input ? "standard input" : path, .text = {}};
     const auto failure = [&source](Problem::Cause cause, const std::string& why) {
         Problem problem = problem_of(source.name, why);
@@ -120,19 +132,21 @@ Result<Source> read_path(const std::string& path, bool is_standard_input, bool m
     const bool is_refused =
         is_folder || (error == 0 && must_be_regular && !S_ISREG(status.st_mode));
 
+    // Neither the size that the system tells nor the end of the file is trusted.
+    std::optional<Problem> fault;
     if (error == 0 && !is_refused) {
-        if (S_ISREG(status.st_mode)) {
+        if (S_ISREG(status.st_mode))
             source.file = FileId{.device = status.st_dev, .inode = status.st_ino};
-            source.text.reserve(static_cast<std::size_t>(status.st_size) + 1);
-        }
         std::array<char, 1 << 16> buffer;
         ssize_t count = 0;
-        while ((count = ::read(descriptor, buffer.data(), buffer.size())) != 0) {
-            if (count > 0)
+        while (!fault && (count = ::read(descriptor, buffer.data(), buffer.size())) != 0) {
+            if (count > 0) {
+                const std::size_t block = source.text.size();
                 source.text.append(buffer.data(), static_cast<std::size_t>(count));
-            else if (errno == EAGAIN)
+                fault = fault_of(source, block);
+            } else if (errno == EAGAIN) {
                 wait_until_readable(descriptor);
-            else if (errno != EINTR) {
+            } else if (errno != EINTR) {
                 error = errno;
                 break;
             }
@@ -142,6 +156,8 @@ Result<Source> read_path(const std::string& path, bool is_standard_input, bool m
         return failure(Problem::Cause::input, is_folder
                                                   ? "expected a file, found a folder"
                                                   : "expected a file, found a pipe or a device");
+    if (fault)
+        return *std::move(fault);
     if (error != 0)
         return failure(Problem::Cause::system,
                        "could not be read: " + std::generic_category().message(error));
@@ -151,13 +167,17 @@ Result<Source> read_path(const std::string& path, bool is_standard_input, bool m
 } // namespace
 
 Result<Source> read_source(const std::string& path) {
-    return read_path(path, path == "-", false);
+    return read_source(path, InputLimits{});
 }
 
-Result<Source> read_named_file(const std::string& path) {
+Result<Source> read_source(const std::string& path, const InputLimits& limits) {
+    return read_path(path, path == "-", false, {InputCheck::Kind::scene_or_trace, limits});
+}
+
+Result<Source> read_named_file(const std::string& path, const InputLimits& limits) {
     if (path.find('\0') != std::string::npos)
         return problem_of(path, "expected the name of a file, found one with a zero byte");
-    return read_path(path, false, true);
+    return read_path(path, false, true, {InputCheck::Kind::other, limits});
 }
 
 } // namespace rastertrace

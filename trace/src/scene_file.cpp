@@ -4,6 +4,7 @@
 #include "canvas_json.h"
 #include "json_document.h"
 #include "json_reader.h"
+#include "name_index.h"
 #include "pipeline_json.h"
 
 #include <rastertrace/core/plan.h>
@@ -18,8 +19,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <filesystem>
 #include <limits>
 #include <optional>
+#include <system_error>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
@@ -62,31 +66,38 @@ template <typename Element> void make_room(std::vector<Element>& list, std::size
 /// What to do where a canvas is missing or too small.
 constexpr const char* canvas_hint = R"(say "canvas": {"width": ..., "height": ...})";
 
+/// What a vertex is called, for the index of names.
+struct NameOfVertex {
+    const std::vector<SceneVertex>& vertices;
+    std::string_view operator()(std::uint32_t vertex) const { return vertices[vertex].name; }
+};
+
 /// Reads one scene; the first fault ends it.
 class SceneReader {
 public:
-    SceneReader(const Source& source, const MethodOverrides& overrides)
-        : source_(source), json_{source}, overrides_(overrides) {
+    SceneReader(const Source& source, const MethodOverrides& overrides, const InputLimits& limits)
+        : source_(source), json_{source}, overrides_(overrides), limits_(limits) {
         remember(source);
     }
 
-    PlannedScene read(const JsonValue& root) {
+    /// Takes everything from the document, which may be forgotten then.
+    void read(const JsonValue& root) {
         // The smallest scene has vertices and triangles; everything else has a default.
         json_.allow_keys(root, {"title", "canvas", "vertices", "colors", "triangles", "outlines",
                                 "lines", "points", "meshes", "model", "camera", "projection",
                                 "viewport", "light", "method", "keep"});
         scene_.title = base_name(source_.name);
-        if (const JsonValue* title = root.find("title"))
+        if (const auto title = root.find("title"))
             scene_.title = json_.string_in(*title, "a title in quotes");
-        if (const JsonValue* method = root.find("method"))
+        if (const auto method = root.find("method"))
             read_method(*method);
-        if (const JsonValue* keep = root.find("keep"))
+        if (const auto keep = root.find("keep"))
             read_keep(*keep);
         apply_overrides();
-        if (const JsonValue* vertices = root.find("vertices"))
+        if (const auto vertices = root.find("vertices"))
             read_vertices(*vertices);
         read_objects(root.find("model"), root.find("meshes"));
-        if (const JsonValue* colors = root.find("colors"))
+        if (const auto colors = root.find("colors"))
             read_colors(*colors);
         // Drawn in this order: what is thin comes last and stays visible.
         read_primitives(root.find("triangles"), PrimitiveKind::triangle);
@@ -102,6 +113,9 @@ public:
                 R"("triangles": ["ABC"]})");
         read_view(root);
         read_canvas(root.find("canvas"), root);
+    }
+
+    PlannedScene planned() {
         // From here on, nobody looks through all vertices for a color.
         scene_.method.shade = scene_.shade();
         auto plan = plan_or_unfit(scene_);
@@ -121,9 +135,8 @@ private:
         for (const MethodKey& key : method_keys())
             known.push_back(key.name);
         json_.allow_keys(method, known);
-        for (std::size_t i = 0; i < method.keys.size(); ++i) {
-            const MethodKey& key = *find_method_key(method.keys[i].text);
-            const JsonValue& value = method.items[i];
+        for (const auto& [name, value] : method.members()) {
+            const MethodKey& key = *find_method_key(name.text);
             const bool is_word = value.kind == JsonValue::Kind::string ||
                                  (value.kind == JsonValue::Kind::number && key.is_number());
             if (!is_word || !key.set(scene_.method, value.text))
@@ -160,38 +173,39 @@ private:
     void read_vertices(const JsonValue& vertices, const std::string& prefix = {}) {
         if (vertices.kind != JsonValue::Kind::object)
             json_.fail_expecting(vertices, R"(vertices by name, like {"A": [2, 5]})");
-        for (std::size_t i = 0; i < vertices.keys.size(); ++i) {
-            const JsonValue& name = vertices.keys[i];
+        make_room(scene_.vertices, vertices.members().size());
+        make_room(places_of_vertices_, vertices.members().size());
+        for (const auto& [name, place] : vertices.members()) {
             if (name.text.empty())
                 json_.fail_expecting(name, "a name of at least one letter");
-            const auto& coordinates = json_.array_in(vertices.items[i], "[x, y] or [x, y, z]");
-            if (coordinates.size() != 2 && coordinates.size() != 3)
-                json_.fail_expecting(vertices.items[i], "[x, y] or [x, y, z]");
-            const std::string full_name = prefix + name.text;
-            if (!vertex_by_name_.emplace(full_name, scene_.vertices.size()).second)
+            const JsonElements coordinates = json_.array_in(place, "[x, y] or [x, y, z]");
+            const std::size_t count = coordinates.size();
+            if (count != 2 && count != 3)
+                json_.fail_expecting(place, "[x, y] or [x, y, z]");
+            const auto vertex = static_cast<std::uint32_t>(scene_.vertices.size());
+            scene_.vertices.push_back({prefix + name.text, json_.number_in(coordinates[0]),
+                                       json_.number_in(coordinates[1]), std::nullopt,
+                                       count == 3 ? json_.number_in(coordinates[2]) : Number(0)});
+            if (!vertex_by_name_.insert(vertex, NameOfVertex{scene_.vertices}))
                 json_.fail_expecting(name, "a name that no other vertex has",
                                      "vertices of a mesh with a name are called NAME.VERTEX");
             places_of_vertices_.push_back(name.begin);
-            scene_.vertices.push_back(
-                {full_name, json_.number_in(coordinates[0]), json_.number_in(coordinates[1]),
-                 std::nullopt,
-                 coordinates.size() == 3 ? json_.number_in(coordinates[2]) : Number(0)});
         }
     }
 
     /// The scene's own vertices share the scene's model; each mesh has its own.
-    void read_objects(const JsonValue* model, const JsonValue* meshes) {
-        if (model == nullptr && meshes == nullptr)
+    void read_objects(const std::optional<JsonValue>& model,
+                      const std::optional<JsonValue>& meshes) {
+        if (!model && !meshes)
             return;
-        scene_.objects.push_back(
-            {"", scene_.vertices.size(),
-             model == nullptr ? std::vector<ModelStep>() : read_model(json_, *model)});
-        if (meshes == nullptr)
+        scene_.objects.push_back({"", scene_.vertices.size(),
+                                  !model ? std::vector<ModelStep>() : read_model(json_, *model)});
+        if (!meshes)
             return;
-        const auto& list =
+        const JsonElements list =
             json_.array_in(*meshes, R"(a list of meshes, like [{"obj": "cube.obj"}])");
         for (const JsonValue& mesh : list)
-            if (const JsonValue* obj = mesh.find("obj"))
+            if (const auto obj = mesh.find("obj"))
                 ++obj_files_[obj->text].uses;
         for (const JsonValue& mesh : list)
             read_mesh(mesh);
@@ -200,30 +214,30 @@ private:
     void read_mesh(const JsonValue& mesh) {
         json_.allow_keys(mesh, {"obj", "vertices", "faces", "name", "color", "draw", "model"});
         SceneObject object;
-        if (const JsonValue* model = mesh.find("model"))
+        if (const auto model = mesh.find("model"))
             object.model = read_model(json_, *model);
-        if (const JsonValue* name = mesh.find("name"))
+        if (const auto name = mesh.find("name"))
             object.name = json_.string_in(*name, "a name in quotes");
         if (!object.name.empty() && !names_of_objects_.insert(object.name).second)
             json_.fail_expecting(*mesh.find("name"), "a name that no other mesh has");
 
         // What all faces have in common.
         ScenePrimitive face;
-        if (const JsonValue* color = mesh.find("color"))
+        if (const auto color = mesh.find("color"))
             face.color = color_in(*color);
-        if (const JsonValue* draw = mesh.find("draw")) {
+        if (const auto draw = mesh.find("draw")) {
             if (draw->text != "triangles" && draw->text != "outlines")
                 json_.fail_expecting(*draw, "triangles or outlines",
                                      did_you_mean(draw->text, {"triangles", "outlines"}, "\""));
             face.kind = draw->text == "outlines" ? PrimitiveKind::outline : PrimitiveKind::triangle;
         }
 
-        const JsonValue* obj = mesh.find("obj");
-        if (obj == nullptr) {
+        const auto obj = mesh.find("obj");
+        if (!obj) {
             read_faces(mesh, object.name.empty() ? std::string() : object.name + ".", face);
         } else {
             for (const std::string_view other : {"vertices", "faces"})
-                if (const JsonValue* found = mesh.find(other))
+                if (const auto found = mesh.find(other))
                     json_.fail(*found, fmt::format("expected obj or {}, found both", other));
             read_obj_mesh(*obj, object, face);
         }
@@ -234,7 +248,7 @@ private:
     /// A mesh that is written out in the scene. Polygons become fans of triangles.
     void read_faces(const JsonValue& mesh, const std::string& prefix, const ScenePrimitive& like) {
         read_vertices(json_.member(mesh, "vertices"), prefix);
-        const JsonValue& faces = json_.member(mesh, "faces");
+        const JsonValue faces = json_.member(mesh, "faces");
         constexpr std::string_view expected = R"(three vertices or more, "ABCD" or ["P1", ...])";
         for (const JsonValue& value :
              json_.array_in(faces, R"(a list of faces, like ["ABC", "ABCD"])")) {
@@ -252,13 +266,13 @@ private:
                 faces_.push_back(std::move(face));
             }
         }
-        if (faces.items.empty())
+        if (faces.elements().empty())
             json_.fail(faces, "expected at least one face, found none");
     }
 
     /// A mesh from a file.
     void read_obj_mesh(const JsonValue& obj, SceneObject& object, const ScenePrimitive& like) {
-        const std::string& path = json_.string_in(obj, "the path of an OBJ file");
+        const std::string path = json_.string_in(obj, "the path of an OBJ file");
         ObjMesh mesh = obj_mesh(obj, path);
 
         if (object.name.empty()) {
@@ -304,12 +318,16 @@ private:
     ObjMesh obj_mesh(const JsonValue& obj, const std::string& path) {
         ObjFile& known = obj_files_[path];
         if (!known.mesh) {
-            const auto file = read_named_file(beside_scene(path));
-            if (!file && file.problem().cause == Problem::Cause::system)
+            refuse_outside(obj, path);
+            const auto file = read_named_file(beside_scene(path), limits_);
+            if (!file &&
+                (file.problem().cause == Problem::Cause::system || file.problem().line > 0))
                 throw file.problem();
             if (!file)
                 json_.fail(obj, fmt::format("{} ({})", file.problem().message, beside_scene(path)),
-                           "a relative path starts from the scene's folder");
+                           file.problem().hint.empty()
+                               ? "a relative path starts from the scene's folder"
+                               : file.problem().hint);
             remember(file.value());
             auto read = read_obj(file.value());
             if (!read)
@@ -324,6 +342,23 @@ private:
         return path.starts_with('/') || folder == std::string::npos
                    ? path
                    : source_.name.substr(0, folder + 1) + path;
+    }
+
+    /// A path may not leave the scene's folder, by itself or through a link, unless that is allowed:
+    /// a scene from somewhere else cannot look around.
+    void refuse_outside(const JsonValue& obj, const std::string& path) const {
+        if (limits_.allow_outside)
+            return;
+        namespace fs = std::filesystem;
+        std::error_code error;
+        const fs::path folder = fs::canonical(beside_scene("."), error);
+        const fs::path file =
+            error ? fs::path()
+                  : fs::weakly_canonical(fs::absolute(beside_scene(path.c_str())), error);
+        const auto parts = std::mismatch(folder.begin(), folder.end(), file.begin(), file.end());
+        if (error || parts.first != folder.end())
+            json_.fail_expecting(obj, "an OBJ file in the scene's folder or below",
+                                 "--allow-outside lets it lie anywhere");
     }
 
     /// Moves the faces of meshes that are drawn as `kind` to the primitives.
@@ -342,13 +377,13 @@ private:
 
     /// How vertices come to the screen.
     void read_view(const JsonValue& root) {
-        if (const JsonValue* camera = root.find("camera"))
+        if (const auto camera = root.find("camera"))
             scene_.camera = read_camera(json_, *camera);
-        if (const JsonValue* projection = root.find("projection"))
+        if (const auto projection = root.find("projection"))
             scene_.projection = read_projection(json_, *projection);
-        if (const JsonValue* viewport = root.find("viewport"))
+        if (const auto viewport = root.find("viewport"))
             scene_.viewport = read_viewport(json_, *viewport);
-        if (const JsonValue* light = root.find("light"))
+        if (const auto light = root.find("light"))
             scene_.light = read_light(json_, *light);
         const bool needs_light =
             scene_.method.cull == Cull::light || scene_.method.shade == Shade::lambert;
@@ -362,14 +397,15 @@ private:
 
     std::size_t vertex_named(std::string_view name, std::size_t offset,
                              const std::string& prefix = {}) const {
-        const auto found = vertex_by_name_.find(prefix + std::string(name));
-        if (found != vertex_by_name_.end())
-            return found->second;
+        const auto found =
+            vertex_by_name_.find(prefix + std::string(name), NameOfVertex{scene_.vertices});
+        if (found)
+            return *found;
         if (const auto of_obj = vertex_of_obj(name))
             return *of_obj;
         std::vector<std::string_view> known;
-        for (const auto& [known_name, place] : vertex_by_name_)
-            known.push_back(scene_.vertices[place].name);
+        for (const std::uint32_t vertex : vertex_by_name_.numbers())
+            known.push_back(scene_.vertices[vertex].name);
         std::sort(known.begin(), known.end());
         constexpr std::size_t most_listed = 12;
         const bool too_many = known.size() > most_listed;
@@ -423,7 +459,7 @@ private:
         std::vector<std::size_t> corners;
         if (value.kind == JsonValue::Kind::string) {
             // One-letter names. A place inside the quotes can be pointed at if nothing is escaped.
-            const bool as_typed = value.end - value.begin == value.text.size() + 2;
+            const bool as_typed = value.end() - value.begin == value.text.size() + 2;
             std::string_view rest = value.text;
             while (!rest.empty()) {
                 const std::size_t length = first_code_point(rest).length;
@@ -469,26 +505,27 @@ private:
     void read_colors(const JsonValue& colors) {
         if (colors.kind != JsonValue::Kind::object)
             json_.fail_expecting(colors, R"(colors by vertex, like {"A": "red"})");
-        for (std::size_t i = 0; i < colors.keys.size(); ++i)
-            scene_.vertices[vertex_named(colors.keys[i].text, colors.keys[i].begin)].color =
-                color_in(colors.items[i]);
+        for (const auto& [name, color] : colors.members())
+            scene_.vertices[vertex_named(name.text, name.begin)].color = color_in(color);
     }
 
-    void read_primitives(const JsonValue* list, PrimitiveKind kind) {
-        if (list == nullptr)
+    void read_primitives(const std::optional<JsonValue>& list, PrimitiveKind kind) {
+        if (!list)
             return;
-        for (const JsonValue& value : json_.array_in(*list, form_of(kind).list)) {
+        const JsonElements values = json_.array_in(*list, form_of(kind).list);
+        make_room(scene_.primitives, values.size());
+        for (const JsonValue& value : values) {
             ScenePrimitive primitive;
             primitive.kind = kind;
             if (value.kind == JsonValue::Kind::object) {
                 json_.allow_keys(value, {"vertices", "name", "color"});
-                const JsonValue* vertices = value.find("vertices");
-                if (vertices == nullptr)
+                const auto vertices = value.find("vertices");
+                if (!vertices)
                     json_.fail(value, R"(expected the key "vertices", found none)");
                 read_corners(*vertices, primitive);
-                if (const JsonValue* color = value.find("color"))
+                if (const auto color = value.find("color"))
                     primitive.color = color_in(*color);
-                if (const JsonValue* name = value.find("name")) {
+                if (const auto name = value.find("name")) {
                     primitive.name = json_.string_in(*name, "a name in quotes");
                     if (!names_of_primitives_.insert(primitive.name).second)
                         json_.fail_expecting(*name, "a name that no other primitive has");
@@ -506,16 +543,16 @@ private:
         }
     }
 
-    void read_canvas(const JsonValue* canvas, const JsonValue& root) {
+    void read_canvas(const std::optional<JsonValue>& canvas, const JsonValue& root) {
         CanvasJson given;
-        if (canvas != nullptr) {
+        if (canvas) {
             auto read = read_canvas_json(source_, *canvas);
             if (!read)
                 throw read.problem();
             given = read.value();
         }
         scene_.canvas = {given.width, given.height, given.origin};
-        const JsonValue& blamed = canvas != nullptr ? *canvas : root;
+        const JsonValue& blamed = canvas ? *canvas : root;
         choose_viewport(given, blamed);
         const std::array<double, 2> farthest =
             given.has_width && given.has_height ? std::array{0.0, 0.0} : farthest_places();
@@ -593,9 +630,10 @@ private:
     const Source& source_;
     JsonReader json_;
     const MethodOverrides& overrides_;
+    const InputLimits& limits_;
     Scene scene_;
     std::vector<std::size_t> places_of_vertices_; ///< offsets of their names in the source
-    std::unordered_map<std::string, std::size_t> vertex_by_name_; ///< but for those of OBJ files
+    NameIndex vertex_by_name_;                    ///< but for those of OBJ files
     std::unordered_map<std::string, std::pair<std::size_t, std::size_t>>
         first_of_obj_; ///< by mesh: its first vertex, and how many it has
     std::unordered_set<std::string> names_of_objects_{""};      ///< the scene itself has none
@@ -612,12 +650,17 @@ private:
 
 } // namespace
 
-Result<PlannedScene> read_scene(const Source& source, const MethodOverrides& overrides) {
-    const auto document = parse_json(source);
-    if (!document)
-        return document.problem();
+Result<PlannedScene> read_scene(const Source& source, const MethodOverrides& overrides,
+                                const InputLimits& limits) {
     try {
-        return SceneReader(source, overrides).read(document.value());
+        SceneReader reader(source, overrides, limits);
+        {
+            const auto document = parse_json(source);
+            if (!document)
+                return document.problem();
+            reader.read(document.value().root());
+        }
+        return reader.planned();
     } catch (const Problem& problem) {
         return problem;
     }

@@ -4,8 +4,10 @@
 #include "canvas_json.h"
 #include "json_document.h"
 #include "json_scanner.h"
+#include "zero_byte.h"
 
 #include <rastertrace/core/number.h>
+#include <rastertrace/trace/frame.h>
 #include <rastertrace/trace/text.h>
 #include <rastertrace/trace/write_trace.h>
 
@@ -212,14 +214,14 @@ private:
         const auto document = parse_json(source());
         if (!document)
             throw document.problem();
-        const JsonValue& root = document.value();
+        const JsonValue root = document.value().root();
         read_header(root);
-        const JsonValue* steps = root.find("steps");
-        if (steps == nullptr || steps->kind != JsonValue::Kind::array)
+        const auto steps = root.find("steps");
+        if (!steps || steps->kind != JsonValue::Kind::array)
             fail(root.begin, R"(expected the key "steps" with an array, found none)");
-        for (const JsonValue& step : steps->items)
-            add_step(step.begin, step.end - step.begin);
-        if (const JsonValue* end = root.find("end"))
+        for (const JsonValue& step : steps->elements())
+            add_step(step.begin, step.end() - step.begin);
+        if (const auto end = root.find("end"))
             read_end(*end);
     }
 
@@ -230,7 +232,7 @@ private:
         const auto parsed = parse_json(alone);
         if (!parsed)
             throw parsed.problem();
-        read_header(parsed.value());
+        read_header(parsed.value().root());
 
         const std::size_t last_byte = text().find_last_not_of(" \t\r\n");
         std::size_t offset = text().find('\n');
@@ -277,7 +279,7 @@ private:
         if (!is_last)
             fail(text().find_first_not_of(" \t\r\n", begin + line.size()),
                  "expected nothing behind the end record, found more");
-        read_end(*record.value().find("end"));
+        read_end(*record.value().root().find("end"));
     }
 
     /// From the bracket that closes the steps: `],"end":{...}}`. Read as the object {"end":{...}}.
@@ -297,16 +299,28 @@ private:
             fail(comma, "expected ',' or '}' behind the steps, found something else");
 
         all[comma] = '{';
-        const auto rest = parse_json(source(), comma);
+        const std::optional<Problem> problem = read_end_in_object(comma);
         all[comma] = ',';
-        if (!rest) {
+        if (problem) {
             if (ends_at_end_of_file(comma))
                 return cut_short(comma + 1);
             // Said again, so that the line is quoted with its comma.
-            fail(offset_of(rest.problem()), rest.problem().message);
+            fail(offset_of(*problem), problem->message, problem->hint);
         }
-        if (const JsonValue* end = rest.value().find("end"))
-            read_end(*end);
+    }
+
+    /// Reads the end record of the object that begins at `begin` and ends the file.
+    std::optional<Problem> read_end_in_object(std::size_t begin) {
+        const auto object = parse_json(source(), begin);
+        if (!object)
+            return object.problem();
+        try {
+            if (const auto end = object.value().root().find("end"))
+                read_end(*end);
+        } catch (const Problem& problem) {
+            return problem;
+        }
+        return std::nullopt;
     }
 
     /// The place in the source that a problem points at.
@@ -349,8 +363,8 @@ private:
     void read_header(const JsonValue& header) {
         if (header.kind != JsonValue::Kind::object)
             fail(header.begin, fmt::format("expected a trace, found {}", described(header)));
-        const JsonValue* version = header.find("rastertrace");
-        if (version == nullptr)
+        const auto version = header.find("rastertrace");
+        if (!version)
             fail(header.begin, R"(expected a trace with the key "rastertrace", found none)");
         const auto number = whole_in(version->text);
         if (version->kind != JsonValue::Kind::number || !number || *number < 1)
@@ -362,8 +376,8 @@ private:
                              *number),
                  "a newer rastertrace has written it");
 
-        const JsonValue* canvas = header.find("canvas");
-        if (canvas == nullptr)
+        const auto canvas = header.find("canvas");
+        if (!canvas)
             fail(header.begin, R"(expected the key "canvas", found none)");
         const auto read = read_canvas_json(source(), *canvas);
         if (!read)
@@ -374,23 +388,34 @@ private:
         if (const auto fault = fault_of_size(trace_.canvas))
             fail(canvas->begin, *fault);
 
-        if (const JsonValue* title = header.find("title"))
+        if (const auto title = header.find("title"))
             trace_.title = title->text;
-        if (const JsonValue* method = header.find("method"))
-            for (std::size_t i = 0; i < method->keys.size(); ++i)
-                trace_.method.emplace_back(method->keys[i].text, method->items[i].text);
-        if (const JsonValue* stages = header.find("stages"))
-            for (const JsonValue& stage : stages->items)
+        if (const auto method = header.find("method"))
+            for (const auto& [key, value] : method->members())
+                trace_.method.emplace_back(key.text, value.text);
+        if (const auto stages = header.find("stages"))
+            for (const JsonValue& stage : stages->elements())
                 read_stage(stage);
-        trace_.is_partial = header.find("only") != nullptr || header.find("region") != nullptr ||
-                            header.find("primitive") != nullptr;
+        const auto only = header.find("only");
+        const auto leaves_out = [&only](StepKind kind) {
+            if (!only)
+                return false;
+            for (const JsonValue& name : only->elements())
+                if (name.text == name_of(kind))
+                    return false;
+            return true;
+        };
+        const bool leaves_out_places = header.find("region") || header.find("primitive");
+        trace_.is_partial = only || leaves_out_places;
+        has_every_pixel_ = !leaves_out_places && !leaves_out(StepKind::pixel);
+        has_every_color_ = has_every_pixel_ && !leaves_out(StepKind::primitive);
     }
 
     /// A stage that ran. What is no such record is passed over.
     void read_stage(const JsonValue& stage) {
-        const JsonValue* name = stage.find("stage");
-        const JsonValue* is_kept = stage.find("kept");
-        if (name == nullptr || is_kept == nullptr || is_kept->text != "true")
+        const auto name = stage.find("stage");
+        const auto is_kept = stage.find("kept");
+        if (!name || !is_kept || is_kept->text != "true")
             return;
         if (trace_.stages.empty() || trace_.stages.back() != name->text)
             trace_.stages.push_back(name->text);
@@ -427,8 +452,8 @@ private:
             const auto parsed = parse_json(source(), begin, size);
             if (!parsed)
                 throw parsed.problem();
-            if (parsed.value().kind != JsonValue::Kind::object)
-                fail(begin, fmt::format("expected a step, found {}", described(parsed.value())));
+            if (const JsonValue step = parsed.value().root(); step.kind != JsonValue::Kind::object)
+                fail(begin, fmt::format("expected a step, found {}", described(step)));
         }
         if (!kind_json.starts_with('"'))
             fail(begin, R"(expected a step with the key "step" and its kind, found none)");
@@ -475,15 +500,15 @@ private:
         if (value.kind != JsonValue::Kind::object)
             fail(value.begin, fmt::format("expected the end record, found {}", described(value)));
         EndRecord end;
-        if (const JsonValue* steps = value.find("steps"))
+        if (const auto steps = value.find("steps"))
             end.steps = count_in(*steps);
-        if (const JsonValue* pixels = value.find("pixels"))
+        if (const auto pixels = value.find("pixels"))
             end.pixels = count_in(*pixels);
-        if (const JsonValue* frame = value.find("frame"))
+        if (const auto frame = value.find("frame"))
             end.frame = frame->text;
-        if (const JsonValue* count = value.find("count"))
-            for (std::size_t i = 0; i < count->keys.size(); ++i)
-                end.count[count->keys[i].text] = count_in(count->items[i]);
+        if (const auto count = value.find("count"))
+            for (const auto& [kind, number] : count->members())
+                end.count[kind.text] = count_in(number);
         trace_.end = std::move(end);
         end_offset_ = value.begin;
     }
@@ -497,29 +522,61 @@ private:
                                "expected an end record, found none: the trace may be truncated"));
             return;
         }
-        const auto disagree = [this](std::uint64_t told, std::string_view what,
-                                     std::uint64_t found) {
+        const auto disagree = [this](std::string_view told, std::string_view what,
+                                     const auto& found) {
             trace_.damage.push_back(problem_at(
                 source(), end_offset_,
                 fmt::format("expected {} {} as the end record says, found {}", told, what, found)));
         };
         if (trace_.end->steps && *trace_.end->steps != trace_.size())
-            disagree(*trace_.end->steps, "steps", trace_.size());
-        if (trace_.end->count.empty())
+            disagree(fmt::format("{}", *trace_.end->steps), "steps", trace_.size());
+        if (!trace_.end->count.empty()) {
+            const auto counts = count_steps();
+            for (const auto& [name, told] : trace_.end->count) {
+                const auto found = counts.find(name);
+                if (const std::uint64_t steps = found == counts.end() ? 0 : found->second;
+                    steps != told)
+                    disagree(fmt::format("{}", told), name + " steps", steps);
+            }
+        }
+        compare_picture_with_end(disagree);
+    }
+
+    /// How many steps there are of each kind.
+    std::map<std::string, std::uint64_t> count_steps() const {
+        std::array<std::uint64_t, step_kinds> known{};
+        std::map<std::string, std::uint64_t> counts;
+        for (std::size_t n = 1; n <= trace_.size(); ++n)
+            if (const auto kind = trace_.kind_of(n))
+                ++known[static_cast<std::size_t>(*kind)];
+            else
+                ++counts[trace_.step(n).kind_name()];
+        for (std::size_t i = 0; i < step_kinds; ++i)
+            counts.emplace(name_of(static_cast<StepKind>(i)), known[i]);
+        return counts;
+    }
+
+    /// The picture that the steps draw against the end record, which is about the whole picture
+    /// even where steps were left out. A pixel off the canvas has been told already.
+    template <typename Disagree> void compare_picture_with_end(const Disagree& disagree) {
+        const EndRecord& end = *trace_.end;
+        if (has_stray_pixel_ || (!end.pixels && end.frame.empty()))
             return;
-        std::array<std::uint64_t, step_kinds> counts{};
-        for (const auto& step : trace_.steps_)
-            if (step.kind)
-                ++counts[static_cast<std::size_t>(*step.kind)];
-        for (const auto& [name, told] : trace_.end->count)
-            if (const auto kind = step_kind_named(name))
-                if (const auto found = counts[static_cast<std::size_t>(*kind)]; found != told)
-                    disagree(told, name + " steps", found);
+        const Image image = frame_after(trace_, trace_.size()).image;
+        const std::uint64_t pixels = image.drawn();
+        if (end.pixels && has_every_pixel_ && *end.pixels != pixels)
+            disagree(fmt::format("{}", *end.pixels), "pixels", pixels);
+        else if (end.pixels && *end.pixels < pixels)
+            disagree(fmt::format("at most {}", *end.pixels), "pixels", pixels);
+        else if (!end.frame.empty() && has_every_color_ && end.frame != frame_name(image))
+            disagree("the picture", end.frame, frame_name(image));
     }
 
     Trace trace_;
     bool was_cut_short_ = false;
     bool has_stray_pixel_ = false;
+    bool has_every_pixel_ = true; ///< the header does not leave out steps that plot one
+    bool has_every_color_ = true; ///< nor those that color it
     std::size_t end_offset_ = 0;
 };
 
@@ -528,6 +585,8 @@ Result<Trace> read_trace(Source source) {
     constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
     if (source.text.starts_with(byte_order_mark))
         source.text.replace(0, byte_order_mark.size(), "   ");
+    if (auto problem = zero_byte_in(source))
+        return *std::move(problem);
     try {
         return TraceReader(std::move(source)).read();
     } catch (const Problem& problem) {
@@ -536,21 +595,19 @@ Result<Trace> read_trace(Source source) {
 }
 
 bool is_trace(const Source& source) {
-    // The header's first line tells, whole or cut short; else the document as a whole.
+    // The key is in the header's first line, whole or cut short; else anywhere in the document.
     constexpr std::string_view blanks = "\xEF\xBB\xBF \t\r\n";
-    std::string_view start = source.text;
-    start.remove_prefix(std::min(start.find_first_not_of(blanks), start.size()));
-    start = start.substr(0, start.find('\n'));
-    if (!start.starts_with('{'))
+    std::string_view document = source.text;
+    document.remove_prefix(std::min(document.find_first_not_of(blanks), document.size()));
+    if (!document.starts_with('{'))
         return false;
-    JsonScanner fields(start);
+    if (document.substr(1).starts_with("\"rastertrace\""))
+        return true;
+    JsonScanner fields(document);
     while (fields.next_field())
         if (fields.key() == "rastertrace")
             return true;
-    if (start.substr(1).starts_with("\"rastertrace\""))
-        return true;
-    const auto document = parse_json(source);
-    return document && document.value().find("rastertrace") != nullptr;
+    return false;
 }
 
 } // namespace rastertrace

@@ -19,10 +19,12 @@
 #include <charconv>
 #include <exception>
 #include <functional>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace rastertrace {
@@ -150,6 +152,44 @@ private:
     bool full_ = false;
 };
 
+/// How far the files that are read are trusted: --max-input, --allow-outside.
+class InputOptions {
+public:
+    void add_to(CLI::App& command) {
+        command
+            .add_option("--max-input", max_input_,
+                        "The largest scene or OBJ file to read, in kB, MB or GB; 256MB if not "
+                        "given. A trace may have any size")
+            ->type_name("SIZE");
+        command.add_flag("--allow-outside", limits_.allow_outside,
+                         "Read OBJ files that lie outside of the scene's folder too");
+    }
+
+    InputLimits limits() const {
+        InputLimits limits = limits_;
+        if (!max_input_.empty())
+            limits.bytes = size_in(max_input_);
+        return limits;
+    }
+
+private:
+    static std::size_t size_in(const std::string& text) {
+        constexpr std::array<std::pair<std::string_view, std::size_t>, 3> units{
+            {{"kB", 1'000}, {"MB", 1'000'000}, {"GB", 1'000'000'000}}};
+        for (const auto& [unit, bytes] : units) {
+            if (!text.ends_with(unit))
+                continue;
+            const auto count = whole_in<std::size_t>(text.substr(0, text.size() - unit.size()));
+            if (count && *count > 0 && *count <= std::numeric_limits<std::size_t>::max() / bytes)
+                return *count * bytes;
+        }
+        refuse("--max-input", "a size in kB, MB or GB, like 512MB", text);
+    }
+
+    std::string max_input_;
+    InputLimits limits_;
+};
+
 constexpr std::string_view trace_input =
     "A trace, or a scene, which is drawn first; - for standard input";
 
@@ -177,6 +217,7 @@ public:
             return exit_bad_input;
         }
         try {
+            refuse_empty_words(count, arguments);
             refuse_unknown_command(arguments[1]);
             app_.parse(count, arguments);
             return action_();
@@ -224,6 +265,7 @@ private:
                         "Write only the steps of this primitive and its parts")
             ->type_name("NAME");
         trace_method_.add_to(command);
+        trace_input_.add_to(command);
         command.callback([this] {
             if (!format_.empty() && format_ != "json" && format_ != "jsonl")
                 refuse("--format", "json or jsonl", format_);
@@ -235,6 +277,7 @@ private:
             if (!region_.empty())
                 trace_.filter.region = region_in(region_);
             trace_.method = trace_method_.overrides();
+            trace_.input = trace_input_.limits();
             action_ = [this] { return rastertrace::run(trace_); };
         });
     }
@@ -260,6 +303,7 @@ private:
         which->add_flag("--all", all_, "After every step");
         command.add_flag("--bare", show_.bare, "Only the grid: . empty, # plotted, top row first");
         show_method_.add_to(command);
+        show_input_.add_to(command);
         command.callback([this] {
             if (!step_.empty()) {
                 const auto step = whole_in<std::size_t>(step_);
@@ -273,6 +317,7 @@ private:
             if (all_)
                 show_.which = ShowCommand::Which::all;
             show_.method = show_method_.overrides();
+            show_.input = show_input_.limits();
             action_ = [this] { return rastertrace::run(show_); };
         });
     }
@@ -285,8 +330,10 @@ private:
             ->type_name("TRACE");
         command.add_flag("--json", stats_.json, "Print JSON");
         stats_method_.add_to(command);
+        stats_input_.add_to(command);
         command.callback([this] {
             stats_.method = stats_method_.overrides();
+            stats_.input = stats_input_.limits();
             action_ = [this] { return rastertrace::run(stats_); };
         });
     }
@@ -300,8 +347,10 @@ private:
             ->type_name("SCENE");
         command.add_flag("--json", plan_.json, "Print JSON");
         plan_method_.add_to(command);
+        plan_input_.add_to(command);
         command.callback([this] {
             plan_.method = plan_method_.overrides();
+            plan_.input = plan_input_.limits();
             action_ = [this] { return rastertrace::run(plan_); };
         });
     }
@@ -340,8 +389,10 @@ private:
         command.add_flag("--quick", stress_.quick, "Every case, the longest with one scalar only");
         command.add_flag("--json", stress_.json, "Print JSON");
         stress_method_.add_to(command);
+        stress_input_.add_to(command);
         command.callback([this] {
             stress_.method = stress_method_.overrides();
+            stress_.input = stress_input_.limits();
             check_stress();
             action_ = [this] { return rastertrace::run(stress_); };
         });
@@ -396,6 +447,7 @@ private:
             ->type_name("JOB,...");
         command.add_flag("--quick", report_.quick, "Take seconds, not minutes; times are rough");
         report_method_.add_to(command);
+        report_input_.add_to(command);
         command.callback([this] {
             if (!report_format_.empty()) {
                 const std::vector<std::string_view> names{"text", "json", "csv", "svg", "html"};
@@ -409,6 +461,7 @@ private:
                 report_.jobs =
                     list_in("--jobs", "jobs", report_jobs_text_, job_names(), report_job_named);
             report_.method = report_method_.overrides();
+            report_.input = report_input_.limits();
             action_ = [this] { return rastertrace::run(report_); };
         });
     }
@@ -444,6 +497,17 @@ private:
     const CLI::App& chosen() const {
         const auto commands = app_.get_subcommands();
         return commands.empty() ? app_ : *commands.front();
+    }
+
+    /// A word without a letter, of which a script made too little: no file, name or number is "".
+    static void refuse_empty_words(int count, const char* const* arguments) {
+        for (int i = 1; i < count; ++i) {
+            const std::string_view word = arguments[i];
+            if (word.empty())
+                refuse(i == 1 ? "rastertrace" : arguments[i - 1], "a word behind it", word);
+            if (word.starts_with("--") && word.ends_with('='))
+                refuse(word.substr(0, word.size() - 1), "a value", "");
+        }
     }
 
     void refuse_unknown_command(std::string_view word) const {
@@ -498,27 +562,33 @@ private:
     std::string only_;
     std::string region_;
     MethodOptions trace_method_;
+    InputOptions trace_input_;
 
     ShowCommand show_;
     std::string step_;
     bool last_ = false;
     bool all_ = false;
     MethodOptions show_method_;
+    InputOptions show_input_;
 
     StatsCommand stats_;
     MethodOptions stats_method_;
+    InputOptions stats_input_;
 
     PlanCommand plan_;
     MethodOptions plan_method_;
+    InputOptions plan_input_;
 
     StressCommand stress_;
     std::string stress_number_;
     CLI::Option* stress_scene_ = nullptr;
     MethodOptions stress_method_;
+    InputOptions stress_input_;
     ReportCommand report_;
     std::string report_format_;
     std::string report_jobs_text_;
     MethodOptions report_method_;
+    InputOptions report_input_;
 
     std::string help_about_;
 };

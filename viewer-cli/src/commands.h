@@ -6,6 +6,7 @@
 
 #include "report_file.h"
 
+#include <rastertrace/trace/input.h>
 #include <rastertrace/trace/method_names.h>
 #include <rastertrace/trace/write_trace.h>
 
@@ -30,6 +31,7 @@ struct TraceCommand {
     std::optional<TraceLayout> layout;
     StepFilter filter;
     MethodOverrides method;
+    InputLimits input;
 };
 int run(const TraceCommand& command);
 
@@ -37,6 +39,7 @@ struct PlanCommand {
     std::string scene;
     bool json = false;
     MethodOverrides method;
+    InputLimits input;
 };
 int run(const PlanCommand& command);
 
@@ -47,6 +50,7 @@ struct StressCommand {
     bool json = false;
     bool quick = false;
     MethodOverrides method; ///< for the scene
+    InputLimits input;
 };
 int run(const StressCommand& command);
 struct ReportCommand {
@@ -56,6 +60,7 @@ struct ReportCommand {
     std::optional<ReportFormat> format;
     bool quick = false;
     MethodOverrides method;
+    InputLimits input;
 };
 int run(const ReportCommand& command);
 
@@ -68,6 +73,7 @@ struct ShowCommand {
     std::string kind;     ///< for Which::every
     bool bare = false;
     MethodOverrides method;
+    InputLimits input;
 };
 int run(const ShowCommand& command);
 
@@ -75,6 +81,7 @@ struct StatsCommand {
     std::string trace;
     bool json = false;
     MethodOverrides method;
+    InputLimits input;
 };
 int run(const StatsCommand& command);
 

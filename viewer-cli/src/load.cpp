@@ -36,35 +36,38 @@ void refuse_as_standard_output(const std::vector<FileId>& inputs) {
 }
 
 /// Reads a file that is a scene or a trace.
-Source read_input(const std::string& path) {
-    Source source = value_or_throw(read_source(path));
+Source read_input(const std::string& path, const InputLimits& limits) {
+    Source source = value_or_throw(read_source(path, limits));
     if (source.file)
         refuse_as_standard_output({*source.file});
     return source;
 }
 
-PlannedScene planned(const Source& source, const MethodOverrides& method) {
-    PlannedScene scene = value_or_throw(read_scene(source, method));
+PlannedScene planned(const Source& source, const MethodOverrides& method,
+                     const InputLimits& limits) {
+    PlannedScene scene = value_or_throw(read_scene(source, method, limits));
     refuse_as_standard_output(scene.files);
     return scene;
 }
 
 } // namespace
 
-Source load_scene_source(const std::string& path) {
-    Source source = read_input(path);
+Source load_scene_source(const std::string& path, const InputLimits& limits) {
+    Source source = read_input(path, limits);
     if (is_trace(source))
         throw problem_of(source.name, "expected a scene, found a trace",
                          "a trace is what this command makes; `show` and `stats` read it");
     return source;
 }
 
-PlannedScene load_scene(const std::string& path, const MethodOverrides& method) {
-    return planned(load_scene_source(path), method);
+PlannedScene load_scene(const std::string& path, const MethodOverrides& method,
+                        const InputLimits& limits) {
+    return planned(load_scene_source(path, limits), method, limits);
 }
 
-Trace load_trace(const std::string& path, const MethodOverrides& method) {
-    Source source = read_input(path);
+Trace load_trace(const std::string& path, const MethodOverrides& method,
+                 const InputLimits& limits) {
+    Source source = read_input(path, limits);
     if (is_trace(source)) {
         if (!method.empty())
             throw problem_of(source.name,
@@ -73,7 +76,7 @@ Trace load_trace(const std::string& path, const MethodOverrides& method) {
                                          method.front().first, method.front().second));
         return value_or_throw(read_trace(std::move(source)));
     }
-    const auto [scene, plan, files] = planned(source, method);
+    const auto [scene, plan, files] = planned(source, method, limits);
     Source drawn{.name = source.name, .text = {}};
     StringOutput output(drawn.text);
     write_trace(scene, plan, {}, output);

@@ -16,14 +16,16 @@ namespace rastertrace {
 
 /// Reads and plans the scene in a file ("-" for standard input). Throws a Problem; that standard
 /// output is one of the files that are read is one.
-PlannedScene load_scene(const std::string& path, const MethodOverrides& method);
+PlannedScene load_scene(const std::string& path, const MethodOverrides& method,
+                        const InputLimits& limits = {});
 
 /// The text of the scene in a file, not yet read. Throws a Problem; a trace is one.
-Source load_scene_source(const std::string& path);
+Source load_scene_source(const std::string& path, const InputLimits& limits = {});
 
 /// Reads the trace in a file, or draws the scene in it. Throws a Problem. Damage that leaves the
 /// trace usable is left to the caller, see report_damage.
-Trace load_trace(const std::string& path, const MethodOverrides& method);
+Trace load_trace(const std::string& path, const MethodOverrides& method,
+                 const InputLimits& limits = {});
 
 /// Tells on standard error what is wrong with a trace that can be used all the same. Returns the
 /// exit status that this means: bad input if there was something to tell.

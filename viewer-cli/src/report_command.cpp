@@ -86,7 +86,7 @@ int run(const ReportCommand& command) {
     std::vector<Scene> scenes;
     std::vector<FileId> inputs;
     for (const std::string& path : command.scenes) {
-        PlannedScene planned = load_scene(path, command.method);
+        PlannedScene planned = load_scene(path, command.method, command.input);
         scenes.push_back(std::move(planned.scene));
         inputs.insert(inputs.end(), planned.files.begin(), planned.files.end());
     }

@@ -101,7 +101,7 @@ std::vector<Shown> steps_to_show(const ShowCommand& command, const Trace& trace)
 } // namespace
 
 int run(const ShowCommand& command) {
-    const Trace trace = load_trace(command.trace, command.method);
+    const Trace trace = load_trace(command.trace, command.method, command.input);
     const TextSize size = output_size();
 
     Replay replay(trace);

@@ -97,7 +97,7 @@ std::string as_text(const Trace& trace, const Stats& stats) {
     const auto out = std::back_inserter(text);
     fmt::format_to(out, "steps       {}\n", stats.steps);
     for (const auto& [kind, count] : stats.count)
-        fmt::format_to(out, "  {:<9} {}\n", shortened(printable(kind), 30), count);
+        fmt::format_to(out, "  {} {}\n", padded(shortened(printable(kind), 30), 9), count);
     fmt::format_to(out, "pixels      {} of {} on the canvas\n", stats.pixels, stats.canvas);
     fmt::format_to(out, "writes      {}, {} of them over a pixel drawn before\n", stats.writes,
                    stats.writes - stats.pixels);
@@ -228,13 +228,10 @@ std::string as_json(const Trace& trace, const Stats& stats) {
 } // namespace
 
 int run(const StatsCommand& command) {
-    const Trace trace = load_trace(command.trace, command.method);
+    const Trace trace = load_trace(command.trace, command.method, command.input);
     const Stats stats = stats_of(trace);
     print(command.json ? as_json(trace, stats) : as_text(trace, stats));
-    const ExitStatus damage = report_damage(trace);
-    if (damage != exit_fine)
-        return damage;
-    return stats.frame_differs ? exit_difference : exit_fine;
+    return report_damage(trace);
 }
 
 } // namespace rastertrace

@@ -66,13 +66,13 @@ private:
 /// Text over as many lines as it needs. The first begins with `first`, which is padded to `indent`
 /// columns; the others are indented by as many.
 std::string wrapped(std::string_view first, std::size_t indent, std::string_view text) {
-    std::string result = fmt::format("{:<{}}", first, indent);
-    std::size_t column = std::max(indent, characters_in(first));
+    std::string result = padded(first, indent);
+    std::size_t column = std::max(indent, columns_in(first));
     bool is_first_word = true;
     while (!text.empty()) {
         const std::size_t end = std::min(text.find(' '), text.size());
         const std::string_view word = text.substr(0, end);
-        const std::size_t width = characters_in(word);
+        const std::size_t width = columns_in(word);
         if (!is_first_word && column + 1 + width > text_width) {
             result += '\n' + std::string(indent, ' ');
             column = indent;
@@ -373,11 +373,11 @@ std::string as_json(const std::string& title, const std::vector<CliffGroup>& gro
 
 /// Looks at the user's own scene.
 int look_at_scene(const StressCommand& command) {
-    const Source source = load_scene_source(command.scene);
+    const Source source = load_scene_source(command.scene, command.input);
     // What a scalar refuses is part of the answer; only what none can draw is a bad scene.
     MethodOverrides exact = command.method;
     exact.emplace_back("scalar", "exact");
-    const auto planned = read_scene(source, exact);
+    const auto planned = read_scene(source, exact, command.input);
     if (!planned)
         throw planned.problem();
     const Scene& scene = planned.value().scene;
@@ -388,7 +388,7 @@ int look_at_scene(const StressCommand& command) {
         progress.show("looking for cliffs");
         groups = cliffs_of(scene);
         progress.show("drawing with every scalar");
-        pictures = compared_pictures(source, command.method);
+        pictures = compared_pictures(source, command.method, command.input);
     }
     print(command.json ? as_json(scene.title, groups, pictures)
                        : as_text(scene.title, groups, pictures));

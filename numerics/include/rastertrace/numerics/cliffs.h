@@ -14,6 +14,7 @@
 
 #include <rastertrace/core/canvas.h>
 #include <rastertrace/core/scene.h>
+#include <rastertrace/trace/input.h>
 #include <rastertrace/trace/method_names.h>
 #include <rastertrace/trace/problem.h>
 
@@ -79,6 +80,7 @@ struct ComparedPicture {
 
 /// Reads and draws a scene with every scalar. If `exact` is refused, nothing differs from it.
 std::vector<ComparedPicture> compared_pictures(const Source& source,
-                                               const MethodOverrides& method = {});
+                                               const MethodOverrides& method = {},
+                                               const InputLimits& limits = {});
 
 } // namespace rastertrace

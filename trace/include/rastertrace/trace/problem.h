@@ -71,8 +71,4 @@ private:
 /// Reads a whole file; "-" is standard input. A missing file or a folder is a problem of the input.
 Result<Source> read_source(const std::string& path);
 
-/// Reads a file that another file names: no standard input, no pipe and no device, which might never
-/// end.
-Result<Source> read_named_file(const std::string& path);
-
 } // namespace rastertrace

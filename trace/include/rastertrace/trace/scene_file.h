@@ -8,6 +8,7 @@
 
 #include <rastertrace/core/plan.h>
 #include <rastertrace/core/scene.h>
+#include <rastertrace/trace/input.h>
 #include <rastertrace/trace/method_names.h>
 #include <rastertrace/trace/problem.h>
 
@@ -27,8 +28,9 @@ struct PlannedScene {
 
 /// Reads a scene. `overrides` take the place of what its "method" says. The scene that comes back
 /// can be drawn: every name is known, every number is finite, and no step can overflow. That is
-/// found out by planning, so the plan comes with it.
-Result<PlannedScene> read_scene(const Source& source, const MethodOverrides& overrides = {});
+/// found out by planning, so the plan comes with it. `limits` are for the files of its meshes.
+Result<PlannedScene> read_scene(const Source& source, const MethodOverrides& overrides = {},
+                                const InputLimits& limits = {});
 
 /// What stands between names that are written as one: nothing if each is one letter, "-" otherwise.
 std::string_view name_separator(std::span<const std::string_view> names);

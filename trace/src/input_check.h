@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Looks at a file while it is read, block by block, so that one that is too large, never ends or is
+// no text is left alone as soon as that is known.
+
+#include <rastertrace/trace/input.h>
+#include <rastertrace/trace/problem.h>
+
+#include <cstddef>
+#include <optional>
+
+namespace rastertrace {
+
+class InputCheck {
+public:
+    enum class Kind {
+        scene_or_trace, ///< JSON; a trace may have any size, but not each of its lines
+        other,
+    };
+
+    InputCheck(Kind kind, const InputLimits& limits) : kind_(kind), limits_(limits) {}
+
+    /// What is wrong with a source of which the block from `block` on has just been added.
+    std::optional<Problem> operator()(const Source& source, std::size_t block);
+
+private:
+    bool holds_trace(const Source& source);
+
+    Kind kind_;
+    InputLimits limits_;
+    bool has_begun_ = false;       ///< the beginning has been looked at
+    std::size_t line_begin_ = 0;   ///< of the last line so far
+    std::optional<bool> is_trace_; ///< once somebody had to know
+};
+
+} // namespace rastertrace
