@@ -100,14 +100,14 @@ std::string to_text(const Problem& problem) {
     return text;
 }
 
-namespace {
-
-/// True if a file could not be opened for what its path is; false if the system could not open any.
-bool is_due_to_path(int error) {
+Problem::Cause cause_of_open_error(int error) {
     constexpr std::array errors{ENOENT,       ENOTDIR, EISDIR, EACCES, EPERM,    ELOOP,
                                 ENAMETOOLONG, ENXIO,   ENODEV, EINVAL, EOVERFLOW};
-    return std::find(errors.begin(), errors.end(), error) != errors.end();
+    const bool is_due_to_path = std::find(errors.begin(), errors.end(), error) != errors.end();
+    return is_due_to_path ? Problem::Cause::input : Problem::Cause::system;
 }
+
+namespace {
 
 Result<Source> read_path(const std::string& path, bool is_standard_input, bool must_be_regular,
                          InputCheck fault_of) {
@@ -122,7 +122,7 @@ Result<Source> read_path(const std::string& path, bool is_standard_input, bool m
     const int flags = O_RDONLY | O_CLOEXEC | (must_be_regular ? O_NONBLOCK : 0);
     const Descriptor opened(is_standard_input ? -1 : ::open(path.c_str(), flags));
     if (!is_standard_input && !opened.is_open())
-        return failure(is_due_to_path(errno) ? Problem::Cause::input : Problem::Cause::system,
+        return failure(cause_of_open_error(errno),
                        fmt::format("expected a file that can be read, found: {}",
                                    std::generic_category().message(errno)));
     const int descriptor = is_standard_input ? STDIN_FILENO : opened.number();

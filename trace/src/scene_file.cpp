@@ -352,11 +352,18 @@ private:
         namespace fs = std::filesystem;
         std::error_code error;
         const fs::path folder = fs::canonical(beside_scene("."), error);
-        const fs::path file =
-            error ? fs::path()
-                  : fs::weakly_canonical(fs::absolute(beside_scene(path.c_str())), error);
+        const fs::path absolute =
+            error ? fs::path() : fs::absolute(beside_scene(path.c_str()), error);
+        const fs::path file = error ? fs::path() : fs::weakly_canonical(absolute, error);
+        if (error) {
+            Problem problem = problem_of(
+                beside_scene(path),
+                fmt::format("expected a file that can be read, found: {}", error.message()));
+            problem.cause = cause_of_open_error(error.value());
+            throw problem;
+        }
         const auto parts = std::mismatch(folder.begin(), folder.end(), file.begin(), file.end());
-        if (error || parts.first != folder.end())
+        if (parts.first != folder.end())
             json_.fail_expecting(obj, "an OBJ file in the scene's folder or below",
                                  "--allow-outside lets it lie anywhere");
     }

@@ -49,6 +49,9 @@ std::string to_text(const Problem& problem);
 Problem problem_at(const Source& source, std::size_t offset, std::string message,
                    std::string hint = {});
 
+/// What an error of open(2), or of looking a path up, is due to: the path, or the system.
+Problem::Cause cause_of_open_error(int error);
+
 /// A problem with no place in a file.
 Problem problem_of(std::string file, std::string message, std::string hint = {});
 
