@@ -1,4 +1,4 @@
-# find_package(rastertrace) gives rastertrace::core (headers) and rastertrace::trace (a library).
+# find_package(rastertrace) gives the libraries rastertrace::core and rastertrace::trace.
 include(CMakeFindDependencyMacro)
 list(APPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
 find_dependency(glm CONFIG)

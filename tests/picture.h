@@ -5,11 +5,10 @@
 
 #include <rastertrace/core/draw.h>
 
-#include <functional>
+#include <concepts>
+#include <cstddef>
 #include <string>
 #include <string_view>
-#include <tuple>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -53,33 +52,30 @@ inline Scene first_triangle(Method method = {.scalar = ScalarKind::exact}) {
     return triangle_scene({"2", "5", "-4", "-3", "5", "-3"}, {.width = 17, .height = 14}, method);
 }
 
-/// One step of any kind, for any scalar.
-template <typename Scalar>
-using StepsOf =
-    std::tuple<const MatrixSetUp<Scalar>*, const VertexPlaced<Scalar>*,
-               const PrimitivesOrdered<Scalar>*, const FaceTested<Scalar>*, const FaceLit<Scalar>*,
-               const PrimitiveBegan<Scalar>*, const EdgeSetUp<Scalar>*,
-               const EdgeFunctionSetUp<Scalar>*, const ScanlineSpanned<Scalar>*,
-               const LineSampled<Scalar>*, const SampleTested<Scalar>*, const DepthTested<Scalar>*>;
-using PlainSteps =
-    std::tuple<const PrimitiveClipped*, const SideBegan*, const HalfBegan*, const RayBegan*,
-               const LineDecided*, const PixelPlotted*, const PixelsRejected*, const RowsRejected*,
-               const PrimitiveSkipped*, const BoundExceeded*>;
-template <typename... Types> std::variant<Types...> any_of(std::tuple<Types...>);
-using AnyStep = decltype(any_of(std::tuple_cat(
-    std::declval<StepsOf<float>>(), std::declval<StepsOf<double>>(),
-    std::declval<StepsOf<Adaptive>>(), std::declval<StepsOf<Fraction64>>(),
-    std::declval<StepsOf<Fraction128>>(), std::declval<StepsOf<Rational>>(), PlainSteps{})));
+/// A told number as a Scalar.
+template <typename Scalar> Scalar as(const Quantity& told) {
+    if constexpr (std::same_as<Scalar, Rational>)
+        return told.exact();
+    else
+        return static_cast<Scalar>(told.to_double());
+}
+template <typename Scalar> Vec<Scalar, 3> as(const Vec<Quantity, 3>& told) {
+    return {as<Scalar>(told.x), as<Scalar>(told.y), as<Scalar>(told.z)};
+}
 
-/// Draws a scene as its plan says. Compiled once, for all the tests.
-Image draw_as_planned(const Scene& scene);
-Image draw_watched(const Scene& scene, const std::function<void(const AnyStep&)>& watch);
+/// Draws a scene as its plan says.
+inline Image draw_as_planned(const Scene& scene) {
+    return draw(scene, plan_for(scene));
+}
+inline Image draw_as_planned(const Scene& scene, const Listener& listener) {
+    return draw(scene, plan_for(scene), listener);
+}
 
-/// Draws a scene as its plan says, with a sink.
-template <typename Sink> Image draw_as_planned(const Scene& scene, Sink&& sink) {
-    return draw_watched(scene, [&sink](const AnyStep& step) {
-        std::visit([&sink](const auto* one) { sink(*one); }, step);
-    });
+/// Draws it with other numbers of the same kind.
+inline Image draw_with(NumberType number, const Scene& scene) {
+    Plan plan = plan_for(scene);
+    plan.number = number;
+    return draw(scene, plan);
 }
 
 } // namespace rastertrace

@@ -83,8 +83,7 @@ public:
 
     std::vector<CliffGroup> find() {
         look_at_vertices();
-        for_each_piece(scene_, geometry_, NullSink{},
-                       [this](const Piece<Rational>& piece) { look_at(piece); });
+        for_each_piece(scene_, geometry_, [this](const Piece<Rational>& piece) { look_at(piece); });
         look_at_depths();
         look_at_faces();
         look_at_junctions();

@@ -5,7 +5,7 @@
 
 #include "job_builder.h"
 
-#include <rastertrace/core/draw.h>
+#include <rastertrace/core/fill.h>
 #include <rastertrace/core/pieces.h>
 #include <rastertrace/core/plan.h>
 #include <rastertrace/core/scene.h>
@@ -30,9 +30,8 @@ void for_each_placed_triangle(const Scene& scene, const Plan& plan, Visit&& visi
             visit(placed<Scalar>(piece, plan), is_culled);
         }
     };
-    std::visit(
-        [&](const auto& geometry) { for_each_piece(scene, geometry, NullSink{}, visit_piece); },
-        plan.geometry);
+    std::visit([&](const auto& geometry) { for_each_piece(scene, geometry, visit_piece); },
+               plan.geometry);
 }
 
 /// True if these are the triangles, in order, whose pixels `spans` has. They are not if clipping, in

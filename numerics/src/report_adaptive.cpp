@@ -35,9 +35,9 @@ struct StepsSink {
     }
 
     template <typename Step> bool takes() const {
-        return std::same_as<Step, SampleTested<Adaptive>> ||
-               std::same_as<Step, SampleTested<Rational>> ||
-               std::same_as<Step, DepthTested<Adaptive>> || std::same_as<Step, PixelPlotted>;
+        return std::same_as<Step, PrimitiveBegan<Quantity>> ||
+               std::same_as<Step, SampleTested<Quantity>> ||
+               std::same_as<Step, DepthTested<Quantity>> || std::same_as<Step, PixelPlotted>;
     }
 };
 
@@ -63,7 +63,7 @@ std::uint64_t AdaptiveSteps::pixels_tested() const {
 
 AdaptiveSteps steps_of(const AdaptiveDrawing& drawing) {
     AdaptiveSteps steps;
-    draw<Adaptive>(drawing.scene, drawing.plan, StepsSink{drawing.numbers, steps});
+    draw(drawing.scene, drawing.plan, StepsSink{drawing.numbers, steps});
     return steps;
 }
 

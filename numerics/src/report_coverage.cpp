@@ -5,7 +5,7 @@
 #include "placed_triangles.h"
 #include "report_adaptive.h"
 
-#include <rastertrace/core/draw.h>
+#include <rastertrace/core/fill.h>
 #include <rastertrace/trace/method_names.h>
 
 #include <fmt/format.h>

@@ -6,7 +6,7 @@
 #include "placed_triangles.h"
 #include "report_adaptive.h"
 
-#include <rastertrace/core/draw.h>
+#include <rastertrace/core/fill.h>
 #include <rastertrace/core/painter.h>
 #include <rastertrace/numerics/knobs.h>
 #include <rastertrace/trace/method_names.h>

@@ -170,9 +170,9 @@ private:
         };
         const AnyGeometry geometry = geometry_for(exact);
         if (const auto* typed = std::get_if<TypedGeometry>(&geometry))
-            for_each_piece(exact, *typed, NullSink{}, add_piece);
+            for_each_piece(exact, *typed, add_piece);
         else
-            for_each_piece(exact, std::get<Geometry<Rational>>(geometry), NullSink{}, add_piece);
+            for_each_piece(exact, std::get<Geometry<Rational>>(geometry), add_piece);
     }
 
     Rational x_at(const ExactEdge& edge, int row) const {

@@ -2,7 +2,7 @@
 // Fills with a sink that keeps nothing, next to the loop that well-known teaching renderers use:
 // glm barycentric coordinates for each pixel of the box. Canvas 512 x 512, flat color.
 
-#include <rastertrace/core/draw.h>
+#include <rastertrace/core/fill.h>
 
 #include <benchmark/benchmark.h>
 

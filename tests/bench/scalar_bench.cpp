@@ -95,9 +95,7 @@ void picture(benchmark::State& state, Scene scene, ScalarKind scalar) {
     Fallbacks fallbacks;
     for (auto _ : state) {
         const Plan plan = plan_for(scene);
-        const Image image = with_scalar(plan, [&]<typename Scalar>() {
-            return draw<Scalar>(scene, plan, NullSink{}, &fallbacks);
-        });
+        const Image image = draw(scene, plan, &fallbacks);
         benchmark::DoNotOptimize(image.colors().data());
     }
     if (scalar == ScalarKind::adaptive) {

@@ -129,7 +129,7 @@ Scene relief(int scale) {
 
 Image draw_planned(const Scene& scene) {
     const Plan plan = plan_for(scene);
-    return draw<double>(scene, plan, NullSink{});
+    return draw(scene, plan);
 }
 
 /// Counts bytes and keeps none.
@@ -159,14 +159,14 @@ void filtered(benchmark::State& state, const StepFilter& filter) {
     CountedOutput output;
     for (auto _ : state) {
         StepWriter writer(output, TraceLayout::json, filter);
-        benchmark::DoNotOptimize(draw<double>(scene, plan, writer));
+        benchmark::DoNotOptimize(draw(scene, plan, writer));
     }
 }
 void unwatched(benchmark::State& state) {
     const Scene scene = relief(1);
     const Plan plan = plan_for(scene);
     for (auto _ : state)
-        benchmark::DoNotOptimize(draw<double>(scene, plan, NullSink{}));
+        benchmark::DoNotOptimize(draw(scene, plan));
 }
 
 BENCHMARK(unwatched)->Unit(benchmark::kMicrosecond);

@@ -71,8 +71,8 @@ void write_with_step_writer(benchmark::State& state, bool dyadic) {
         CountingOutput output;
         StepWriter writer(output, TraceLayout::jsonl, {});
         const std::array<std::string_view, 3> names{"A", "B", "C"};
-        const std::array<Vec<double, 2>, 3> places{};
-        writer(PrimitiveBegan<double>{PrimitiveKind::triangle, "ABC", names, places, {}, {}, 0});
+        const std::array<Vec<Quantity, 2>, 3> places{};
+        writer(PrimitiveBegan<Quantity>{PrimitiveKind::triangle, "ABC", names, places, {}, {}, 0});
         for_each_step(
             all,
             [&](const Numbers& n) {
@@ -85,7 +85,7 @@ void write_with_step_writer(benchmark::State& state, bool dyadic) {
                            R"(,"stored":)", n.b, R"(,"pass":true})");
             },
             [&](const Numbers& n) {
-                writer(ScanlineSpanned<double>{n.y, n.a, n.b, n.x, n.x + 9, {0, 1}, {0, 2}});
+                writer(ScanlineSpanned<Quantity>{n.y, n.a, n.b, n.x, n.x + 9, {0, 1}, {0, 2}});
             });
         writer.flush();
         state.counters["bytes per step"] =

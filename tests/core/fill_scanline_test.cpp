@@ -35,14 +35,8 @@ struct Row {
 struct RowRecorder {
     std::vector<Row> rows;
 
-    template <typename Step> void operator()(const Step&) {}
-    template <typename Integer> void operator()(const ScanlineSpanned<Fraction<Integer>>& step) {
-        const auto text = [](const Fraction<Integer>& x) {
-            mpq_class value(static_cast<long>(x.numerator), static_cast<long>(x.denominator));
-            value.canonicalize();
-            return value.get_str();
-        };
-        rows.push_back({step.y, text(step.left), text(step.right), step.from, step.to});
+    void operator()(const ScanlineSpanned<Quantity>& step) {
+        rows.push_back({step.y, step.left.text(), step.right.text(), step.from, step.to});
     }
 };
 
@@ -402,9 +396,9 @@ RC_GTEST_PROP(ScanlineFill, DrawsTheSameWithEveryExactType, ()) {
     const Scene scene = triangle_scene(*triangle_coordinates(), *small_canvas(), *exact_method());
     const Plan plan = plan_for(scene);
     RC_ASSERT(plan.number == NumberType::fraction64);
-    const std::string picture = picture_of(draw<Fraction64>(scene, plan, NullSink{}));
-    RC_ASSERT(picture_of(draw<Fraction128>(scene, plan, NullSink{})) == picture);
-    RC_ASSERT(picture_of(draw<Rational>(scene, plan, NullSink{})) == picture);
+    const std::string picture = picture_of(draw(scene, plan));
+    RC_ASSERT(picture_of(draw_with(NumberType::fraction128, scene)) == picture);
+    RC_ASSERT(picture_of(draw_with(NumberType::rational, scene)) == picture);
 }
 
 RC_GTEST_PROP(ScanlineFill, DrawsTheSamePixelsForEveryVertexOrder, ()) {

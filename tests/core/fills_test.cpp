@@ -48,16 +48,11 @@ TEST(Barycentric, HasTheWeightsOfTheTable) {
         {1, -3, {"0", "4/9", "5/9"}, true},        {3, 2, {"5/8", "1/72", "13/36"}, true},
         {-1, 2, {"5/8", "11/24", "-1/12"}, false}, {4, 2, {"5/8", "-7/72", "17/36"}, false}};
     std::map<std::pair<int, int>, std::pair<std::array<mpq_class, 3>, bool>> found;
-    const auto sink = [&found]<typename Step>(const Step& step) {
-        if constexpr (std::same_as<Step, SampleTested<Fraction64>>) {
-            std::array<mpq_class, 3> weights;
-            for (std::size_t i = 0; i < 3; ++i) {
-                weights[i] = mpq_class(static_cast<long>(step.weights[i].numerator),
-                                       static_cast<long>(step.weights[i].denominator));
-                weights[i].canonicalize();
-            }
-            found[{step.pixel.x, step.pixel.y}] = {weights, step.is_inside};
-        }
+    const auto sink = [&found](const SampleTested<Quantity>& step) {
+        std::array<mpq_class, 3> weights;
+        for (std::size_t i = 0; i < 3; ++i)
+            weights[i] = step.weights[i].exact();
+        found[{step.pixel.x, step.pixel.y}] = {weights, step.is_inside};
     };
     draw_as_planned(first_triangle({.scalar = ScalarKind::exact, .fill = Fill::barycentric}), sink);
     EXPECT_EQ(found.size(), 90u);
@@ -343,9 +338,8 @@ RC_GTEST_PROP(Fills, NeverLetAFractionOverflow, ()) {
     scene.primitives = {{.kind = *rc::gen::element(PrimitiveKind::triangle, PrimitiveKind::outline),
                          .name = "ABC",
                          .vertices = {0, 1, 2}}};
-    const Plan plan = plan_for(scene);
-    RC_TAG(static_cast<int>(plan.number));
-    RC_ASSERT(draw_as_planned(scene).colors() == draw<Rational>(scene, plan, NullSink{}).colors());
+    RC_TAG(static_cast<int>(plan_for(scene).number));
+    RC_ASSERT(draw_as_planned(scene).colors() == draw_with(NumberType::rational, scene).colors());
 }
 
 // ---- Colors -------------------------------------------------------------------------------------

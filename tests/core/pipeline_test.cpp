@@ -4,6 +4,7 @@
 
 #include "picture.h"
 
+#include <rastertrace/core/clip.h>
 #include <rastertrace/core/fill_top_left.h>
 #include <rastertrace/core/geometry.h>
 #include <rastertrace/core/pieces.h>
@@ -18,6 +19,7 @@
 #include <cstddef>
 #include <map>
 #include <numbers>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -31,16 +33,23 @@ template <typename Scalar> struct PlaceSink {
     std::map<std::pair<std::string, Space>, std::vector<Scalar>> snapped;
     std::map<std::string, Matrix<Scalar>> matrices;
 
-    void operator()(const VertexPlaced<Scalar>& step) {
-        places[{std::string(step.name), step.space}] = {step.at.begin(), step.at.end()};
+    void operator()(const VertexPlaced<Quantity>& step) {
+        const auto numbers = [](std::span<const Quantity> told) {
+            std::vector<Scalar> result;
+            for (const Quantity& number : told)
+                result.push_back(as<Scalar>(number));
+            return result;
+        };
+        places[{std::string(step.name), step.space}] = numbers(step.at);
         if (!step.snapped.empty())
-            snapped[{std::string(step.name), step.space}] = {step.snapped.begin(),
-                                                             step.snapped.end()};
+            snapped[{std::string(step.name), step.space}] = numbers(step.snapped);
     }
-    void operator()(const MatrixSetUp<Scalar>& step) {
-        matrices[std::string(step.name)] = step.matrix;
+    void operator()(const MatrixSetUp<Quantity>& step) {
+        Matrix<Scalar>& matrix = matrices[std::string(step.name)];
+        for (std::size_t row = 0; row < 4; ++row)
+            for (std::size_t column = 0; column < 4; ++column)
+                matrix.rows[row][column] = as<Scalar>(step.matrix.rows[row][column]);
     }
-    template <typename Step> void operator()(const Step&) {}
 
     const std::vector<Scalar>& at(const std::string& name, Space space) const {
         return places.at({name, space});
@@ -50,8 +59,9 @@ template <typename Scalar> struct PlaceSink {
 template <typename Scalar> PlaceSink<Scalar> places_in(const Scene& scene) {
     PlaceSink<Scalar> sink;
     const auto geometry = geometry_of<Scalar>(scene);
-    report_geometry(scene, geometry, sink);
-    for_each_piece(scene, geometry, sink, [](const Piece<Scalar>&) {});
+    tell_geometry(scene, geometry, sink);
+    for_each_piece(
+        scene, geometry, [](const Piece<Scalar>&) {}, sink);
     return sink;
 }
 
@@ -244,16 +254,15 @@ std::size_t pixels_of_part_p(const std::vector<std::array<Number, 3>>& corners) 
     scene.primitives.push_back(
         {.kind = PrimitiveKind::triangle, .name = "T", .vertices = {0, 1, 2}, .color = {}});
     Image image(scene.canvas);
-    for_each_piece(scene, geometry_of<Rational>(scene), NullSink{},
-                   [&image](const Piece<Rational>& piece) {
-                       Triangle<Rational> triangle;
-                       for (std::size_t i = 0; i < 3; ++i)
-                           triangle.vertices[i] = {(piece.positions[i].x + 1) * 32,
-                                                   (piece.positions[i].y + 1) * 32};
-                       const Rational half(mpz_class(1), mpz_class(2));
-                       fill_top_left(triangle, Paint<Rational>{.flat = {}},
-                                     SampleGrid<Rational>(half, image.canvas()), image, NullSink{});
-                   });
+    for_each_piece(scene, geometry_of<Rational>(scene), [&image](const Piece<Rational>& piece) {
+        Triangle<Rational> triangle;
+        for (std::size_t i = 0; i < 3; ++i)
+            triangle.vertices[i] = {(piece.positions[i].x + 1) * 32,
+                                    (piece.positions[i].y + 1) * 32};
+        const Rational half(mpz_class(1), mpz_class(2));
+        fill_top_left(triangle, Paint<Rational>{.flat = {}},
+                      SampleGrid<Rational>(half, image.canvas()), image, NullSink{});
+    });
     return image.drawn();
 }
 
@@ -549,8 +558,8 @@ RC_GTEST_PROP(Pipeline, ClippingLeavesWhatIsInViewAlone, ()) {
         RC_ASSERT(!piece.is_part);
         pieces.push_back(piece.positions);
     };
-    for_each_piece(scene, with_planes, NullSink{}, collect);
-    for_each_piece(scene, without_planes, NullSink{}, collect);
+    for_each_piece(scene, with_planes, collect);
+    for_each_piece(scene, without_planes, collect);
     RC_ASSERT(pieces.size() == 2u);
     RC_ASSERT(pieces[0] == pieces[1]);
 }
@@ -571,14 +580,13 @@ RC_GTEST_PROP(Pipeline, WhatClippingLeavesStaysWithinTheGuardBand, ()) {
     scene.primitives.push_back(
         {.kind = PrimitiveKind::triangle, .name = "ABC", .vertices = {0, 1, 2}, .color = {}});
     int parts = 0;
-    for_each_piece(scene, geometry_of<Rational>(scene), NullSink{},
-                   [&parts](const Piece<Rational>& piece) {
-                       ++parts;
-                       for (const auto& position : piece.positions) {
-                           RC_ASSERT(abs(position.x) <= guard_band * 32);
-                           RC_ASSERT(abs(position.y) <= guard_band * 32);
-                       }
-                   });
+    for_each_piece(scene, geometry_of<Rational>(scene), [&parts](const Piece<Rational>& piece) {
+        ++parts;
+        for (const auto& position : piece.positions) {
+            RC_ASSERT(abs(position.x) <= guard_band * 32);
+            RC_ASSERT(abs(position.y) <= guard_band * 32);
+        }
+    });
     RC_ASSERT(1 <= parts && parts <= 7);
 }
 

@@ -48,9 +48,8 @@ RC_GTEST_PROP(Plan, NeverLetsAFractionOverflow, ()) {
                         .rounding = *rc::gen::element(Rounding::floor, Rounding::nearest),
                         .lerp = *rc::gen::element(LerpForm::direct, LerpForm::incremental)};
     const Scene scene = triangle_scene(coordinates, {.width = 32, .height = 32}, method);
-    const Plan plan = plan_for(scene);
-    RC_TAG(static_cast<int>(plan.number));
-    RC_ASSERT(draw_as_planned(scene).colors() == draw<Rational>(scene, plan, NullSink{}).colors());
+    RC_TAG(static_cast<int>(plan_for(scene).number));
+    RC_ASSERT(draw_as_planned(scene).colors() == draw_with(NumberType::rational, scene).colors());
 }
 
 TEST(Unfit, OfACoordinateIsFound) {

@@ -138,17 +138,21 @@ Scene full(Scene scene) {
 }
 
 /// Steps with their numbers rounded to nine places: `adaptive` writes doubles that are off by no more
-/// than their bounds, and exact numbers from where these leave a decision open, which may be earlier
-/// where more is asked.
+/// than their bounds, and exact numbers, as fractions in quotes too, from where these leave a decision
+/// open, which may be earlier where more is asked.
 std::vector<std::string> with_rounded_numbers(std::vector<std::string> steps) {
-    static const std::regex number(R"(-?[0-9]+(\.[0-9]+)?(e[-+]?[0-9]+)?)");
+    static const std::regex number(
+        R"re("-?[0-9]+(/[0-9]+)?"|-?[0-9]+(\.[0-9]+)?(e[-+]?[0-9]+)?)re");
     for (std::string& step : steps) {
         std::string rounded;
         auto rest = step.cbegin();
         for (std::sregex_iterator one(step.begin(), step.end(), number), end; one != end; ++one) {
             rounded.append(rest, (*one)[0].first);
-            const std::string text =
-                fmt::format("{:.9f}", std::strtod(one->str().c_str(), nullptr));
+            const std::string found = one->str();
+            const double value = found.front() == '"'
+                                     ? nearest_double(mpq_class(found.substr(1, found.size() - 2)))
+                                     : std::strtod(found.c_str(), nullptr);
+            const std::string text = fmt::format("{:.9f}", value);
             rounded += text == "-0.000000000" ? "0.000000000" : text;
             rest = (*one)[0].second;
         }

@@ -87,7 +87,7 @@ TEST(WriteTrace, NoInfinityReachesATrace) {
     StringOutput output(text);
     StepWriter writer(output, TraceLayout::json, {});
     const auto write = [&writer](double value) {
-        writer(EdgeSetUp<double>{.edge = {0, 1}, .is_horizontal = false, .dx_dy = value});
+        writer(EdgeSetUp<Quantity>{.edge = {0, 1}, .is_horizontal = false, .dx_dy = value});
     };
     EXPECT_THROW(write(HUGE_VAL), Problem);
     EXPECT_THROW(write(std::nan("")), Problem);

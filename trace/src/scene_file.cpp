@@ -7,6 +7,7 @@
 #include "name_index.h"
 #include "pipeline_json.h"
 
+#include <rastertrace/core/pieces.h>
 #include <rastertrace/core/plan.h>
 #include <rastertrace/trace/color_text.h>
 #include <rastertrace/trace/obj_file.h>
@@ -604,7 +605,7 @@ private:
         };
         std::visit(
             [&](const auto& geometry) {
-                for_each_piece(scene_, geometry, NullSink{}, [&](const auto& piece) {
+                for_each_piece(scene_, geometry, [&](const auto& piece) {
                     for (std::size_t i = 0; i < piece.count; ++i) {
                         reach(0, to_double(piece.positions[i].x));
                         reach(1, to_double(piece.positions[i].y));

@@ -148,8 +148,7 @@ std::uint64_t write_trace(const Scene& scene, const Plan& plan, const TraceOptio
     writer.put_text(fmt::format("{{{}{}", header_members(scene, plan, options.filter),
                                 is_document ? R"(,"steps":[)" : "}"));
 
-    const Image image =
-        with_scalar(plan, [&]<typename Scalar>() { return draw<Scalar>(scene, plan, writer); });
+    const Image image = draw(scene, plan, writer);
 
     const std::string end = end_record(writer, image);
     writer.put_text(fmt::format("\n{}{}}}\n", is_document ? "],\n" : "{", end));

@@ -14,7 +14,7 @@ int main() {
     scene.vertices = {{"A", 2, 5, {}}, {"B", -4, -3, {}}, {"C", 5, -3, {}}};
     scene.primitives = {
         {.kind = PrimitiveKind::triangle, .name = "ABC", .vertices = {0, 1, 2}, .color = {}}};
-    const Image picture = draw<double>(scene, plan_for(scene), NullSink{});
+    const Image picture = draw(scene, plan_for(scene));
 
     Source source{"first.json", {}};
     StringOutput output(source.text);

@@ -3,298 +3,31 @@
 
 // Draws a scene: every primitive in the scene's order, by the method that the scene names.
 //
-//     const Image picture = draw<double>(scene, plan_for(scene), NullSink{});
+//     const Image picture = draw(scene, plan_for(scene));
+//     draw(scene, plan_for(scene), [](const PixelPlotted& step) { /* every pixel */ });
 
-#include <rastertrace/core/adaptive.h>
-#include <rastertrace/core/adaptive_depth.h>
-#include <rastertrace/core/depth.h>
-#include <rastertrace/core/exactly.h>
-#include <rastertrace/core/fill_barycentric.h>
-#include <rastertrace/core/fill_fan.h>
-#include <rastertrace/core/fill_scanline.h>
-#include <rastertrace/core/fill_top_left.h>
-#include <rastertrace/core/fill_two_halves.h>
 #include <rastertrace/core/image.h>
-#include <rastertrace/core/line_bresenham.h>
-#include <rastertrace/core/line_lerp.h>
-#include <rastertrace/core/pieces.h>
-#include <rastertrace/core/placed.h>
+#include <rastertrace/core/listener.h>
 #include <rastertrace/core/plan.h>
 #include <rastertrace/core/scene.h>
-#include <rastertrace/core/sink.h>
-#include <rastertrace/core/steps.h>
-#include <rastertrace/core/triangle.h>
 
-#include <array>
-#include <concepts>
-#include <cstddef>
 #include <cstdint>
-#include <optional>
-#include <span>
-#include <string_view>
-#include <type_traits>
-#include <utility>
-#include <variant>
-#include <vector>
 
 namespace rastertrace {
 
-/// Draws the line between two vertices of a primitive.
-template <typename Scalar, typename Sink>
-void draw_line(const PlacedPrimitive<Scalar>& primitive, EdgeName side, const Method& method,
-               Image& image, Sink&& sink) {
-    Segment<Scalar> segment{primitive.positions[side.from], primitive.positions[side.to]};
-    GridLine line{nearest_pixel(segment.from.x, segment.from.y),
-                  nearest_pixel(segment.to.x, segment.to.y), primitive.colors[side.from],
-                  primitive.colors[side.to]};
-
-    // From the low end, if that is asked for.
-    const bool is_x_major = std::abs(line.to.x - line.from.x) >= std::abs(line.to.y - line.from.y);
-    const bool runs_down = is_x_major ? line.to.x < line.from.x : line.to.y < line.from.y;
-    if (method.from == LineStart::low && runs_down) {
-        line = reversed(line);
-        std::swap(segment.from, segment.to);
-    }
-
-    if (method.line == LineMethod::bresenham)
-        draw_bresenham(line, method.color_lerp, image, sink);
-    else
-        draw_line_by_lerp(segment,
-                          method.line == LineMethod::naive ? LineForm::naive : LineForm::dda,
-                          line_rounding(method), line, method.color_lerp, image, sink);
-}
-
-/// What pixels are drawn on and tested against, and where their samples lie.
-template <typename Scalar, typename OfPixels = Scalar> struct Target {
-    Image& image;
-    SampleGrid<Scalar> grid;
-    DepthBuffer<DepthOf<OfPixels>>* depth = nullptr; ///< if depths are tested
-    Exactness* exactness = nullptr;                  ///< of `adaptive`
+/// How often `adaptive` could not decide with doubles.
+struct Fallbacks {
+    std::uint64_t primitives = 0; ///< or parts of one: drawn with exact numbers, from some row on
+    std::uint64_t depths = 0;     ///< tests
+    std::uint64_t colors = 0;     ///< of pixels
 };
 
-/// Where the samples of the scene's pixels lie.
-template <typename Scalar> SampleGrid<Scalar> sample_grid(const Scene& scene, const Plan& plan) {
-    return {scalar_from<Scalar>(sample_offset_of(scene.method), plan.denominator), scene.canvas};
-}
+/// Draws a scene in which find_unfit has found nothing, and returns its picture. Who wants to know is
+/// told how often `adaptive` fell back on exact numbers.
+Image draw(const Scene& scene, const Plan& plan, Fallbacks* fallbacks = nullptr);
 
-/// Fills a triangle with the stages that its pixels go through.
-template <typename Scalar, PixelStages stages, typename OfPixels, typename Sink>
-void fill(const PlacedPrimitive<Scalar>& primitive, const Paint<Scalar, stages, OfPixels>& paint,
-          const Method& method, Target<Scalar, OfPixels>& target, Sink&& sink) {
-    const Triangle<Scalar> triangle{primitive.positions};
-    Image& image = target.image;
-    const ScanlineRules rules{.lerp = method.lerp, .span = span_rounding(method)};
-    switch (method.fill) {
-    case Fill::scanline:
-        return fill_scanline(triangle, paint, rules, image, sink);
-    case Fill::two_halves:
-        return fill_two_halves(triangle, paint, rules, image, sink);
-    case Fill::barycentric:
-        return fill_barycentric(triangle, paint, target.grid.sample_offset(), image, sink);
-    case Fill::top_left:
-        return fill_top_left(triangle, paint, target.grid, image, sink);
-    case Fill::fan:
-        break;
-    }
-    fill_fan(triangle, primitive.colors,
-             {.passes = method.fan_passes, .color_lerp = method.color_lerp}, image, sink);
-}
-
-/// Fills a triangle.
-template <typename Scalar, typename OfPixels, typename Sink>
-void fill(const PlacedPrimitive<Scalar>& primitive, Color flat, const Scene& scene,
-          const Plan& plan, Target<Scalar, OfPixels>& target, Sink&& sink) {
-    const Triangle<Scalar> triangle{primitive.positions};
-    const Scalar sample_offset = target.grid.sample_offset();
-
-    // What its colors are mixed from. Without area, and where its vertices agree, it has one.
-    PixelStages stages = plan.stages.pixels[primitive.number];
-    const auto& [a, b, c] = primitive.colors;
-    if (plan.mixes_colors && a == b && a == c)
-        flat = a;
-    std::optional<MixedColors<OfPixels>> mixed;
-    if (stages.colors != ColorStage::flat) {
-        const Barycentric<Scalar> barycentric(triangle);
-        if (barycentric.area2() == scalar_from<Scalar>(0))
-            stages.colors = ColorStage::flat;
-        else if constexpr (std::same_as<OfPixels, Adaptive>)
-            mixed = mixed_colors(primitive, stages.colors, *target.exactness);
-        else
-            mixed = {primitive.colors, barycentric, sample_offset, primitive.inverse_w};
-    }
-
-    // What its depths are.
-    std::optional<TriangleDepth<Scalar, DepthBuffer<DepthOf<OfPixels>>>> depth;
-    if (stages.tests_depth) {
-        depth.emplace(triangle, primitive.depths, *target.depth);
-        if (scene.method.fill == Fill::top_left)
-            depth->prepare(depth_scalar(sample_offset));
-    }
-
-    with_stages<std::remove_cvref_t<Sink>>(stages, [&]<PixelStages with>() {
-        const Paint<Scalar, with, OfPixels> paint{flat, mixed ? &*mixed : nullptr,
-                                                  depth ? &*depth : nullptr};
-        fill(primitive, paint, scene.method, target, sink);
-    });
-}
-
-/// Draws a primitive, or a part of one, that lies where `primitive` says.
-template <typename Coordinate, typename Scalar, typename OfPixels, typename Sink>
-void draw_piece(const Piece<Coordinate>& piece, const PlacedPrimitive<Scalar>& primitive,
-                const Scene& scene, const Plan& plan, Target<Scalar, OfPixels>& target,
-                Sink&& sink) {
-    const Method& method = scene.method;
-    Image& image = target.image;
-    const bool is_tested = target.depth && piece.kind == PrimitiveKind::triangle;
-    const auto pixel_of = [&primitive](std::size_t corner) {
-        return nearest_pixel(primitive.positions[corner].x, primitive.positions[corner].y);
-    };
-    const auto tell_beginning = [&]<typename Told>(const PlacedPrimitive<Told>& told) {
-        sink(PrimitiveBegan<Told>{
-            .kind = piece.kind,
-            .name = piece.name,
-            .vertices = std::span(primitive.names).first(primitive.count),
-            .positions = std::span(told.positions).first(primitive.count),
-            .color = piece.color,
-            .colors = std::span(primitive.colors).first(plan.mixes_colors ? primitive.count : 0),
-            .octant = piece.kind == PrimitiveKind::line ? octant_of(pixel_of(0), pixel_of(1)) : 0,
-            .is_part = piece.is_part,
-            .depths = std::span(told.depths).first(is_tested ? primitive.count : 0)});
-    };
-    // The corners of `adaptive` are told as what they stand for: all decisions are about those.
-    if constexpr (std::same_as<Scalar, Adaptive> && keeps_steps<Sink>)
-        tell_beginning(target.exactness->pieces.placed(target.exactness->drawn.back()));
-    else
-        tell_beginning(primitive);
-    if constexpr (!std::same_as<Coordinate, Number>)
-        if (!report_face(piece.face, sink))
-            return;
-
-    switch (piece.kind) {
-    case PrimitiveKind::point:
-        draw_point(pixel_of(0), primitive.colors[0], image, sink);
-        break;
-    case PrimitiveKind::line:
-        draw_line(primitive, {0, 1}, method, image, sink);
-        break;
-    case PrimitiveKind::outline:
-        for (const EdgeName side : {EdgeName{0, 1}, EdgeName{1, 2}, EdgeName{2, 0}}) {
-            sink(SideBegan{.edge = side,
-                           .octant = octant_of(pixel_of(side.from), pixel_of(side.to))});
-            draw_line(primitive, side, method, image, sink);
-        }
-        break;
-    case PrimitiveKind::triangle:
-        fill(primitive, piece.color, scene, plan, target, sink);
-        break;
-    }
-}
-
-/// Draws all pieces of the scene.
-template <typename Scalar, typename AGeometry, typename Sink>
-void draw_pieces(const Scene& scene, const Plan& plan, const AGeometry& geometry,
-                 Target<Scalar>& target, Sink&& sink) {
-    for_each_piece(scene, geometry, sink, [&]<typename Coordinate>(const Piece<Coordinate>& piece) {
-        if constexpr (draws<Scalar, Coordinate>)
-            draw_piece(piece, placed<Scalar>(piece, plan), scene, plan, target, sink);
-    });
-}
-
-/// Draws them with doubles that know their error. A piece of which these leave a decision open is drawn
-/// once more with exact numbers: up to there it comes out as before, so its steps are not told again.
-template <typename AGeometry, typename Sink>
-void draw_pieces(const Scene& scene, const Plan& plan, const AGeometry& geometry,
-                 Target<Adaptive>& target, Sink&& sink) {
-    Exactness& exactness = *target.exactness;
-    Target<Rational, Adaptive> exact_target{target.image, sample_grid<Rational>(scene, plan),
-                                            target.depth, &exactness};
-    if (target.depth)
-        target.depth->ask(
-            [&](auto... asked) { return is_nearer(scene, plan, exactness, asked...); },
-            [&](auto... asked) { return told_depth(scene, exactness, asked...); });
-
-    // What could not be decided is told, and done again.
-    const auto decide = [&](auto& resumed, auto&& draw_it, auto&& draw_it_exactly) {
-        try {
-            draw_it();
-            return;
-        } catch (const Undecided& undecided) {
-            sink(BoundExceeded{.difference = undecided.difference, .error = undecided.error});
-        }
-        resumed.pass_over_what_came();
-        draw_it_exactly();
-    };
-
-    const bool mixes_colors = scene.mixes_colors();
-    for (std::size_t turn = 0; turn < scene.primitives.size(); ++turn) {
-        const std::size_t number = primitive_at(geometry, turn);
-        std::size_t drawn = 0; // pieces of the primitive
-        std::size_t part = 0;
-        const auto draw_one = [&]<typename Coordinate>(const Piece<Coordinate>& piece) {
-            if constexpr (draws<Adaptive, Coordinate>) {
-                if (part++ < drawn)
-                    return;
-                exactness.drawn.push_back({number, drawn++});
-                if (target.depth)
-                    target.depth->begin(static_cast<std::uint32_t>(exactness.drawn.size() - 1));
-                ResumedSink steps_of_piece(sink);
-                decide(
-                    steps_of_piece,
-                    [&] {
-                        draw_piece(piece, placed<Adaptive>(piece, plan), scene, plan, target,
-                                   steps_of_piece);
-                    },
-                    [&] {
-                        ++exactness.fallbacks.primitives;
-                        PlacedPrimitive<Rational> exact =
-                            exactness.pieces.placed(exactness.drawn.back());
-                        exact.names = piece.names;
-                        draw_piece(piece, exact, scene, plan, exact_target, steps_of_piece);
-                    });
-            }
-        };
-        // Which pieces it has may be left open, too.
-        ResumedSink steps_of_primitive(sink);
-        decide(
-            steps_of_primitive,
-            [&] {
-                visit_pieces(scene, geometry, number, mixes_colors, steps_of_primitive, draw_one);
-            },
-            [&] {
-                part = 0;
-                exactness.pieces.visit(number, steps_of_primitive, draw_one);
-            });
-    }
-    if (target.depth)
-        exactness.fallbacks.depths = target.depth->exact_tests();
-}
-
-/// Draws `scene` and returns its picture, reporting every step to `sink`. The picture is the same
-/// whatever the sink. `Scalar` must be the one of the plan (with_scalar finds it), and find_unfit
-/// must have found nothing. Who wants to know is told how often `adaptive` fell back on exact
-/// numbers.
-template <typename Scalar, typename Sink>
-Image draw(const Scene& scene, const Plan& plan, Sink&& sink, Fallbacks* fallbacks = nullptr) {
-    Image image(scene.canvas);
-    Target<Scalar> target{image, sample_grid<Scalar>(scene, plan)};
-    std::optional<DepthBuffer<DepthOf<Scalar>>> depth;
-    if (scene.has_depth_buffer())
-        target.depth = &depth.emplace(plan.stages.depth_region, depth_rule<DepthOf<Scalar>>(scene));
-    std::optional<Exactness> exactness;
-    if constexpr (std::same_as<Scalar, Adaptive>)
-        target.exactness = &exactness.emplace(Exactness{
-            ExactPieces(scene, plan), scalar_from<Rational>(sample_offset_of(scene.method))});
-    std::visit(
-        [&](const auto& geometry) {
-            // All vertices on their way to the screen, then what is drawn between them.
-            if constexpr (keeps_steps<Sink>)
-                report_geometry(scene, geometry, sink);
-            draw_pieces(scene, plan, geometry, target, sink);
-        },
-        plan.geometry);
-    if (fallbacks && exactness)
-        *fallbacks = exactness->fallbacks;
-    return image;
-}
+/// The same, telling every step that `listener` takes. The picture is the same whoever listens.
+Image draw(const Scene& scene, const Plan& plan, const Listener& listener,
+           Fallbacks* fallbacks = nullptr);
 
 } // namespace rastertrace

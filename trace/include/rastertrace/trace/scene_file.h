@@ -4,7 +4,7 @@
 // Scene files: JSON to Scene. docs/scene-format.md describes them.
 //
 //     const auto read = read_scene({"first.json", text});
-//     draw<double>(read.value().scene, read.value().plan, sink);
+//     draw(read.value().scene, read.value().plan, listener);
 
 #include <rastertrace/core/plan.h>
 #include <rastertrace/core/scene.h>

@@ -6,13 +6,14 @@
 //     std::string text;
 //     StringOutput out(text);
 //     StepWriter writer(out, TraceLayout::json, {});
-//     draw<double>(scene, plan, writer);
+//     draw(scene, plan, writer);
 //
 // A line is put together in a buffer from literals and numbers, and the buffer goes to the output
 // when it is full: memory does not grow with the number of steps. A step that the filter leaves out
 // is never formatted.
 
 #include <rastertrace/core/method.h>
+#include <rastertrace/core/quantity.h>
 #include <rastertrace/core/steps.h>
 #include <rastertrace/trace/color_text.h>
 #include <rastertrace/trace/format_number.h>
@@ -85,10 +86,13 @@ public:
 
     /// False for steps that the filter leaves out, whatever they say.
     template <typename Step> bool takes() const {
-        return wants(kind_of(static_cast<Step*>(nullptr)));
+        if constexpr (requires(Step * step) { kind_of(step); })
+            return wanted_[static_cast<std::size_t>(kind_of(static_cast<Step*>(nullptr)))];
+        else
+            return true;
     }
 
-    template <typename Scalar> void operator()(const MatrixSetUp<Scalar>& step) {
+    void operator()(const MatrixSetUp<Quantity>& step) {
         if (!wants(StepKind::matrix))
             return;
         begin_line(StepKind::matrix);
@@ -103,7 +107,7 @@ public:
         put("]}");
     }
 
-    template <typename Scalar> void operator()(const VertexPlaced<Scalar>& step) {
+    void operator()(const VertexPlaced<Quantity>& step) {
         if (!wants(StepKind::vertex))
             return;
         begin_vertex_line(step.name, step.space);
@@ -113,7 +117,7 @@ public:
         put("}");
     }
 
-    template <typename Scalar> void operator()(const PrimitiveBegan<Scalar>& step) {
+    void operator()(const PrimitiveBegan<Quantity>& step) {
         is_in_primitive_ = !primitive_ || is_part_of(step.name, *primitive_);
         color_ = step.color;
         vertex_count_ = step.vertices.size();
@@ -144,7 +148,7 @@ public:
         end_primitive_line(step.color, step.colors, step.octant, step.is_part);
     }
 
-    template <typename Scalar> void operator()(const PrimitivesOrdered<Scalar>& step) {
+    void operator()(const PrimitivesOrdered<Quantity>& step) {
         if (!wants(StepKind::order))
             return;
         begin_line(StepKind::order);
@@ -158,7 +162,7 @@ public:
         put("}");
     }
 
-    template <typename Scalar> void operator()(const FaceTested<Scalar>& step) {
+    void operator()(const FaceTested<Quantity>& step) {
         if (!wants(StepKind::face))
             return;
         begin_line(StepKind::face);
@@ -173,7 +177,7 @@ public:
             word(step.is_culled), R"(,"opposite":)", word(step.is_culled_opposite), "}");
     }
 
-    template <typename Scalar> void operator()(const FaceLit<Scalar>& step) {
+    void operator()(const FaceLit<Quantity>& step) {
         if (!wants(StepKind::light))
             return;
         begin_line(StepKind::light);
@@ -183,7 +187,7 @@ public:
             std::string_view(to_text(step.color)), "\"}");
     }
 
-    template <typename Scalar> void operator()(const DepthTested<Scalar>& step) {
+    void operator()(const DepthTested<Quantity>& step) {
         if (!wants(StepKind::depth) || !is_in_region(step.pixel))
             return;
         begin_line(StepKind::depth);
@@ -196,7 +200,7 @@ public:
                 Exactly{step.depth}, R"(,"stored":null,"pass":)", word(step.passes), "}");
     }
 
-    template <typename Scalar> void operator()(const EdgeSetUp<Scalar>& step) {
+    void operator()(const EdgeSetUp<Quantity>& step) {
         if (!wants(StepKind::edge))
             return;
         begin_line(StepKind::edge);
@@ -207,7 +211,7 @@ public:
             put(step.dx_dy, "}");
     }
 
-    template <typename Scalar> void operator()(const EdgeFunctionSetUp<Scalar>& step) {
+    void operator()(const EdgeFunctionSetUp<Quantity>& step) {
         if (!wants(StepKind::edge))
             return;
         begin_line(StepKind::edge);
@@ -215,7 +219,7 @@ public:
             R"(,"c":)", step.c, R"(,"top_left":)", word(step.is_top_left), "}");
     }
 
-    template <typename Scalar> void operator()(const LineSampled<Scalar>& step) {
+    void operator()(const LineSampled<Quantity>& step) {
         if (!wants(StepKind::along) || !is_in_region(step))
             return;
         begin_line(StepKind::along);
@@ -223,7 +227,7 @@ public:
             R"(,"value":)", step.value, R"(,"pixel":)", step.pixel, "}");
     }
 
-    template <typename Scalar> void operator()(const SampleTested<Scalar>& step) {
+    void operator()(const SampleTested<Quantity>& step) {
         if (!wants(StepKind::sample) || !is_in_region(step.pixel))
             return;
         begin_line(StepKind::sample);
@@ -232,7 +236,7 @@ public:
             word(step.is_inside), "}");
     }
 
-    template <typename Scalar> void operator()(const ScanlineSpanned<Scalar>& step) {
+    void operator()(const ScanlineSpanned<Quantity>& step) {
         if (!wants(StepKind::scanline) || !is_in_region(step.y, step.from, step.to))
             return;
         begin_line(StepKind::scanline);
@@ -293,15 +297,9 @@ private:
     }
 
     // The kinds that an algorithm asks about.
-    template <typename Scalar> static StepKind kind_of(const VertexPlaced<Scalar>*) {
-        return StepKind::vertex;
-    }
-    template <typename Scalar> static StepKind kind_of(const EdgeFunctionSetUp<Scalar>*) {
-        return StepKind::edge;
-    }
-    template <typename Scalar> static StepKind kind_of(const ScanlineSpanned<Scalar>*) {
-        return StepKind::scanline;
-    }
+    static StepKind kind_of(const VertexPlaced<Quantity>*) { return StepKind::vertex; }
+    static StepKind kind_of(const EdgeFunctionSetUp<Quantity>*) { return StepKind::edge; }
+    static StepKind kind_of(const ScanlineSpanned<Quantity>*) { return StepKind::scanline; }
 
     /// ABC/1 is a part of ABC.
     static bool is_part_of(std::string_view name, std::string_view whole) {
@@ -313,7 +311,7 @@ private:
         return !region_ || (region_->has_row(y) && region_->meets(from, to));
     }
     bool is_in_region(Pixel pixel) const { return is_in_region(pixel.y, pixel.x, pixel.x); }
-    template <typename Scalar> bool is_in_region(const LineSampled<Scalar>& step) const {
+    bool is_in_region(const LineSampled<Quantity>& step) const {
         return step.is_x_major ? is_in_region(step.pixel, step.at, step.at)
                                : is_in_region(step.at, step.pixel, step.pixel);
     }
@@ -326,10 +324,9 @@ private:
     void end_primitive_line(Color color, std::span<const Color> colors, int octant, bool is_part);
     void begin_vertex_line(std::string_view name, Space space);
 
-    template <typename Scalar>
-    void put_numbers(std::string_view key, std::span<const Scalar> numbers) {
+    void put_numbers(std::string_view key, std::span<const Quantity> numbers) {
         std::string_view before = key;
-        for (const Scalar& number : numbers) {
+        for (const Quantity& number : numbers) {
             put(before, number);
             before = ",";
         }
@@ -360,6 +357,11 @@ private:
     template <typename Number> static std::size_t size_of(const Number& number) {
         return room_for(number);
     }
+    std::size_t size_of(const Quantity& number) const {
+        constexpr std::size_t fits_all_but_rationals = room_for(Fraction128{});
+        const Rational* const rational = number.rational();
+        return rational ? size_of(*rational) : fits_all_but_rationals;
+    }
     template <typename Number> std::size_t size_of(const Exactly<Number>& told) const {
         return size_of(told.number);
     }
@@ -385,8 +387,14 @@ private:
                                                 : format_number(out, number);
     }
 
+    char* append(char* out, const Quantity& number) const {
+        return number.visit([&](const auto& value) { return append(out, value); });
+    }
     template <typename Number> char* append(char* out, const Exactly<Number>& told) const {
         return append(out, told.number);
+    }
+    char* append(char* out, const Exactly<Quantity>& told) const {
+        return told.number.visit([&](const auto& value) { return append(out, Exactly{value}); });
     }
     template <typename Integer>
     char* append(char* out, const Exactly<Fraction<Integer>>& told) const {
@@ -399,7 +407,10 @@ private:
     }
 
     /// How far what is written by Exactly lies from the number at most.
-    template <typename Number> static double rounded_off(const Number&) { return 0; }
+    double rounded_off(const Quantity& number) const {
+        const Rational* const rational = number.rational();
+        return rational ? rounded_off(*rational) : 0;
+    }
     double rounded_off(const Rational& number) const {
         if (numbers_ == NumberStyle::exact || is_short(number))
             return 0;

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#include <rastertrace/core/draw.h>
+
+#include "draw_scalar.h"
+
+namespace rastertrace {
+
+Image draw(const Scene& scene, const Plan& plan, Fallbacks* fallbacks) {
+    return draw(scene, plan, Listener(), fallbacks);
+}
+
+Image draw(const Scene& scene, const Plan& plan, const Listener& listener, Fallbacks* fallbacks) {
+    return with_scalar(
+        plan, [&]<typename Scalar>() { return draw_in<Scalar>(scene, plan, listener, fallbacks); });
+}
+
+} // namespace rastertrace

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <rastertrace/core/draw.h>
+
+namespace rastertrace {
+
+/// Draws a scene whose plan has chosen Scalar. Each is compiled in a file of its own: draw_in_*.cpp.
+template <typename Scalar>
+Image draw_in(const Scene& scene, const Plan& plan, const Listener& listener, Fallbacks* fallbacks);
+
+} // namespace rastertrace

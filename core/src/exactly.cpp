@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+#include <rastertrace/core/exactly.h>
+
+#include <rastertrace/core/edge.h>
+#include <rastertrace/core/fill_scanline.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rastertrace {
+
+namespace {
+
+/// The edges that a row lies between.
+template <typename Scalar> struct EdgesOfRow {
+    Edge<Scalar> left;
+    Edge<Scalar> right;
+};
+template <typename Scalar>
+EdgesOfRow<Scalar> edges_of_row(const Triangle<Scalar>& triangle, int y, int down) {
+    const JoinedEdges<Scalar> edges = joined_edges(triangle, down);
+    const bool is_lower = first_lower_y(edges, down) * down <= Index{y} * down;
+    const Edge<Scalar>& short_edge = is_lower ? edges.lower : edges.upper;
+    return edges.long_edge_is_left ? EdgesOfRow<Scalar>{edges.long_edge, short_edge}
+                                   : EdgesOfRow<Scalar>{short_edge, edges.long_edge};
+}
+
+/// True if the fill that the scene names finds depths by rows, then across; else by weights.
+inline bool finds_depths_by_rows(const Scene& scene) {
+    return scene.method.fill != Fill::top_left && scene.method.fill != Fill::barycentric;
+}
+
+bool is_finite(const Quantity& number) {
+    return number.visit([]<typename Scalar>(const Scalar& value) {
+        if constexpr (std::same_as<Scalar, Adaptive>)
+            return std::isfinite(value.value());
+        else if constexpr (std::floating_point<Scalar>)
+            return std::isfinite(value);
+        else
+            return true;
+    });
+}
+bool is_finite(const Vec<Quantity, 3>& at) {
+    return is_finite(at.x) && is_finite(at.y) && is_finite(at.z);
+}
+
+} // namespace
+
+/// The turned depth of a triangle in the pixel at (x, y), as the fill that the scene names finds it.
+Rational exact_depth_at(const Scene& scene, const PlacedPrimitive<Rational>& primitive, int x,
+                        int y) {
+    const Triangle<Rational> triangle{primitive.positions};
+    DepthBuffer<Rational> nothing({}, depth_rule<Rational>(scene));
+    TriangleDepth<Rational> depth(triangle, primitive.depths, nothing);
+    if (!finds_depths_by_rows(scene)) {
+        depth.prepare(scalar_from<Rational>(sample_offset_of(scene.method)));
+        return depth.on_row(y).at(x);
+    }
+    const auto [left, right] = edges_of_row(triangle, y, scene.canvas.down());
+    const Rational height = y;
+    return TriangleDepth<Rational>::between(left.x_at(height), depth.on_edge(left.name, height),
+                                            right.x_at(height), depth.on_edge(right.name, height))
+        .at(x);
+}
+
+/// The two vertices of the edge that a pixel has its depth from: it lies at an end of its row or beyond.
+/// Nothing if it does not, or if that cannot be told in doubles; so it is never told of a triangle
+/// without area, whose rows have no width, and two depths: doubles do not know that it has none.
+std::optional<std::array<std::size_t, 2>> edge_of_depth(const Scene& scene, const Plan& plan,
+                                                        const PieceNumber& number, int x, int y) {
+    if (!finds_depths_by_rows(scene))
+        return std::nullopt;
+    std::optional<std::array<std::size_t, 2>> vertices;
+    const auto look_at = [&]<typename Coordinate>(const Piece<Coordinate>& piece) {
+        if constexpr (draws<Adaptive, Coordinate>) {
+            if (piece.is_part)
+                return;
+            const Triangle<Adaptive> triangle{placed<Adaptive>(piece, plan).positions};
+            const auto [left, right] = edges_of_row(triangle, y, scene.canvas.down());
+            const auto height = scalar_from<Adaptive>(y);
+            const auto column = scalar_from<Adaptive>(x);
+            const auto hold = [&](const Edge<Adaptive>& edge) {
+                if (edge.is_horizontal)
+                    return; // it has many depths in this row
+                vertices = {piece.vertices[edge.name.from], piece.vertices[edge.name.to]};
+                std::sort(vertices->begin(), vertices->end());
+            };
+            if (column <= left.x_at(height))
+                hold(left);
+            else if (right.x_at(height) <= column)
+                hold(right);
+        }
+    };
+    try {
+        std::visit(
+            [&](const auto& geometry) {
+                visit_pieces(scene, geometry, number.primitive, false, {}, look_at);
+            },
+            plan.geometry);
+    } catch (const Undecided&) {
+        return std::nullopt;
+    }
+    return vertices;
+}
+
+/// Whether a piece is nearer in a pixel than what is stored there, in exact numbers.
+bool is_nearer(const Scene& scene, const Plan& plan, Exactness& exactness, std::uint32_t piece,
+               std::optional<std::uint32_t> stored, int x, int row) {
+    const int y = scene.canvas.y_of(row);
+    const auto depth_of = [&](std::uint32_t number) {
+        return exact_depth_at(scene, exactness.pieces.placed(exactness.drawn[number]), x, y);
+    };
+    if (stored) {
+        // Two faces that meet in an edge seen from aside have one depth there: no need to work it out.
+        const auto edge_of = [&](std::uint32_t number) {
+            return edge_of_depth(scene, plan, exactness.drawn[number], x, y);
+        };
+        const auto edge = edge_of(piece);
+        if (edge && edge == edge_of(*stored))
+            return false;
+        return depth_of(piece) < depth_of(*stored);
+    }
+    const DepthRule<Rational> rule = depth_rule<Rational>(scene);
+    if (!rule.cleared)
+        return true;
+    return depth_of(piece) < (rule.larger_passes ? Rational(-*rule.cleared) : *rule.cleared);
+}
+
+/// The exact depth of a piece in a pixel, as it is told; of a clear cell if there is no piece.
+Rational told_depth(const Scene& scene, Exactness& exactness, std::optional<std::uint32_t> piece,
+                    int x, int row) {
+    const DepthRule<Rational> rule = depth_rule<Rational>(scene);
+    if (!piece)
+        return *rule.cleared;
+    const Rational turned = exact_depth_at(scene, exactness.pieces.placed(exactness.drawn[*piece]),
+                                           x, scene.canvas.y_of(row));
+    return rule.larger_passes ? Rational(-turned) : turned;
+}
+
+bool is_told_by_doubles(const VertexPlaced<Quantity>& step) {
+    return std::all_of(step.at.begin(), step.at.end(),
+                       [](const Quantity& x) { return is_finite(x); });
+}
+bool is_told_by_doubles(const FaceTested<Quantity>& step) {
+    return is_finite(step.normal) && is_finite(step.view) && is_finite(step.dot) &&
+           std::isfinite(step.cosine.value_or(0));
+}
+bool is_told_by_doubles(const FaceLit<Quantity>& step) {
+    return is_finite(step.normal) && is_finite(step.light) && is_finite(step.dot) &&
+           std::isfinite(step.intensity);
+}
+bool is_told_by_doubles(const EdgeSetUp<Quantity>& step) {
+    return is_finite(step.dx_dy);
+}
+bool is_told_by_doubles(const EdgeFunctionSetUp<Quantity>& step) {
+    return is_finite(step.a) && is_finite(step.b) && is_finite(step.c);
+}
+bool is_told_by_doubles(const ScanlineSpanned<Quantity>& step) {
+    return is_finite(step.left) && is_finite(step.right) &&
+           is_finite(step.left_depth.value_or(0.0)) && is_finite(step.right_depth.value_or(0.0));
+}
+bool is_told_by_doubles(const LineSampled<Quantity>& step) {
+    return is_finite(step.value);
+}
+bool is_told_by_doubles(const SampleTested<Quantity>& step) {
+    return is_finite(step.weights[0]) && is_finite(step.weights[1]) && is_finite(step.weights[2]);
+}
+
+} // namespace rastertrace

@@ -1,0 +1,414 @@
+// SPDX-License-Identifier: MIT
+#include <rastertrace/core/geometry.h>
+
+#include "listener_sink.h"
+
+#include <rastertrace/core/camera.h>
+#include <rastertrace/core/rounding.h>
+#include <rastertrace/core/transform.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <limits>
+#include <span>
+#include <utility>
+
+namespace rastertrace {
+
+/// True if a matrix of the scene has irrational entries, which are the nearest doubles instead.
+bool has_rounded_matrix(const Scene& scene) {
+    return (scene.camera && is_rounded(*scene.camera)) || is_rounded(scene.projection) ||
+           std::any_of(scene.objects.begin(), scene.objects.end(), [](const SceneObject& object) {
+               return std::any_of(object.model.begin(), object.model.end(),
+                                  [](const ModelStep& step) { return is_rounded(step); });
+           });
+}
+
+template <typename Scalar> Transforms<Scalar> transforms_of(const Scene& scene) {
+    Transforms<Scalar> result;
+
+    // A matrix that moves something, or that the scene keeps although it does not.
+    const auto matrix_of = [&](Stage stage,
+                               const Matrix<Rational>& exact) -> std::optional<Matrix<Scalar>> {
+        if (exact != identity<Rational>())
+            result.needed.add(stage);
+        else if (!scene.keep.has(stage))
+            return std::nullopt;
+        return rounded<Scalar>(exact);
+    };
+    for (const SceneObject& object : scene.objects)
+        result.models.push_back(matrix_of(Stage::model, model_matrix(object.model)));
+    result.rest_model = matrix_of(Stage::model, identity<Rational>());
+    result.view = matrix_of(
+        Stage::view, scene.camera ? view_matrix(*scene.camera, view_axis_of(scene.projection.type))
+                                  : identity<Rational>());
+    if (scene.projection.type != ProjectionType::none)
+        result.projection = rounded<Scalar>(projection_matrix(scene.projection, scene.canvas));
+    if (scene.viewport.type != ViewportType::none)
+        result.viewport = rounded<Scalar>(viewport_matrix(scene.viewport, scene.canvas));
+
+    // A plane near the eye must not be rounded into it.
+    const auto nearest = [](const Rational& exact) {
+        const Scalar rounded_one = nearest_scalar<Scalar>(exact);
+        if constexpr (std::floating_point<Scalar>)
+            if (rounded_one == 0 && exact != 0)
+                return std::copysign(std::numeric_limits<Scalar>::min(),
+                                     static_cast<Scalar>(sgn(exact)));
+        return rounded_one;
+    };
+    for (const ClipPlane<Rational>& plane :
+         clip_planes(scene.projection, half_extent(scene.viewport, scene.canvas.width),
+                     half_extent(scene.viewport, scene.canvas.height), guard_band))
+        result.planes.push_back({plane.name,
+                                 {nearest(plane.factors.x), nearest(plane.factors.y),
+                                  nearest(plane.factors.z), nearest(plane.factors.w)},
+                                 nearest(plane.constant)});
+    result.snap = scene.method.snap;
+    result.ties = scene.method.ties.value_or(Ties::up);
+    return result;
+}
+
+/// `matrix` times `vector`, or `vector` itself if there is no matrix.
+template <typename Scalar>
+Vec<Scalar, 4> moved(const std::optional<Matrix<Scalar>>& matrix, const Vec<Scalar, 4>& vector) {
+    return matrix ? *matrix * vector : vector;
+}
+
+/// The first spaces of a vertex, in homogeneous coordinates.
+template <typename Scalar> struct VertexPlaces {
+    Vec<Scalar, 4> object;
+    Vec<Scalar, 4> world;
+    Vec<Scalar, 4> camera;
+    Vec<Scalar, 4> clip;
+};
+
+template <typename Scalar>
+VertexPlaces<Scalar> places_of(const SceneVertex& vertex,
+                               const std::optional<Matrix<Scalar>>& model,
+                               const Transforms<Scalar>& transforms) {
+    VertexPlaces<Scalar> places;
+    places.object = {scalar_from<Scalar>(vertex.x), scalar_from<Scalar>(vertex.y),
+                     scalar_from<Scalar>(vertex.z), scalar_from<Scalar>(1)};
+    places.world = moved(model, places.object);
+    places.camera = moved(transforms.view, places.world);
+    places.clip = moved(transforms.projection, places.camera);
+    return places;
+}
+
+/// x/w, y/w and z/w, moved to the screen. w must not be 0.
+template <typename Scalar>
+ScreenPlaces<Scalar> places_on_screen(const Vec<Scalar, 4>& clip,
+                                      const Transforms<Scalar>& transforms) {
+    const Vec<Scalar, 4> canonical =
+        transforms.divides ? Vec<Scalar, 4>{Scalar(clip.x / clip.w), Scalar(clip.y / clip.w),
+                                            Scalar(clip.z / clip.w), scalar_from<Scalar>(1)}
+                           : clip;
+    const Vec<Scalar, 4> screen = moved(transforms.viewport, canonical);
+    require_finite(screen.x);
+    require_finite(screen.y);
+    const auto snapped = [&transforms](const Scalar& x) {
+        if constexpr (std::floating_point<Scalar>)
+            if (!std::isfinite(x))
+                return x; // find_unfit will say so
+        switch (transforms.snap) {
+        case Snap::floor:
+            return scalar_from<Scalar>(floor_index(x));
+        case Snap::truncate:
+            return scalar_from<Scalar>(truncate_index(x));
+        case Snap::nearest:
+            return scalar_from<Scalar>(nearest_index(x, transforms.ties));
+        case Snap::none:
+            break;
+        }
+        return x;
+    };
+    return {.canonical = canonical,
+            .screen = {screen.x, screen.y},
+            .pixel = {snapped(screen.x), snapped(screen.y)}};
+}
+
+/// Calls `visit(place, vertex, model)` with each vertex that is used, and the place of its object.
+template <typename Scalar, typename Visit>
+void for_each_used_vertex(const Scene& scene, const Geometry<Scalar>& geometry, Visit&& visit) {
+    const auto& transforms = geometry.transforms;
+    std::size_t object = 0;
+    for (std::size_t i = 0; i < scene.vertices.size(); ++i) {
+        while (object < scene.objects.size() && i >= scene.objects[object].end_vertex)
+            ++object;
+        if (geometry.is_used[i])
+            visit(i, object < scene.objects.size() ? transforms.models[object]
+                                                   : transforms.rest_model);
+    }
+}
+
+/// The matrix of the object that a vertex belongs to.
+template <typename Scalar>
+const std::optional<Matrix<Scalar>>& model_of(const Scene& scene, const Geometry<Scalar>& geometry,
+                                              std::size_t place) {
+    const auto object =
+        std::upper_bound(scene.objects.begin(), scene.objects.end(), place,
+                         [](std::size_t i, const SceneObject& one) { return i < one.end_vertex; });
+    return object == scene.objects.end()
+               ? geometry.transforms.rest_model
+               : geometry.transforms
+                     .models[static_cast<std::size_t>(object - scene.objects.begin())];
+}
+
+/// How far a place in camera space lies in front of the eye. Without a camera and a projection, z as
+/// typed is the distance.
+template <typename Scalar>
+Scalar distance_along_view(const Scene& scene, const Vec<Scalar, 4>& camera) {
+    const bool looks_along_plus_z =
+        scene.projection.type == ProjectionType::pinhole ||
+        (scene.projection.type == ProjectionType::none && !scene.camera);
+    return looks_along_plus_z ? camera.z : Scalar(-camera.z);
+}
+
+/// The eye in the world: the camera's place, or the origin without one. Where nothing converges, the
+/// direction to it, against the view, which is the same for all faces.
+template <typename Scalar> Vec<Scalar, 3> eye_of(const Scene& scene) {
+    const Vec<Rational, 3> ahead{Rational(0), Rational(0), Rational(1)};
+    const Vec<Rational, 3> eye =
+        is_perspective(scene.projection.type)
+            ? exact(scene.camera ? scene.camera->position : Numbers3{0, 0, 0})
+        : scene.camera ? axes_of(*scene.camera).back
+                       : ahead;
+    return {nearest_scalar<Scalar>(eye.x), nearest_scalar<Scalar>(eye.y),
+            nearest_scalar<Scalar>(eye.z)};
+}
+
+/// Takes a vertex to clip space.
+template <typename Scalar>
+void place_in_clip_space(const Scene& scene, const std::optional<Matrix<Scalar>>& model,
+                         std::size_t place, Geometry<Scalar>& geometry) {
+    PlacedVertex<Scalar>& vertex = geometry.vertices[place];
+    const VertexPlaces<Scalar> places =
+        places_of(scene.vertices[place], model, geometry.transforms);
+    vertex.clip = places.clip;
+    vertex.distance = distance_along_view<Scalar>(scene, places.camera);
+    if (!geometry.world.empty())
+        geometry.world[place] = {places.world.x, places.world.y, places.world.z};
+    for (const Scalar* coordinate :
+         {&vertex.clip.x, &vertex.clip.y, &vertex.clip.z, &vertex.clip.w})
+        require_finite(*coordinate);
+    const auto& planes = geometry.transforms.planes;
+    vertex.is_in_view = std::all_of(planes.begin(), planes.end(), [&vertex](const auto& plane) {
+        return plane.has_inside(vertex.clip);
+    });
+}
+
+/// Takes a vertex from there on to the screen, if it can be seen.
+template <typename Scalar> void place_on_screen(std::size_t place, Geometry<Scalar>& geometry) {
+    PlacedVertex<Scalar>& vertex = geometry.vertices[place];
+    if (vertex.is_in_view)
+        vertex.pixel = places_on_screen(vertex.clip, geometry.transforms).pixel;
+}
+
+/// A geometry whose vertices have no place yet.
+template <typename Scalar> Geometry<Scalar> empty_geometry(const Scene& scene) {
+    Geometry<Scalar> result;
+    result.transforms = transforms_of<Scalar>(scene);
+    result.depth = scene.depth();
+    result.vertices.resize(scene.vertices.size());
+    result.is_used.resize(scene.vertices.size());
+    if (scene.tests_faces()) {
+        result.world.resize(scene.vertices.size());
+        result.eye = eye_of<Scalar>(scene);
+    }
+    return result;
+}
+
+/// Takes every vertex that is used to clip space, and on to the screen if it can be seen.
+template <typename Scalar> Geometry<Scalar> geometry_of(const Scene& scene) {
+    Geometry<Scalar> result = empty_geometry<Scalar>(scene);
+    for (const ScenePrimitive& primitive : scene.primitives)
+        for (const std::size_t place : primitive.corners())
+            result.is_used[place] = true;
+
+    // To clip space. A plane that no vertex lies outside of cannot cut anything.
+    Transforms<Scalar>& transforms = result.transforms;
+    std::vector<std::size_t> outside(transforms.planes.size());
+    for_each_used_vertex(scene, result, [&](std::size_t i, const auto& model) {
+        place_in_clip_space(scene, model, i, result);
+        const PlacedVertex<Scalar>& vertex = result.vertices[i];
+        if (!vertex.is_in_view)
+            for (std::size_t plane = 0; plane < transforms.planes.size(); ++plane)
+                if (!transforms.planes[plane].has_inside(vertex.clip))
+                    ++outside[plane];
+        if (vertex.clip.w != scalar_from<Scalar>(1))
+            transforms.needed.add(Stage::divide);
+    });
+    transforms.divides = transforms.needed.has(Stage::divide) || scene.keep.has(Stage::divide);
+    for (std::size_t plane = 0; plane < transforms.planes.size(); ++plane)
+        result.outside.push_back({transforms.planes[plane].name, outside[plane]});
+    if (!scene.keep.has(Stage::clip)) {
+        std::vector<ClipPlane<Scalar>> crossed;
+        for (std::size_t plane = 0; plane < transforms.planes.size(); ++plane)
+            if (outside[plane] > 0)
+                crossed.push_back(transforms.planes[plane]);
+        transforms.planes = std::move(crossed);
+    }
+
+    // On to the screen, what can be seen.
+    for (std::size_t i = 0; i < result.vertices.size(); ++i)
+        place_on_screen(i, result);
+
+    if (result.depth == Depth::painter) {
+        const auto distance_of = [&result](std::size_t place) -> const Scalar& {
+            return result.vertices[place].distance;
+        };
+        if (!comes_farthest_first<Scalar>(scene, distance_of))
+            transforms.needed.add(Stage::order);
+        if (transforms.needed.has(Stage::order) || scene.keep.has(Stage::order))
+            result.order = painter_order<Scalar>(scene, distance_of);
+    }
+    return result;
+}
+
+/// Tells a place of a vertex: the first `count` coordinates.
+template <typename Scalar>
+void tell_place(std::string_view name, Space space, const Vec<Scalar, 4>& at, std::size_t count,
+                const Listener& listener) {
+    const ListenerSink sink(listener);
+    const std::array<Scalar, 4> coordinates{at.x, at.y, at.z, at.w};
+    sink(VertexPlaced<Scalar>{
+        .name = name, .space = space, .at = std::span(coordinates).first(count), .snapped = {}});
+}
+
+/// Tells the spaces of a vertex from clip space on.
+template <typename Scalar>
+void tell_places_on_screen(std::string_view name, const Vec<Scalar, 4>& clip,
+                           const Transforms<Scalar>& transforms, const Listener& listener) {
+    const ListenerSink sink(listener);
+    const ScreenPlaces<Scalar> places = places_on_screen(clip, transforms);
+    if (transforms.projection && transforms.divides)
+        tell_place<Scalar>(name, Space::canonical, places.canonical, 3, listener);
+    const std::array<Scalar, 2> screen{places.screen.x, places.screen.y};
+    const std::array<Scalar, 2> pixel{places.pixel.x, places.pixel.y};
+    sink(VertexPlaced<Scalar>{.name = name,
+                                                .space = Space::screen,
+                                                .at = screen,
+                                                .snapped = transforms.snap == Snap::none
+                                                               ? std::span<const Scalar>()
+                                                               : std::span<const Scalar>(pixel)});
+}
+
+/// Tells every vertex through its spaces; a space that the scene has no matrix for is passed over.
+/// A vertex that cannot be seen stops at clip space.
+template <typename Scalar>
+void tell_vertices(const Scene& scene, const Geometry<Scalar>& geometry, const Listener& listener) {
+    if (!listener.takes<VertexPlaced<Scalar>>())
+        return;
+    const Transforms<Scalar>& transforms = geometry.transforms;
+    for_each_used_vertex(scene, geometry, [&](std::size_t i, const auto& model) {
+        const std::string_view name = scene.vertices[i].name;
+        const auto places = places_of(scene.vertices[i], model, transforms);
+        if (model)
+            tell_place<Scalar>(name, Space::object, places.object, 3, listener);
+        tell_place<Scalar>(name, Space::world, places.world, 3, listener);
+        if (transforms.view)
+            tell_place<Scalar>(name, Space::camera, places.camera, 3, listener);
+        if (transforms.projection)
+            tell_place<Scalar>(name, Space::clip, places.clip, 4, listener);
+        if (geometry.vertices[i].is_in_view)
+            tell_places_on_screen(name, places.clip, transforms, listener);
+    });
+}
+
+/// Tells the matrices, then the vertices, then what the painter has sorted.
+template <typename Scalar>
+void tell_geometry(const Scene& scene, const Geometry<Scalar>& geometry, const Listener& listener) {
+    const ListenerSink sink(listener);
+    const Transforms<Scalar>& transforms = geometry.transforms;
+    for (std::size_t i = 0; i < transforms.models.size(); ++i)
+        if (transforms.models[i])
+            sink(MatrixSetUp<Scalar>{
+                .name = "model", .object = scene.objects[i].name, .matrix = *transforms.models[i]});
+    if (transforms.rest_model && scene.objects.empty())
+        sink(
+            MatrixSetUp<Scalar>{.name = "model", .object = {}, .matrix = *transforms.rest_model});
+    if (transforms.view)
+        sink(
+            MatrixSetUp<Scalar>{.name = "view", .object = {}, .matrix = *transforms.view});
+    if (transforms.projection)
+        sink(MatrixSetUp<Scalar>{
+            .name = "projection", .object = {}, .matrix = *transforms.projection});
+    if (transforms.viewport)
+        sink(
+            MatrixSetUp<Scalar>{.name = "viewport", .object = {}, .matrix = *transforms.viewport});
+
+    if (scene.has_transforms() || scene.keeps_transforms())
+        tell_vertices(scene, geometry, listener);
+    if (geometry.order) {
+        std::vector<std::string_view> names;
+        for (const std::size_t i : geometry.order->primitives)
+            if (scene.primitives[i].kind == PrimitiveKind::triangle)
+                names.push_back(scene.primitives[i].name);
+        sink(
+            PrimitivesOrdered<Scalar>{.names = names, .distances = geometry.order->keys});
+    }
+}
+
+// For every kind of number that vertices are moved in.
+
+template Geometry<float> geometry_of(const Scene&);
+template Geometry<float> empty_geometry(const Scene&);
+template const std::optional<Matrix<float>>& model_of(const Scene&, const Geometry<float>&,
+                                                      std::size_t);
+template void place_in_clip_space(const Scene&, const std::optional<Matrix<float>>&, std::size_t,
+                                  Geometry<float>&);
+template void place_on_screen(std::size_t, Geometry<float>&);
+template ScreenPlaces<float> places_on_screen(const Vec<float, 4>&, const Transforms<float>&);
+template void tell_place<float>(std::string_view, Space, const Vec<float, 4>&, std::size_t,
+                                const Listener&);
+template void tell_places_on_screen<float>(std::string_view, const Vec<float, 4>&,
+                                           const Transforms<float>&, const Listener&);
+template void tell_geometry(const Scene&, const Geometry<float>&, const Listener&);
+
+template Geometry<double> geometry_of(const Scene&);
+template Geometry<double> empty_geometry(const Scene&);
+template const std::optional<Matrix<double>>& model_of(const Scene&, const Geometry<double>&,
+                                                       std::size_t);
+template void place_in_clip_space(const Scene&, const std::optional<Matrix<double>>&, std::size_t,
+                                  Geometry<double>&);
+template void place_on_screen(std::size_t, Geometry<double>&);
+template ScreenPlaces<double> places_on_screen(const Vec<double, 4>&, const Transforms<double>&);
+template void tell_place<double>(std::string_view, Space, const Vec<double, 4>&, std::size_t,
+                                 const Listener&);
+template void tell_places_on_screen<double>(std::string_view, const Vec<double, 4>&,
+                                            const Transforms<double>&, const Listener&);
+template void tell_geometry(const Scene&, const Geometry<double>&, const Listener&);
+
+template Geometry<Adaptive> geometry_of(const Scene&);
+template Geometry<Adaptive> empty_geometry(const Scene&);
+template const std::optional<Matrix<Adaptive>>& model_of(const Scene&, const Geometry<Adaptive>&,
+                                                         std::size_t);
+template void place_in_clip_space(const Scene&, const std::optional<Matrix<Adaptive>>&, std::size_t,
+                                  Geometry<Adaptive>&);
+template void place_on_screen(std::size_t, Geometry<Adaptive>&);
+template ScreenPlaces<Adaptive> places_on_screen(const Vec<Adaptive, 4>&,
+                                                 const Transforms<Adaptive>&);
+template void tell_place<Adaptive>(std::string_view, Space, const Vec<Adaptive, 4>&, std::size_t,
+                                   const Listener&);
+template void tell_places_on_screen<Adaptive>(std::string_view, const Vec<Adaptive, 4>&,
+                                              const Transforms<Adaptive>&, const Listener&);
+template void tell_geometry(const Scene&, const Geometry<Adaptive>&, const Listener&);
+
+template Geometry<Rational> geometry_of(const Scene&);
+template Geometry<Rational> empty_geometry(const Scene&);
+template const std::optional<Matrix<Rational>>& model_of(const Scene&, const Geometry<Rational>&,
+                                                         std::size_t);
+template void place_in_clip_space(const Scene&, const std::optional<Matrix<Rational>>&, std::size_t,
+                                  Geometry<Rational>&);
+template void place_on_screen(std::size_t, Geometry<Rational>&);
+template ScreenPlaces<Rational> places_on_screen(const Vec<Rational, 4>&,
+                                                 const Transforms<Rational>&);
+template void tell_place<Rational>(std::string_view, Space, const Vec<Rational, 4>&, std::size_t,
+                                   const Listener&);
+template void tell_places_on_screen<Rational>(std::string_view, const Vec<Rational, 4>&,
+                                              const Transforms<Rational>&, const Listener&);
+template void tell_geometry(const Scene&, const Geometry<Rational>&, const Listener&);
+
+} // namespace rastertrace
