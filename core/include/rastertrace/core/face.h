@@ -77,7 +77,10 @@ template <typename Scalar> bool has_no_length(const Vec<Scalar, 3>& vector) {
 inline std::optional<double> cosine_between(const Vec<double, 3>& a, const Vec<double, 3>& b) {
     // Each is first brought to a size of about 1, so that no square overflows or vanishes.
     const auto scaled = [](const Vec<double, 3>& v) {
-        const int exponent = std::ilogb(std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}));
+        const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+        // plan.cpp refuses what is not finite.
+        const bool has_size = largest > 0 && std::isfinite(largest);
+        const int exponent = has_size ? std::ilogb(largest) : 0;
         return Vec<double, 3>{std::scalbn(v.x, -exponent), std::scalbn(v.y, -exponent),
                               std::scalbn(v.z, -exponent)};
     };
