@@ -13,12 +13,16 @@
 #include <rastertrace/core/depth.h>
 #include <rastertrace/core/exactly.h>
 #include <rastertrace/core/fill.h>
+#include <rastertrace/core/flat_painter.h>
 #include <rastertrace/core/image.h>
 #include <rastertrace/core/line_bresenham.h>
 #include <rastertrace/core/line_lerp.h>
+#include <rastertrace/core/mixed_colors.h>
 #include <rastertrace/core/pieces.h>
 #include <rastertrace/core/placed.h>
 #include <rastertrace/core/plan.h>
+#include <rastertrace/core/row_painter.h>
+#include <rastertrace/core/sample_walk.h>
 #include <rastertrace/core/scene.h>
 #include <rastertrace/core/sink.h>
 #include <rastertrace/core/steps.h>
@@ -38,6 +42,14 @@
 
 namespace rastertrace {
 
+/// What pixels are drawn on and tested against, and where their samples lie.
+template <typename Scalar, typename OfPixels = Scalar> struct Target {
+    Image& image;
+    SampleGrid<Scalar> grid;
+    DepthBuffer<DepthOf<OfPixels>>* depth = nullptr; ///< if depths are tested
+    Exactness* exactness = nullptr;                  ///< of `adaptive`
+};
+
 /// The sink that tells a listener; none keeps none.
 template <typename Sink> Sink sink_to(const Listener& listener) {
     if constexpr (keeps_steps<Sink>)
@@ -49,7 +61,7 @@ template <typename Sink> Sink sink_to(const Listener& listener) {
 /// Draws the line between two vertices of a primitive.
 template <typename Scalar, typename Sink>
 void draw_line(const PlacedPrimitive<Scalar>& primitive, EdgeName side, const Method& method,
-               Image& image, Sink&& sink) {
+               const Canvas& canvas, Sink&& sink) {
     Segment<Scalar> segment{primitive.positions[side.from], primitive.positions[side.to]};
     GridLine line{nearest_pixel(segment.from.x, segment.from.y),
                   nearest_pixel(segment.to.x, segment.to.y), primitive.colors[side.from],
@@ -64,19 +76,21 @@ void draw_line(const PlacedPrimitive<Scalar>& primitive, EdgeName side, const Me
     }
 
     if (method.line == LineMethod::bresenham)
-        draw_bresenham(line, method.color_lerp, image, sink);
+        draw_bresenham(line, method.color_lerp, canvas, sink);
     else
         draw_line_by_lerp(segment,
                           method.line == LineMethod::naive ? LineForm::naive : LineForm::dda,
-                          line_rounding(method), line, method.color_lerp, image, sink);
+                          line_rounding(method), line, method.color_lerp, canvas, sink);
 }
 
-/// Fills a triangle.
+/// Fills a triangle with the stages that its pixels go through.
 template <typename Scalar, typename OfPixels, typename Sink>
-void fill(const PlacedPrimitive<Scalar>& primitive, Color flat, const Scene& scene,
-          const Plan& plan, Target<Scalar, OfPixels>& target, Sink&& sink) {
+void fill_triangle(const PlacedPrimitive<Scalar>& primitive, Color flat, const Scene& scene,
+                   const Plan& plan, Target<Scalar, OfPixels>& target, const Sink& sink) {
     const Triangle<Scalar> triangle{primitive.positions};
-    const Scalar sample_offset = target.grid.sample_offset();
+    const auto fill_with = [&](auto&& painter) {
+        fill(triangle, primitive.colors, scene.method, target.grid, target.image.canvas(), painter);
+    };
 
     // What its colors are mixed from. Without area, and where its vertices agree, it has one.
     PixelStages stages = plan.stages.pixels[primitive.number];
@@ -91,22 +105,30 @@ void fill(const PlacedPrimitive<Scalar>& primitive, Color flat, const Scene& sce
         else if constexpr (std::same_as<OfPixels, Adaptive>)
             mixed = mixed_colors(primitive, stages.colors, *target.exactness);
         else
-            mixed = {primitive.colors, barycentric, sample_offset, primitive.inverse_w};
+            mixed = {primitive.colors, barycentric, target.grid.sample_offset(),
+                     primitive.inverse_w};
     }
 
-    // What its depths are.
-    std::optional<TriangleDepth<Scalar, DepthBuffer<DepthOf<OfPixels>>>> depth;
-    if (stages.tests_depth) {
-        depth.emplace(triangle, primitive.depths, *target.depth);
-        if (scene.method.fill == Fill::top_left)
-            depth->prepare(depth_scalar(sample_offset));
-    }
+    // The plain loop, if that is all.
+    if constexpr (!keeps_steps<Sink>)
+        if (stages.colors == ColorStage::flat && !stages.tests_depth)
+            return fill_with(FlatPainter<>(target.image, flat, {}, stages.tests_canvas));
 
-    with_stages<std::remove_cvref_t<Sink>>(stages, [&]<PixelStages with>() {
-        const Paint<Scalar, with, OfPixels> paint{flat, mixed ? &*mixed : nullptr,
-                                                  depth ? &*depth : nullptr};
-        fill(primitive, paint, scene.method, target, sink);
-    });
+    PixelPainter<OfPixels, Sink> pixels{.image = target.image,
+                                        .stages = stages,
+                                        .flat = flat,
+                                        .mixed = mixed ? &*mixed : nullptr,
+                                        .buffer = stages.tests_depth ? target.depth : nullptr,
+                                        .sink = sink};
+    using Painter = RowPainter<Scalar, OfPixels, Sink>;
+    if (!stages.tests_depth)
+        return fill_with(Painter(pixels));
+    TriangleDepth<DepthOf<Scalar>> depth(depth_positions(triangle), primitive.depths,
+                                         target.depth->larger_passes());
+    if (scene.method.fill != Fill::top_left)
+        return fill_with(Painter(pixels, depth));
+    const auto plane = depth.plane(depth_scalar(target.grid.sample_offset()));
+    fill_with(Painter(pixels, plane));
 }
 
 /// Draws a primitive, or a part of one, that lies where `primitive` says.
@@ -115,7 +137,8 @@ void draw_piece(const Piece<Coordinate>& piece, const PlacedPrimitive<Scalar>& p
                 const Scene& scene, const Plan& plan, Target<Scalar, OfPixels>& target,
                 Sink&& sink) {
     const Method& method = scene.method;
-    Image& image = target.image;
+    const Canvas& canvas = target.image.canvas();
+    const FlatPainter painter(target.image, piece.color, sink);
     const bool is_tested = target.depth && piece.kind == PrimitiveKind::triangle;
     const auto pixel_of = [&primitive](std::size_t corner) {
         return nearest_pixel(primitive.positions[corner].x, primitive.positions[corner].y);
@@ -143,20 +166,20 @@ void draw_piece(const Piece<Coordinate>& piece, const PlacedPrimitive<Scalar>& p
 
     switch (piece.kind) {
     case PrimitiveKind::point:
-        draw_point(pixel_of(0), primitive.colors[0], image, sink);
+        draw_point(pixel_of(0), primitive.colors[0], canvas, painter);
         break;
     case PrimitiveKind::line:
-        draw_line(primitive, {0, 1}, method, image, sink);
+        draw_line(primitive, {0, 1}, method, canvas, painter);
         break;
     case PrimitiveKind::outline:
         for (const EdgeName side : {EdgeName{0, 1}, EdgeName{1, 2}, EdgeName{2, 0}}) {
             sink(SideBegan{.edge = side,
                            .octant = octant_of(pixel_of(side.from), pixel_of(side.to))});
-            draw_line(primitive, side, method, image, sink);
+            draw_line(primitive, side, method, canvas, painter);
         }
         break;
     case PrimitiveKind::triangle:
-        fill(primitive, piece.color, scene, plan, target, sink);
+        fill_triangle(primitive, piece.color, scene, plan, target, sink);
         break;
     }
 }

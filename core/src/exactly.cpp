@@ -50,16 +50,14 @@ bool is_finite(const Vec<Quantity, 3>& at) {
 Rational exact_depth_at(const Scene& scene, const PlacedPrimitive<Rational>& primitive, int x,
                         int y) {
     const Triangle<Rational> triangle{primitive.positions};
-    DepthBuffer<Rational> nothing({}, depth_rule<Rational>(scene));
-    TriangleDepth<Rational> depth(triangle, primitive.depths, nothing);
-    if (!finds_depths_by_rows(scene)) {
-        depth.prepare(scalar_from<Rational>(sample_offset_of(scene.method)));
-        return depth.on_row(y).at(x);
-    }
+    TriangleDepth<Rational> depth(triangle.vertices, primitive.depths,
+                                  depth_rule<Rational>(scene).larger_passes);
+    if (!finds_depths_by_rows(scene))
+        return depth.plane(scalar_from<Rational>(sample_offset_of(scene.method))).on_row(y).at(x);
     const auto [left, right] = edges_of_row(triangle, y, scene.canvas.down());
     const Rational height = y;
-    return TriangleDepth<Rational>::between(left.x_at(height), depth.on_edge(left.name, height),
-                                            right.x_at(height), depth.on_edge(right.name, height))
+    return row_between<Rational>(left.x_at(height), depth.on_edge(left.name, height),
+                                 right.x_at(height), depth.on_edge(right.name, height))
         .at(x);
 }
 

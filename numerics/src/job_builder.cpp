@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include <concepts>
+#include <algorithm>
 
 namespace rastertrace {
 
@@ -100,18 +100,19 @@ std::string refusal_in_words(const Scene& scene) {
 
 namespace {
 
-/// Puts pixels that come one after the other into rows.
+/// Keeps the rows that a fill yields, as far as the canvas has them.
 struct SpanSink {
+    const Canvas& canvas;
     std::vector<PieceSpan>& spans;
 
     template <typename Step> void operator()(const Step&) {}
-    void operator()(const PixelPlotted& step) {
-        if (!spans.empty() && spans.back().y == step.pixel.y && spans.back().to + 1 == step.pixel.x)
-            ++spans.back().to;
-        else
-            spans.push_back({step.pixel.y, step.pixel.x, step.pixel.x});
+    template <typename Scalar> void operator()(const ScanlineSpanned<Scalar>& span) {
+        const int from = static_cast<int>(std::max<Index>(span.from, canvas.left()));
+        const int to = static_cast<int>(std::min<Index>(span.to, canvas.right()));
+        if (from <= to)
+            spans.push_back({span.y, from, to});
     }
-    template <typename Step> bool takes() const { return std::same_as<Step, PixelPlotted>; }
+    template <typename Step> bool takes() const { return false; }
 };
 
 } // namespace
@@ -123,14 +124,13 @@ std::vector<SpansOfPiece> exact_spans(const Scene& scene) {
     const Plan plan = plan_for(exact);
     std::vector<SpansOfPiece> pieces;
     with_scalar(plan, [&]<typename Scalar>() {
-        Image image(exact.canvas);
-        Target<Scalar> target{image, sample_grid<Scalar>(exact, plan)};
+        const auto grid = sample_grid<Scalar>(exact, plan);
         for_each_placed_triangle<Scalar>(
             exact, plan, [&](const PlacedPrimitive<Scalar>& triangle, bool is_culled) {
                 auto& spans = pieces.emplace_back(SpansOfPiece{triangle.number, {}}).spans;
                 if (!is_culled)
-                    fill(triangle, Paint<Scalar, PixelStages{}>{Color{}}, exact.method, target,
-                         SpanSink{spans});
+                    fill_top_left(Triangle<Scalar>{triangle.positions}, grid, exact.canvas,
+                                  SpanSink{exact.canvas, spans});
             });
     });
     return pieces;

@@ -5,8 +5,8 @@
 
 #include "job_builder.h"
 
-#include <rastertrace/core/fill.h>
 #include <rastertrace/core/pieces.h>
+#include <rastertrace/core/placed.h>
 #include <rastertrace/core/plan.h>
 #include <rastertrace/core/scene.h>
 

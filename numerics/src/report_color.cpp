@@ -7,7 +7,7 @@
 #include "report_adaptive.h"
 
 #include <rastertrace/core/fill.h>
-#include <rastertrace/core/paint.h>
+#include <rastertrace/core/mixed_colors.h>
 #include <rastertrace/numerics/knobs.h>
 #include <rastertrace/trace/method_names.h>
 

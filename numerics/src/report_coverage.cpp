@@ -6,6 +6,7 @@
 #include "report_adaptive.h"
 
 #include <rastertrace/core/fill.h>
+#include <rastertrace/core/flat_painter.h>
 #include <rastertrace/trace/method_names.h>
 
 #include <fmt/format.h>
@@ -17,9 +18,6 @@ namespace rastertrace {
 
 namespace {
 
-/// A flat triangle, drawn wherever it is: no depths, no colors of vertices.
-constexpr PixelStages flat_stages{};
-
 /// Keeps the pixels that are drawn, and counts those that are asked for.
 struct PixelSink {
     const Canvas& canvas;
@@ -28,10 +26,19 @@ struct PixelSink {
 
     template <typename Step> void operator()(const Step&) {}
     void operator()(const PixelPlotted& step) { pixels.push_back(canvas.offset_of(step.pixel)); }
-    template <typename Scalar> void operator()(const SampleTested<Scalar>&) { ++tested; }
+    template <typename Scalar> void operator()(const SampleTested<Scalar>& sample) {
+        ++tested;
+        if (sample.is_inside)
+            pixels.push_back(canvas.offset_of(sample.pixel));
+    }
+    template <typename Scalar> void operator()(const ScanlineSpanned<Scalar>& span) {
+        const Index last = std::min<Index>(span.to, canvas.right());
+        for (Index x = std::max<Index>(span.from, canvas.left()); x <= last; ++x)
+            pixels.push_back(canvas.offset_of({static_cast<int>(x), span.y}));
+    }
 
     /// What is worked out only to be told would be counted as work.
-    template <typename Step> bool takes() const { return std::same_as<Step, PixelPlotted>; }
+    template <typename Step> bool takes() const { return false; }
 };
 
 /// The pixels of each primitive, in order, each once.
@@ -48,10 +55,10 @@ void sort_sets(PixelSets& sets) {
 template <typename Scalar> struct PlacedTriangles {
     std::vector<PlacedPrimitive<Scalar>> triangles;
     Image image;
-    Target<Scalar> target;
+    SampleGrid<Scalar> grid;
 
     PlacedTriangles(const Scene& scene, const Plan& plan)
-        : image(scene.canvas), target{image, sample_grid<Scalar>(scene, plan)} {
+        : image(scene.canvas), grid(sample_grid<Scalar>(scene, plan)) {
         for_each_placed_triangle<Scalar>(
             scene, plan, [this](const PlacedPrimitive<Scalar>& triangle, bool is_culled) {
                 if (!is_culled)
@@ -60,16 +67,13 @@ template <typename Scalar> struct PlacedTriangles {
     }
 };
 
-/// The same in numbers that count.
-template <typename Scalar>
-PlacedPrimitive<CountedOf<Scalar>> counting_copy_of(const PlacedPrimitive<Scalar>& primitive) {
-    PlacedPrimitive<CountedOf<Scalar>> result{.number = primitive.number,
-                                              .count = primitive.count,
-                                              .names = primitive.names,
-                                              .colors = primitive.colors};
-    for (std::size_t i = 0; i < primitive.count; ++i)
-        result.positions[i] = {as_counted(primitive.positions[i].x),
-                               as_counted(primitive.positions[i].y)};
+/// A triangle in numbers that count.
+template <typename Number, typename Scalar>
+Triangle<Number> counting_copy_of(const PlacedPrimitive<Scalar>& triangle) {
+    Triangle<Number> result;
+    for (std::size_t i = 0; i < 3; ++i)
+        result.vertices[i] = {as_counted(triangle.positions[i].x),
+                              as_counted(triangle.positions[i].y)};
     return result;
 }
 
@@ -157,10 +161,11 @@ private:
                 builder_.add(
                     std::move(setting),
                     [placed, method = scene.method] {
+                        const FlatPainter painter(placed->image, Color{}, NullSink{});
                         for (const auto& triangle : placed->triangles)
-                            fill(triangle, Paint<Scalar, flat_stages>{Color{}}, method,
-                                 placed->target, NullSink{});
-                        keep(placed->target.image);
+                            fill(Triangle<Scalar>{triangle.positions}, triangle.colors, method,
+                                 placed->grid, placed->image.canvas(), painter);
+                        keep(placed->image);
                     },
                     size_of(exact));
             }
@@ -184,19 +189,16 @@ private:
     template <typename Scalar>
     static PixelSets count(const PlacedTriangles<Scalar>& placed, const Scene& scene, Work& work) {
         using Number = CountedOf<Scalar>;
-        Image image(scene.canvas);
-        Target<Number> target{image,
-                              {as_counted(placed.target.grid.sample_offset()), scene.canvas}};
+        const SampleGrid<Number> grid(as_counted(placed.grid.sample_offset()), scene.canvas);
         PixelSets sets(scene.primitives.size());
         for (const auto& triangle : placed.triangles) {
             auto& pixels = sets[triangle.number];
             const std::size_t before = pixels.size();
             PixelSink sink{scene.canvas, pixels};
-            const auto counting_triangle = counting_copy_of(triangle);
+            const auto counting_triangle = counting_copy_of<Number>(triangle);
             {
                 const Counting counting(work);
-                fill(counting_triangle, Paint<Number, flat_stages>{Color{}}, scene.method, target,
-                     sink);
+                fill(counting_triangle, triangle.colors, scene.method, grid, scene.canvas, sink);
             }
             // The fills that go by rows ask only for the pixels that they draw.
             work.pixels_tested +=

@@ -156,10 +156,11 @@ private:
     static void for_each_row(const DepthInput<D>& input, const DepthScene& shared,
                              DepthBuffer<D>& buffer, Visit&& visit) {
         for (std::size_t i = 0; i < input.pieces.size(); ++i) {
-            TriangleDepth<D> depth(input.pieces[i].triangle, input.pieces[i].depths, buffer);
-            depth.prepare(D(0.5));
+            const auto& [triangle, depths] = input.pieces[i];
+            const auto plane =
+                TriangleDepth<D>(triangle.vertices, depths, buffer.larger_passes()).plane(D(0.5));
             for (const PieceSpan& span : shared.pieces[i].spans)
-                visit(depth.on_row(span.y), span, i);
+                visit(plane.on_row(span.y), span, i);
         }
     }
 

@@ -4,6 +4,7 @@
 
 #include "stress_rows.h"
 
+#include <rastertrace/core/adaptive_depth.h>
 #include <rastertrace/core/depth.h>
 
 #include <fmt/format.h>
@@ -103,8 +104,7 @@ Measured middle_of_edge(std::string_view scalar, const Rational& r, bool is_inve
         const D one = scalar_from<D>(1);
         const D far_z = nearest_scalar<D>(r);
         const D far_depth = is_inverse ? D(one / far_z) : far_z;
-        DepthBuffer<D> buffer({}, {});
-        TriangleDepth<Scalar> depth(triangle, {one, far_depth, one}, buffer);
+        TriangleDepth<D> depth(depth_positions(triangle), {one, far_depth, one}, false);
         const D found = depth.on_edge({0, 1}, one);
         const Rational true_z = 2 * r / (1 + r);
         if (is_inverse)
@@ -125,8 +125,7 @@ Measured largest_linear_error(const Rational& r) {
     const double root = std::sqrt(nearest_double(r));
     const Rational t(root / (1 + root));
     const Triangle<Rational> triangle{{{{0, 0}, {0, 2}, {2, 0}}}};
-    DepthBuffer<Rational> buffer({}, {});
-    TriangleDepth<Rational> linear(triangle, {1, r, 1}, buffer);
+    TriangleDepth<Rational> linear(triangle.vertices, {1, r, 1}, false);
     const Rational true_z = 1 / ((1 - t) + t / r);
     return {.wrong = 1,
             .unit = "depth",
@@ -171,8 +170,7 @@ Measured depth_row(std::string_view scalar, double r, int n) {
         using D = DepthOf<Scalar>;
         const D one = scalar_from<D>(1);
         const D far_depth = one / nearest_scalar<D>(Rational(r));
-        const auto row =
-            TriangleDepth<Scalar>::between(scalar_from<D>(0), one, scalar_from<D>(n), far_depth);
+        const auto row = row_between(scalar_from<D>(0), one, scalar_from<D>(n), far_depth);
         Measured measured{.worst_unit = "of the nearest 1/z"};
         double relative = 0;
         for (int i = 0; i <= n; ++i) {

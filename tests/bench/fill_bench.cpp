@@ -3,6 +3,8 @@
 // glm barycentric coordinates for each pixel of the box. Canvas 512 x 512, flat color.
 
 #include <rastertrace/core/fill.h>
+#include <rastertrace/core/flat_painter.h>
+#include <rastertrace/core/row_painter.h>
 
 #include <benchmark/benchmark.h>
 
@@ -13,6 +15,9 @@
 #include <cstdint>
 #include <random>
 #include <vector>
+
+/// With all that it calls inlined, as in a program of one fill, whose canvas the compiler knows.
+#define INLINED __attribute__((flatten))
 
 namespace rastertrace {
 namespace {
@@ -65,8 +70,8 @@ template <typename Scalar, typename FillOne> void run(benchmark::State& state, F
 
 template <typename Scalar, typename Sink> void scanline(benchmark::State& state) {
     Sink sink;
-    run<Scalar>(state, [&](const Triangle<Scalar>& triangle, Image& image) {
-        fill_scanline(triangle, Paint<Scalar>{}, {}, image, sink);
+    run<Scalar>(state, [&](const Triangle<Scalar>& triangle, Image& image) INLINED {
+        fill_scanline(triangle, {}, image.canvas(), FlatPainter(image, Color{}, sink));
     });
 }
 
@@ -82,8 +87,8 @@ template <typename Scalar> SampleGrid<Scalar> centers(int side) {
 /// `fixed` is this one: fractions over 256 on 64 bits.
 template <typename Scalar> void top_left(benchmark::State& state) {
     const auto grid = centers<Scalar>(512);
-    run<Scalar>(state, [&grid](const Triangle<Scalar>& triangle, Image& image) {
-        fill_top_left(triangle, Paint<Scalar>{}, grid, image, NullSink{});
+    run<Scalar>(state, [&grid](const Triangle<Scalar>& triangle, Image& image) INLINED {
+        fill_top_left(triangle, grid, image.canvas(), FlatPainter(image, Color{}));
     });
 }
 
@@ -128,16 +133,18 @@ void run_with_depth(benchmark::State& state, FillOne&& fill_one) {
 }
 
 template <typename Scalar> void top_left_with_depth(benchmark::State& state) {
-    constexpr PixelStages stages{.tests_depth = true};
     const auto grid = centers<Scalar>(static_cast<int>(state.range(1)));
     run_with_depth<Scalar>(state, [&grid](const Triangle<Scalar>& triangle,
                                           const std::array<double, 3>& depths, Image& image,
-                                          auto& buffer) {
+                                          auto& buffer) INLINED {
         using D = DepthOf<Scalar>;
-        TriangleDepth<Scalar> depth(triangle, {D(depths[0]), D(depths[1]), D(depths[2])}, buffer);
-        depth.prepare(D(0.5));
-        fill_top_left(triangle, Paint<Scalar, stages>{.flat = {}, .depth = &depth}, grid, image,
-                      NullSink{});
+        const TriangleDepth<D> depth(depth_positions(triangle),
+                                     {D(depths[0]), D(depths[1]), D(depths[2])},
+                                     buffer.larger_passes());
+        const auto plane = depth.plane(D(0.5));
+        PixelPainter<Scalar> pixels{
+            .image = image, .stages = {.tests_depth = true}, .buffer = &buffer};
+        fill_top_left(triangle, grid, image.canvas(), RowPainter<Scalar>(pixels, plane));
     });
 }
 

@@ -282,10 +282,9 @@ TEST(Depth, TableOfT0sEdge) {
 TEST(Depth, MidpointOfCgfs) {
     const Triangle<Rational> triangle{
         {{{Rational(0), Rational(0)}, {Rational(6), Rational(6)}, {Rational(0), Rational(6)}}}};
-    DepthBuffer<Rational> buffer({}, {});
-    TriangleDepth<Rational> linear(triangle, {2, 10, 10}, buffer);
-    TriangleDepth<Rational> inverse(triangle, {Rational("1/2"), Rational("1/10"), Rational("1/10")},
-                                    buffer);
+    TriangleDepth<Rational> linear(triangle.vertices, {2, 10, 10}, false);
+    TriangleDepth<Rational> inverse(triangle.vertices,
+                                    {Rational("1/2"), Rational("1/10"), Rational("1/10")}, false);
     EXPECT_EQ(linear.on_edge({0, 1}, 5), Rational("26/3"));
     EXPECT_EQ(Rational(1 / inverse.on_edge({0, 1}, 5)), 6);
 }

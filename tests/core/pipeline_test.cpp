@@ -6,6 +6,7 @@
 
 #include <rastertrace/core/clip.h>
 #include <rastertrace/core/fill_top_left.h>
+#include <rastertrace/core/flat_painter.h>
 #include <rastertrace/core/geometry.h>
 #include <rastertrace/core/pieces.h>
 
@@ -260,8 +261,8 @@ std::size_t pixels_of_part_p(const std::vector<std::array<Number, 3>>& corners) 
             triangle.vertices[i] = {(piece.positions[i].x + 1) * 32,
                                     (piece.positions[i].y + 1) * 32};
         const Rational half(mpz_class(1), mpz_class(2));
-        fill_top_left(triangle, Paint<Rational>{.flat = {}},
-                      SampleGrid<Rational>(half, image.canvas()), image, NullSink{});
+        fill_top_left(triangle, SampleGrid<Rational>(half, image.canvas()), image.canvas(),
+                      FlatPainter(image, Color{}));
     });
     return image.drawn();
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The fill with a sink that keeps nothing. Compiled twice and compared by compare.sh: as it is, and
-// with -DWITHOUT_EMISSIONS, which turns every call of a sink into nothing before it is compiled.
-// The name of a parameter (`Sink&& sink)`) or an argument is not followed by `(`, and stays.
+// Fills with a painter that tells nobody. Compiled twice and compared by compare.sh: as they are, and
+// with -DWITHOUT_EMISSIONS, which turns every call of a sink into nothing before it is compiled, except
+// that of the painter with a row to paint. The name of a parameter (`Sink&& sink)`) or an argument is
+// not followed by `(`, and stays.
 
 #include <gmpxx.h>
 
@@ -16,34 +17,49 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <tuple>
-
-#ifdef WITHOUT_EMISSIONS
-#define sink(...) static_cast<void>(0)
-#endif
-#include <rastertrace/core/fill_scanline.h>
-#include <rastertrace/core/fill_top_left.h>
+#include <type_traits>
 
 namespace rastertrace {
 
-void scanline_with_doubles(const Triangle<double>& triangle, const Paint<double>& paint,
-                           const ScanlineRules& rules, Image& image) {
-    fill_scanline(triangle, paint, rules, image, NullSink{});
+/// True of what a painter paints.
+template <typename Step> constexpr bool is_painted = false;
+template <typename Scalar> constexpr bool is_painted<ScanlineSpanned<Scalar>> = true;
+
+} // namespace rastertrace
+
+#ifdef WITHOUT_EMISSIONS
+#define sink_(...) static_cast<void>(0)
+#define sink(...)                                                                                  \
+    if constexpr (is_painted<std::remove_cvref_t<decltype(__VA_ARGS__)>>)                          \
+    (sink)(__VA_ARGS__)
+#endif
+#include <rastertrace/core/fill_scanline.h>
+#include <rastertrace/core/fill_top_left.h>
+#include <rastertrace/core/flat_painter.h>
+
+namespace rastertrace {
+
+void scanline_with_doubles(const Triangle<double>& triangle, const ScanlineRules& rules,
+                           const FlatPainter<>& painter, const Canvas& canvas) {
+    fill_scanline(triangle, rules, canvas, painter);
 }
 
-void scanline_with_fractions(const Triangle<Fraction64>& triangle, const Paint<Fraction64>& paint,
-                             const ScanlineRules& rules, Image& image) {
-    fill_scanline(triangle, paint, rules, image, NullSink{});
+void scanline_with_fractions(const Triangle<Fraction64>& triangle, const ScanlineRules& rules,
+                             const FlatPainter<>& painter, const Canvas& canvas) {
+    fill_scanline(triangle, rules, canvas, painter);
 }
 
-void top_left_with_doubles(const Triangle<double>& triangle, const Paint<double>& paint,
-                           const SampleGrid<double>& grid, Image& image) {
-    fill_top_left(triangle, paint, grid, image, NullSink{});
+void top_left_with_doubles(const Triangle<double>& triangle, const SampleGrid<double>& grid,
+                           const FlatPainter<>& painter, const Canvas& canvas) {
+    fill_top_left(triangle, grid, canvas, painter);
 }
 
-void top_left_with_fractions(const Triangle<Fraction64>& triangle, const Paint<Fraction64>& paint,
-                             const SampleGrid<Fraction64>& grid, Image& image) {
-    fill_top_left(triangle, paint, grid, image, NullSink{});
+void top_left_with_fractions(const Triangle<Fraction64>& triangle,
+                             const SampleGrid<Fraction64>& grid, const FlatPainter<>& painter,
+                             const Canvas& canvas) {
+    fill_top_left(triangle, grid, canvas, painter);
 }
 
 } // namespace rastertrace

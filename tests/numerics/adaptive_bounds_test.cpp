@@ -8,7 +8,7 @@
 #include <rastertrace/core/adaptive_depth.h>
 #include <rastertrace/core/barycentric.h>
 #include <rastertrace/core/depth.h>
-#include <rastertrace/core/paint.h>
+#include <rastertrace/core/mixed_colors.h>
 #include <rastertrace/core/triangle.h>
 
 #include <gtest/gtest.h>

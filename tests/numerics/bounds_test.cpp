@@ -7,7 +7,7 @@
 
 #include <rastertrace/core/barycentric.h>
 #include <rastertrace/core/edge.h>
-#include <rastertrace/core/paint.h>
+#include <rastertrace/core/mixed_colors.h>
 #include <rastertrace/numerics/bounds.h>
 #include <rastertrace/numerics/knobs.h>
 

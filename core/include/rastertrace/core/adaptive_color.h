@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Colors mixed in doubles that know their error: the formulas of paint.h, with one error for all pixels
+// Colors mixed in doubles that know their error: the formulas of mixed_colors.h, with one error for all pixels
 // of a triangle. Where it leaves a level open, the color is worked out in exact numbers. u is 2^-53,
 // what a result may be rounded by, relative to it.
 //
@@ -13,7 +13,7 @@
 #include <rastertrace/core/barycentric.h>
 #include <rastertrace/core/canvas.h>
 #include <rastertrace/core/image.h>
-#include <rastertrace/core/paint.h>
+#include <rastertrace/core/mixed_colors.h>
 #include <rastertrace/core/scalar.h>
 #include <rastertrace/core/triangle.h>
 

@@ -61,8 +61,9 @@ public:
     std::uint64_t exact_tests() const { return exact_tests_; }
 
     /// Depths may be worked out in exact numbers, too.
+    bool larger_passes() const { return rule_.larger_passes; }
     template <typename Depth> Depth turned(const Depth& depth) const {
-        return rule_.larger_passes ? Depth(-depth) : depth;
+        return rastertrace::turned(depth, rule_.larger_passes);
     }
     template <typename Depth> static Adaptive compared(const Depth& depth) {
         return with_error(depth);

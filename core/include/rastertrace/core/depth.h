@@ -41,6 +41,11 @@ template <typename Scalar> struct DepthRule {
     std::optional<Scalar> cleared = {}; ///< none: every depth passes
 };
 
+/// A depth with the sign that makes the nearer one smaller.
+template <typename Depth> Depth turned(const Depth& depth, bool larger_passes) {
+    return larger_passes ? Depth(-depth) : depth;
+}
+
 /// The pixels that have a depth: columns from `left` on, rows from `top_row` on.
 struct DepthRegion {
     int left = 0;
@@ -60,9 +65,9 @@ public:
                  clear_cell()),
           is_clear_(has_clear_cells() ? cells_.size() : 0, true) {}
 
-    /// A depth with the sign that makes the nearer one smaller.
+    bool larger_passes() const { return rule_.larger_passes; }
     Scalar turned(const Scalar& depth) const {
-        return rule_.larger_passes ? Scalar(-depth) : depth;
+        return rastertrace::turned(depth, rule_.larger_passes);
     }
 
     /// A depth, or those of a row from one pixel to another, in the numbers that the buffer compares.
@@ -229,21 +234,18 @@ std::array<Vec<double, 2>, 3> depth_positions(const Triangle<Fraction<Integer>>&
 }
 
 /// The turned depths of a triangle: those of its vertices, and linear between them. Both forms are
-/// equal in exact arithmetic, and both keep equal depths equal. `Buffer` is what they are tested
-/// against.
-template <typename Scalar, typename Buffer = DepthBuffer<DepthOf<Scalar>>> class TriangleDepth {
+/// equal in exact arithmetic, and both keep equal depths equal.
+template <typename Scalar> class TriangleDepth {
 public:
-    using D = DepthOf<Scalar>;
-
-    TriangleDepth(const Triangle<Scalar>& triangle, const std::array<D, 3>& depths,
-                  Buffer& depth_buffer)
-        : buffer(depth_buffer),
-          positions_(depth_positions(triangle)), depths_{buffer.turned(depths[0]),
-                                                         buffer.turned(depths[1]),
-                                                         buffer.turned(depths[2])} {}
+    /// Of the vertices; `larger_passes` as in DepthRule.
+    TriangleDepth(const std::array<Vec<Scalar, 2>, 3>& positions,
+                  const std::array<Scalar, 3>& depths, bool larger_passes)
+        : positions_(positions), depths_{turned(depths[0], larger_passes),
+                                         turned(depths[1], larger_passes),
+                                         turned(depths[2], larger_passes)} {}
 
     /// The depth where an edge is at height y.
-    [[gnu::always_inline]] D on_edge(const EdgeName& edge, const D& y) {
+    [[gnu::always_inline]] Scalar on_edge(const EdgeName& edge, const Scalar& y) {
         auto& depths = edges_[edge.from + edge.to - 1U];
         if (!depths)
             depths.emplace(positions_[edge.from].y, depths_[edge.from], positions_[edge.to].y,
@@ -251,30 +253,22 @@ public:
         return depths->at(y);
     }
 
-    /// By rows, then across: the depths between the two ends of a row.
-    static DepthRow<D> between(const D& left, const D& left_depth, const D& right,
-                               const D& right_depth) {
-        return row_between(left, left_depth, right, right_depth);
-    }
-
     /// By weights: d = d1 + w2 (d2 - d1) + w3 (d3 - d1).
-    D by_weights(const std::array<D, 3>& weights) const {
+    Scalar by_weights(const std::array<Scalar, 3>& weights) const {
         return depths_[0] + weights[1] * (depths_[1] - depths_[0]) +
                weights[2] * (depths_[2] - depths_[0]);
     }
 
-    /// The same for whole rows: the weights are linear in x and y, and so is the depth. `prepare`
-    /// finds how fast it grows.
-    void prepare(const D& sample_offset) { plane_.emplace(positions_, depths_, sample_offset); }
-    DepthRow<D> on_row(int y) const { return plane_->on_row(y); }
-
-    Buffer& buffer;
+    /// The same for whole rows: the weights are linear in x and y, and so is the depth.
+    DepthPlane<Scalar> plane(const Scalar& sample_offset) const {
+        return {positions_, depths_, sample_offset};
+    }
 
 private:
-    std::array<Vec<D, 2>, 3> positions_;
-    std::array<D, 3> depths_;
-    std::array<std::optional<DepthEdge<D>>, 3> edges_; ///< those between 0 and 1, 0 and 2, 1 and 2
-    std::optional<DepthPlane<D>> plane_;
+    std::array<Vec<Scalar, 2>, 3> positions_;
+    std::array<Scalar, 3> depths_;
+    std::array<std::optional<DepthEdge<Scalar>>, 3>
+        edges_; ///< those between 0 and 1, 0 and 2, 1 and 2
 };
 
 /// Doubles that know their error have forms of their own: adaptive_depth.h.

@@ -15,7 +15,7 @@
 #include <rastertrace/core/draw.h>
 #include <rastertrace/core/geometry.h>
 #include <rastertrace/core/listener.h>
-#include <rastertrace/core/paint.h>
+#include <rastertrace/core/mixed_colors.h>
 #include <rastertrace/core/pieces.h>
 #include <rastertrace/core/placed.h>
 #include <rastertrace/core/plan.h>

@@ -3,9 +3,9 @@
 
 // A triangle filled by the algorithm that a method names.
 //
-//     fill(primitive, paint, method, target, sink);
+//     fill(triangle, colors, method, grid, canvas, FlatPainter(image, color));
 
-#include <rastertrace/core/depth.h>
+#include <rastertrace/core/canvas.h>
 #include <rastertrace/core/fill_barycentric.h>
 #include <rastertrace/core/fill_fan.h>
 #include <rastertrace/core/fill_scanline.h>
@@ -13,50 +13,40 @@
 #include <rastertrace/core/fill_two_halves.h>
 #include <rastertrace/core/image.h>
 #include <rastertrace/core/method.h>
-#include <rastertrace/core/paint.h>
-#include <rastertrace/core/placed.h>
 #include <rastertrace/core/plan.h>
+#include <rastertrace/core/sample_walk.h>
 #include <rastertrace/core/scene.h>
 #include <rastertrace/core/triangle.h>
 
+#include <array>
+
 namespace rastertrace {
-
-struct Exactness;
-
-/// What pixels are drawn on and tested against, and where their samples lie.
-template <typename Scalar, typename OfPixels = Scalar> struct Target {
-    Image& image;
-    SampleGrid<Scalar> grid;
-    DepthBuffer<DepthOf<OfPixels>>* depth = nullptr; ///< if depths are tested
-    Exactness* exactness = nullptr;                  ///< of `adaptive`
-};
 
 /// Where the samples of the scene's pixels lie.
 template <typename Scalar> SampleGrid<Scalar> sample_grid(const Scene& scene, const Plan& plan) {
     return {scalar_from<Scalar>(sample_offset_of(scene.method), plan.denominator), scene.canvas};
 }
 
-/// Fills a triangle with the stages that its pixels go through.
-template <typename Scalar, PixelStages stages, typename OfPixels, typename Sink>
-void fill(const PlacedPrimitive<Scalar>& primitive, const Paint<Scalar, stages, OfPixels>& paint,
-          const Method& method, Target<Scalar, OfPixels>& target, Sink&& sink) {
-    const Triangle<Scalar> triangle{primitive.positions};
-    Image& image = target.image;
+/// Fills a triangle. `sink` is the painter of its rows and pixels; the fan takes the colors of the
+/// vertices.
+template <typename Scalar, typename Sink>
+void fill(const Triangle<Scalar>& triangle, const std::array<Color, 3>& colors,
+          const Method& method, const SampleGrid<Scalar>& grid, Canvas canvas, Sink&& sink) {
     const ScanlineRules rules{.lerp = method.lerp, .span = span_rounding(method)};
     switch (method.fill) {
     case Fill::scanline:
-        return fill_scanline(triangle, paint, rules, image, sink);
+        return fill_scanline(triangle, rules, canvas, sink);
     case Fill::two_halves:
-        return fill_two_halves(triangle, paint, rules, image, sink);
+        return fill_two_halves(triangle, rules, canvas, sink);
     case Fill::barycentric:
-        return fill_barycentric(triangle, paint, target.grid.sample_offset(), image, sink);
+        return fill_barycentric(triangle, grid.sample_offset(), canvas, sink);
     case Fill::top_left:
-        return fill_top_left(triangle, paint, target.grid, image, sink);
+        return fill_top_left(triangle, grid, canvas, sink);
     case Fill::fan:
         break;
     }
-    fill_fan(triangle, primitive.colors,
-             {.passes = method.fan_passes, .color_lerp = method.color_lerp}, image, sink);
+    fill_fan(triangle, colors, {.passes = method.fan_passes, .color_lerp = method.color_lerp},
+             canvas, sink);
 }
 
 } // namespace rastertrace

@@ -7,12 +7,10 @@
 //
 // Source: Sokolov, tinyrenderer, lesson 2, in the Chinese notes on it.
 //
-//     fill_barycentric(triangle, paint, sample_offset, image, sink);
+//     fill_barycentric(triangle, sample_offset, canvas, FlatPainter(image, color));
 
 #include <rastertrace/core/barycentric.h>
 #include <rastertrace/core/canvas.h>
-#include <rastertrace/core/image.h>
-#include <rastertrace/core/paint.h>
 #include <rastertrace/core/scalar.h>
 #include <rastertrace/core/sink.h>
 #include <rastertrace/core/steps.h>
@@ -27,12 +25,10 @@ namespace rastertrace {
 /// both draw them. A sample lies `sample_offset` right of and above (in y) a pixel's integer point.
 /// The box is cut to the canvas. A triangle without area has no barycentric coordinates and is
 /// skipped.
-template <typename Scalar, PixelStages stages, typename OfPixels, typename Sink>
-requires SinkFor<Sink, SampleTested<Scalar>, PixelPlotted, PrimitiveSkipped>
-void fill_barycentric(const Triangle<Scalar>& triangle,
-                      const Paint<Scalar, stages, OfPixels>& paint, const Scalar& sample_offset,
-                      Image& image, Sink&& sink) {
-    const Canvas canvas = image.canvas();
+template <typename Scalar, typename Sink>
+requires SinkFor<Sink, SampleTested<Scalar>, PrimitiveSkipped>
+void fill_barycentric(const Triangle<Scalar>& triangle, const Scalar& sample_offset, Canvas canvas,
+                      Sink&& sink) {
     const Scalar zero = scalar_from<Scalar>(0);
     const Barycentric<Scalar> barycentric(triangle);
     if (barycentric.area2() == zero) {
@@ -59,7 +55,6 @@ void fill_barycentric(const Triangle<Scalar>& triangle,
         return;
     }
 
-    Color color = paint.flat;
     for (Index row = first_row; row <= last_row; ++row)
         for (Index x = first_x; x <= last_x; ++x) {
             const Pixel pixel{static_cast<int>(x), canvas.y_of(static_cast<int>(row))};
@@ -69,21 +64,6 @@ void fill_barycentric(const Triangle<Scalar>& triangle,
             const bool is_inside =
                 !(weights[0] < zero) && !(weights[1] < zero) && !(weights[2] < zero);
             sink(SampleTested<Scalar>{.pixel = pixel, .weights = weights, .is_inside = is_inside});
-            if (!is_inside)
-                continue;
-            if constexpr (stages.tests_depth) {
-                const auto depth = paint.depth->by_weights(
-                    {depth_scalar(weights[0]), depth_scalar(weights[1]), depth_scalar(weights[2])});
-                auto& buffer = paint.depth->buffer;
-                const auto index = static_cast<int>(row);
-                auto& cell = *buffer.row_from(pixel.x, index);
-                if (!passes_depth_test(pixel, index, buffer.compared(depth), cell, buffer, sink))
-                    continue;
-            }
-            if constexpr (stages.colors != ColorStage::flat)
-                color = paint.mixed->template at<stages.colors == ColorStage::perspective>(pixel);
-            image.at(pixel) = color;
-            sink(PixelPlotted{.pixel = pixel, .color = color});
         }
 }
 

@@ -8,7 +8,7 @@
 // Source: the report on the full pipeline, DrawFilledTriangle: its line is Bresenham's, drawn from
 // the end with the lower x (a vertical line from its first end).
 //
-//     fill_fan(triangle, colors, rules, image, sink);
+//     fill_fan(triangle, colors, rules, canvas, FlatPainter(image, color));
 
 #include <rastertrace/core/canvas.h>
 #include <rastertrace/core/line_bresenham.h>
@@ -35,7 +35,7 @@ struct FanRules {
 template <typename Scalar, typename Sink>
 requires SinkFor<Sink, SideBegan, RayBegan, LineDecided, PixelPlotted, PixelsRejected>
 void fill_fan(const Triangle<Scalar>& triangle, const std::array<Color, 3>& colors,
-              const FanRules& rules, Image& image, Sink&& sink) {
+              const FanRules& rules, Canvas canvas, Sink&& sink) {
     const auto from_lower_x = [](const GridLine& line) {
         return line.to.x < line.from.x ? reversed(line) : line;
     };
@@ -61,7 +61,7 @@ void fill_fan(const Triangle<Scalar>& triangle, const std::array<Color, 3>& colo
             const Color color = color_on_line(base, rules.color_lerp, start, step, edge.steps());
             sink(RayBegan{.x = start.x, .y = start.y});
             draw_bresenham(from_lower_x({start, target, color, colors[apex]}), rules.color_lerp,
-                           image, sink);
+                           canvas, sink);
         }
     }
 }

@@ -8,7 +8,7 @@
 // Source: Pineda 1988 (edge functions); Direct3D 11 specification, section 3.4.2.1 (the top-left
 // rule).
 //
-//     fill_top_left(triangle, paint, SampleGrid<double>(0.5, canvas), image, sink);
+//     fill_top_left(triangle, SampleGrid<double>(0.5, canvas), canvas, FlatPainter(image, color));
 //
 // An edge function is linear, so on a row of samples it changes sign once: where the edge crosses
 // the row. Instead of asking every pixel of the box, the fill asks each edge for its crossing and
@@ -19,17 +19,16 @@
 
 #include <rastertrace/core/canvas.h>
 #include <rastertrace/core/edge.h>
-#include <rastertrace/core/fill_scanline.h>
-#include <rastertrace/core/image.h>
-#include <rastertrace/core/paint.h>
 #include <rastertrace/core/sample_walk.h>
 #include <rastertrace/core/scalar.h>
 #include <rastertrace/core/sink.h>
+#include <rastertrace/core/span.h>
 #include <rastertrace/core/steps.h>
 #include <rastertrace/core/triangle.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 
 namespace rastertrace {
 
@@ -76,13 +75,10 @@ void report_edge_functions(const Triangle<Scalar>& triangle, const TriangleOrder
     report(top, bottom, middle, long_edge_is_left);
 }
 
-/// Reports where the two edges of a row of samples cross it, and the pixels between.
-template <typename Scalar, typename Sink>
-requires SinkFor<Sink, ScanlineSpanned<Scalar>>
-void report_crossings(const Triangle<Scalar>& triangle, const TriangleOrder& order, bool is_upper,
-                      int y, const Scalar& sample_offset, Index from, Index to, Sink&& sink) {
-    if (!takes<ScanlineSpanned<Scalar>>(sink))
-        return;
+/// Adds where the two edges of the row meet it.
+template <typename Scalar>
+void add_crossings(const Triangle<Scalar>& triangle, const TriangleOrder& order, bool is_upper,
+                   const Scalar& sample_offset, ScanlineSpanned<Scalar>& span) {
     const auto edge = [&triangle](std::size_t upper, std::size_t lower) {
         const auto vertex = [&triangle](std::size_t place) {
             return Vertex<Scalar>{triangle.vertices[place], static_cast<std::uint8_t>(place)};
@@ -94,26 +90,36 @@ void report_crossings(const Triangle<Scalar>& triangle, const TriangleOrder& ord
         is_upper ? edge(order.top, order.middle) : edge(order.middle, order.bottom);
     const Edge<Scalar>& left_edge = order.long_edge_is_left ? long_edge : short_edge;
     const Edge<Scalar>& right_edge = order.long_edge_is_left ? short_edge : long_edge;
-    const Scalar sample_y = scalar_from<Scalar>(y) + sample_offset;
-    sink(ScanlineSpanned<Scalar>{.y = y,
-                                 .left = left_edge.x_at(sample_y),
-                                 .right = right_edge.x_at(sample_y),
-                                 .from = from,
-                                 .to = to,
-                                 .left_edge = left_edge.name,
-                                 .right_edge = right_edge.name});
+    const Scalar sample_y = scalar_from<Scalar>(span.y) + sample_offset;
+    span.left = left_edge.x_at(sample_y);
+    span.right = right_edge.x_at(sample_y);
+    span.left_edge = left_edge.name;
+    span.right_edge = right_edge.name;
+}
+
+/// A row from one edge to another: which pixels, and, if somebody listens, where the edges cross the row
+/// of samples.
+template <typename Scalar, typename Sink>
+requires SinkFor<Sink, ScanlineSpanned<Scalar>>
+[[gnu::always_inline]] inline void yield_row(const Triangle<Scalar>& triangle,
+                                             const TriangleOrder& order, bool is_upper, int y,
+                                             const Scalar& sample_offset, Index from, Index to,
+                                             Sink&& sink) {
+    ScanlineSpanned<Scalar> span{
+        .y = y, .left = {}, .right = {}, .from = from, .to = to, .left_edge = {}, .right_edge = {}};
+    if (takes<ScanlineSpanned<Scalar>>(sink))
+        add_crossings(triangle, order, is_upper, sample_offset, span);
+    sink(span);
 }
 
 /// Fills a triangle so that each sample of a shared edge is drawn exactly once. `grid`
 /// says where the samples lie. Top and left are those of the picture, whichever way y points. A
 /// triangle without area has no inside and is skipped.
-template <typename Scalar, PixelStages stages, typename OfPixels, typename Sink>
-requires SinkFor<Sink, EdgeFunctionSetUp<Scalar>, ScanlineSpanned<Scalar>, PixelPlotted,
-                 PixelsRejected, RowsRejected, PrimitiveSkipped>
-void fill_top_left(const Triangle<Scalar>& triangle, const Paint<Scalar, stages, OfPixels>& paint,
-                   const SampleGrid<Scalar>& grid, Image& image, Sink&& sink) {
-    const Canvas canvas = image.canvas();
-
+template <typename Scalar, typename Sink>
+requires SinkFor<Sink, EdgeFunctionSetUp<Scalar>, ScanlineSpanned<Scalar>, RowsRejected,
+                 PrimitiveSkipped>
+void fill_top_left(const Triangle<Scalar>& triangle, const SampleGrid<Scalar>& grid, Canvas canvas,
+                   Sink&& sink) {
     // Sort the vertices by height. The long edge runs from top to bottom, the two short ones meet
     // at the middle vertex, left or right of it.
     const auto [top, middle, bottom] = sorted_from_top(grid.placed(triangle), grid.down());
@@ -126,53 +132,43 @@ void fill_top_left(const Triangle<Scalar>& triangle, const Paint<Scalar, stages,
     const TriangleOrder order{top.place, middle.place, bottom.place, long_edge_is_left};
     report_edge_functions(triangle, order, sink);
 
-    // The rows of samples from the top vertex, included, to the bottom vertex, not included. The
-    // row of the middle vertex belongs to the lower short edge.
+    // The rows of samples from the top vertex, included, to the bottom vertex, not included, as far as
+    // the canvas has them. The row of the middle vertex belongs to the lower short edge.
     const Index first_row = grid.first_row_from(top.position.y);
-    const Index middle_row = grid.first_row_from(middle.position.y);
+    const Index first_lower_row = grid.first_row_from(middle.position.y);
     const Index end_row = grid.first_row_from(bottom.position.y);
-    if (end_row <= first_row) {
-        sink(PrimitiveSkipped{.why = SkipReason::between_rows});
-        return;
-    }
-    const auto leftmost = std::min({top.position.x, middle.position.x, bottom.position.x});
-    const auto rightmost = std::max({top.position.x, middle.position.x, bottom.position.x});
-    if (end_row <= 0 || first_row >= canvas.height || grid.reaches(canvas.left(), rightmost) ||
-        !grid.reaches(canvas.right(), leftmost)) {
-        sink(PrimitiveSkipped{.why = SkipReason::off_canvas});
-        return;
-    }
-    report_rejected_rows(canvas.y_of(first_row), canvas.y_of(end_row - 1), canvas, sink);
-
-    // Down the upper short edge, then down the lower one; the long edge opposite both. In each row
-    // that the canvas has, the samples from the left edge to before the right one.
-    const auto row_on_canvas = [&canvas](Index row) {
-        return static_cast<int>(std::clamp<Index>(row, 0, canvas.height));
+    const auto misses_sides = [&grid, canvas, a = top.position.x, b = middle.position.x,
+                               c = bottom.position.x] {
+        return grid.reaches(canvas.left(), std::max({a, b, c})) ||
+               !grid.reaches(canvas.right(), std::min({a, b, c}));
     };
-    int row = row_on_canvas(first_row);
-    SampleWalk<Scalar> along_long_edge(top, bottom, grid, row);
-    const auto fill_half = [&](bool is_upper, const auto& upper, const auto& lower, int end)
-        __attribute__((always_inline)) {
-        if (row >= end)
+    const RowRange rows = rows_on_canvas(first_row, end_row - 1, misses_sides, canvas, sink);
+    if (rows.is_empty())
+        return;
+    const auto middle_row =
+        static_cast<int>(std::clamp<Index>(first_lower_row, rows.begin, rows.end));
+
+    // Down the upper short edge, then down the lower one; the long edge opposite both. In each row,
+    // the samples from the left edge to before the right one.
+    SampleWalk<Scalar> along_long_edge(top, bottom, grid, rows.begin);
+    const auto fill_half = [&](bool is_upper, const auto& upper, const auto& lower, int begin,
+                               int end) __attribute__((always_inline)) {
+        if (begin == end)
             return;
-        SampleWalk<Scalar> along_short_edge(upper, lower, grid, row);
-        for (; row < end; ++row) {
+        SampleWalk<Scalar> along_short_edge(upper, lower, grid, begin);
+        for (int row = begin; row < end; ++row) {
             const Index on_long_edge = along_long_edge.first_sample();
             const Index on_short_edge = along_short_edge.first_sample();
             const Index from = long_edge_is_left ? on_long_edge : on_short_edge;
             const Index to = (long_edge_is_left ? on_short_edge : on_long_edge) - 1;
-            const int y = canvas.y_of(row);
-            report_crossings(triangle, order, is_upper, y, grid.sample_offset(), from, to, sink);
-            if constexpr (stages.tests_depth)
-                plot_tested_span(image.row(y), from, to, paint, paint.depth->on_row(y), sink);
-            else
-                plot_span(image.row(y), from, to, paint, sink);
+            yield_row(triangle, order, is_upper, canvas.y_of(row), grid.sample_offset(), from, to,
+                      sink);
             along_long_edge.step();
             along_short_edge.step();
         }
     };
-    fill_half(true, top, middle, row_on_canvas(middle_row));
-    fill_half(false, middle, bottom, row_on_canvas(end_row));
+    fill_half(true, top, middle, rows.begin, middle_row);
+    fill_half(false, middle, bottom, middle_row, rows.end);
 }
 
 } // namespace rastertrace

@@ -54,14 +54,12 @@ struct GridLine {
 /// Draws a point: one pixel.
 template <typename Sink>
 requires SinkFor<Sink, PixelPlotted, PixelsRejected>
-void draw_point(GridPoint point, Color color, Image& image, Sink&& sink) {
-    if (!image.canvas().contains(point.x, point.y)) {
+void draw_point(GridPoint point, Color color, const Canvas& canvas, Sink&& sink) {
+    if (canvas.contains(point.x, point.y))
+        sink(PixelPlotted{.pixel = {static_cast<int>(point.x), static_cast<int>(point.y)},
+                          .color = color});
+    else
         sink(PixelsRejected{point.x, point.y, point.x, point.y});
-        return;
-    }
-    const Pixel pixel{static_cast<int>(point.x), static_cast<int>(point.y)};
-    image.at(pixel) = color;
-    sink(PixelPlotted{.pixel = pixel, .color = color});
 }
 
 /// The octant of a direction, 1 to 8, by the signs of dx and dy and whether |dx| >= |dy|: 1

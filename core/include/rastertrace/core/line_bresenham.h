@@ -8,7 +8,7 @@
 // = 0) the line stays on the side it started on, so a line and its reverse may differ. Here for all
 // eight octants: dx and dy are the lengths along the major and the minor axis.
 //
-//     draw_bresenham({{0, 0}, {5, 2}, {}, {}}, ColorLerp::axis, image, sink);
+//     draw_bresenham({{0, 0}, {5, 2}, {}, {}}, ColorLerp::axis, canvas, FlatPainter(image, color));
 //     // (0,0)(1,0)(2,1)(3,1)(4,2)(5,2)
 
 #include <rastertrace/core/canvas.h>
@@ -127,9 +127,9 @@ inline Move move_of(GridPoint step) {
 /// within +-farthest_index / 4.
 template <typename Sink>
 requires SinkFor<Sink, LineDecided, PixelPlotted, PixelsRejected>
-void draw_bresenham(const GridLine& line, ColorLerp color_lerp, Image& image, Sink&& sink) {
+void draw_bresenham(const GridLine& line, ColorLerp color_lerp, const Canvas& canvas, Sink&& sink) {
     const BresenhamLine path(line.from, line.to);
-    const auto [first, last] = path.steps_on(image.canvas());
+    const auto [first, last] = path.steps_on(canvas);
     if (last < first) {
         sink(PixelsRejected{line.from.x, line.from.y, line.to.x, line.to.y});
         return;
@@ -144,7 +144,6 @@ void draw_bresenham(const GridLine& line, ColorLerp color_lerp, Image& image, Si
     for (Index i = first;; ++i) {
         const Color color = color_on_line(line, color_lerp, at, i, path.steps());
         const Pixel pixel{static_cast<int>(at.x), static_cast<int>(at.y)};
-        image.at(pixel) = color;
         sink(PixelPlotted{.pixel = pixel, .color = color});
         if (i == last)
             break;

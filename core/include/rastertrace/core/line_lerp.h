@@ -13,7 +13,6 @@
 // Here "along" is the major axis (x if |dx| >= |dy|) and "across" the other one.
 
 #include <rastertrace/core/canvas.h>
-#include <rastertrace/core/image.h>
 #include <rastertrace/core/line.h>
 #include <rastertrace/core/line_bresenham.h>
 #include <rastertrace/core/rounding.h>
@@ -52,8 +51,8 @@ Index pixel_across(const Scalar& value, const SpanRounding& rule, bool falls) {
 template <typename Scalar, typename Sink>
 requires SinkFor<Sink, LineSampled<Scalar>, PixelPlotted, PixelsRejected>
 void draw_line_by_lerp(const Segment<Scalar>& segment, LineForm form, const SpanRounding& rounding,
-                       const GridLine& colors, ColorLerp color_lerp, Image& image, Sink&& sink) {
-    const Canvas canvas = image.canvas();
+                       const GridLine& colors, ColorLerp color_lerp, const Canvas& canvas,
+                       Sink&& sink) {
     const auto& [from, to] = segment;
     const Scalar zero = scalar_from<Scalar>(0);
     const auto magnitude = [&zero](const Scalar& value) {
@@ -125,7 +124,6 @@ void draw_line_by_lerp(const Segment<Scalar>& segment, LineForm form, const Span
         if (canvas.contains(at.x, at.y)) {
             const Pixel pixel{static_cast<int>(at.x), static_cast<int>(at.y)};
             const Color color = color_on_line(colors, color_lerp, at, i, steps);
-            image.at(pixel) = color;
             sink(PixelPlotted{.pixel = pixel, .color = color});
         } else {
             sink(PixelsRejected{at.x, at.y, at.x, at.y});

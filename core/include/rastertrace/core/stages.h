@@ -17,13 +17,12 @@
 //     perspective  mixes colors as they mix in space      w differs in a triangle
 //     colors       mixes the colors of vertices           they differ in a triangle
 //
-// The last four are decided for each triangle, and compiled in or out (PixelStages). A stage that the
-// scene keeps although it does not need it runs, and the picture is the same.
+// The last four are decided for each triangle (PixelStages). A stage that the scene keeps although it
+// does not need it runs, and the picture is the same.
 //
 //     plan_for(scene).stages.decisions;
 
 #include <rastertrace/core/depth.h>
-#include <rastertrace/core/paint.h>
 #include <rastertrace/core/stage.h>
 
 #include <cstdint>
@@ -32,6 +31,20 @@
 #include <vector>
 
 namespace rastertrace {
+
+/// Where the colors of pixels come from.
+enum class ColorStage : std::uint8_t {
+    flat,        ///< one for all of them
+    affine,      ///< mixed as they mix on the screen
+    perspective, ///< mixed as they mix in space
+};
+
+/// What is done for each pixel of a triangle beside plotting it.
+struct PixelStages {
+    ColorStage colors = ColorStage::flat;
+    bool tests_depth = false; ///< against what is nearest so far
+    bool tests_canvas = true; ///< drops what the canvas does not have
+};
 
 /// What a stage that is left out would have cost.
 struct Savings {
