@@ -83,105 +83,145 @@ void draw_line(const PlacedPrimitive<Scalar>& primitive, EdgeName side, const Me
                           line_rounding(method), line, method.color_lerp, canvas, sink);
 }
 
-/// Fills a triangle with the stages that its pixels go through.
-template <typename Scalar, typename OfPixels, typename Sink>
-void fill_triangle(const PlacedPrimitive<Scalar>& primitive, Color flat, const Scene& scene,
-                   const Plan& plan, Target<Scalar, OfPixels>& target, const Sink& sink) {
-    const Triangle<Scalar> triangle{primitive.positions};
-    const auto fill_with = [&](auto&& painter) {
-        fill(triangle, primitive.colors, scene.method, target.grid, target.image.canvas(), painter);
-    };
-
-    // What its colors are mixed from. Without area, and where its vertices agree, it has one.
-    PixelStages stages = plan.stages.pixels[primitive.number];
-    const auto& [a, b, c] = primitive.colors;
-    if (plan.mixes_colors && a == b && a == c)
-        flat = a;
-    std::optional<MixedColors<OfPixels>> mixed;
-    if (stages.colors != ColorStage::flat) {
-        const Barycentric<Scalar> barycentric(triangle);
-        if (barycentric.area2() == scalar_from<Scalar>(0))
-            stages.colors = ColorStage::flat;
-        else if constexpr (std::same_as<OfPixels, Adaptive>)
-            mixed = mixed_colors(primitive, stages.colors, *target.exactness);
-        else
-            mixed = {primitive.colors, barycentric, target.grid.sample_offset(),
-                     primitive.inverse_w};
+/// All that is worked out about a triangle before it is filled: what its pixels go through, what their
+/// colors are mixed from, and how deep they lie.
+template <typename Scalar, typename OfPixels> class TrianglePaint {
+public:
+    TrianglePaint(const PlacedPrimitive<Scalar>& primitive, Color color, const Scene& scene,
+                  const Plan& plan, const Target<Scalar, OfPixels>& target)
+        : stages_(plan.stages.pixels[primitive.number]), flat_(color) {
+        // Without area, and where its vertices agree, it has one color.
+        const Triangle<Scalar> triangle{primitive.positions};
+        const auto& [a, b, c] = primitive.colors;
+        if (plan.mixes_colors && a == b && a == c)
+            flat_ = a;
+        if (stages_.colors != ColorStage::flat) {
+            const Barycentric<Scalar> barycentric(triangle);
+            if (barycentric.area2() == scalar_from<Scalar>(0))
+                stages_.colors = ColorStage::flat;
+            else if constexpr (std::same_as<OfPixels, Adaptive>)
+                mixed_ = mixed_colors(primitive, stages_.colors, *target.exactness);
+            else
+                mixed_ = {primitive.colors, barycentric, target.grid.sample_offset(),
+                          primitive.inverse_w};
+        }
+        if (!stages_.tests_depth)
+            return;
+        depth_.emplace(depth_positions(triangle), primitive.depths, target.depth->larger_passes());
+        if (scene.method.fill == Fill::top_left)
+            plane_ = depth_->plane(depth_scalar(target.grid.sample_offset()));
     }
 
-    // The plain loop, if that is all.
-    if constexpr (!keeps_steps<Sink>)
-        if (stages.colors == ColorStage::flat && !stages.tests_depth)
-            return fill_with(FlatPainter<>(target.image, flat, {}, stages.tests_canvas));
+    /// Calls `fill_with(painter)`.
+    template <typename Sink, typename FillWith>
+    void with_painter(Target<Scalar, OfPixels>& target, const Sink& sink, FillWith&& fill_with) {
+        // The plain loop, if that is all.
+        if constexpr (!keeps_steps<Sink>)
+            if (stages_.colors == ColorStage::flat && !stages_.tests_depth)
+                return fill_with(FlatPainter<>(target.image, flat_, {}, stages_.tests_canvas));
 
-    PixelPainter<OfPixels, Sink> pixels{.image = target.image,
-                                        .stages = stages,
-                                        .flat = flat,
-                                        .mixed = mixed ? &*mixed : nullptr,
-                                        .buffer = stages.tests_depth ? target.depth : nullptr,
-                                        .sink = sink};
-    using Painter = RowPainter<Scalar, OfPixels, Sink>;
-    if (!stages.tests_depth)
-        return fill_with(Painter(pixels));
-    TriangleDepth<DepthOf<Scalar>> depth(depth_positions(triangle), primitive.depths,
-                                         target.depth->larger_passes());
-    if (scene.method.fill != Fill::top_left)
-        return fill_with(Painter(pixels, depth));
-    const auto plane = depth.plane(depth_scalar(target.grid.sample_offset()));
-    fill_with(Painter(pixels, plane));
+        PixelPainter<OfPixels, Sink> pixels{.image = target.image,
+                                            .stages = stages_,
+                                            .flat = flat_,
+                                            .mixed = mixed_ ? &*mixed_ : nullptr,
+                                            .buffer = stages_.tests_depth ? target.depth : nullptr,
+                                            .sink = sink};
+        using Painter = RowPainter<Scalar, OfPixels, Sink>;
+        fill_with(plane_   ? Painter(pixels, *plane_)
+                  : depth_ ? Painter(pixels, *depth_)
+                           : Painter(pixels));
+    }
+
+private:
+    PixelStages stages_;
+    Color flat_;
+    std::optional<MixedColors<OfPixels>> mixed_;
+    std::optional<TriangleDepth<DepthOf<Scalar>>> depth_;
+    std::optional<DepthPlane<DepthOf<Scalar>>> plane_;
+};
+
+/// Fills a triangle; `painter` takes the rows.
+template <typename Scalar, typename Painter>
+void fill(const PlacedPrimitive<Scalar>& primitive, const Method& method,
+          const SampleGrid<Scalar>& grid, const Canvas& canvas, Painter&& painter) {
+    fill(Triangle<Scalar>{primitive.positions}, primitive.colors, method, grid, canvas, painter);
+}
+
+/// The pixel that a vertex is nearest to.
+template <typename Scalar>
+GridPoint pixel_of(const PlacedPrimitive<Scalar>& primitive, std::size_t corner) {
+    return nearest_pixel(primitive.positions[corner].x, primitive.positions[corner].y);
+}
+template <typename Scalar> int octant_of(const PlacedPrimitive<Scalar>& primitive, EdgeName side) {
+    return octant_of(pixel_of(primitive, side.from), pixel_of(primitive, side.to));
+}
+
+/// Draws what is no triangle: a point, a line, or the three lines of an outline.
+template <typename Scalar, typename Sink>
+void draw_lines(PrimitiveKind kind, const PlacedPrimitive<Scalar>& primitive, const Method& method,
+                const Canvas& canvas, Sink&& sink) {
+    switch (kind) {
+    case PrimitiveKind::point:
+        return draw_point(pixel_of(primitive, 0), primitive.colors[0], canvas, sink);
+    case PrimitiveKind::line:
+        return draw_line(primitive, {0, 1}, method, canvas, sink);
+    case PrimitiveKind::outline:
+        for (const EdgeName side : {EdgeName{0, 1}, EdgeName{1, 2}, EdgeName{2, 0}}) {
+            sink(SideBegan{.edge = side, .octant = octant_of(primitive, side)});
+            draw_line(primitive, side, method, canvas, sink);
+        }
+        return;
+    case PrimitiveKind::triangle:
+        break;
+    }
+}
+
+/// Tells that a piece begins. `told` are its corners in the numbers that they are told in.
+template <typename Coordinate, typename Scalar, typename Told, typename Sink>
+void tell_beginning(const Piece<Coordinate>& piece, const PlacedPrimitive<Scalar>& primitive,
+                    const PlacedPrimitive<Told>& told, bool has_depths, const Plan& plan,
+                    Sink&& sink) {
+    sink(PrimitiveBegan<Told>{
+        .kind = piece.kind,
+        .name = piece.name,
+        .vertices = std::span(primitive.names).first(primitive.count),
+        .positions = std::span(told.positions).first(primitive.count),
+        .color = piece.color,
+        .colors = std::span(primitive.colors).first(plan.mixes_colors ? primitive.count : 0),
+        .octant = piece.kind == PrimitiveKind::line ? octant_of(primitive, {0, 1}) : 0,
+        .is_part = piece.is_part,
+        .depths = std::span(told.depths).first(has_depths ? primitive.count : 0)});
 }
 
 /// Draws a primitive, or a part of one, that lies where `primitive` says.
 template <typename Coordinate, typename Scalar, typename OfPixels, typename Sink>
 void draw_piece(const Piece<Coordinate>& piece, const PlacedPrimitive<Scalar>& primitive,
                 const Scene& scene, const Plan& plan, Target<Scalar, OfPixels>& target,
-                Sink&& sink) {
+                const Sink& sink) {
     const Method& method = scene.method;
     const Canvas& canvas = target.image.canvas();
-    const FlatPainter painter(target.image, piece.color, sink);
-    const bool is_tested = target.depth && piece.kind == PrimitiveKind::triangle;
-    const auto pixel_of = [&primitive](std::size_t corner) {
-        return nearest_pixel(primitive.positions[corner].x, primitive.positions[corner].y);
-    };
-    const auto tell_beginning = [&]<typename Told>(const PlacedPrimitive<Told>& told) {
-        sink(PrimitiveBegan<Told>{
-            .kind = piece.kind,
-            .name = piece.name,
-            .vertices = std::span(primitive.names).first(primitive.count),
-            .positions = std::span(told.positions).first(primitive.count),
-            .color = piece.color,
-            .colors = std::span(primitive.colors).first(plan.mixes_colors ? primitive.count : 0),
-            .octant = piece.kind == PrimitiveKind::line ? octant_of(pixel_of(0), pixel_of(1)) : 0,
-            .is_part = piece.is_part,
-            .depths = std::span(told.depths).first(is_tested ? primitive.count : 0)});
-    };
+    const bool is_triangle = piece.kind == PrimitiveKind::triangle;
+    const bool has_depths = target.depth && is_triangle;
+
     // The corners of `adaptive` are told as what they stand for: all decisions are about those.
     if constexpr (std::same_as<Scalar, Adaptive> && keeps_steps<Sink>)
-        tell_beginning(target.exactness->pieces.placed(target.exactness->drawn.back()));
-    else
-        tell_beginning(primitive);
+        tell_beginning(piece, primitive,
+                       target.exactness->pieces.placed(target.exactness->drawn.back()), has_depths,
+                       plan, sink);
+    else if constexpr (keeps_steps<Sink>)
+        tell_beginning(piece, primitive, primitive, has_depths, plan, sink);
     if constexpr (!std::same_as<Coordinate, Number>)
         if (!report_face(piece.face, sink))
             return;
 
-    switch (piece.kind) {
-    case PrimitiveKind::point:
-        draw_point(pixel_of(0), primitive.colors[0], canvas, painter);
-        break;
-    case PrimitiveKind::line:
-        draw_line(primitive, {0, 1}, method, canvas, painter);
-        break;
-    case PrimitiveKind::outline:
-        for (const EdgeName side : {EdgeName{0, 1}, EdgeName{1, 2}, EdgeName{2, 0}}) {
-            sink(SideBegan{.edge = side,
-                           .octant = octant_of(pixel_of(side.from), pixel_of(side.to))});
-            draw_line(primitive, side, method, canvas, painter);
-        }
-        break;
-    case PrimitiveKind::triangle:
-        fill_triangle(primitive, piece.color, scene, plan, target, sink);
-        break;
-    }
+    if (is_triangle)
+        TrianglePaint<Scalar, OfPixels>(primitive, piece.color, scene, plan, target)
+            .with_painter(target, sink, [&](const auto& painter) {
+                fill(primitive, method, target.grid, canvas, painter);
+            });
+    else
+        draw_lines(piece.kind, primitive, method, canvas,
+                   FlatPainter(target.image, piece.color, sink));
 }
 
 /// Draws all pieces of the scene.
@@ -195,79 +235,6 @@ void draw_pieces(const Scene& scene, const Plan& plan, const AGeometry& geometry
                 draw_piece(piece, placed<Scalar>(piece, plan), scene, plan, target, sink);
         },
         listener);
-}
-
-/// Draws them with doubles that know their error. A piece of which these leave a decision open is drawn
-/// once more with exact numbers: up to there it comes out as before, so its steps are not told again.
-template <typename AGeometry, typename Sink>
-void draw_pieces(const Scene& scene, const Plan& plan, const AGeometry& geometry,
-                 Target<Adaptive>& target, const Listener& listener, const Sink&) {
-    Exactness& exactness = *target.exactness;
-    Target<Rational, Adaptive> exact_target{target.image, sample_grid<Rational>(scene, plan),
-                                            target.depth, &exactness};
-    if (target.depth)
-        target.depth->ask(
-            [&](auto... asked) { return is_nearer(scene, plan, exactness, asked...); },
-            [&](auto... asked) { return told_depth(scene, exactness, asked...); });
-
-    // What could not be decided is told, and done again.
-    const auto decide = [&](auto& resumed, auto&& draw_it, auto&& draw_it_exactly) {
-        try {
-            draw_it();
-            return;
-        } catch (const Undecided& undecided) {
-            listener(BoundExceeded{.difference = undecided.difference, .error = undecided.error});
-        }
-        resumed.pass_over_what_came();
-        draw_it_exactly();
-    };
-
-    // Without a listener there is nothing to pass on.
-    const auto resumed = [](ResumedListener& steps) {
-        return keeps_steps<Sink> ? Listener(steps) : Listener();
-    };
-    const bool mixes_colors = scene.mixes_colors();
-    for (std::size_t turn = 0; turn < scene.primitives.size(); ++turn) {
-        const std::size_t number = primitive_at(geometry, turn);
-        std::size_t drawn = 0; // pieces of the primitive
-        std::size_t part = 0;
-        const auto draw_one = [&]<typename Coordinate>(const Piece<Coordinate>& piece) {
-            if constexpr (draws<Adaptive, Coordinate>) {
-                if (part++ < drawn)
-                    return;
-                exactness.drawn.push_back({number, drawn++});
-                if (target.depth)
-                    target.depth->begin(static_cast<std::uint32_t>(exactness.drawn.size() - 1));
-                ResumedListener steps_of_piece(listener);
-                const Listener of_piece = resumed(steps_of_piece);
-                const Sink sink = sink_to<Sink>(of_piece);
-                decide(
-                    steps_of_piece,
-                    [&] {
-                        draw_piece(piece, placed<Adaptive>(piece, plan), scene, plan, target, sink);
-                    },
-                    [&] {
-                        ++exactness.fallbacks.primitives;
-                        PlacedPrimitive<Rational> exact =
-                            exactness.pieces.placed(exactness.drawn.back());
-                        exact.names = piece.names;
-                        draw_piece(piece, exact, scene, plan, exact_target, sink);
-                    });
-            }
-        };
-        // Which pieces it has may be left open, too.
-        ResumedListener steps_of_primitive(listener);
-        const Listener of_primitive = resumed(steps_of_primitive);
-        decide(
-            steps_of_primitive,
-            [&] { visit_pieces(scene, geometry, number, mixes_colors, of_primitive, draw_one); },
-            [&] {
-                part = 0;
-                exactness.pieces.visit(number, of_primitive, draw_one);
-            });
-    }
-    if (target.depth)
-        exactness.fallbacks.depths = target.depth->exact_tests();
 }
 
 /// Draws a scene with the numbers that its plan has chosen, with a sink or without one.

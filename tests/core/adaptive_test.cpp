@@ -46,6 +46,7 @@ public:
     }
     template <typename S> void operator()(const PrimitiveBegan<S>& s) {
         add({9, static_cast<std::int64_t>(s.vertices.size()), as_number(s.color)});
+        has_just_begun_ = true;
     }
     template <typename S> void operator()(const MatrixSetUp<S>&) { add({10}); }
     template <typename S> void operator()(const VertexPlaced<S>& s) {
@@ -66,6 +67,8 @@ public:
     void operator()(const PrimitiveSkipped& s) { add({21, static_cast<std::int64_t>(s.why)}); }
     void operator()(const BoundExceeded& s) {
         EXPECT_FALSE(std::abs(s.difference) > s.error * 1.0001) << "that was decided";
+        EXPECT_TRUE(has_just_begun_) << "it stands directly after the beginning, once";
+        has_just_begun_ = false;
         ++undecided;
     }
 
@@ -75,7 +78,10 @@ private:
     }
     void add(std::initializer_list<std::int64_t> numbers) {
         all.insert(all.end(), numbers.begin(), numbers.end());
+        has_just_begun_ = false;
     }
+
+    bool has_just_begun_ = false; ///< a primitive, and nothing else was told of it
 };
 
 Decisions decisions_of(Scene scene, ScalarKind scalar, std::vector<Color>& picture) {

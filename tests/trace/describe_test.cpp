@@ -43,7 +43,7 @@ TEST(Describe, WhatDoublesLeaveOpen) {
         if (const std::string text = description(scene, n); text.starts_with("doubles"))
             found = text;
     EXPECT_TRUE(found.starts_with("doubles leave it open: a difference of ")) << found;
-    EXPECT_TRUE(found.ends_with("; from here on in exact numbers")) << found;
+    EXPECT_TRUE(found.ends_with("; drawn in exact numbers")) << found;
 }
 
 TEST(Describe, IncrementalRowsAddToTheRowBefore) {

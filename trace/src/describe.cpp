@@ -294,10 +294,9 @@ std::string describe_skip(const Replay& replay, const StepView& step) {
 
 std::string describe_undecided(const StepView& step) {
     if (step.text("error").empty())
-        return "a number has left the doubles; from here on in exact numbers";
+        return "a number has left the doubles; drawn in exact numbers";
     return fmt::format(
-        "doubles leave it open: a difference of {}, off by up to {}; from here on in "
-        "exact numbers",
+        "doubles leave it open: a difference of {}, off by up to {}; drawn in exact numbers",
         step.text("difference"), step.text("error"));
 }
 

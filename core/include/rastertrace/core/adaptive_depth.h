@@ -94,6 +94,11 @@ public:
         return passes;
     }
 
+    /// The same for a row, all of whose depths have one error: calls `keep(x)` where it passes. No pixel
+    /// has a depth of this piece yet.
+    template <typename Keep>
+    void keep_nearer(int row, int first, int last, const DepthRow<Adaptive>& depths, Keep&& keep);
+
     std::optional<Adaptive> stored(const double& cell) const {
         const auto place = static_cast<std::size_t>(&cell - cells_.data());
         if (!rule_.cleared && pieces_[place] == no_piece)
@@ -136,10 +141,7 @@ private:
     static constexpr std::uint32_t no_piece = std::numeric_limits<std::uint32_t>::max();
 
     [[gnu::noinline]] bool passes_when_near(std::size_t place, bool is_equal) {
-        // What a piece has drawn before its numbers were made exact is drawn by it again.
         const std::uint32_t stored = pieces_[place];
-        if (stored == piece_)
-            return true;
         if (is_equal)
             return false;
         ++exact_tests_;
@@ -174,6 +176,36 @@ template <> struct DepthRow<Adaptive> {
         return Adaptive(depth + slope * way, error);
     }
 };
+
+template <typename Keep>
+[[gnu::always_inline]] inline void
+DepthBuffer<Adaptive>::keep_nearer(int row, int first, int last, const DepthRow<Adaptive>& depths,
+                                   Keep&& keep) {
+    double* const cells = row_from(0, row);
+    const std::ptrdiff_t begin = cells - cells_.data();
+    std::uint32_t* const pieces = pieces_.data() + begin;
+    const DepthRow<Adaptive> near = depths; // a copy: no depth that is written can be part of it
+    const std::uint32_t piece = piece_;
+    const double error = (near.error + largest_error_) * Adaptive::widening;
+    bool has_kept = false;
+    for (int x = first; x <= last; ++x) {
+        const double depth = near.at(x).value();
+        const double difference = cells[x] - depth;
+        if (!(difference > error)) {
+            if (-difference > error)
+                continue;
+            if (!passes_when_near(static_cast<std::size_t>(begin + x), error == 0)) [[unlikely]]
+                continue;
+        }
+        cells[x] = depth;
+        pieces[x] = piece;
+        has_kept = true;
+        keep(x);
+    }
+    if (has_kept && !(near.error <= largest_error_))
+        largest_error_ =
+            std::isfinite(near.error) ? near.error : std::numeric_limits<double>::infinity();
+}
 
 inline const DepthRow<Adaptive>& DepthBuffer<Adaptive>::compared(const DepthRow<Adaptive>& row, int,
                                                                  int) {

@@ -97,6 +97,17 @@ public:
         return passes;
     }
 
+    /// The same for a row of turned depths: calls `keep(x)` where it passes.
+    template <typename Keep>
+    [[gnu::always_inline]] void keep_nearer(int row, int first, int last,
+                                            const DepthRow<Scalar>& depths, Keep&& keep) {
+        const DepthRow<Scalar> near = depths; // a copy: no depth that is written can be part of it
+        Scalar* const cells = row_from(0, row);
+        for (int x = first; x <= last; ++x)
+            if (keep_if_nearer(cells[x], near.at(x)))
+                keep(x);
+    }
+
     /// The depth that a cell holds, if that is a number.
     std::optional<Scalar> stored(const Scalar& cell) const {
         if constexpr (std::floating_point<Scalar>) {

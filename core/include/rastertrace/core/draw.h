@@ -17,7 +17,7 @@ namespace rastertrace {
 
 /// How often `adaptive` could not decide with doubles.
 struct Fallbacks {
-    std::uint64_t primitives = 0; ///< or parts of one: drawn with exact numbers, from some row on
+    std::uint64_t primitives = 0; ///< or parts of one: drawn with exact numbers
     std::uint64_t depths = 0;     ///< tests
     std::uint64_t colors = 0;     ///< of pixels
 };

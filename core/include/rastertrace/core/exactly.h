@@ -30,7 +30,6 @@
 #include <compare>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <optional>
 #include <utility>
@@ -170,35 +169,5 @@ bool is_told_by_doubles(const EdgeFunctionSetUp<Quantity>& step);
 bool is_told_by_doubles(const ScanlineSpanned<Quantity>& step);
 bool is_told_by_doubles(const LineSampled<Quantity>& step);
 bool is_told_by_doubles(const SampleTested<Quantity>& step);
-
-/// Passes steps on, and can be told to pass over as many as it has had: those that come again when
-/// what stopped halfway is done once more from its beginning. A step that doubles cannot tell is left
-/// open like a decision that they cannot take.
-class ResumedListener {
-public:
-    explicit ResumedListener(const Listener& listener) : listener_(listener) {}
-
-    template <typename Step> void operator()(const Step& step) {
-        if (to_pass_over_ > 0) {
-            --to_pass_over_;
-            return;
-        }
-        if (!is_told_by_doubles(step)) {
-            constexpr double infinity = std::numeric_limits<double>::infinity();
-            Adaptive::leave_open(infinity, infinity);
-        }
-        ++passed_on_;
-        listener_(step);
-    }
-
-    template <typename Step> bool takes() const { return listener_.takes<Step>(); }
-
-    void pass_over_what_came() { to_pass_over_ = passed_on_; }
-
-private:
-    const Listener& listener_;
-    std::uint64_t passed_on_ = 0;
-    std::uint64_t to_pass_over_ = 0;
-};
 
 } // namespace rastertrace

@@ -28,14 +28,11 @@ namespace rastertrace {
 /// Paints those pixels of a row that nothing nearer hides, in one color, and tells nobody.
 template <typename Scalar>
 [[gnu::noinline]] void paint_nearer(const ImageRow& row, PixelSpan pixels,
-                                    const DepthRow<Scalar>& given, DepthBuffer<Scalar>& buffer,
+                                    const DepthRow<Scalar>& depths, DepthBuffer<Scalar>& buffer,
                                     Color color) {
-    const DepthRow<Scalar> depths = given; // a copy: no depth that is written can be part of it
-    auto* const cells = buffer.row_from(0, row.index);
     Color* const colors = row.colors - row.left;
-    for (int x = pixels.first; x <= pixels.last; ++x)
-        if (buffer.keep_if_nearer(cells[x], depths.at(x)))
-            colors[x] = color;
+    buffer.keep_nearer(row.index, pixels.first, pixels.last, depths,
+                       [=](int x) { colors[x] = color; });
 }
 
 /// What is done with the pixels of a triangle: a depth test, a color. `Scalar` is what colors are mixed

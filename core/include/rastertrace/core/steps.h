@@ -207,8 +207,8 @@ struct RowsRejected {
     Index to_y;
 };
 
-/// Doubles have left it open which of two numbers is the larger one. From here on the primitive is drawn
-/// with exact numbers. Fires with `adaptive` only.
+/// Doubles leave it open which of two numbers is the larger one, so the primitive that has just begun is
+/// drawn with exact numbers. Fires with `adaptive` only, directly after PrimitiveBegan.
 struct BoundExceeded {
     double difference; ///< of the two, as it was calculated
     double error;      ///< that it may be off by
