@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "picture.h"
 
+#include <rastertrace/core/flat_painter.h>
+#include <rastertrace/core/row_painter.h>
+
 #include <gtest/gtest.h>
 
 #include <rapidcheck.h>
@@ -33,6 +36,88 @@ struct Counter {
 
 constexpr std::array every_scalar{ScalarKind::double_precision, ScalarKind::fixed,
                                   ScalarKind::exact};
+
+// ---- A fill of somebody else ---------------------------------------------------------------------
+
+/// Fills the box around a triangle whose vertices are whole numbers.
+template <typename Scalar, typename Sink>
+void fill_box(const Triangle<Scalar>& triangle, Canvas canvas, Sink&& sink) {
+    const auto& [a, b, c] = triangle.vertices;
+    const Index first_row =
+        std::min({canvas.row_of(floor_index(a.y)), canvas.row_of(floor_index(b.y)),
+                  canvas.row_of(floor_index(c.y))});
+    const Index last_row =
+        std::max({canvas.row_of(floor_index(a.y)), canvas.row_of(floor_index(b.y)),
+                  canvas.row_of(floor_index(c.y))});
+    const Scalar left = std::min({a.x, b.x, c.x});
+    const Scalar right = std::max({a.x, b.x, c.x});
+    const RowRange rows = rows_on_canvas(
+        first_row, last_row, [] { return false; }, canvas, sink);
+    for (int row = rows.begin; row < rows.end; ++row)
+        sink(ScanlineSpanned<Scalar>{.y = canvas.y_of(row),
+                                     .left = left,
+                                     .right = right,
+                                     .from = floor_index(left),
+                                     .to = floor_index(right),
+                                     .left_edge = {0, 1},
+                                     .right_edge = {0, 2}});
+}
+
+constexpr Canvas small_canvas{.width = 6, .height = 4, .origin = Origin::top_left};
+
+TEST(Painters, PaintTheRowsOfAnyFillAndTellItsSteps) {
+    const Triangle<double> triangle{{{{3, -1}, {1, 2}, {7, 2}}}};
+    Image image(small_canvas);
+    std::string told;
+    const auto listener = [&told](const auto& step) {
+        using Step = std::remove_cvref_t<decltype(step)>;
+        if constexpr (std::same_as<Step, RowsRejected>)
+            told += "above ";
+        else if constexpr (std::same_as<Step, ScanlineSpanned<double>>)
+            told += "row ";
+        else if constexpr (std::same_as<Step, PixelPlotted>)
+            told += std::to_string(step.pixel.x);
+        else if constexpr (std::same_as<Step, PixelsRejected>)
+            told += "-" + std::to_string(step.to_x) + " ";
+    };
+    fill_box(triangle, small_canvas, FlatPainter(image, Color{255, 0, 0}, listener));
+    EXPECT_EQ(picture_of(image), ".#####\n"
+                                 ".#####\n"
+                                 ".#####\n"
+                                 "......\n");
+    EXPECT_EQ(told, "above row 12345-7 row 12345-7 row 12345-7 ");
+
+    // Nobody listens: the same picture.
+    Image plain(small_canvas);
+    fill_box(triangle, small_canvas, FlatPainter(plain, Color{255, 0, 0}));
+    EXPECT_EQ(plain.colors(), image.colors());
+}
+
+TEST(Painters, HideWhatIsFartherThanWhatAnyFillHasDrawn) {
+    Image image(small_canvas);
+    DepthBuffer<double> buffer({.left = 0, .top_row = 0, .width = 6, .height = 4},
+                               {.larger_passes = true, .cleared = 0});
+    const auto draw_at = [&](const Triangle<double>& triangle, double z, Color color) {
+        TriangleDepth<double> depth(triangle.vertices, {1 / z, 1 / z, 1 / z},
+                                    buffer.larger_passes());
+        PixelPainter<double> pixels{
+            .image = image, .stages = {.tests_depth = true}, .flat = color, .buffer = &buffer};
+        fill_box(triangle, small_canvas, RowPainter<double>(pixels, depth));
+    };
+    const Color near{255, 0, 0}, far{0, 0, 255};
+    draw_at({{{{0, 0}, {2, 1}, {1, 1}}}}, 1, near);
+    draw_at({{{{1, 1}, {4, 2}, {1, 2}}}}, 2, far);
+    std::string owners;
+    for (int y = 0; y < 4; ++y) {
+        for (int x = 0; x < 6; ++x)
+            owners += image.at({x, y}) == near ? 'n' : image.at({x, y}) == far ? 'f' : '.';
+        owners += '\n';
+    }
+    EXPECT_EQ(owners, "nnn...\n"
+                      "nnnff.\n"
+                      ".ffff.\n"
+                      "......\n");
+}
 
 // ---- The worked triangle ------------------------------------------------------------------------
 
