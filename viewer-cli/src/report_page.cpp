@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The report's plots: alone as SVG, and with the tables as HTML.
 
-#include "plot_svg.h"
 #include "report_file.h"
 
 #include <rastertrace/core/stages.h>
+#include <rastertrace/numerics/plot_svg.h>
 #include <rastertrace/trace/text.h>
 
 #include <fmt/format.h>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The report as text for people, and as JSON and CSV for programs.
 
-#include "plot_svg.h"
 #include "report_file.h"
 
 #include <rastertrace/core/stages.h>
+#include <rastertrace/numerics/plot_svg.h>
 #include <rastertrace/trace/text.h>
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "plot_svg.h"
+#include <rastertrace/numerics/plot_svg.h>
 
 #include <rastertrace/trace/text.h>
 
