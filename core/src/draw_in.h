@@ -108,7 +108,7 @@ public:
         if (!stages_.tests_depth)
             return;
         depth_.emplace(depth_positions(triangle), primitive.depths, target.depth->larger_passes());
-        if (scene.method.fill == Fill::top_left)
+        if (depth_form_of(scene.method.fill) == DepthForm::plane)
             plane_ = depth_->plane(depth_scalar(target.grid.sample_offset()));
     }
 

@@ -25,9 +25,9 @@ EdgesOfRow<Scalar> edges_of_row(const Triangle<Scalar>& triangle, int y, int dow
                                    : EdgesOfRow<Scalar>{short_edge, edges.long_edge};
 }
 
-/// True if the fill that the scene names finds depths by rows, then across; else by weights.
-inline bool finds_depths_by_rows(const Scene& scene) {
-    return scene.method.fill != Fill::top_left && scene.method.fill != Fill::barycentric;
+/// True if the fill that the scene names finds depths along the edges; else they lie in a plane.
+bool finds_depths_along_edges(const Scene& scene) {
+    return depth_form_of(scene.method.fill) == DepthForm::along_edges;
 }
 
 bool is_finite(const Quantity& number) {
@@ -52,7 +52,7 @@ Rational exact_depth_at(const Scene& scene, const PlacedPrimitive<Rational>& pri
     const Triangle<Rational> triangle{primitive.positions};
     TriangleDepth<Rational> depth(triangle.vertices, primitive.depths,
                                   depth_rule<Rational>(scene).larger_passes);
-    if (!finds_depths_by_rows(scene))
+    if (!finds_depths_along_edges(scene))
         return depth.plane(scalar_from<Rational>(sample_offset_of(scene.method))).on_row(y).at(x);
     const auto [left, right] = edges_of_row(triangle, y, scene.canvas.down());
     const Rational height = y;
@@ -66,7 +66,7 @@ Rational exact_depth_at(const Scene& scene, const PlacedPrimitive<Rational>& pri
 /// without area, whose rows have no width, and two depths: doubles do not know that it has none.
 std::optional<std::array<std::size_t, 2>> edge_of_depth(const Scene& scene, const Plan& plan,
                                                         const PieceNumber& number, int x, int y) {
-    if (!finds_depths_by_rows(scene))
+    if (!finds_depths_along_edges(scene))
         return std::nullopt;
     std::optional<std::array<std::size_t, 2>> vertices;
     const auto look_at = [&]<typename Coordinate>(const Piece<Coordinate>& piece) {

@@ -36,6 +36,28 @@ enum class Fill {
     fan,         ///< a line from each pixel of an edge to the third vertex; has holes
 };
 
+/// How a fill finds the depths of its pixels.
+enum class DepthForm {
+    none,        ///< it cannot: it may not be asked for them
+    along_edges, ///< along the edges, then across each row
+    plane,       ///< as a plane over the screen
+    weights,     ///< by the weights of each sample: in exact arithmetic, that plane
+};
+inline DepthForm depth_form_of(Fill fill) {
+    switch (fill) {
+    case Fill::scanline:
+    case Fill::two_halves:
+        return DepthForm::along_edges;
+    case Fill::top_left:
+        return DepthForm::plane;
+    case Fill::barycentric:
+        return DepthForm::weights;
+    case Fill::fan:
+        break;
+    }
+    return DepthForm::none;
+}
+
 /// Where a pixel is tested.
 enum class Sample {
     integer, ///< at its integer point
