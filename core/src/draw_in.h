@@ -108,8 +108,12 @@ public:
         if (!stages_.tests_depth)
             return;
         depth_.emplace(depth_positions(triangle), primitive.depths, target.depth->larger_passes());
-        if (depth_form_of(scene.method.fill) == DepthForm::plane)
+        const DepthForm form = depth_form_of(scene.method.fill);
+        if (form == DepthForm::plane)
             plane_ = depth_->plane(depth_scalar(target.grid.sample_offset()));
+        if constexpr (std::same_as<Scalar, Adaptive>)
+            if (form == DepthForm::along_edges)
+                require_finite_differences(primitive.depths);
     }
 
     /// Calls `fill_with(painter)`.
@@ -133,6 +137,13 @@ public:
     }
 
 private:
+    /// Doubles can tell the depths along an edge only if they hold the difference of its ends, with some
+    /// to spare for what is rounded.
+    static void require_finite_differences(const std::array<Adaptive, 3>& depths) {
+        for (std::size_t i = 0; i < 3; ++i)
+            require_finite(Adaptive(2 * (depths[i].value() - depths[(i + 1) % 3].value())));
+    }
+
     PixelStages stages_;
     Color flat_;
     std::optional<MixedColors<OfPixels>> mixed_;

@@ -15,38 +15,34 @@ namespace rastertrace {
 
 namespace {
 
-/// What a fill or a line yields, kept until all of it is certain.
-class CertainPixels {
+/// The rows that a fill yields, kept until all of them are certain. What comes pixel by pixel is too much
+/// to keep: its decisions are taken again.
+class CertainRows {
 public:
     template <typename Step> void operator()(const Step&) {}
     void operator()(const ScanlineSpanned<Adaptive>& span) { spans_.push_back(span); }
-    void operator()(const SampleTested<Adaptive>& sample) {
-        if (sample.is_inside)
-            samples_.push_back(sample);
-    }
-    void operator()(const PixelPlotted& plotted) { pixels_.push_back(plotted); }
+    void operator()(const SampleTested<Adaptive>&) { has_pixels_ = true; }
+    void operator()(const PixelPlotted&) { has_pixels_ = true; }
 
     template <typename Step> bool takes() const { return false; }
 
     void clear() {
         spans_.clear();
-        samples_.clear();
-        pixels_.clear();
+        has_pixels_ = false;
     }
 
-    template <typename Painter> void paint_with(const Painter& painter) const {
+    /// Hands all of it to a painter; `yield_again(painter)` if not all has been kept.
+    template <typename Painter, typename YieldAgain>
+    void paint_with(const Painter& painter, YieldAgain&& yield_again) const {
+        if (has_pixels_)
+            return yield_again(painter);
         for (const auto& span : spans_)
             painter(span);
-        for (const auto& sample : samples_)
-            painter(sample);
-        for (const auto& plotted : pixels_)
-            painter(plotted);
     }
 
 private:
     std::vector<ScanlineSpanned<Adaptive>> spans_;
-    std::vector<SampleTested<Adaptive>> samples_;
-    std::vector<PixelPlotted> pixels_;
+    bool has_pixels_ = false;
 };
 
 /// Takes the steps that a listener takes, and tells it nothing. A step that doubles cannot tell is left
@@ -227,14 +223,17 @@ private:
         if constexpr (!std::same_as<Coordinate, Number>)
             if (piece.face.skip)
                 return std::nullopt;
-        pixels_.clear();
+        rows_.clear();
         std::optional<TrianglePaint<Adaptive, Adaptive>> paint;
         const auto open = left_open_by([&] {
             if (piece.kind == PrimitiveKind::triangle)
                 paint.emplace(primitive, piece.color, scene_, plan_, target_);
-            decide(piece.kind, primitive, pixels_);
+            decide(piece.kind, primitive, rows_);
         });
-        const auto paint_with = [this](const auto& painter) { pixels_.paint_with(painter); };
+        const auto paint_with = [&](const auto& painter) {
+            rows_.paint_with(painter,
+                             [&](const auto& again) { decide(piece.kind, primitive, again); });
+        };
         if (open)
             return open;
         if (paint)
@@ -259,7 +258,7 @@ private:
     Target<Adaptive>& target_;
     Target<Rational, Adaptive> exact_target_;
     Exactness& exactness_;
-    CertainPixels pixels_;
+    CertainRows rows_;
     std::vector<Piece<Adaptive>> pieces_; ///< parts of the primitive; without names
     std::size_t parts_ = 0;
 };

@@ -10,7 +10,6 @@
 #include <rastertrace/core/canvas.h>
 #include <rastertrace/core/depth.h>
 #include <rastertrace/core/geometry.h>
-#
 #include <rastertrace/core/pieces.h>
 #include <rastertrace/core/scalar.h>
 #include <rastertrace/core/scene.h>

@@ -2,6 +2,7 @@
 #include "edge_scenes.h"
 #include "picture.h"
 
+#include <rastertrace/trace/scene_file.h>
 #include <rastertrace/trace/trace.h>
 #include <rastertrace/trace/write_trace.h>
 
@@ -42,6 +43,23 @@ TEST(WriteTrace, AdaptiveTellsWhereDoublesLeaveADecisionOpen) {
     EXPECT_THAT(fraction_trace, testing::HasSubstr(R"("numbers":"fractions of 64 bits")"));
     EXPECT_THAT(fraction_trace, testing::HasSubstr(R"("at":[[0.5,0],[2,0],[0,2]])"));
     EXPECT_THAT(fraction_trace, testing::Not(testing::HasSubstr("undecided")));
+}
+
+// Both ends of an edge are doubles, and their difference is none: its depths are told exactly.
+TEST(WriteTrace, AdaptiveTellsDepthsWhoseDifferenceIsBeyondTheDoubles) {
+    for (const char* fill : {"scanline", "two-halves", "barycentric", "top-left"}) {
+        const auto read =
+            read_scene({"s.json",
+                        R"({"canvas":{"width":12,"height":12,"origin":"top-left"},"vertices":{
+                 "A":[1.3,1.2,1.7e308],"B":[10.3,2.3,-1.7e308],"C":[4.45,10.1,3],
+                 "D":[1.1,2.6,1],"E":[10.7,1.3,2],"F":[5.3,9.2,3]},"triangles":["ABC","DEF"],
+                 "method":{"scalar":"adaptive","depth":"linear-z"}})"},
+                       {{"fill", fill}});
+        ASSERT_TRUE(read) << fill;
+        const auto trace = read_trace({"t.json", trace_of(read.value().scene)});
+        ASSERT_TRUE(trace) << fill;
+        EXPECT_GT(trace.value().size(), 60U) << fill;
+    }
 }
 
 /// Multiplies some coordinates by powers of ten, up to the ends of the doubles.

@@ -18,7 +18,8 @@ namespace rastertrace {
 
 template <typename Sink = NullSink> class FlatPainter {
 public:
-    /// A picture is tested for having the pixels unless it is known to have them all.
+    /// `tests_canvas` is false if every row is known to lie on the canvas. A sink without a name must be
+    /// callable as a constant; one with a name is referred to.
     FlatPainter(Image& image, Color color, Sink sink = {}, bool tests_canvas = true)
         : image_(image), color_(color), tests_canvas_(tests_canvas), sink_{sink} {}
 
@@ -69,7 +70,6 @@ private:
     [[no_unique_address]] Sink sink_;
 };
 
-/// A sink with a name is referred to.
 template <typename Sink>
 FlatPainter(Image&, Color, Sink&&, bool tests_canvas = true) -> FlatPainter<Sink>;
 

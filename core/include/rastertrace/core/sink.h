@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A sink is anything that can be called with a step. It is how an algorithm tells what it decided;
-// no sink can change what is drawn or what another sink would see.
+// A sink is anything that can be called with a step. It is how an algorithm tells what it decided. The
+// sink of a fill or a line is a painter (flat_painter.h, row_painter.h), which paints what it is told and
+// tells it on; no sink behind that can change what is drawn or what another sink would see.
 //
-//     draw<double>(scene, plan, NullSink{});  // just the picture
+//     fill_scanline(triangle, rules, canvas, FlatPainter(image, color));        // tells nobody
+//     fill_scanline(triangle, rules, canvas, FlatPainter(image, color, sink));
 
 #include <concepts>
 #include <type_traits>
@@ -15,7 +17,8 @@ namespace rastertrace {
 template <typename Sink, typename... Steps>
 concept SinkFor = (std::invocable<Sink&, const Steps&> && ...);
 
-/// Takes every step and keeps none. With it, the compiled code is that of the plain rasterizer.
+/// Takes every step and keeps none. With a painter that tells it, the compiled code of a fill is that of
+/// the plain rasterizer.
 struct NullSink {
     template <typename Step> [[gnu::always_inline]] void operator()(const Step&) const {}
 };

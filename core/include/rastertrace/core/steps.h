@@ -4,7 +4,7 @@
 // Every step that a rasterizer reports, in the order in which a picture meets them. A step is named
 // after what just became known and carries the numbers that decided it.
 //
-//     draw<double>(scene, plan, [](const auto& step) { /* called for every step */ });
+//     draw(scene, plan, [](const auto& step) { /* called for every step */ });
 //
 // Coordinates on the screen are the scene's own (canvas.h says which way y points); x, y and dx_dy
 // are in pixels.
