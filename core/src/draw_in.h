@@ -29,9 +29,11 @@
 #include <rastertrace/core/triangle.h>
 
 #include <array>
+#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -140,8 +142,10 @@ private:
     /// Doubles can tell the depths along an edge only if they hold the difference of its ends, with some
     /// to spare for what is rounded.
     static void require_finite_differences(const std::array<Adaptive, 3>& depths) {
+        constexpr double infinity = std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i < 3; ++i)
-            require_finite(Adaptive(2 * (depths[i].value() - depths[(i + 1) % 3].value())));
+            if (!std::isfinite(2 * (depths[i].value() - depths[(i + 1) % 3].value())))
+                Adaptive::leave_open(infinity, infinity);
     }
 
     PixelStages stages_;
