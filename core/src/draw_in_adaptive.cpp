@@ -9,7 +9,12 @@
 
 #include <rastertrace/core/exactly.h>
 
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <optional>
+#include <vector>
 
 namespace rastertrace {
 
@@ -104,11 +109,13 @@ template <typename Run> std::optional<Undecided> left_open_by(Run&& run) {
 /// Draws the pieces of a scene, with a sink or without one.
 template <typename Sink> class AdaptiveDrawing {
 public:
-    AdaptiveDrawing(const Scene& scene, const Plan& plan, Target<Adaptive>& target)
+    AdaptiveDrawing(const Scene& scene, const Plan& plan, Target<Adaptive>& target,
+                    const Listener& listener)
         : scene_(scene), plan_(plan),
           target_(target), exact_target_{target.image, sample_grid<Rational>(scene, plan),
                                          target.depth, target.exactness},
-          exactness_(*target.exactness) {
+          exactness_(*target.exactness), listener_(listener), certifier_(listener),
+          certifying_(certifier_) {
         if (target.depth)
             target.depth->ask(
                 [this](auto... asked) { return is_nearer(scene_, plan_, exactness_, asked...); },
@@ -116,18 +123,16 @@ public:
     }
 
     /// Draws a primitive whose pieces doubles may leave open: its face, or what clips it.
-    void draw(const Geometry<Adaptive>& geometry, std::size_t number, const Listener& listener) {
+    void draw(const Geometry<Adaptive>& geometry, std::size_t number) {
         parts_ = 0;
         pieces_.clear();
-        const Certifier certifier(listener);
         const auto open = left_open_by([&] {
-            visit_pieces(scene_, geometry, number, plan_.mixes_colors,
-                         keeps_steps<Sink> ? Listener(certifier) : Listener(),
-                         [&](const Piece<Adaptive>& piece) { draw_or_keep(piece, listener); });
+            visit_pieces(scene_, geometry, number, plan_.mixes_colors, certifying_,
+                         [this](const Piece<Adaptive>& piece) { draw_or_keep(piece); });
         });
         if (open) {
-            TellingUndecided telling(listener, *open);
-            const Listener told = keeps_steps<Sink> ? Listener(telling) : Listener();
+            TellingUndecided telling(listener_, *open);
+            const Listener told(telling);
             exactness_.pieces.visit(number, told, [&](const auto& piece) {
                 if (piece.is_part)
                     return draw_one(piece, told);
@@ -135,32 +140,31 @@ public:
                 draw_exactly(piece, told);
             });
         } else if constexpr (keeps_steps<Sink>) {
-            visit_pieces(scene_, geometry, number, plan_.mixes_colors, listener,
-                         [&](const Piece<Adaptive>& piece) { draw_one(piece, listener); });
+            visit_pieces(scene_, geometry, number, plan_.mixes_colors, listener_,
+                         [this](const Piece<Adaptive>& piece) { draw_one(piece, listener_); });
         } else {
             for (const Piece<Adaptive>& piece : pieces_)
-                draw_one(piece, listener);
+                draw_one(piece, listener_);
         }
     }
 
     /// Draws a primitive whose pieces are certain.
-    template <typename AGeometry>
-    void draw(const AGeometry& geometry, std::size_t number, const Listener& listener) {
+    template <typename AGeometry> void draw(const AGeometry& geometry, std::size_t number) {
         parts_ = 0;
-        visit_pieces(scene_, geometry, number, plan_.mixes_colors, listener,
-                     [&]<typename Coordinate>(const Piece<Coordinate>& piece) {
+        visit_pieces(scene_, geometry, number, plan_.mixes_colors, listener_,
+                     [this]<typename Coordinate>(const Piece<Coordinate>& piece) {
                          if constexpr (draws<Adaptive, Coordinate>)
-                             draw_one(piece, listener);
+                             draw_one(piece, listener_);
                      });
     }
 
 private:
     /// A whole piece is all that there is to decide about its primitive. A part is kept until the others
     /// are certain. Who listens visits them again.
-    void draw_or_keep(const Piece<Adaptive>& piece, const Listener& listener) {
+    void draw_or_keep(const Piece<Adaptive>& piece) {
         if constexpr (!keeps_steps<Sink>) {
             if (!piece.is_part)
-                return draw_one(piece, listener);
+                return draw_one(piece, listener_);
             Piece<Adaptive>& kept = pieces_.emplace_back(piece);
             kept.name = {}; // those of parts end with the visit
             kept.names = {};
@@ -179,11 +183,11 @@ private:
     void draw_one(const Piece<Coordinate>& piece, const Listener& listener) {
         begin(piece.primitive);
         const auto primitive = placed<Adaptive>(piece, plan_);
-        const auto open = keeps_steps<Sink> ? certified(piece, primitive, listener)
+        const auto open = keeps_steps<Sink> ? certified(piece, primitive)
                                             : certified_and_painted(piece, primitive);
         if (open) {
             TellingUndecided telling(listener, *open);
-            draw_exactly(piece, keeps_steps<Sink> ? Listener(telling) : Listener());
+            draw_exactly(piece, Listener(telling));
         } else if constexpr (keeps_steps<Sink>) {
             draw_piece(piece, primitive, scene_, plan_, target_, sink_to<Sink>(listener));
         }
@@ -201,11 +205,8 @@ private:
     /// Takes all decisions about a piece, and looks at every step that the listener would be told.
     template <typename Coordinate>
     std::optional<Undecided> certified(const Piece<Coordinate>& piece,
-                                       const PlacedPrimitive<Adaptive>& primitive,
-                                       const Listener& listener) {
-        const Certifier certifier(listener);
-        const Listener nobody(certifier);
-        const ListenerSink sink(nobody);
+                                       const PlacedPrimitive<Adaptive>& primitive) {
+        const ListenerSink sink(certifying_);
         return left_open_by([&] {
             if constexpr (!std::same_as<Coordinate, Number>)
                 if (!report_face(piece.face, sink))
@@ -258,6 +259,9 @@ private:
     Target<Adaptive>& target_;
     Target<Rational, Adaptive> exact_target_;
     Exactness& exactness_;
+    const Listener& listener_;
+    const Certifier certifier_;
+    const Listener certifying_; ///< tells the certifier
     CertainRows rows_;
     std::vector<Piece<Adaptive>> pieces_; ///< parts of the primitive; without names
     std::size_t parts_ = 0;
@@ -268,9 +272,9 @@ private:
 template <typename AGeometry, typename Sink>
 void draw_pieces(const Scene& scene, const Plan& plan, const AGeometry& geometry,
                  Target<Adaptive>& target, const Listener& listener, const Sink&) {
-    AdaptiveDrawing<Sink> drawing(scene, plan, target);
+    AdaptiveDrawing<Sink> drawing(scene, plan, target, listener);
     for (std::size_t turn = 0; turn < scene.primitives.size(); ++turn)
-        drawing.draw(geometry, primitive_at(geometry, turn), listener);
+        drawing.draw(geometry, primitive_at(geometry, turn));
     if (target.depth)
         target.exactness->fallbacks.depths = target.depth->exact_tests();
 }

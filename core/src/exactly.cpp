@@ -121,7 +121,7 @@ bool is_nearer(const Scene& scene, const Plan& plan, Exactness& exactness, std::
     const DepthRule<Rational> rule = depth_rule<Rational>(scene);
     if (!rule.cleared)
         return true;
-    return depth_of(piece) < (rule.larger_passes ? Rational(-*rule.cleared) : *rule.cleared);
+    return depth_of(piece) < turned(*rule.cleared, rule.larger_passes);
 }
 
 /// The exact depth of a piece in a pixel, as it is told; of a clear cell if there is no piece.
@@ -130,9 +130,8 @@ Rational told_depth(const Scene& scene, Exactness& exactness, std::optional<std:
     const DepthRule<Rational> rule = depth_rule<Rational>(scene);
     if (!piece)
         return *rule.cleared;
-    const Rational turned = exact_depth_at(scene, exactness.pieces.placed(exactness.drawn[*piece]),
-                                           x, scene.canvas.y_of(row));
-    return rule.larger_passes ? Rational(-turned) : turned;
+    const PlacedPrimitive<Rational>& placed = exactness.pieces.placed(exactness.drawn[*piece]);
+    return turned(exact_depth_at(scene, placed, x, scene.canvas.y_of(row)), rule.larger_passes);
 }
 
 bool is_told_by_doubles(const VertexPlaced<Quantity>& step) {

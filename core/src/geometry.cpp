@@ -288,11 +288,11 @@ void tell_places_on_screen(std::string_view name, const Vec<Scalar, 4>& clip,
     const std::array<Scalar, 2> screen{places.screen.x, places.screen.y};
     const std::array<Scalar, 2> pixel{places.pixel.x, places.pixel.y};
     sink(VertexPlaced<Scalar>{.name = name,
-                                                .space = Space::screen,
-                                                .at = screen,
-                                                .snapped = transforms.snap == Snap::none
-                                                               ? std::span<const Scalar>()
-                                                               : std::span<const Scalar>(pixel)});
+                              .space = Space::screen,
+                              .at = screen,
+                              .snapped = transforms.snap == Snap::none
+                                             ? std::span<const Scalar>()
+                                             : std::span<const Scalar>(pixel)});
 }
 
 /// Tells every vertex through its spaces; a space that the scene has no matrix for is passed over.
@@ -327,17 +327,14 @@ void tell_geometry(const Scene& scene, const Geometry<Scalar>& geometry, const L
             sink(MatrixSetUp<Scalar>{
                 .name = "model", .object = scene.objects[i].name, .matrix = *transforms.models[i]});
     if (transforms.rest_model && scene.objects.empty())
-        sink(
-            MatrixSetUp<Scalar>{.name = "model", .object = {}, .matrix = *transforms.rest_model});
+        sink(MatrixSetUp<Scalar>{.name = "model", .object = {}, .matrix = *transforms.rest_model});
     if (transforms.view)
-        sink(
-            MatrixSetUp<Scalar>{.name = "view", .object = {}, .matrix = *transforms.view});
+        sink(MatrixSetUp<Scalar>{.name = "view", .object = {}, .matrix = *transforms.view});
     if (transforms.projection)
         sink(MatrixSetUp<Scalar>{
             .name = "projection", .object = {}, .matrix = *transforms.projection});
     if (transforms.viewport)
-        sink(
-            MatrixSetUp<Scalar>{.name = "viewport", .object = {}, .matrix = *transforms.viewport});
+        sink(MatrixSetUp<Scalar>{.name = "viewport", .object = {}, .matrix = *transforms.viewport});
 
     if (scene.has_transforms() || scene.keeps_transforms())
         tell_vertices(scene, geometry, listener);
@@ -346,8 +343,7 @@ void tell_geometry(const Scene& scene, const Geometry<Scalar>& geometry, const L
         for (const std::size_t i : geometry.order->primitives)
             if (scene.primitives[i].kind == PrimitiveKind::triangle)
                 names.push_back(scene.primitives[i].name);
-        sink(
-            PrimitivesOrdered<Scalar>{.names = names, .distances = geometry.order->keys});
+        sink(PrimitivesOrdered<Scalar>{.names = names, .distances = geometry.order->keys});
     }
 }
 

@@ -290,13 +290,12 @@ void visit_pieces(const Scene& scene, const Geometry<Scalar>& geometry, std::siz
     std::array<std::string_view, 3> names;
     for (std::size_t i = 0; i < corners.size(); ++i)
         names[i] = scene.vertices[corners[i]].name;
-    sink(
-        PrimitiveBegan<Scalar>{.kind = primitive.kind,
-                               .name = primitive.name,
-                               .vertices = std::span(names).first(corners.size()),
-                               .positions = {},
-                               .color = color,
-                               .colors = {}});
+    sink(PrimitiveBegan<Scalar>{.kind = primitive.kind,
+                                .name = primitive.name,
+                                .vertices = std::span(names).first(corners.size()),
+                                .positions = {},
+                                .color = color,
+                                .colors = {}});
     if (!report_face(face, sink))
         return;
     int made = 0;
