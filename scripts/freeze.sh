@@ -15,7 +15,7 @@ if [ $# -lt 1 ] || [ $# -gt 2 ]; then
 fi
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-c++ -std=c++20 -O1 -o "$folder/random_scenes" tests/freeze/random_scenes.cpp
+c++ -std=c++20 -O1 -Itests -o "$folder/random_scenes" tests/freeze/random_scenes.cpp
 mkdir "$folder/scenes"
 "$folder/random_scenes" "${COUNT:-4000}" "$folder/scenes"
 find "$folder/scenes" examples -name '*.json' | sort >"$folder/list"

@@ -150,7 +150,7 @@ bool is_told_by_doubles(const EdgeSetUp<Quantity>& step) {
     return is_finite(step.dx_dy);
 }
 bool is_told_by_doubles(const EdgeFunctionSetUp<Quantity>& step) {
-    return is_finite(step.a) && is_finite(step.b) && is_finite(step.c);
+    return is_finite(step.a) && is_finite(step.b);
 }
 bool is_told_by_doubles(const ScanlineSpanned<Quantity>& step) {
     return is_finite(step.left) && is_finite(step.right) &&

@@ -102,7 +102,7 @@ template <typename Scalar> void tell(const EdgeSetUp<Scalar>& step, const Listen
 template <typename Scalar>
 void tell(const EdgeFunctionSetUp<Scalar>& step, const Listener& listener) {
     listener(EdgeFunctionSetUp<Quantity>{
-        .edge = step.edge, .a = step.a, .b = step.b, .c = step.c, .is_top_left = step.is_top_left});
+        .edge = step.edge, .a = step.a, .b = step.b, .is_top_left = step.is_top_left});
 }
 
 template <typename Scalar>

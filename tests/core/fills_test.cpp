@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "picture.h"
 
+#include <rastertrace/core/fill_top_left.h>
 #include <rastertrace/core/flat_painter.h>
 #include <rastertrace/core/row_painter.h>
 
@@ -10,9 +11,14 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <limits>
 #include <map>
 #include <set>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -397,6 +403,83 @@ RC_GTEST_PROP(TopLeft, EachSampleOfAMeshHasExactlyOneOwner, ()) {
     const Image image = draw_as_planned(scene, counter);
     RC_ASSERT(image.drawn() == 27u * 27u);
     RC_ASSERT(counter.pixels == 27u * 27u);
+}
+
+/// How often each pixel of a canvas is plotted.
+template <typename Real>
+void count_pixels(const Triangle<Real>& triangle, const SampleGrid<Real>& grid,
+                  const Canvas& canvas, std::vector<int>& counts) {
+    Image image(canvas);
+    fill_top_left(triangle, grid, canvas, FlatPainter(image, Color{}, [&](const auto& step) {
+                      if constexpr (std::same_as<std::decay_t<decltype(step)>, PixelPlotted>)
+                          ++counts[canvas.offset_of(step.pixel)];
+                  }));
+}
+
+/// The edge from `p` to `q` and a vertex on either side of it: where both triangles together are all
+/// there is, but for a margin, each sample has one owner; nowhere has one two.
+template <typename Real>
+void expect_one_owner(const std::array<Vec<Real, 2>, 4>& corners, Real margin,
+                      const Canvas& canvas) {
+    const auto& [p, q, r, s] = corners;
+    const SampleGrid<Real> grid(Real(0.5), canvas);
+    std::vector<int> counts(static_cast<std::size_t>(canvas.width * canvas.height));
+    count_pixels(Triangle<Real>{{p, q, r}}, grid, canvas, counts);
+    count_pixels(Triangle<Real>{{s, q, p}}, grid, canvas, counts);
+
+    // The four other sides, in long numbers.
+    const std::array<std::array<Vec<Real, 2>, 2>, 4> sides{{{p, r}, {r, q}, {q, s}, {s, p}}};
+    for (int row = 0; row < canvas.height; ++row)
+        for (int x = canvas.left(); x <= canvas.right(); ++x) {
+            const Pixel pixel{x, canvas.y_of(row)};
+            const int count = counts[canvas.offset_of(pixel)];
+            RC_ASSERT(count <= 1);
+            int inside = 0;
+            int outside = 0;
+            for (const auto& [a, b] : sides) {
+                const long double dx =
+                    static_cast<long double>(b.x) - static_cast<long double>(a.x);
+                const long double dy =
+                    static_cast<long double>(b.y) - static_cast<long double>(a.y);
+                const long double side = (dx * (pixel.y + 0.5L - static_cast<long double>(a.y)) -
+                                          dy * (x + 0.5L - static_cast<long double>(a.x))) /
+                                         std::hypot(dx, dy);
+                inside += side > static_cast<long double>(margin) ? 1 : 0;
+                outside += side < -static_cast<long double>(margin) ? 1 : 0;
+            }
+            if (inside == 4 || outside == 4)
+                RC_ASSERT(count == 1);
+        }
+}
+
+/// Corners that are rounded, near the canvas and as far away as 1e15.
+template <typename Real> void expect_one_owner_of_any_edge() {
+    const Canvas canvas{.width = 12,
+                        .height = 12,
+                        .origin = *rc::gen::element(Origin::top_left, Origin::bottom_left)};
+    const Real scale = *rc::gen::element<Real>(Real(1), Real(1), Real(1e3), Real(1e6), Real(1e15));
+    const auto any = [](int low, int high) {
+        return static_cast<Real>(*rc::gen::inRange(low * 1000, high * 1000 + 1)) / 1000;
+    };
+    // The edge passes through a point of the canvas; the others stand off it.
+    const Vec<Real, 2> at{any(0, 12), any(0, 12)};
+    const Vec<Real, 2> way{any(-6, 6), any(-6, 6)};
+    RC_PRE(way.x != 0 || way.y != 0);
+    const Real off = any(1, 4);
+    const auto far = [&](Real along, Real across) {
+        return Vec<Real, 2>{at.x + scale * (along * way.x - across * way.y),
+                            at.y + scale * (along * way.y + across * way.x)};
+    };
+    const std::array<Vec<Real, 2>, 4> corners{far(-1, 0), far(1, 0), far(any(-1, 1) / 2, off),
+                                              far(any(-1, 1) / 2, -off)};
+    expect_one_owner<Real>(corners, 64 * scale * std::numeric_limits<Real>::epsilon() * 12, canvas);
+}
+
+RC_GTEST_PROP(TopLeft, NoGapAndNoPixelTwiceAlongASharedEdgeOfDoubles, ()) {
+    expect_one_owner_of_any_edge<double>();
+}
+RC_GTEST_PROP(TopLeft, NoGapAndNoPixelTwiceAlongASharedEdgeOfFloats, ()) {
+    expect_one_owner_of_any_edge<float>();
 }
 
 RC_GTEST_PROP(Fills, NeverLetAFractionOverflow, ()) {

@@ -1,210 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Writes random scenes for scripts/freeze.sh, the same on every machine: every fill, line, rule of
-// depth, way to shade and scalar, in the plane and in space.
+// Writes random scenes for scripts/freeze.sh.
 //
-//     random_scenes 3000 folder   # folder/0000.json ...
+//     random_scenes 3000 folder   # folder/00000.json ...
+
+#include "random_scene.h"
 
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <initializer_list>
 #include <iomanip>
 #include <iostream>
-#include <random>
 #include <sstream>
-#include <string>
-#include <string_view>
-#include <vector>
-
-namespace {
-
-class RandomScene {
-public:
-    explicit RandomScene(std::uint64_t seed) : random_(seed) {}
-
-    std::string text() {
-        const int size = pick({8, 16, 24, 40});
-        const std::string_view origin =
-            pick<std::string_view>({"center", "top-left", "bottom-left"});
-        is_in_space_ = chance(2);
-        out_ << R"({"canvas":{"width":)" << size << R"(,"height":)" << size << R"(,"origin":")"
-             << origin << R"("})";
-        put_vertices(origin == "center" ? -size / 2 : 0, size);
-        put_primitives();
-        if (is_in_space_)
-            put_view();
-        put_method();
-        if (chance(8))
-            out_ << R"(,"keep":["model","view","clip","divide","canvas","depth","colors"])";
-        out_ << "}\n";
-        return out_.str();
-    }
-
-private:
-    int whole(int low, int high) {
-        return low + static_cast<int>(random_() % static_cast<std::uint64_t>(high - low + 1));
-    }
-    bool chance(int of) { return whole(1, of) == 1; }
-    template <typename T> T pick(std::initializer_list<T> values) {
-        return values.begin()[whole(0, static_cast<int>(values.size()) - 1)];
-    }
-
-    /// A number between two whole ones: whole, a decimal, a fraction, or far away.
-    std::string number(int low, int high) {
-        const std::string base = std::to_string(whole(low, high));
-        switch (style_) {
-        case 0:
-            return base;
-        case 1:
-            return base + pick<const char*>({"", ".5", ".25", ".75"});
-        case 2:
-            return base + "." + std::to_string(whole(0, 999999));
-        case 3:
-            return '"' + std::to_string(whole(low * 7, high * 7)) +
-                   pick<const char*>({"/3", "/7", "/11"}) + '"';
-        default:
-            return chance(4) ? base + pick<const char*>({"e3", "e6", "e9"}) : base + ".5";
-        }
-    }
-
-    std::string color() {
-        std::ostringstream text;
-        text << "\"#" << std::hex << std::setfill('0') << std::setw(6) << whole(0, 0xFFFFFF) << '"';
-        return text.str();
-    }
-
-    void put_vertices(int low, int size) {
-        count_ = whole(3, 7);
-        style_ = whole(0, 4);
-        // Some vertices stand on others, or on their rows and columns.
-        std::vector<std::string> xs;
-        std::vector<std::string> ys;
-        const auto among = [this](std::vector<std::string>& known, std::string fresh) {
-            if (!known.empty() && chance(5))
-                return known[static_cast<std::size_t>(
-                    whole(0, static_cast<int>(known.size()) - 1))];
-            known.push_back(fresh);
-            return fresh;
-        };
-        out_ << R"(,"vertices":{)";
-        for (int i = 0; i < count_; ++i) {
-            const int from = is_in_space_ ? -4 : low - 3;
-            const int to = is_in_space_ ? 4 : low + size + 3;
-            const std::string x = among(xs, number(from, to));
-            const std::string y = among(ys, number(from, to));
-            out_ << (i == 0 ? "" : ",") << '"' << name(i) << R"(":[)" << x << ',' << y;
-            if (is_in_space_ || chance(2))
-                out_ << ',' << number(is_in_space_ ? -3 : 1, is_in_space_ ? 3 : 9);
-            out_ << ']';
-        }
-        out_ << '}';
-        if (chance(3)) {
-            out_ << R"(,"colors":{)";
-            for (int i = 0; i < count_; ++i)
-                out_ << (i == 0 ? "" : ",") << '"' << name(i) << R"(":)" << color();
-            out_ << '}';
-        }
-    }
-
-    static char name(int i) { return static_cast<char>('A' + i); }
-
-    /// Different vertices for a primitive.
-    std::string corners(int count) {
-        std::string text;
-        while (static_cast<int>(text.size()) < count) {
-            const char corner = name(whole(0, count_ - 1));
-            if (text.find(corner) == std::string::npos)
-                text += corner;
-        }
-        return text;
-    }
-
-    void put_list(std::string_view key, int corner_count, int length) {
-        out_ << ",\"" << key << R"(":[)";
-        for (int i = 0; i < length; ++i)
-            out_ << (i == 0 ? "" : ",") << R"({"vertices":")" << corners(corner_count)
-                 << R"(","name":")" << key << i << R"(","color":)" << color() << '}';
-        out_ << ']';
-    }
-
-    void put_primitives() {
-        put_list("triangles", 3, whole(1, 4));
-        if (chance(3))
-            put_list("outlines", 3, 1);
-        if (chance(3))
-            put_list("lines", 2, whole(1, 3));
-        if (chance(6))
-            put_list("points", 1, 2);
-    }
-
-    void put_view() {
-        const std::string_view type =
-            pick<std::string_view>({"frustum", "frustum", "pinhole", "view-plane", "orthographic"});
-        const bool looks_up = type == "pinhole";
-        if (chance(2))
-            out_ << R"(,"model":[{"rotate":{"axis":)"
-                 << pick<const char*>({R"("x")", R"("y")", R"("z")", "[1,2,3]"}) << R"(,"degrees":)"
-                 << pick({30, 90, 45, 37}) << R"(}},{"translate":[0,0,)" << (looks_up ? 5 : -1)
-                 << R"(]}])";
-        if (!looks_up && !chance(4))
-            out_ << R"(,"camera":{"position":[)" << whole(-1, 1) << ',' << whole(-1, 1) << ','
-                 << pick({4, 6, 9}) << R"(],"look_at":[0,0,0],"up":[0,1,0]})";
-        out_ << R"(,"projection":{"type":")" << type << '"';
-        if (type == "frustum")
-            out_ << R"(,"fov_y":)" << pick({40, 90}) << R"(,"near":1,"far":)"
-                 << pick<const char*>({"17", "9", "\"infinity\""});
-        else if (type == "orthographic")
-            out_ << R"(,"left":-4,"right":4,"bottom":-4,"top":4,"near":1,"far":20)";
-        else
-            out_ << R"(,"distance":)" << pick({1, 2});
-        out_ << '}';
-        if (chance(2))
-            out_ << R"(,"viewport":)"
-                 << pick<const char*>({R"("fit")", R"({"pixels_per_unit":4})"});
-        has_light_ = chance(4);
-        if (has_light_)
-            out_ << R"(,"light":)"
-                 << pick<const char*>({R"({"direction":[1,2,3]})", R"({"position":[3,4,8]})"});
-    }
-
-    void put_choice(std::string_view key, std::initializer_list<std::string_view> values,
-                    int of = 1) {
-        if (chance(of))
-            out_ << ",\"" << key << R"(":")" << pick(values) << '"';
-    }
-
-    void put_method() {
-        out_ << R"(,"method":{"scalar":")"
-             << pick<std::string_view>({"float", "double", "fixed", "adaptive", "exact"}) << '"';
-        put_choice("fill", {"scanline", "two-halves", "barycentric", "top-left", "fan"});
-        put_choice("line", {"naive", "dda", "bresenham"}, 2);
-        put_choice("from", {"first", "low"}, 4);
-        put_choice("rounding", {"floor", "nearest", "truncate", "inside"}, 2);
-        put_choice("sample", {"integer", "center"}, 3);
-        put_choice("lerp", {"direct", "incremental"}, 3);
-        put_choice("snap", {"none", "floor", "truncate", "nearest"}, 6);
-        put_choice("depth", {"none", "painter", "linear-z", "inverse-z", "ndc-z"}, 2);
-        put_choice("depth_compare", {"less", "greater"}, 6);
-        if (is_in_space_)
-            put_choice("cull", {"none", "back", "front", "both"}, 3);
-        if (has_light_)
-            out_ << R"(,"shade":"lambert")";
-        else
-            put_choice("shade", {"flat", "faces", "interpolate", "affine"}, 2);
-        put_choice("color_lerp", {"axis", "distance"}, 4);
-        out_ << '}';
-    }
-
-    std::mt19937_64 random_;
-    std::ostringstream out_;
-    bool is_in_space_ = false;
-    bool has_light_ = false;
-    int count_ = 0;
-    int style_ = 0;
-};
-
-} // namespace
 
 int main(int count, char** arguments) {
     if (count != 3) {
@@ -216,6 +23,7 @@ int main(int count, char** arguments) {
     for (int i = 0; i < scenes; ++i) {
         std::ostringstream name;
         name << std::setfill('0') << std::setw(5) << i << ".json";
-        std::ofstream(folder / name.str()) << RandomScene(static_cast<std::uint64_t>(i) + 1).text();
+        std::ofstream(folder / name.str())
+            << rastertrace::RandomScene(static_cast<std::uint64_t>(i) + 1).text();
     }
 }

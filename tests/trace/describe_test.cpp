@@ -90,9 +90,14 @@ TEST(Describe, LinesAndTheirDecisions) {
 }
 
 TEST(Describe, EdgeFunctionsSamplesHalvesAndRays) {
-    EXPECT_EQ(description(first_triangle({.scalar = ScalarKind::exact, .fill = Fill::top_left}), 2),
-              "edge AB: E(x, y) = 8 x - 6 y + 14, top or left: samples where E = 0 belong to the "
-              "triangle");
+    EXPECT_EQ(
+        description(first_triangle({.scalar = ScalarKind::exact, .fill = Fill::top_left}), 2),
+        "edge AB: E(x, y) = 8 (x - 2) - 6 (y - 5), top or left: samples where E = 0 belong to "
+        "the triangle");
+    // AB is at x = 2 + 3/4 (9/2 - 5), AC at 2 - 3/8 (9/2 - 5).
+    EXPECT_EQ(description(first_triangle({.scalar = ScalarKind::exact, .fill = Fill::top_left}), 5),
+              "scanline y=4, samples at y = 4 + 1/2   left AB: x = 13/8 -> 2   "
+              "right AC: x = 35/16 -> 1   no pixel between");
     EXPECT_EQ(
         description(first_triangle({.scalar = ScalarKind::exact, .fill = Fill::barycentric}), 2),
         "sample of (-4, 5): A 1 B 2/3 C -2/3: one is negative, outside");

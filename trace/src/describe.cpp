@@ -162,20 +162,26 @@ std::string describe_depth(const StepView& step) {
                        step.text("pass") == "true" ? "passes" : "fails");
 }
 
+std::string describe_edge_function(const StepView& step, const std::optional<EdgeEnds>& ends) {
+    const bool is_top_left = step.text("top_left") == "true";
+    return fmt::format("edge {}: E(x, y) = {} (x {}) {} (y {}), {}", step.text("edge"),
+                       step.text("a"), ends ? minus(ends->from[0]) : "- x1", plus(step.text("b")),
+                       ends ? minus(ends->from[1]) : "- y1",
+                       is_top_left ? "top or left: samples where E = 0 belong to the triangle"
+                                   : "samples where E = 0 do not belong to the triangle");
+}
+
 std::string describe_edge(const Replay& replay, const StepView& step) {
     const std::string name = step.text("edge");
     if (step.field("octant"))
         return fmt::format("side {}: octant {}", name, step.text("octant"));
+    const auto ends = ends_of_edge(primitive_of(replay), name);
     if (step.field("a"))
-        return fmt::format("edge {}: E(x, y) = {} x {} y {}, {}", name, step.text("a"),
-                           plus(step.text("b")), plus(step.text("c")),
-                           step.text("top_left") == "true"
-                               ? "top or left: samples where E = 0 belong to the triangle"
-                               : "samples where E = 0 do not belong to the triangle");
+        return describe_edge_function(step, ends);
     const std::string slope = step.text("dx_dy");
     if (slope == "null")
         return fmt::format("edge {}: horizontal, it has no dx/dy", name);
-    if (const auto ends = ends_of_edge(primitive_of(replay), name))
+    if (ends)
         return fmt::format("edge {}: dx/dy = ({} {}) / ({} {}) = {}", name, ends->to[0],
                            minus(ends->from[0]), ends->to[1], minus(ends->from[1]), slope);
     return fmt::format("edge {}: dx/dy = {}", name, slope);
@@ -253,7 +259,10 @@ std::string describe_end(const Replay& replay, const StepView& step, const std::
 }
 
 std::string describe_scanline(const Replay& replay, const StepView& step) {
-    std::string text = fmt::format("scanline y={}   {}   {}", step.text("y"),
+    const std::string y = step.text("y");
+    const bool is_at_center = replay.trace().method_value("sample") == "center";
+    std::string text = fmt::format("scanline y={}{}   {}   {}", y,
+                                   is_at_center ? fmt::format(", samples at y = {} + 1/2", y) : "",
                                    describe_end(replay, step, "left", step.text("from")),
                                    describe_end(replay, step, "right", step.text("to")));
     if (*step.whole("to") < *step.whole("from"))

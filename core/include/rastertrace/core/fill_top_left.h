@@ -10,15 +10,15 @@
 //
 //     fill_top_left(triangle, SampleGrid<double>(0.5, canvas), canvas, FlatPainter(image, color));
 //
-// An edge function is linear, so on a row of samples it changes sign once: where the edge crosses
-// the row. Instead of asking every pixel of the box, the fill asks each edge for its crossing and
-// draws what lies between the two: from the left edge's crossing, included, to the right edge's,
-// not included. The crossing of an edge is computed from its upper vertex whichever triangle it
-// belongs to, so both owners of a shared edge find the same number, rounded or not: there is
-// neither a gap nor a double.
+// The rows of samples from the top vertex, included, to the bottom one, not included, are the triangle's.
+// An edge function is linear, so on a row it changes sign once: where the edge crosses the row. Instead
+// of asking every pixel of the box, the fill asks the row's two edges for their crossings and draws what
+// lies between: from the first sample that the left edge admits to the last one that the right edge does.
+// Both owners of a shared edge find one crossing: there is neither a gap nor a double.
 
 #include <rastertrace/core/canvas.h>
 #include <rastertrace/core/edge.h>
+#include <rastertrace/core/edge_function.h>
 #include <rastertrace/core/sample_walk.h>
 #include <rastertrace/core/scalar.h>
 #include <rastertrace/core/sink.h>
@@ -27,6 +27,7 @@
 #include <rastertrace/core/triangle.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -35,55 +36,59 @@ namespace rastertrace {
 /// The vertices of a triangle from the top of the picture to its bottom, by their places in it, and
 /// where the edge from top to bottom lies.
 struct TriangleOrder {
-    std::size_t top;
-    std::size_t middle;
-    std::size_t bottom;
+    std::uint8_t top;
+    std::uint8_t middle;
+    std::uint8_t bottom;
     bool long_edge_is_left; ///< it passes the middle vertex on the left
 };
 
-/// Reports the edge functions. Each is turned so that it is positive on the triangle's side.
+/// The three edges as functions: from top to middle, from middle to bottom, from top to bottom.
+template <typename Scalar>
+std::array<EdgeFunction<Scalar>, 3> edge_functions(const Triangle<Scalar>& triangle,
+                                                   const TriangleOrder& order, int down) {
+    const auto vertex = [&triangle](std::size_t place) {
+        return Vertex<Scalar>{triangle.vertices[place], static_cast<std::uint8_t>(place)};
+    };
+    const auto top = vertex(order.top), middle = vertex(order.middle),
+               bottom = vertex(order.bottom);
+
+    // A horizontal upper edge is a top edge, a horizontal lower one a bottom edge. The short edges have
+    // the triangle on one side, the long edge on the other.
+    const bool is_left = order.long_edge_is_left;
+    const bool has_top_edge = top.position.y == middle.position.y;
+    const bool has_bottom_edge = middle.position.y == bottom.position.y;
+    const auto upper = edge_function(top, middle, has_top_edge || !is_left);
+    const auto lower = edge_function(middle, bottom, !has_bottom_edge && !is_left);
+    const auto long_edge = edge_function(top, bottom, is_left);
+    if (is_left == (down > 0))
+        return {upper, lower, long_edge.turned()};
+    return {upper.turned(), lower.turned(), long_edge};
+}
+
+/// Reports the edge functions.
 template <typename Scalar, typename Sink>
 requires SinkFor<Sink, EdgeFunctionSetUp<Scalar>>
-void report_edge_functions(const Triangle<Scalar>& triangle, const TriangleOrder& order,
+void report_edge_functions(const Triangle<Scalar>& triangle, const TriangleOrder& order, int down,
                            Sink&& sink) {
     if (!takes<EdgeFunctionSetUp<Scalar>>(sink))
         return;
-    const auto& vertices = triangle.vertices;
-    const auto is_horizontal = [&vertices](std::size_t from, std::size_t to) {
-        return vertices[from].y == vertices[to].y;
-    };
-    const auto report = [&](std::size_t from, std::size_t to, std::size_t opposite,
-                            bool is_top_left) {
-        const auto& p = vertices[from];
-        const auto& q = vertices[to];
-        const Scalar a = p.y - q.y;
-        const Scalar b = q.x - p.x;
-        const Scalar c = -(a * p.x) - b * p.y;
-        const Scalar of_opposite = a * vertices[opposite].x + b * vertices[opposite].y + c;
-        const bool is_turned = of_opposite < scalar_from<Scalar>(0);
-        sink(EdgeFunctionSetUp<Scalar>{
-            .edge = {static_cast<std::uint8_t>(from), static_cast<std::uint8_t>(to)},
-            .a = is_turned ? Scalar(-a) : a,
-            .b = is_turned ? Scalar(-b) : b,
-            .c = is_turned ? Scalar(-c) : c,
-            .is_top_left = is_top_left});
-    };
-    // A horizontal upper edge is a top edge, a horizontal lower one a bottom edge.
-    const auto [top, middle, bottom, long_edge_is_left] = order;
-    report(top, middle, bottom, is_horizontal(top, middle) || !long_edge_is_left);
-    report(middle, bottom, top, !is_horizontal(middle, bottom) && !long_edge_is_left);
-    report(top, bottom, middle, long_edge_is_left);
+    const std::array<EdgeName, 3> names{
+        {{order.top, order.middle}, {order.middle, order.bottom}, {order.top, order.bottom}}};
+    const auto functions = edge_functions(triangle, order, down);
+    for (std::size_t i = 0; i < functions.size(); ++i)
+        sink(EdgeFunctionSetUp<Scalar>{.edge = names[i],
+                                       .a = functions[i].a,
+                                       .b = functions[i].b,
+                                       .is_top_left = functions[i].is_top_left});
 }
 
 /// Adds where the two edges of the row meet it.
 template <typename Scalar>
 void add_crossings(const Triangle<Scalar>& triangle, const TriangleOrder& order, bool is_upper,
                    const Scalar& sample_offset, ScanlineSpanned<Scalar>& span) {
-    const auto edge = [&triangle](std::size_t upper, std::size_t lower) {
-        const auto vertex = [&triangle](std::size_t place) {
-            return Vertex<Scalar>{triangle.vertices[place], static_cast<std::uint8_t>(place)};
-        };
-        return edge_between(vertex(upper), vertex(lower));
+    const auto edge = [&triangle](std::uint8_t upper, std::uint8_t lower) {
+        return edge_between(Vertex<Scalar>{triangle.vertices[upper], upper},
+                            Vertex<Scalar>{triangle.vertices[lower], lower});
     };
     const Edge<Scalar> long_edge = edge(order.top, order.bottom);
     const Edge<Scalar> short_edge =
@@ -123,14 +128,14 @@ void fill_top_left(const Triangle<Scalar>& triangle, const SampleGrid<Scalar>& g
     // Sort the vertices by height. The long edge runs from top to bottom, the two short ones meet
     // at the middle vertex, left or right of it.
     const auto [top, middle, bottom] = sorted_from_top(grid.placed(triangle), grid.down());
-    const int middle_side = grid.side_of_edge(top, bottom, middle);
+    const int middle_side = side_of_edge(top, bottom, middle, grid.down());
     if (middle_side == 0) {
         sink(PrimitiveSkipped{.why = SkipReason::zero_area});
         return;
     }
     const bool long_edge_is_left = middle_side > 0;
     const TriangleOrder order{top.place, middle.place, bottom.place, long_edge_is_left};
-    report_edge_functions(triangle, order, sink);
+    report_edge_functions(triangle, order, canvas.down(), sink);
 
     // The rows of samples from the top vertex, included, to the bottom vertex, not included, as far as
     // the canvas has them. The row of the middle vertex belongs to the lower short edge.

@@ -12,9 +12,11 @@
 #include <rastertrace/core/canvas.h>
 #include <rastertrace/core/divisor.h>
 #include <rastertrace/core/edge.h>
+#include <rastertrace/core/edge_function.h>
 #include <rastertrace/core/fraction.h>
 #include <rastertrace/core/scalar.h>
 #include <rastertrace/core/triangle.h>
+#include <rastertrace/core/vec.h>
 
 #include <algorithm>
 #include <cassert>
@@ -23,17 +25,6 @@
 #include <cstddef>
 
 namespace rastertrace {
-
-/// Where the vertex between `top` and `bottom` lies: -1 left of the edge from one to the other, as seen
-/// in the picture, +1 right of it, 0 on it.
-template <typename Scalar>
-int side_of_line(const Vertex<Scalar>& top, const Vertex<Scalar>& bottom,
-                 const Vertex<Scalar>& middle) {
-    if (top.position.y == bottom.position.y)
-        return 0;
-    const Scalar x = edge_between(top, bottom).x_at(middle.position.y);
-    return middle.position.x < x ? -1 : x < middle.position.x ? 1 : 0;
-}
 
 /// The samples of all pixels: each lies `sample_offset` from its pixel's integer point, in x and in
 /// y. A triangle is set against them in the scene's own coordinates.
@@ -66,19 +57,22 @@ public:
 
     /// True if the sample at column `x` does not lie left of the placed `length`.
     bool reaches(Index x, const Length& length) const {
-        return Length(length - offset_) <= scalar_from<Scalar>(x);
+        return !(scalar_from<Scalar>(x) + offset_ < length);
     }
 
-    /// The first sample in a row that does not lie left of the edge.
+    /// The sample of a column in a row.
+    Vec<Length, 2> sample(Index x, int row) const {
+        return {Length(scalar_from<Scalar>(x) + offset_),
+                Length(scalar_from<Scalar>(canvas_.y_of(row)) + offset_)};
+    }
+
+    /// The first sample in a row that does not lie left of where x on the edge is.
     Index first_sample_from(const Edge<Length>& edge, int row) const {
         const Length height = scalar_from<Scalar>(canvas_.y_of(row)) + offset_;
         return ceil_index(Length(edge.x_at(height) - offset_));
     }
 
-    static int side_of_edge(const Vertex<Length>& top, const Vertex<Length>& bottom,
-                            const Vertex<Length>& middle) {
-        return side_of_line(top, bottom, middle);
-    }
+    const Canvas& canvas() const { return canvas_; }
 
 private:
     Canvas canvas_;
@@ -118,11 +112,6 @@ public:
         return ceil_index(edge.x_at(scalar_from<Length>(canvas_.y_of(row))));
     }
 
-    static int side_of_edge(const Vertex<Length>& top, const Vertex<Length>& bottom,
-                            const Vertex<Length>& middle) {
-        return side_of_line(top, bottom, middle);
-    }
-
 private:
     Canvas canvas_;
     Adaptive offset_;
@@ -155,15 +144,6 @@ public:
     Index first_row_from(Length y) const { return index_from(-pixel_.divide(-y).quotient); }
 
     bool reaches(Index x, Length length) const { return length <= x * pixel_.value(); }
-
-    static int side_of_edge(const Vertex<Length>& top, const Vertex<Length>& bottom,
-                            const Vertex<Length>& middle) {
-        const Length to_right =
-            (middle.position.x - top.position.x) * (bottom.position.y - top.position.y);
-        const Length of_edge =
-            (bottom.position.x - top.position.x) * (middle.position.y - top.position.y);
-        return to_right < of_edge ? -1 : of_edge < to_right ? 1 : 0;
-    }
 
     /// D, a pixel's side.
     const Divisor<Length>& pixel() const { return pixel_; }
@@ -201,6 +181,50 @@ public:
 private:
     Edge<Scalar> edge_;
     const SampleGrid<Scalar>& grid_;
+    int row_;
+};
+
+/// The same in numbers that are rounded: x on the edge is a guess, and the edge function settles it.
+template <std::floating_point Real> class SampleWalk<Real> {
+public:
+    SampleWalk(const Vertex<Real>& upper, const Vertex<Real>& lower, const SampleGrid<Real>& grid,
+               int row)
+        : edge_(edge_between(upper, lower)),
+          function_(function_of_left_edge(upper, lower, grid.down())), grid_(grid), row_(row) {}
+
+    /// The first sample that a triangle on the right of the edge may have, and one on its left may not.
+    /// Beyond the canvas nobody asks the function.
+    Index first_sample() const {
+        const Index guess = grid_.first_sample_from(edge_, row_);
+        const Index left = grid_.canvas().left();
+        const Index end = grid_.canvas().right() + Index{1};
+        const Index near = std::clamp(guess, left, end);
+        const bool is_settled =
+            (near == end || admits(near)) && (near == left || !admits(near - 1));
+        return is_settled ? guess : first_admitted(left, end);
+    }
+
+    void step() { ++row_; }
+
+private:
+    bool admits(Index x) const { return function_.admits(grid_.sample(x, row_)); }
+
+    /// The first one from `left` on that is admitted, `end` if none is. To the right of it, all are:
+    /// rounding keeps the order of numbers.
+    Index first_admitted(Index left, Index end) const {
+        while (left < end) {
+            const Index middle = left + (end - left) / 2;
+            if (admits(middle))
+                end = middle;
+            else
+                left = middle + 1;
+        }
+        return left;
+    }
+
+    Edge<Real> edge_;
+    EdgeFunction<Real> function_;
+    const SampleGrid<Real>& grid_;
     int row_;
 };
 

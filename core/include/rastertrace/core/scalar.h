@@ -287,7 +287,7 @@ template <typename Scalar> const Scalar& depth_scalar(const Scalar& x) {
     return x;
 }
 template <typename Integer> double depth_scalar(const Fraction<Integer>& x) {
-    return static_cast<double>(x.numerator) / static_cast<double>(x.denominator);
+    return to_double(x);
 }
 
 /// Writes `step` over the denominator of `value`, so that adding it again and again does not make

@@ -110,12 +110,11 @@ template <typename Scalar> struct EdgeSetUp {
 };
 
 /// An edge is set up as a function that is 0 on the edge, positive on the triangle's side of it and
-/// negative on the other: a x + b y + c, in square pixels.
+/// negative on the other: a (x - x1) + b (y - y1), in square pixels (edge_function.h).
 template <typename Scalar> struct EdgeFunctionSetUp {
-    EdgeName edge; ///< from its upper to its lower vertex, as seen in the picture
+    EdgeName edge; ///< from its upper vertex (x1, y1) to its lower one, as seen in the picture
     Scalar a;
     Scalar b;
-    Scalar c;
     bool is_top_left; ///< a sample on the edge belongs to the triangle
 };
 

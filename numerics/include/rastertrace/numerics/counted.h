@@ -132,6 +132,11 @@ template <typename T> Index floor_index(const Counted<T>& x) {
     return floor_index(x.value());
 }
 
+/// So does the double nearest to a fraction.
+template <typename T> double depth_scalar(const Fraction<Counted<T>>& x) {
+    return to_double(Fraction<T>{x.numerator.value(), x.denominator.value()});
+}
+
 /// The type that counts what is done in numbers of type Scalar. Fractions count what is done to
 /// their numerators and denominators.
 template <typename Scalar> struct CountedType { using type = Counted<Scalar>; };

@@ -207,11 +207,34 @@ inline bool is_short(const Rational& value) {
 }
 
 /// A double where that is the number itself, else the fraction, unless that is too long.
-inline char* format_exactly(char* out, const Rational& value) {
+inline char* format_exactly(char* out, const Rational& value, bool however_long = false) {
     const double near = nearest_double(value);
-    if (std::isfinite(near) && (!is_short(value) || Rational(near) == value))
+    const bool is_told = however_long || is_short(value);
+    if (std::isfinite(near) && (!is_told || Rational(near) == value))
         return format_number(out, near);
     return format_number(out, value);
+}
+
+/// A fraction between a number and the whole number or half that its nearest double is: what is rounded,
+/// or asked for its sign, is decided alike. It is no longer than the number, but for a few digits.
+Rational bound_beside(const Rational& value, double near);
+
+/// The nearest double, unless that is a whole number or a half and not the number itself: then the number,
+/// or, of one with too many digits, a bound that decides the same.
+inline char* format_deciding(char* out, const Rational& value) {
+    const double near = nearest_double(value);
+    if (!std::isfinite(near))
+        return format_number(out, value);
+    if (std::abs(near) > static_cast<double>(farthest_index) || std::floor(2 * near) != 2 * near ||
+        Rational(near) == value)
+        return format_number(out, near);
+    return format_number(out, is_short(value) ? value : bound_beside(value, near));
+}
+template <typename Integer> char* format_deciding(char* out, const Fraction<Integer>& value) {
+    const double near = to_double(value);
+    if (std::floor(2 * near) != 2 * near)
+        return format_number(out, near);
+    return format_deciding(out, exact(value));
 }
 
 /// A double that knows its error; the error is not written.

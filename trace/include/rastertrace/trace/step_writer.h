@@ -74,8 +74,18 @@ NumberStyle number_style_of(const Method& method);
 
 /// A number that is written as it is: in the style of doubles as a string where no double is that
 /// number.
-template <typename Number> struct Exactly { const Number& number; };
+template <typename Number> struct Exactly {
+    const Number& number;
+    bool however_long = false; ///< else a number with too many digits is rounded
+};
 template <typename Number> Exactly(const Number&) -> Exactly<Number>;
+template <typename Number> Exactly(const Number&, bool) -> Exactly<Number>;
+
+/// A number that is rounded to a pixel, or whose sign decides. In the style of doubles it is written as a
+/// fraction where the nearest double is a whole number or a half, and not the number: there the double
+/// could be rounded to another pixel.
+template <typename Number> struct Deciding { const Number& number; };
+template <typename Number> Deciding(const Number&) -> Deciding<Number>;
 
 class StepWriter {
 public:
@@ -157,9 +167,18 @@ public:
             put(before, std::string_view(json_quoted(name)));
             before = ",";
         }
-        put("]");
-        put_numbers(R"(,"distances":[)", step.distances);
-        put("}");
+        // Two that round to one double are both told as they are: their order hangs on it.
+        before = R"(],"distances":[)";
+        for (std::size_t i = 0; i < step.distances.size(); ++i) {
+            const Quantity& distance = step.distances[i];
+            if ((i > 0 && round_alike(step.distances[i - 1], distance)) ||
+                (i + 1 < step.distances.size() && round_alike(distance, step.distances[i + 1])))
+                put(before, Exactly{distance, true});
+            else
+                put(before, distance);
+            before = ",";
+        }
+        put("]}");
     }
 
     void operator()(const FaceTested<Quantity>& step) {
@@ -168,7 +187,7 @@ public:
         begin_line(StepKind::face);
         put(R"({"step":"face","normal":[)", step.normal.x, ",", step.normal.y, ",", step.normal.z,
             R"(],"view":[)", step.view.x, ",", step.view.y, ",", step.view.z, R"(],"dot":)",
-            step.dot);
+            Deciding{step.dot});
         if (step.cosine)
             put(R"(,"cosine":)", *step.cosine);
         else
@@ -183,7 +202,7 @@ public:
         begin_line(StepKind::light);
         put(R"({"step":"light","normal":[)", step.normal.x, ",", step.normal.y, ",", step.normal.z,
             R"(],"light":[)", step.light.x, ",", step.light.y, ",", step.light.z, R"(],"dot":)",
-            step.dot, R"(,"intensity":)", step.intensity, R"(,"color":")",
+            Deciding{step.dot}, R"(,"intensity":)", step.intensity, R"(,"color":")",
             std::string_view(to_text(step.color)), "\"}");
     }
 
@@ -191,13 +210,14 @@ public:
         if (!wants(StepKind::depth) || !is_in_region(step.pixel))
             return;
         begin_line(StepKind::depth);
+        const bool hangs_on_digits = step.stored && round_alike(step.depth, *step.stored);
+        put(R"({"step":"depth","x":)", step.pixel.x, R"(,"y":)", step.pixel.y, R"(,"depth":)",
+            Exactly{step.depth, hangs_on_digits});
         if (step.stored)
-            put(R"({"step":"depth","x":)", step.pixel.x, R"(,"y":)", step.pixel.y, R"(,"depth":)",
-                Exactly{step.depth}, R"(,"stored":)", Exactly{*step.stored}, R"(,"pass":)",
+            put(R"(,"stored":)", Exactly{*step.stored, hangs_on_digits}, R"(,"pass":)",
                 word(step.passes), "}");
         else
-            put(R"({"step":"depth","x":)", step.pixel.x, R"(,"y":)", step.pixel.y, R"(,"depth":)",
-                Exactly{step.depth}, R"(,"stored":null,"pass":)", word(step.passes), "}");
+            put(R"(,"stored":null,"pass":)", word(step.passes), "}");
     }
 
     void operator()(const EdgeSetUp<Quantity>& step) {
@@ -215,8 +235,8 @@ public:
         if (!wants(StepKind::edge))
             return;
         begin_line(StepKind::edge);
-        put(R"({"step":"edge","edge":)", label(step.edge), R"(,"a":)", step.a, R"(,"b":)", step.b,
-            R"(,"c":)", step.c, R"(,"top_left":)", word(step.is_top_left), "}");
+        put(R"({"step":"edge","edge":)", label(step.edge), R"(,"a":)", Exactly{step.a}, R"(,"b":)",
+            Exactly{step.b}, R"(,"top_left":)", word(step.is_top_left), "}");
     }
 
     void operator()(const LineSampled<Quantity>& step) {
@@ -224,7 +244,7 @@ public:
             return;
         begin_line(StepKind::along);
         put(R"({"step":"along",")", std::string_view(step.is_x_major ? "x" : "y"), R"(":)", step.at,
-            R"(,"value":)", step.value, R"(,"pixel":)", step.pixel, "}");
+            R"(,"value":)", Deciding{step.value}, R"(,"pixel":)", step.pixel, "}");
     }
 
     void operator()(const SampleTested<Quantity>& step) {
@@ -232,17 +252,17 @@ public:
             return;
         begin_line(StepKind::sample);
         put(R"({"step":"sample","x":)", step.pixel.x, R"(,"y":)", step.pixel.y, R"(,"weights":[)",
-            step.weights[0], ",", step.weights[1], ",", step.weights[2], R"(],"inside":)",
-            word(step.is_inside), "}");
+            Deciding{step.weights[0]}, ",", Deciding{step.weights[1]}, ",",
+            Deciding{step.weights[2]}, R"(],"inside":)", word(step.is_inside), "}");
     }
 
     void operator()(const ScanlineSpanned<Quantity>& step) {
         if (!wants(StepKind::scanline) || !is_in_region(step.y, step.from, step.to))
             return;
         begin_line(StepKind::scanline);
-        put(R"({"step":"scanline","y":)", step.y, R"(,"left":)", step.left, R"(,"right":)",
-            step.right, R"(,"from":)", step.from, R"(,"to":)", step.to, R"(,"left_edge":)",
-            label(step.left_edge), R"(,"right_edge":)", label(step.right_edge));
+        put(R"({"step":"scanline","y":)", step.y, R"(,"left":)", Deciding{step.left},
+            R"(,"right":)", Deciding{step.right}, R"(,"from":)", step.from, R"(,"to":)", step.to,
+            R"(,"left_edge":)", label(step.left_edge), R"(,"right_edge":)", label(step.right_edge));
         if (step.left_depth && step.right_depth)
             put(R"(,"left_depth":)", *step.left_depth, R"(,"right_depth":)", *step.right_depth);
         put("}");
@@ -333,6 +353,13 @@ private:
         put("]");
     }
 
+    /// True for two different fractions with one nearest double.
+    static bool round_alike(const Quantity& a, const Quantity& b) {
+        const Rational* const x = a.rational();
+        const Rational* const y = b.rational();
+        return x && y && to_double(a) == to_double(b) && *x != *y;
+    }
+
     void put_colored_pixel(const PixelPlotted& step);
 
     /// The quoted name of an edge of the current primitive.
@@ -365,6 +392,9 @@ private:
     template <typename Number> std::size_t size_of(const Exactly<Number>& told) const {
         return size_of(told.number);
     }
+    template <typename Number> std::size_t size_of(const Deciding<Number>& told) const {
+        return size_of(told.number);
+    }
     std::size_t size_of(const Rational& number) const { return room_for(number) + room_for(0.0); }
 
     template <std::size_t size> static char* append(char* out, const char (&literal)[size]) {
@@ -394,7 +424,9 @@ private:
         return append(out, told.number);
     }
     char* append(char* out, const Exactly<Quantity>& told) const {
-        return told.number.visit([&](const auto& value) { return append(out, Exactly{value}); });
+        return told.number.visit([&](const auto& value) {
+            return append(out, Exactly{value, told.however_long});
+        });
     }
     template <typename Integer>
     char* append(char* out, const Exactly<Fraction<Integer>>& told) const {
@@ -402,7 +434,24 @@ private:
                                                 : format_number(out, told.number);
     }
     char* append(char* out, const Exactly<Rational>& told) const {
-        return numbers_ == NumberStyle::doubles ? format_exactly(out, told.number)
+        return numbers_ == NumberStyle::doubles
+                   ? format_exactly(out, told.number, told.however_long)
+                   : format_number(out, told.number);
+    }
+
+    char* append(char* out, const Deciding<Quantity>& told) const {
+        return told.number.visit([&](const auto& value) { return append(out, Deciding{value}); });
+    }
+    template <typename Number> char* append(char* out, const Deciding<Number>& told) const {
+        return append(out, told.number);
+    }
+    template <typename Integer>
+    char* append(char* out, const Deciding<Fraction<Integer>>& told) const {
+        return numbers_ == NumberStyle::doubles ? format_deciding(out, told.number)
+                                                : format_number(out, told.number);
+    }
+    char* append(char* out, const Deciding<Rational>& told) const {
+        return numbers_ == NumberStyle::doubles ? format_deciding(out, told.number)
                                                 : format_number(out, told.number);
     }
 

@@ -1,0 +1,824 @@
+// SPDX-License-Identifier: MIT
+// What is told is what decided: whoever does a step's arithmetic again, from the numbers in the trace and
+// in the scalar that its header names, gets the decision written there. docs/trace-format.md, "Doing it
+// again", says which numbers decide what, and in which order they are added and multiplied.
+
+#include "random_scene.h"
+
+#include <rastertrace/core/plan.h>
+#include <rastertrace/trace/color_text.h>
+#include <rastertrace/trace/scene_file.h>
+#include <rastertrace/trace/trace.h>
+#include <rastertrace/trace/write_trace.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <optional>
+#include <random>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace rastertrace {
+namespace {
+
+/// A number of a trace, exactly: of a fraction or a whole number all digits, else the double.
+Rational exactly(const std::string& text) {
+    if (text.find_first_of(".e") != std::string::npos)
+        return Rational(std::strtod(text.c_str(), nullptr));
+    Rational number(text);
+    number.canonicalize();
+    return number;
+}
+
+/// The same in the numbers that a scene is drawn with.
+template <typename Real> Real number_of(const std::string& text) {
+    if constexpr (std::same_as<Real, float>)
+        return std::strtof(text.c_str(), nullptr);
+    else if constexpr (std::same_as<Real, double>)
+        return text.find('/') == std::string::npos ? std::strtod(text.c_str(), nullptr)
+                                                   : nearest_double(exactly(text));
+    else
+        return exactly(text);
+}
+template <typename Real> std::vector<Real> numbers_of(const std::vector<std::string>& texts) {
+    std::vector<Real> numbers;
+    for (const std::string& text : texts)
+        numbers.push_back(number_of<Real>(text));
+    return numbers;
+}
+Rational exactly(double number) {
+    return Rational(number);
+}
+Rational exactly(const Rational& number) {
+    return number;
+}
+
+/// A whole number, not rounded: a canvas is small.
+template <typename Real> Real whole(Index index) {
+    if constexpr (std::floating_point<Real>)
+        return static_cast<Real>(index);
+    else
+        return Rational(static_cast<long>(index));
+}
+
+/// A number rounded by a rule, without a rounding of its own.
+Index floor_of(const Rational& number) {
+    mpz_class whole;
+    mpz_fdiv_q(whole.get_mpz_t(), number.get_num_mpz_t(), number.get_den_mpz_t());
+    const mpz_class farthest(static_cast<long>(farthest_index));
+    if (whole > farthest)
+        return farthest_index;
+    return whole < -farthest ? -farthest_index : whole.get_si();
+}
+Index ceil_of(const Rational& number) {
+    return -floor_of(-number);
+}
+Index nearest_of(const Rational& number, Ties ties) {
+    const Index down = ceil_of(number - Rational(1, 2));
+    const Index up = floor_of(number + Rational(1, 2));
+    if (down == up)
+        return down;
+    switch (ties) {
+    case Ties::start:
+        return down;
+    case Ties::up:
+        return up;
+    case Ties::away:
+        return number < 0 ? down : up;
+    case Ties::even:
+        break;
+    }
+    return down % 2 == 0 ? down : up;
+}
+Index pixel_of(const Rational& number, const SpanRounding& rule, bool is_last) {
+    switch (rule.rounding) {
+    case Rounding::floor:
+        return floor_of(number);
+    case Rounding::nearest:
+        return nearest_of(number, rule.ties);
+    case Rounding::truncate:
+        return number < 0 ? ceil_of(number) : floor_of(number);
+    case Rounding::inside:
+        break;
+    }
+    return is_last ? floor_of(number) : ceil_of(number);
+}
+
+/// Reads a trace step by step and decides again. Real is the scene's scalar, Depth that of its depths.
+/// `knows_all` is false for `adaptive`: there numbers on which nothing hangs are rounded.
+template <typename Real, typename Depth, bool knows_all> class Redo {
+public:
+    Redo(const Scene& scene, const Trace& trace)
+        : scene_(scene), method_(scene.method), trace_(trace),
+          offset_(number_of<Real>(sample_of(scene.method) == Sample::center ? "1/2" : "0")),
+          canvas_(scene.canvas) {
+        if constexpr (std::floating_point<Real>)
+            offset_ = sample_of(scene.method) == Sample::center ? Real(0.5) : Real(0);
+    }
+
+    /// How many decisions of each kind were taken again.
+    std::map<std::string, int> run() {
+        for (std::size_t n = 1; n <= trace_.size(); ++n) {
+            const StepView step = trace_.step(n);
+            where_ = std::string(step.json());
+            redo(step);
+        }
+        return counts_;
+    }
+
+private:
+    using At = std::array<Real, 2>;
+    struct Ends {
+        std::size_t from;
+        std::size_t to;
+    };
+
+    template <typename A, typename B>
+    void expect(const A& redone, const B& told, const char* what) {
+        ++counts_[what];
+        if (!(redone == told))
+            ADD_FAILURE() << what << ": done again it is another one\n"
+                          << where_ << "\n"
+                          << primitive_;
+    }
+
+    void redo(const StepView& step) {
+        const std::string kind = step.kind_name();
+        if (kind == "vertex")
+            redo_vertex(step);
+        else if (kind == "order")
+            redo_order(step);
+        else if (kind == "face")
+            redo_face(step);
+        else if (kind == "light")
+            redo_light(step);
+        else if (kind == "primitive")
+            begin(step);
+        else if (kind == "edge")
+            redo_edge(step);
+        else if (kind == "half")
+            walks_.clear();
+        else if (kind == "scanline")
+            redo_scanline(step);
+        else if (kind == "along")
+            redo_along(step);
+        else if (kind == "decide")
+            expect(straight(step.text("move")), *step.whole("d") <= 0, "decide");
+        else if (kind == "sample")
+            redo_sample(step);
+        else if (kind == "depth")
+            redo_depth(step);
+        else if (kind == "pixel")
+            redo_pixel(step);
+        else if (kind == "skip" && step.text("why") == "zero area")
+            redo_zero_area();
+    }
+
+    static bool straight(const std::string& move) { return move.size() == 1; }
+
+    void redo_vertex(const StepView& step) {
+        if (step.text("space") == "clip")
+            w_[step.text("name")] = number_of<Depth>(step.texts("at").at(3));
+        if (!step.field("snapped"))
+            return;
+        const auto at = step.texts("at");
+        const auto snapped = step.texts("snapped");
+        for (std::size_t i = 0; i < 2; ++i) {
+            const Rational x = exactly(number_of<Real>(at[i]));
+            const Index index = method_.snap == Snap::nearest
+                                    ? nearest_of(x, method_.ties.value_or(Ties::up))
+                                : method_.snap == Snap::floor || x > 0 ? floor_of(x)
+                                                                       : ceil_of(x);
+            expect(whole<Real>(index), number_of<Real>(snapped[i]), "snap");
+        }
+    }
+
+    void redo_order(const StepView& step) {
+        const auto distances = numbers_of<Real>(step.texts("distances"));
+        expect(std::is_sorted(distances.rbegin(), distances.rend()), true, "order");
+    }
+
+    template <typename Number>
+    static Number dot(const std::vector<Number>& a, const std::vector<Number>& b) {
+        return Number(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
+    }
+
+    /// The product of the normal and `other`, as the face is worked out: `fixed` does that in doubles,
+    /// unless nothing moves the vertices.
+    void redo_product(const StepView& step, std::string_view other) {
+        const auto again = [&]<typename Number>(Number) {
+            expect(dot(numbers_of<Number>(step.texts("normal")),
+                       numbers_of<Number>(step.texts(other))),
+                   number_of<Number>(step.text("dot")), "dot");
+        };
+        if (step.field("dot")->starts_with('"'))
+            again(Rational());
+        else if (knows_all)
+            again(Depth());
+    }
+
+    void redo_face(const StepView& step) {
+        redo_product(step, "view");
+        const int sign = sgn(exactly(step.text("dot")));
+        const Cull cull = method_.cull;
+        const bool is_culled = cull == Cull::both || (cull == Cull::front ? sign >= 0 : sign <= 0);
+        expect(is_culled, step.text("culled") == "true", "face");
+    }
+
+    void redo_light(const StepView& step) {
+        redo_product(step, "light");
+        if (sgn(exactly(step.text("dot"))) <= 0)
+            expect(step.text("intensity"), "0", "light");
+    }
+
+    void begin(const StepView& step) {
+        primitive_ = std::string(step.json());
+        kind_ = step.text("kind");
+        has_long_numbers_ = step.field("within").has_value();
+        names_ = step.texts("vertices");
+        at_.clear();
+        for (const auto& row : step.text_rows("at"))
+            at_.push_back({number_of<Real>(row[0]), number_of<Real>(row[1])});
+        depths_ = numbers_of<Depth>(step.texts("depths"));
+        color_ = *parse_color(step.text("color"));
+        colors_.clear();
+        for (const std::string& color : step.texts("colors"))
+            colors_.push_back(*parse_color(color));
+        edges_.clear();
+        functions_.clear();
+        walks_.clear();
+        row_.reset();
+        side_ = {0, 1};
+        along_before_.reset();
+        weights_.clear();
+    }
+
+    std::optional<Ends> ends_of(const std::string& name) const {
+        const std::vector<std::string_view> views(names_.begin(), names_.end());
+        const std::string separator(name_separator(views));
+        for (std::size_t from = 0; from < names_.size(); ++from)
+            for (std::size_t to = 0; to < names_.size(); ++to)
+                if (from != to && names_[from] + separator + names_[to] == name)
+                    return Ends{from, to};
+        return std::nullopt;
+    }
+
+    /// a (x - x1) + b (y - y1).
+    struct Function {
+        At from;
+        Real a;
+        Real b;
+        bool is_top_left;
+        bool admits(const Real& x, const Real& y) const {
+            const Real value = a * (x - from[0]) + b * (y - from[1]);
+            return is_top_left ? !(value < Real(0)) : Real(0) < value;
+        }
+    };
+
+    void redo_edge(const StepView& step) {
+        const std::string name = step.text("edge");
+        const Ends ends = *ends_of(name);
+        const At& p = at_[ends.from];
+        const At& q = at_[ends.to];
+        if (step.field("octant")) {
+            side_ = ends;
+            along_before_.reset();
+            return;
+        }
+        if (step.field("a")) {
+            const Function f{p, number_of<Real>(step.text("a")), number_of<Real>(step.text("b")),
+                             step.text("top_left") == "true"};
+            if (knows_all) {
+                const bool is_turned = f.a != Real(p[1] - q[1]) || f.b != Real(q[0] - p[0]);
+                expect(Real(is_turned ? q[1] - p[1] : p[1] - q[1]), f.a, "edge: a");
+                expect(Real(is_turned ? p[0] - q[0] : q[0] - p[0]), f.b, "edge: b");
+            }
+            const bool is_top = f.a == Real(0) && Real(0) < Real(f.b * Real(canvas_.down()));
+            expect(Real(0) < f.a || is_top, f.is_top_left, "edge: top_left");
+            functions_[name] = f;
+            return;
+        }
+        if (step.text("dx_dy") == "null") {
+            expect(p[1] == q[1], true, "edge: horizontal");
+            return;
+        }
+        const auto slope = number_of<Real>(step.text("dx_dy"));
+        if (knows_all)
+            expect(Real((q[0] - p[0]) / (q[1] - p[1])), slope, "edge: dx_dy");
+        edges_[name] = slope;
+    }
+
+    /// x of an edge on row y.
+    Real x_of(const std::string& edge, Index y) {
+        const Ends ends = *ends_of(edge);
+        const auto slope = edges_.find(edge);
+        if (slope == edges_.end())
+            return at_[ends.from][0];
+        const auto before = walks_.find(edge);
+        Real x = at_[ends.from][0] + slope->second * (whole<Real>(y) - at_[ends.from][1]);
+        if (method_.lerp == LerpForm::incremental && before != walks_.end())
+            x = y > before->second.first ? Real(before->second.second + slope->second)
+                                         : Real(before->second.second - slope->second);
+        walks_[edge] = {y, x};
+        return x;
+    }
+
+    struct Row {
+        Index y;
+        Index from;
+        Index to;
+        Real left;
+        Real right;
+        std::optional<Depth> left_depth;
+        std::optional<Depth> right_depth;
+    };
+
+    void redo_scanline(const StepView& step) {
+        Row row{*step.whole("y"),
+                *step.whole("from"),
+                *step.whole("to"),
+                number_of<Real>(step.text("left")),
+                number_of<Real>(step.text("right")),
+                {},
+                {}};
+        const std::string left_edge = step.text("left_edge");
+        const std::string right_edge = step.text("right_edge");
+        if (method_.fill == Fill::top_left) {
+            redo_top_left(row, left_edge, right_edge);
+        } else {
+            if (knows_all) {
+                expect(x_of(left_edge, row.y), row.left, "scanline: left");
+                expect(x_of(right_edge, row.y), row.right, "scanline: right");
+            }
+            const SpanRounding rule = span_rounding(method_);
+            expect(pixel_of(exactly(row.left), rule, false), row.from, "scanline: from");
+            expect(pixel_of(exactly(row.right), rule, true), row.to, "scanline: to");
+            if (step.field("left_depth")) {
+                row.left_depth = number_of<Depth>(step.text("left_depth"));
+                row.right_depth = number_of<Depth>(step.text("right_depth"));
+                if (knows_all) {
+                    expect(depth_on(left_edge, row.y), *row.left_depth, "scanline: left_depth");
+                    expect(depth_on(right_edge, row.y), *row.right_depth, "scanline: right_depth");
+                }
+            }
+        }
+        row_ = row;
+    }
+
+    /// The samples between two edges are those that both admit.
+    void redo_top_left(const Row& row, const std::string& left_edge,
+                       const std::string& right_edge) {
+        const Function& left = functions_.at(left_edge);
+        const Function& right = functions_.at(right_edge);
+        const Real y = whole<Real>(row.y) + offset_;
+        for (int column = canvas_.left(); column <= canvas_.right() && !has_long_numbers_;
+             ++column) {
+            const Real x = Real(column) + offset_;
+            expect(left.admits(x, y), row.from <= column, "scanline: left admits");
+            expect(right.admits(x, y), column <= row.to, "scanline: right admits");
+        }
+        if (std::floating_point<Real>)
+            return;
+        expect(ceil_of(exactly(row.left) - exactly(offset_)), row.from, "scanline: from");
+        expect(ceil_of(exactly(row.right) - exactly(offset_)) - 1, row.to, "scanline: to");
+    }
+
+    static Depth depth_number(const Real& x) {
+        if constexpr (std::same_as<Real, Depth>)
+            return x;
+        else
+            return nearest_double(x);
+    }
+
+    Depth depth_on(const std::string& edge, Index y) const {
+        const auto [from, to] = *ends_of(edge);
+        const Depth y1 = depth_number(at_[from][1]);
+        const Depth height = depth_number(at_[to][1]) - y1;
+        if (height == Depth(0))
+            return depths_[from];
+        const Depth rise = depths_[to] - depths_[from];
+        return Depth(depths_[from] + rise * (whole<Depth>(y) - y1) / height);
+    }
+
+    static Depth finite_or_zero(const Depth& slope) {
+        if constexpr (std::floating_point<Depth>)
+            return std::isfinite(slope) ? slope : Depth(0);
+        else
+            return slope;
+    }
+
+    /// The depth of the primitive in a pixel, as its fill finds it.
+    Depth depth_at(Index column, Index y) const {
+        const Depth x = whole<Depth>(column);
+        if (row_ && row_->left_depth) {
+            const Depth left = depth_number(row_->left);
+            const Depth right = depth_number(row_->right);
+            const Depth width = right - left;
+            if (!(Depth(0) < width))
+                return *row_->left_depth;
+            const Depth slope =
+                finite_or_zero(Depth((*row_->right_depth - *row_->left_depth) / width));
+            return Depth(*row_->left_depth + slope * (std::clamp(x, left, right) - left));
+        }
+        const Depth ab = depths_[1] - depths_[0];
+        const Depth ac = depths_[2] - depths_[0];
+        if (!weights_.empty())
+            return Depth(depths_[0] + depth_number(weights_[1]) * ab +
+                         depth_number(weights_[2]) * ac);
+        std::array<std::array<Depth, 2>, 3> p;
+        for (std::size_t i = 0; i < 3; ++i)
+            p[i] = {depth_number(at_[i][0]), depth_number(at_[i][1])};
+        const Depth abx = p[1][0] - p[0][0];
+        const Depth aby = p[1][1] - p[0][1];
+        const Depth acx = p[2][0] - p[0][0];
+        const Depth acy = p[2][1] - p[0][1];
+        const Depth area2 = abx * acy - acx * aby;
+        if (area2 == Depth(0))
+            return depths_[0];
+        const Depth along_x = finite_or_zero(Depth((ab * acy - ac * aby) / area2));
+        const Depth along_y = finite_or_zero(Depth((ac * abx - ab * acx) / area2));
+        const Depth offset = depth_number(offset_);
+        const Depth x0 = p[0][0] - offset;
+        const Depth y0 = p[0][1] - offset;
+        const Depth on_row = depths_[0] + along_y * (whole<Depth>(y) - y0);
+        return Depth(on_row + along_x * (x - x0));
+    }
+
+    bool larger_passes() const {
+        if (method_.depth_compare != DepthCompare::automatic)
+            return method_.depth_compare == DepthCompare::greater;
+        const Depth_ depth = scene_.depth();
+        return depth == Depth_::inverse_z ||
+               (depth == Depth_::ndc_z && scene_.projection.type == ProjectionType::view_plane);
+    }
+
+    void redo_depth(const StepView& step) {
+        const Index x = *step.whole("x");
+        const Index y = *step.whole("y");
+        const auto depth = number_of<Depth>(step.text("depth"));
+        const bool passes = step.text("pass") == "true";
+        if (knows_all)
+            expect(depth_at(x, y), depth, "depth: depth");
+        const std::string stored = step.text("stored");
+        if (stored == "null") {
+            expect(true, passes, "depth");
+        } else {
+            const auto other = number_of<Depth>(stored);
+            expect(larger_passes() ? other < depth : depth < other, passes, "depth");
+        }
+        const auto before = stored_.find({x, y});
+        if (knows_all && before != stored_.end())
+            expect(before->second, stored, "depth: stored");
+        if (passes)
+            stored_[{x, y}] = step.text("depth");
+        else
+            stored_[{x, y}] = stored;
+    }
+
+    void redo_along(const StepView& step) {
+        const bool is_x_major = step.field("x").has_value();
+        const std::size_t along = is_x_major ? 0 : 1;
+        const std::size_t across = 1 - along;
+        At from = at_[side_.from];
+        At to = at_[side_.to];
+        const auto nearest = [](const At& p, std::size_t i) {
+            return nearest_of(exactly(p[i]), Ties::up);
+        };
+        const Index columns = nearest(to, 0) - nearest(from, 0);
+        const Index rows = nearest(to, 1) - nearest(from, 1);
+        if (method_.from == LineStart::low &&
+            (std::abs(columns) >= std::abs(rows) ? columns < 0 : rows < 0))
+            std::swap(from, to);
+
+        const Index at = *step.whole(is_x_major ? "x" : "y");
+        const auto value = number_of<Real>(step.text("value"));
+        if (knows_all) {
+            const Real run = to[along] - from[along];
+            const Real m = run == Real(0) ? Real(0) : Real((to[across] - from[across]) / run);
+            Real redone = method_.line == LineMethod::naive
+                              ? Real(m * whole<Real>(at) + (from[across] - m * from[along]))
+                              : Real(from[across] + m * (whole<Real>(at) - from[along]));
+            if (method_.line == LineMethod::dda && along_before_)
+                redone = at > along_before_->first ? Real(along_before_->second + m)
+                                                   : Real(along_before_->second - m);
+            expect(redone, value, "along: value");
+        }
+        along_before_ = {at, value};
+        if (has_long_numbers_ && from[across] == to[across])
+            return; // whether it rises or falls is in digits that are not told
+        SpanRounding rule = line_rounding(method_);
+        if (rule.rounding == Rounding::nearest && rule.ties == Ties::start &&
+            to[across] < from[across])
+            rule.ties = Ties::up;
+        expect(pixel_of(exactly(value), rule, false), *step.whole("pixel"), "along");
+    }
+
+    Real area2() const {
+        const Real abx = at_[1][0] - at_[0][0];
+        const Real aby = at_[1][1] - at_[0][1];
+        const Real acx = at_[2][0] - at_[0][0];
+        const Real acy = at_[2][1] - at_[0][1];
+        return Real(abx * acy - acx * aby);
+    }
+
+    /// The weights of the corners in a pixel's sample.
+    std::vector<Real> weights_in(Index column, Index row) const {
+        const Real abx = at_[1][0] - at_[0][0];
+        const Real aby = at_[1][1] - at_[0][1];
+        const Real acx = at_[2][0] - at_[0][0];
+        const Real acy = at_[2][1] - at_[0][1];
+        const Real all = area2();
+        const Real pax = at_[0][0] - (whole<Real>(column) + offset_);
+        const Real pay = at_[0][1] - (whole<Real>(row) + offset_);
+        const Real b = acx * pay - pax * acy;
+        const Real c = pax * aby - abx * pay;
+        const Real a = all - b - c;
+        return {Real(a / all), Real(b / all), Real(c / all)};
+    }
+
+    void redo_sample(const StepView& step) {
+        weights_ = numbers_of<Real>(step.texts("weights"));
+        if (knows_all)
+            expect(weights_in(*step.whole("x"), *step.whole("y")), weights_, "sample: weights");
+        const bool has_negative = std::any_of(weights_.begin(), weights_.end(),
+                                              [](const Real& weight) { return weight < Real(0); });
+        expect(!has_negative, step.text("inside") == "true", "sample");
+    }
+
+    void redo_zero_area() {
+        if (at_.size() != 3 || has_long_numbers_ || scene_.tests_faces()) // those have a normal
+            return;
+        if (method_.fill == Fill::barycentric)
+            expect(area2(), Real(0), "skip");
+        if (method_.fill == Fill::top_left) {
+            // The edge function of the upper and the lower corner in the middle one.
+            std::array<At, 3> p{at_[0], at_[1], at_[2]};
+            std::sort(p.begin(), p.end(), [this](const At& a, const At& b) {
+                if (a[1] != b[1])
+                    return (canvas_.down() > 0) == (a[1] < b[1]);
+                return a[0] < b[0];
+            });
+            const Function f{p[0], p[0][1] - p[2][1], p[2][0] - p[0][0], true};
+            const bool is_on_it =
+                f.admits(p[1][0], p[1][1]) &&
+                Function{f.from, Real(-f.a), Real(-f.b), true}.admits(p[1][0], p[1][1]);
+            expect(is_on_it, true, "skip");
+        }
+    }
+
+    void redo_pixel(const StepView& step) {
+        const Index x = *step.whole("x");
+        const Index y = *step.whole("y");
+        if (row_) {
+            expect(row_->y == y && row_->from <= x && x <= row_->to, true, "pixel: in its row");
+        }
+        if (kind_ != "triangle" || method_.fill == Fill::fan || at_.size() != 3)
+            return;
+        const Color told = step.field("color") ? *parse_color(step.text("color")) : color_;
+        if (has_long_numbers_)
+            return;
+        if (colors_.empty()) {
+            expect(told, color_, "pixel: color");
+        } else if (colors_[0] == colors_[1] && colors_[0] == colors_[2]) {
+            expect(told, colors_[0], "pixel: color");
+        } else if (knows_all || !is_in_perspective()) {
+            if (area2() == Real(0))
+                expect(told, color_, "pixel: color");
+            else
+                expect(color_at(x, y), told, "pixel: color");
+        }
+    }
+
+    bool is_in_perspective() const {
+        return std::find(trace_.stages.begin(), trace_.stages.end(), "perspective") !=
+               trace_.stages.end();
+    }
+
+    Color color_at(Index x, Index y) const {
+        const std::vector<Real> weights = weights_in(x, y);
+        if (is_in_perspective()) {
+            std::array<Depth, 3> inverse_w;
+            for (std::size_t i = 0; i < 3; ++i) {
+                const auto known = w_.find(names_[i]);
+                inverse_w[i] = Depth(Depth(1) / (known == w_.end() ? Depth(1) : known->second));
+            }
+            if (inverse_w[0] != inverse_w[1] || inverse_w[0] != inverse_w[2]) {
+                std::vector<Depth> in_space;
+                for (std::size_t i = 0; i < 3; ++i)
+                    in_space.push_back(Depth(depth_number(weights[i]) * inverse_w[i]));
+                const Depth sum = in_space[0] + in_space[1] + in_space[2];
+                if (Depth(0) < sum)
+                    for (Depth& share : in_space)
+                        share = Depth(share / sum);
+                else
+                    for (std::size_t i = 0; i < 3; ++i)
+                        in_space[i] = depth_number(weights[i]);
+                return mixed(in_space);
+            }
+        }
+        return mixed(weights);
+    }
+
+    template <typename Weight> Color mixed(const std::vector<Weight>& weights) const {
+        const auto mix = [&](std::uint8_t (Color::*channel)() const) {
+            const int a = (colors_[0].*channel)();
+            const int b = (colors_[1].*channel)();
+            const int c = (colors_[2].*channel)();
+            if (a == b && a == c)
+                return static_cast<std::uint8_t>(a);
+            const Weight level = Weight(Weight(0) + weights[0] * Weight(a)) +
+                                 weights[1] * Weight(b) + weights[2] * Weight(c);
+            return static_cast<std::uint8_t>(
+                std::clamp<Index>(nearest_of(exactly(level), Ties::up), 0, 255));
+        };
+        return {mix(&Color::red), mix(&Color::green), mix(&Color::blue),
+                std::max<std::uint8_t>(mix(&Color::alpha), 1)};
+    }
+
+    using Depth_ = rastertrace::Depth;
+
+    const Scene& scene_;
+    const Method& method_;
+    const Trace& trace_;
+    Real offset_;
+    Canvas canvas_;
+    std::map<std::string, int> counts_;
+    std::string where_;
+    std::string primitive_;
+    std::string kind_;
+    bool has_long_numbers_ = false; ///< corners are rounded
+    std::vector<std::string> names_;
+    std::vector<At> at_;
+    std::vector<Depth> depths_;
+    Color color_;
+    std::vector<Color> colors_;
+    std::map<std::string, Real> edges_;         ///< dx/dy
+    std::map<std::string, Function> functions_; ///< by the edge's name
+    std::map<std::string, std::pair<Index, Real>>
+        walks_; ///< where an edge was last, and at which row
+    std::optional<Row> row_;
+    Ends side_{};
+    std::optional<std::pair<Index, Real>> along_before_;
+    std::vector<Real> weights_;
+    std::map<std::pair<Index, Index>, std::string> stored_;
+    std::map<std::string, Depth> w_;
+};
+
+/// Draws a scene, decides everything again, and adds up how often.
+void redo(const std::string& json, std::map<std::string, int>& counts) {
+    SCOPED_TRACE(json);
+    const auto read = read_scene({"scene.json", json});
+    if (!read)
+        return; // refused
+    const Scene& scene = read.value().scene;
+    std::string text;
+    StringOutput output(text);
+    write_trace(scene, {}, output);
+    const auto trace = read_trace({"trace.json", std::move(text)});
+    ASSERT_TRUE(trace);
+    std::map<std::string, int> more;
+    switch (scene.method.scalar) {
+    case ScalarKind::single_precision:
+        more = Redo<float, float, true>(scene, trace.value()).run();
+        break;
+    case ScalarKind::double_precision:
+        more = Redo<double, double, true>(scene, trace.value()).run();
+        break;
+    case ScalarKind::fixed:
+        // Depths are doubles beside fractions of 64 or 128 bits.
+        if (plan_for(scene).number == NumberType::rational)
+            more = Redo<Rational, Rational, true>(scene, trace.value()).run();
+        else
+            more = Redo<Rational, double, true>(scene, trace.value()).run();
+        break;
+    case ScalarKind::exact:
+        more = Redo<Rational, Rational, true>(scene, trace.value()).run();
+        break;
+    case ScalarKind::adaptive:
+        more = Redo<Rational, Rational, false>(scene, trace.value()).run();
+        break;
+    }
+    for (const auto& [what, count] : more)
+        counts[what] += count;
+}
+
+TEST(Redo, EveryDecisionOfRandomScenes) {
+    std::map<std::string, int> counts;
+    for (std::uint64_t seed = 1; seed <= 1500 && !testing::Test::HasFailure(); ++seed)
+        redo(RandomScene(seed).text(), counts);
+    // None of the kinds was missed.
+    for (const char* const kind : {"snap",
+                                   "order",
+                                   "face",
+                                   "dot",
+                                   "edge: a",
+                                   "edge: b",
+                                   "edge: top_left",
+                                   "edge: dx_dy",
+                                   "scanline: left",
+                                   "scanline: right",
+                                   "scanline: from",
+                                   "scanline: to",
+                                   "scanline: left_depth",
+                                   "scanline: left admits",
+                                   "scanline: right admits",
+                                   "along",
+                                   "along: value",
+                                   "decide",
+                                   "sample",
+                                   "sample: weights",
+                                   "depth",
+                                   "depth: depth",
+                                   "depth: stored",
+                                   "pixel: color",
+                                   "pixel: in its row"})
+        EXPECT_GT(counts[kind], 20) << kind;
+}
+
+/// Triangles and lines whose corners lie on samples and rows, or next to them: so near that no double, or
+/// no fraction of 200 digits, is there.
+std::string scene_near_ties(std::uint64_t seed) {
+    std::mt19937_64 random(seed);
+    const auto pick = [&random](auto... values) {
+        const std::array all{std::string(values)...};
+        return all[random() % all.size()];
+    };
+    const std::string digits = pick("17", "30", "120", "250");
+    const std::string scale = pick("", "", "000000000000000"); // 1e15
+    const auto number = [&] {
+        // Halves, and a unit of the last digit more or less.
+        const auto halves = static_cast<int>(random() % 25) - 1;
+        const std::string zeros(std::stoul(digits), '0');
+        const mpz_class above = mpz_class(std::to_string(halves) + scale + zeros) +
+                                mpz_class(pick("0", "0", "1", "-1"));
+        return '"' + above.get_str() + "/2" + zeros + '"';
+    };
+    std::string text = R"({"canvas":{"width":12,"height":12,"origin":")" +
+                       pick("top-left", "bottom-left") + R"("},"vertices":{)";
+    for (const char* const name : {"A", "B", "C", "D"})
+        text += std::string(name == std::string_view("A") ? "" : ",") + '"' + name + R"(":[)" +
+                number() + ',' + number() + ',' + number() + ']';
+    return text + R"(},"triangles":["ABC","ABD"],"lines":["AB","CD"],"colors":{"A":"red"},)" +
+           R"("method":{"scalar":")" + pick("float", "double", "fixed", "adaptive", "exact") +
+           R"(","fill":")" + pick("scanline", "two-halves", "barycentric", "top-left", "top-left") +
+           R"(","line":")" + pick("naive", "dda") + R"(","depth":")" + pick("none", "linear-z") +
+           R"(","rounding":")" + pick("floor", "nearest", "truncate", "inside") + R"(","lerp":")" +
+           pick("direct", "incremental") + R"(","sample":")" + pick("integer", "center") + R"("}})";
+}
+
+TEST(Redo, PixelsThatTheEdgeFunctionsOnceContradicted) {
+    // In doubles, pixel (5, 2) lies on the right edge or next to it.
+    std::map<std::string, int> counts;
+    redo(R"({"canvas":{"width":8,"height":6,"origin":"top-left"},
+             "vertices":{"A":[0.4,3.9],"B":[4.0,0.5],"C":[6.7,4.1]},"triangles":["ABC"],
+             "method":{"fill":"top-left","scalar":"double"}})",
+         counts);
+    EXPECT_GT(counts["scanline: left admits"], 20);
+}
+
+TEST(Redo, AdaptiveWritesTheFractionThatDecides) {
+    // A lies just left of 3, by so much that its nearest double is 3.
+    const auto steps_with = [](const std::string& x, const std::string& kind) {
+        const auto read = read_scene({"s.json",
+                                      R"({"canvas":{"width":8,"height":4,"origin":"top-left"},
+                "vertices":{"A":[")" + x + R"(",0],"B":[6,0],"C":[6,3]},"triangles":["ABC"],
+                "method":{"scalar":"adaptive"}})"});
+        std::string text;
+        StringOutput output(text);
+        write_trace(read.value().scene, {}, output);
+        const std::size_t begin = text.find(R"({"step":")" + kind + '"');
+        return text.substr(begin, text.find('\n', begin) - begin);
+    };
+    EXPECT_THAT(
+        steps_with("2.9999999999999999999", "scanline"),
+        testing::HasSubstr(R"("left":"29999999999999999999/10000000000000000000","right":6,)"
+                           R"("from":2,"to":6)"));
+    // Of 1,000 digits: a bound that decides the same.
+    const std::string long_step =
+        steps_with("2." + std::string(19, '9') + std::string(981, '7'), "scanline");
+    EXPECT_THAT(long_step, testing::HasSubstr(R"("from":2,"to":6)"));
+    const StepView step(long_step);
+    const Rational left = exactly(step.text("left"));
+    EXPECT_LT(left, Rational(3));
+    EXPECT_GT(left, Rational(3) - Rational(1, 1000000));
+    EXPECT_LT(step.text("left").size(), 60U);
+}
+
+TEST(Redo, EveryDecisionNextToATie) {
+    std::map<std::string, int> counts;
+    for (std::uint64_t seed = 1; seed <= 1500 && !testing::Test::HasFailure(); ++seed)
+        redo(scene_near_ties(seed), counts);
+    for (const char* const kind : {"scanline: from", "scanline: left admits", "along", "sample"})
+        EXPECT_GT(counts[kind], 1000) << kind;
+}
+
+} // namespace
+} // namespace rastertrace
