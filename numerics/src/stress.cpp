@@ -146,7 +146,7 @@ std::span<const StressCase> stress_cases() {
         std::vector<StressCase> all;
         for (auto* const family : {line_cases, scanline_cases, edge_function_cases, depth_cases,
                                    pipeline_cases, stage_cases}) {
-            const std::vector<StressCase> some = family();
+            const std::span<const StressCase> some = family();
             all.insert(all.end(), some.begin(), some.end());
         }
         return all;

@@ -87,9 +87,10 @@ struct StressCase {
     std::string_view id;    ///< L1, S4, ...
     std::string_view title; ///< at most 40 characters
     std::string_view input;
-    std::string_view why;                 ///< it is stiff or extreme
-    std::string_view holds;               ///< what must hold, and what is documented not to
-    std::vector<StressScene> (*scenes)(); ///< none: the case is a computation
+    std::string_view why;   ///< it is stiff or extreme
+    std::string_view holds; ///< what must hold, and what is documented not to
+    /// None: the case is a computation.
+    std::vector<StressScene> (*scenes)() = [] { return std::vector<StressScene>(); };
     void (*run)(StressRows& rows);
 };
 
