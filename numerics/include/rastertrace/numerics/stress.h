@@ -65,7 +65,9 @@ struct StressRow {
 Verdict verdict_of(const StressRow& row);
 bool is_as_documented(const StressRow& row);
 
-/// What was found, in words: "590 rows wrong, at most 0.024 px".
+/// How wrong a wrong row is: "590 rows wrong, at most 0.024 px".
+std::string described_error(const StressRow& row);
+/// What was found, in words: "590 rows wrong, at most 0.024 px; of 3001, first at y=3".
 std::string described(const StressRow& row);
 /// What is documented, in words.
 std::string described(const Documented& documented, const Measured& measured);
