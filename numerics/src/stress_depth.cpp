@@ -77,6 +77,12 @@ std::string scene_of(const std::vector<ColoredTriangle>& triangles, std::string_
                        side, vertices, list, depth);
 }
 
+/// Right to so many rounding units.
+DocumentedOfScalars within_units(double count) {
+    return {{"float", within(count * rounding_unit<float>())},
+            {"double fixed", within(count * rounding_unit<double>())}};
+}
+
 // Z1: an edge with z from 1 to r over two rows.
 
 std::string steep_edge(std::string_view r) {
@@ -91,7 +97,7 @@ std::string steep_edge(std::string_view r) {
 
 /// The depth in the middle of that edge by the core's own interpolation.
 Measured middle_of_edge(std::string_view scalar, const Rational& r, bool is_inverse) {
-    const Scene scene = readable_scene(steep_edge(r.get_str()), {{"scalar", std::string(scalar)}});
+    const Scene scene = readable_scene(steep_edge(r.get_str()), with_scalar_named({}, scalar));
     return with_numbers_of(scene, [&]<typename Scalar>(const Plan& plan) {
         using D = DepthOf<Scalar>;
         const Triangle<Scalar> triangle{{place_of<Scalar>(scene, 0, plan),
@@ -161,7 +167,7 @@ template <typename Real> Measured mixed_depth(double r, int n) {
 
 /// The core's own row, d1 + slope (x - x1): the largest absolute error, over the nearer depth 1.
 Measured depth_row(std::string_view scalar, double r, int n) {
-    const Scene scene = readable_scene(steep_edge("2"), {{"scalar", std::string(scalar)}});
+    const Scene scene = readable_scene(steep_edge("2"), with_scalar_named({}, scalar));
     return with_numbers_of(scene, [&]<typename Scalar>(const Plan&) {
         using D = DepthOf<Scalar>;
         const D one = scalar_from<D>(1);
@@ -450,17 +456,15 @@ void z1_middle_of_edge(StressRows& rows) {
     for (const auto& [r, ratio, largest] :
          {Edge{"10", "3.025", "4.675"}, Edge{"1000", "250.50025", "937.75"},
           Edge{"1000000", "250000.5", "998001"}, Edge{"1000000000", "2.5e8", "999936755"}}) {
-        for (const std::string_view scalar : scalar_names())
-            rows.add(scalar, fmt::format("linear-z, r = {}", r),
-                     middle_of_edge(scalar, Rational(r), false), wrong(1, ratio));
+        rows.add_for_all(fmt::format("linear-z, r = {}", r), {{"all", wrong(1, ratio)}},
+                         [r = Rational(r)](std::string_view scalar) {
+                             return middle_of_edge(scalar, r, false);
+                         });
         // 1/r is rounded, then the difference, the product, the quotient and the sum;
         // the middle is half as large as what is added.
-        for (const std::string_view scalar : scalar_names())
-            rows.add(scalar, fmt::format("inverse-z, r = {}", r),
-                     middle_of_edge(scalar, Rational(r), true),
-                     documented_of({{"float", within(6 * rounding_unit<float>())},
-                                    {"double fixed", within(6 * rounding_unit<double>())}},
-                                   scalar));
+        rows.add_for_all(
+            fmt::format("inverse-z, r = {}", r), within_units(6),
+            [r = Rational(r)](std::string_view scalar) { return middle_of_edge(scalar, r, true); });
         rows.add("exact", fmt::format("linear-z, largest error, r = {}", r),
                  largest_linear_error(Rational(r)), wrong(1, largest));
     }
@@ -495,12 +499,8 @@ void z3_falling_inverse(StressRows& rows) {
                  mixed_depth<float>(r, 1024), within(4 * rounding_unit<float>()));
         rows.add("double", fmt::format("textbook: (1-t)/z0 + t/z1, r = {:g}", r),
                  mixed_depth<double>(r, 1024), within(4 * rounding_unit<double>()));
-        for (const std::string_view scalar : scalar_names())
-            rows.add(scalar, fmt::format("a row of depths, r = {:g}", r),
-                     depth_row(scalar, r, 1024),
-                     documented_of({{"float", within(4 * rounding_unit<float>())},
-                                    {"double fixed", within(4 * rounding_unit<double>())}},
-                                   scalar));
+        rows.add_for_all(fmt::format("a row of depths, r = {:g}", r), within_units(4),
+                         [r](std::string_view scalar) { return depth_row(scalar, r, 1024); });
     }
 }
 
@@ -552,12 +552,13 @@ void z5_codes_of_float(StressRows& rows) {
 /// Z6 attacks every depth at once: each triangle reaches from 1 to a million.
 void z6_deep_pairs(StressRows& rows) {
     const PairReferences references;
-    for (const std::string_view scalar : scalar_names())
-        rows.add(scalar, "inverse-z", references.wrong_by(with_scalar_named(inverse_z, scalar)),
-                 documented_of({{"float", wrong(682)}}, scalar));
-    for (const std::string_view scalar : scalar_names())
-        rows.add(scalar, "linear-z", references.wrong_by(with_scalar_named(linear_z, scalar)),
-                 documented_of({{"float", wrong(2930)}, {"all", wrong(2758)}}, scalar));
+    rows.add_for_all("inverse-z", {{"float", wrong(682)}}, [&](std::string_view scalar) {
+        return references.wrong_by(with_scalar_named(inverse_z, scalar));
+    });
+    rows.add_for_all("linear-z", {{"float", wrong(2930)}, {"all", wrong(2758)}},
+                     [&](std::string_view scalar) {
+                         return references.wrong_by(with_scalar_named(linear_z, scalar));
+                     });
     rows.add("24 bits", "textbook: codes of 1 - n/z", references.wrong_by_codes(), wrong(1562));
 }
 
@@ -641,7 +642,7 @@ void z11_painter_key(StressRows& rows) {
 /// Z12 attacks the first test of a pixel, against the cleared buffer.
 void z12_far_plane(StressRows& rows) {
     for (const std::string_view scalar : scalar_names()) {
-        const MethodOverrides method = {{"scalar", std::string(scalar)}};
+        const MethodOverrides method = with_scalar_named({}, scalar);
         const DepthTests count = depth_tests_of(z12, method);
         rows.add(scalar, "ndc-z, tests that pass",
                  {.wrong = count.passes, .unit = "test", .note = counted(count.tests, "test")},

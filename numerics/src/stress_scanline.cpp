@@ -5,6 +5,7 @@
 #include "stress_rows.h"
 
 #include <rastertrace/core/edge.h>
+#include <rastertrace/numerics/knobs.h>
 #include <rastertrace/trace/output.h>
 #include <rastertrace/trace/write_trace.h>
 
@@ -82,7 +83,7 @@ struct WalkedEdge {
 
     /// With the core's own walk.
     Measured walk(std::string_view scalar, LerpForm form) const {
-        const Scene scene = readable_scene(json(), {{"scalar", std::string(scalar)}});
+        const Scene scene = readable_scene(json(), with_scalar_named({}, scalar));
         return with_numbers_of(scene, [&]<typename Scalar>(const Plan& plan) {
             const Vertex<Scalar> from{place_of<Scalar>(scene, 0, plan), 0};
             const Vertex<Scalar> to{place_of<Scalar>(scene, 1, plan), 1};
@@ -99,25 +100,27 @@ struct WalkedEdge {
         });
     }
 
-    /// Whole numbers of 1/2^bits, the slope truncated and added row after row.
+    /// The fixed-point walk that the report measures: the slope truncated, and added row after row.
     Measured fixed_point(int bits) const {
-        const Index unit = Index{1} << bits;
-        const Index step = dx * unit / dy;
+        const Int128 unit = Int128{1} << bits;
+        FixedPointWalk<Int128> walk({from_x * unit, 0, (from_x + dx) * unit, dy * unit, unit}, 1, 0,
+                                    bits);
         Measured measured{.unit = "row"};
-        Index x = from_x * unit;
-        for (Index y = 0; y <= dy; ++y, x += step)
-            measured.wrong += (x >> bits) == exact_on_row(y) ? 0 : 1;
+        for (Index y = 0; y <= dy; ++y) {
+            walk.step();
+            measured.wrong += walk.pixel() == exact_on_row(y) ? 0 : 1;
+        }
         return measured;
     }
 
     void add_to(StressRows& rows, const DocumentedOfScalars& accumulated,
                 const DocumentedOfScalars& multiplied) const {
-        for (const std::string_view scalar : scalar_names())
-            rows.add(scalar, "incremental, x += dx/dy", walk(scalar, LerpForm::incremental),
-                     documented_of(accumulated, scalar));
-        for (const std::string_view scalar : scalar_names())
-            rows.add(scalar, "direct, x1 + dx/dy (y - y1)", walk(scalar, LerpForm::direct),
-                     documented_of(multiplied, scalar));
+        rows.add_for_all("incremental, x += dx/dy", accumulated, [this](std::string_view scalar) {
+            return walk(scalar, LerpForm::incremental);
+        });
+        rows.add_for_all(
+            "direct, x1 + dx/dy (y - y1)", multiplied,
+            [this](std::string_view scalar) { return walk(scalar, LerpForm::direct); });
     }
 
     /// How far off a product may be: the slope is rounded, then the product, then the sum.
@@ -156,34 +159,25 @@ constexpr std::string_view s3 = R"({
   "method": {"lerp": "incremental"}
 })";
 
-constexpr std::string_view s7 = R"({
-  "canvas": {"width": 64, "height": 64, "origin": "top-left"},
-  "vertices": {"A": [0, 0], "B": [3000000, 1], "C": [-3000000, 1]},
+/// A triangle ABC on a canvas whose origin lies at the top or the bottom.
+std::string triangle_in(int width, int height, std::string_view origin, std::string_view a,
+                        std::string_view b, std::string_view c) {
+    return fmt::format(R"({{
+  "canvas": {{"width": {}, "height": {}, "origin": "{}-left"}},
+  "vertices": {{"A": [{}], "B": [{}], "C": [{}]}},
   "triangles": ["ABC"]
-})";
+}})",
+                       width, height, origin, a, b, c);
+}
 
-constexpr std::string_view s8 = R"({
-  "canvas": {"width": 8, "height": 4, "origin": "bottom-left"},
-  "vertices": {"A": ["1/10", "1/5"], "B": ["53/10", "4/5"], "C": [2, "9/10"]},
-  "triangles": ["ABC"]
-})";
+const std::string s7 = triangle_in(64, 64, "top", "0, 0", "3000000, 1", "-3000000, 1");
+const std::string s8 =
+    triangle_in(8, 4, "bottom", R"("1/10", "1/5")", R"("53/10", "4/5")", R"(2, "9/10")");
 
 /// S9's three triangles, without height, without extent, without area.
-constexpr std::string_view s9_flat = R"({
-  "canvas": {"width": 20, "height": 20, "origin": "bottom-left"},
-  "vertices": {"A": [0, 5], "B": [10, 5], "C": [4, 5]},
-  "triangles": ["ABC"]
-})";
-constexpr std::string_view s9_point = R"({
-  "canvas": {"width": 20, "height": 20, "origin": "bottom-left"},
-  "vertices": {"A": [5, 5], "B": [5, 5], "C": [5, 5]},
-  "triangles": ["ABC"]
-})";
-constexpr std::string_view s9_collinear = R"({
-  "canvas": {"width": 20, "height": 20, "origin": "bottom-left"},
-  "vertices": {"A": [0, 0], "B": [8, 8], "C": [16, 16]},
-  "triangles": ["ABC"]
-})";
+const std::string s9_flat = triangle_in(20, 20, "bottom", "0, 5", "10, 5", "4, 5");
+const std::string s9_point = triangle_in(20, 20, "bottom", "5, 5", "5, 5", "5, 5");
+const std::string s9_collinear = triangle_in(20, 20, "bottom", "0, 0", "8, 8", "16, 16");
 
 /// S10's square: the two halves, and both.
 std::string half_of_square(std::string_view triangles) {
@@ -198,11 +192,7 @@ const char* const upper_half = R"("ABC")";
 const char* const lower_half = R"("ACD")";
 const char* const both_halves = R"({"vertices": "ABC", "color": "red"}, "ACD")";
 
-constexpr std::string_view s11 = R"({
-  "canvas": {"width": 64, "height": 64, "origin": "top-left"},
-  "vertices": {"A": [0, -1e9], "B": [1e9, 1e9], "C": [-1e9, 1e9]},
-  "triangles": ["ABC"]
-})";
+const std::string s11 = triangle_in(64, 64, "top", "0, -1e9", "1e9, 1e9", "-1e9, 1e9");
 
 /// 2^-149 is the smallest float above 0.
 constexpr std::string_view s12 = R"({
@@ -219,12 +209,7 @@ constexpr std::string_view s13 = R"({
 })";
 
 std::string s14(std::string_view x) {
-    return fmt::format(R"({{
-  "canvas": {{"width": 16, "height": 8, "origin": "top-left"}},
-  "vertices": {{"A": [0, 0], "B": [{}, 0], "C": [0, 6]}},
-  "triangles": ["ABC"]
-}})",
-                       x);
+    return triangle_in(16, 8, "top", "0, 0", fmt::format("{}, 0", x), "0, 6");
 }
 
 /// How many pixels both halves of a square draw.
@@ -242,15 +227,13 @@ std::uint64_t drawn_twice(const MethodOverrides& method) {
 /// How many steps of a kind a scene's trace has, with every scalar; at most `most`.
 void add_step_counts(StressRows& rows, std::string_view json, std::string_view label, StepKind kind,
                      std::uint64_t most) {
-    for (const std::string_view scalar : scalar_names()) {
-        const auto trace = trace_in(json, {{"scalar", std::string(scalar)}});
+    rows.add_for_all(label, {}, [&](std::string_view scalar) -> Measured {
+        const auto trace = trace_in(json, with_scalar_named({}, scalar));
         const std::uint64_t count = trace ? count_of(trace.value(), kind) : most + 1;
-        rows.add(scalar, label,
-                 {.wrong = count > most ? count - most : 0,
-                  .unit = "step",
-                  .note = counted(count, "step")},
-                 right());
-    }
+        return {.wrong = count > most ? count - most : 0,
+                .unit = "step",
+                .note = counted(count, "step")};
+    });
 }
 
 /// How many pixels the trace of a scene names, plotted or rejected.
@@ -271,14 +254,6 @@ std::uint64_t pixels_named(const Trace& trace) {
 void s1_worked_example(StressRows& rows) {
     add_row_fills(rows, s1, 49);
     rows.add_pictures(s1, "barycentric", closed, 43);
-    const std::array<double, 2> x{-4, 5};
-    const std::array<double, 2> y{-3, -3};
-    const double slope = (x[1] - x[0]) / (y[1] - y[0]);
-    rows.add("double", "textbook: LERP from B to C",
-             {.wrong = std::isfinite(slope) ? 0u : 1u,
-              .unit = "slope",
-              .note = fmt::format("9/0 = {}", slope)},
-             wrong(1, "", "inf"));
 }
 
 /// S2 attacks the cast to int, which rounds toward 0, where floor is meant.
@@ -343,7 +318,7 @@ void s6_absorbed_step(StressRows& rows) {
 void s7_wide_row(StressRows& rows) {
     add_row_fills(rows, s7, 65);
     for (const std::string_view scalar : scalar_names()) {
-        const auto trace = trace_in(s7, {{"scalar", std::string(scalar)}});
+        const auto trace = trace_in(s7, with_scalar_named({}, scalar));
         rows.expect_same(scalar, "pixels plotted or rejected",
                          trace ? pixels_named(trace.value()) : 0, 6'000'002, "pixel");
     }
@@ -408,17 +383,17 @@ void s12_least_float(StressRows& rows) {
 void s13_minus_zero(StressRows& rows) {
     add_row_fills(rows, s13, 10);
     rows.add_pictures(s13, "top-left", top_left, 3);
-    for (const std::string_view scalar : scalar_names()) {
+    rows.add_for_all("-0 in the trace", {}, [](std::string_view scalar) {
         std::string text;
         StringOutput output(text);
-        write_trace(readable_scene(s13, {{"scalar", std::string(scalar)}}), {}, output);
-        std::uint64_t found = 0;
+        write_trace(readable_scene(s13, with_scalar_named({}, scalar)), {}, output);
+        Measured measured{.unit = "number"};
         for (const std::string_view minus_zero : {"-0,", "-0]", "-0}", "-0\"", "-0.0"})
             for (auto at = text.find(minus_zero); at != std::string::npos;
                  at = text.find(minus_zero, at + 1))
-                ++found;
-        rows.add(scalar, "-0 in the trace", {.wrong = found, .unit = "number"}, right());
-    }
+                ++measured.wrong;
+        return measured;
+    });
 }
 
 /// S14 attacks casts to int of numbers that it does not hold.
@@ -507,9 +482,8 @@ constexpr auto catalogue = std::to_array<StressCase>({
      .holds = "scanline: 11, 1 and 17 pixels; top-left: none, it has no area",
      .scenes =
          [] {
-             return std::vector<StressScene>{{"flat", std::string(s9_flat)},
-                                             {"point", std::string(s9_point)},
-                                             {"collinear", std::string(s9_collinear)}};
+             return std::vector<StressScene>{
+                 {"flat", s9_flat}, {"point", s9_point}, {"collinear", s9_collinear}};
          },
      .run = s9_no_area},
     {.id = "S10",
