@@ -14,8 +14,6 @@
 #include <bit>
 #include <cmath>
 #include <cstdlib>
-#include <initializer_list>
-#include <limits>
 #include <random>
 
 namespace rastertrace {
@@ -201,12 +199,13 @@ struct CodedDepth {
     static mpz_class largest_code(int bits) {
         return (mpz_class(1) << static_cast<unsigned>(bits)) - 1;
     }
-    mpz_class code_of(const Rational& z, int bits) const {
-        const Rational scaled = at(z) * largest_code(bits) + Rational(1, 2);
+    static mpz_class nearest_code(const Rational& depth, int bits) {
+        const Rational scaled = depth * largest_code(bits) + Rational(1, 2);
         mpz_class code;
         mpz_fdiv_q(code.get_mpz_t(), scaled.get_num_mpz_t(), scaled.get_den_mpz_t());
         return code;
     }
+    mpz_class code_of(const Rational& z, int bits) const { return nearest_code(at(z), bits); }
 
     /// How far apart in z two codes lie: 2^-bits over the slope of the depth.
     double width_at(const Rational& z, int bits) const {
@@ -349,11 +348,7 @@ struct PairReferences {
     Measured wrong_by_codes() const {
         Measured measured{.unit = "pixel", .note = fmt::format("of {}", drawn)};
         const auto code_of = [](const Rational& inverse) {
-            const Rational scaled =
-                (1 - inverse / 32) * CodedDepth::largest_code(24) + Rational(1, 2);
-            mpz_class code;
-            mpz_fdiv_q(code.get_mpz_t(), scaled.get_num_mpz_t(), scaled.get_den_mpz_t());
-            return code;
+            return CodedDepth::nearest_code(1 - inverse / 32, 24);
         };
         for (const StressScene& pair : pairs) {
             const Scene scene = readable_scene(pair.json, {{"scalar", "exact"}});
@@ -741,7 +736,7 @@ constexpr auto catalogue = std::to_array<StressCase>({
               "the ties. 1/3 is no sum of powers of two: rounded 1/z splits them.",
      .scenes =
          [] {
-             return std::vector<StressScene>{{"T first", z9(true)}, {"T second", z9(false)}};
+             return Scenes{{"T first", z9(true)}, {"T second", z9(false)}};
          },
      .run = z9_crossing_on_samples},
     {.id = "Z10",
@@ -764,7 +759,7 @@ constexpr auto catalogue = std::to_array<StressCase>({
               "the wrong key for the one, mean and farthest for the other.",
      .scenes =
          [] {
-             return std::vector<StressScene>{{"z = 3", z11(3)}, {"z = 30", z11(30)}};
+             return Scenes{{"z = 3", z11(3)}, {"z = 30", z11(30)}};
          },
      .run = z11_painter_key},
     {.id = "Z12",

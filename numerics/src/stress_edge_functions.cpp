@@ -13,9 +13,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <initializer_list>
-#include <limits>
-#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -36,6 +33,17 @@ std::string triangle_in(std::string_view a, std::string_view b, std::string_view
 }})",
                        a, b, c, side);
 }
+
+const std::string c2 = triangle_in(R"(0, "1/4")", R"(64, "3/8")", R"(64, "5/16")");
+const std::string c3 = triangle_in("0, 0.5", "64, 0.5", R"(64, "129/256")");
+const std::string c4 = triangle_in("0, 0.5", "64, 0.5", R"(64, "127/256")");
+const std::string c5 = triangle_in("0, 0", "64, 64", R"(64, "16383/256")");
+const std::string c13 = triangle_in("0, 0", "8, 0", R"(0, "8193/1024")", 16);
+const std::string c14 = triangle_in("0.5, 0.5", R"("513/1024", 0.5)", R"(0.5, "513/1024")", 16);
+const std::string c18 =
+    triangle_in(R"("1919/256", "1919/256")", R"("1921/256", "1919/256")", R"(7.5, "1921/256")", 16);
+const std::string c18_moved =
+    triangle_in(R"(7.5, "1919/256")", R"("1922/256", "1919/256")", R"("1921/256", "1921/256")", 16);
 
 /// Six triangles round a hub that is the center of pixel (20, 20). `triangles` says which are drawn.
 std::string hub(std::string_view triangles) {
@@ -188,53 +196,55 @@ std::string t_junction(std::string_view m) {
 constexpr std::string_view m_below = R"(7, "85/4")";
 constexpr std::string_view m_above = R"(33, "103/4")";
 
-/// Inside the hull of P, T, Q and B: samples in none of the triangles, and in more than one, with each
-/// triangle drawn alone.
-void add_junction(StressRows& rows, std::string_view m, std::uint64_t uncovered,
-                  std::uint64_t twice) {
-    const auto alone = [m](std::string_view name, std::string_view scalar) {
-        Scene scene = readable_scene(t_junction(m), with_scalar_named({}, scalar));
-        std::erase_if(scene.primitives,
-                      [name](const ScenePrimitive& primitive) { return primitive.name != name; });
-        return drawn_picture(scene);
-    };
+/// How many of the triangles, each drawn alone, plot each pixel.
+std::vector<int> junction_layers(std::string_view m, std::string_view scalar) {
+    const Scene all = readable_scene(t_junction(m), with_scalar_named({}, scalar));
+    std::vector<int> layers(static_cast<std::size_t>(all.canvas.width * all.canvas.height));
+    for (const ScenePrimitive& triangle : all.primitives) {
+        Scene alone = all;
+        alone.primitives = {triangle};
+        const auto picture = drawn_picture(alone);
+        for (std::size_t i = 0; i < picture.size(); ++i)
+            layers[i] += picture[i] == no_color ? 0 : 1;
+    }
+    return layers;
+}
+
+/// The pixels for which `is_wrong(place)`, and where the first of them is.
+template <typename IsWrong> Measured pixels_wrong(const Canvas& canvas, IsWrong&& is_wrong) {
+    Measured measured{.unit = "pixel"};
+    for (int row = 0; row < canvas.height; ++row)
+        for (int column = 0; column < canvas.width; ++column)
+            if (is_wrong(static_cast<std::size_t>(row * canvas.width + column)) &&
+                ++measured.wrong == 1)
+                measured.note = fmt::format("({}, {})", column, row);
+    return measured;
+}
+
+/// Inside the hull of P, T, Q and B: samples in none of the triangles, and in more than one.
+void add_junction(StressRows& rows, std::string_view m, const Documented& in_none,
+                  const Documented& in_two) {
     const Scene scene = readable_scene(t_junction(m));
     const auto at = [&scene](std::size_t vertex) {
         return ExactPoint{scene.vertices[vertex].x.exact(), scene.vertices[vertex].y.exact()};
     };
     // The hull without M: P, T, Q, B. What an edge of it excludes belongs to nobody.
+    const CoveredPixels hull = covered_by_polygon({at(0), at(2), at(1), at(4)}, scene.canvas);
     std::string place_of_m(m);
     std::erase(place_of_m, '"');
-    std::vector<Measured> gaps;
-    std::vector<Measured> overlaps;
-    const CoveredPixels hull = covered_by_polygon({at(0), at(2), at(1), at(4)}, scene.canvas);
-    for (const std::string_view scalar : scalar_names()) {
-        std::vector<int> layers(hull.size());
-        for (const std::string_view name : {"PQT", "PMB", "MQB"}) {
-            const auto picture = alone(name, scalar);
-            for (std::size_t i = 0; i < picture.size(); ++i)
-                layers[i] += picture[i] == no_color ? 0 : 1;
-        }
-        Measured gap{.unit = "pixel"};
-        Measured overlap{.unit = "pixel"};
-        for (std::size_t i = 0; i < layers.size(); ++i) {
-            const auto place =
-                fmt::format("({}, {})", i % static_cast<std::size_t>(scene.canvas.width),
-                            i / static_cast<std::size_t>(scene.canvas.width));
-            if (hull[i] && layers[i] == 0 && ++gap.wrong == 1)
-                gap.note = place;
-            if (layers[i] > 1 && ++overlap.wrong == 1)
-                overlap.note = place;
-        }
-        gaps.push_back(gap);
-        overlaps.push_back(overlap);
-    }
-    for (std::size_t i = 0; i < gaps.size(); ++i)
-        rows.add(scalar_names()[i], fmt::format("M = ({}), in no triangle", place_of_m), gaps[i],
-                 uncovered > 0 ? wrong(uncovered) : right());
-    for (std::size_t i = 0; i < overlaps.size(); ++i)
-        rows.add(scalar_names()[i], fmt::format("M = ({}), in two", place_of_m), overlaps[i],
-                 twice > 0 ? wrong(twice) : right());
+    rows.add_for_all(fmt::format("M = ({}), in no triangle", place_of_m), {{"all", in_none}},
+                     [&](std::string_view scalar) {
+                         const auto layers = junction_layers(m, scalar);
+                         return pixels_wrong(scene.canvas, [&](std::size_t i) {
+                             return hull[i] && layers[i] == 0;
+                         });
+                     });
+    rows.add_for_all(fmt::format("M = ({}), in two", place_of_m), {{"all", in_two}},
+                     [&](std::string_view scalar) {
+                         const auto layers = junction_layers(m, scalar);
+                         return pixels_wrong(scene.canvas,
+                                             [&](std::size_t i) { return layers[i] > 1; });
+                     });
 }
 
 /// C16's triangle, its vertices in an order, moved by whole pixels.
@@ -281,27 +291,23 @@ void c1_hub(StressRows& rows) {
 
 /// C2 attacks fills that draw something of every triangle.
 void c2_sliver_between_samples(StressRows& rows) {
-    rows.add_pictures(triangle_in(R"(0, "1/4")", R"(64, "3/8")", R"(64, "5/16")"), "top-left",
-                      top_left, 0);
+    rows.add_pictures(c2, "top-left", top_left, 0);
 }
 
 /// C3 attacks the rule for a top edge.
 void c3_sliver_on_samples(StressRows& rows) {
-    rows.add_pictures(triangle_in("0, 0.5", "64, 0.5", R"(64, "129/256")"), "top-left", top_left,
-                      64);
+    rows.add_pictures(c3, "top-left", top_left, 64);
 }
 
 /// C4 attacks the rule for a bottom edge.
 void c4_sliver_below_samples(StressRows& rows) {
-    rows.add_pictures(triangle_in("0, 0.5", "64, 0.5", R"(64, "127/256")"), "top-left", top_left,
-                      0);
+    rows.add_pictures(c4, "top-left", top_left, 0);
 }
 
 /// C5 attacks coarse grids, on which a thin triangle loses its area.
 void c5_diagonal_sliver(StressRows& rows) {
-    const std::string json = triangle_in("0, 0", "64, 64", R"(64, "16383/256")");
-    rows.add_pictures(json, "top-left", top_left, 64);
-    const Scene scene = readable_scene(json);
+    rows.add_pictures(c5, "top-left", top_left, 64);
+    const Scene scene = readable_scene(c5);
     const auto on_grid = reference_picture(snapped_to_grid(scene, 16));
     rows.add(
         "exact", "textbook: a grid of 1/16",
@@ -394,20 +400,18 @@ void c12_own_vertex(StressRows& rows) {
 
 /// C13 attacks the claim that snapping by 1/512 changes no pixel.
 void c13_snapped_diagonal(StressRows& rows) {
-    rows.add_pictures(triangle_in("0, 0", "8, 0", R"(0, "8193/1024")", 16), "top-left", top_left,
-                      36, {{"fixed", right("28 pixels")}});
+    rows.add_pictures(c13, "top-left", top_left, 36, {{"fixed", right("28 pixels")}});
 }
 
 /// C14 attacks triangles smaller than the grid.
 void c14_snapped_to_point(StressRows& rows) {
-    rows.add_pictures(triangle_in("0.5, 0.5", R"("513/1024", 0.5)", R"(0.5, "513/1024")", 16),
-                      "top-left", top_left, 1, {{"fixed", right("0 pixels")}});
+    rows.add_pictures(c14, "top-left", top_left, 1, {{"fixed", right("0 pixels")}});
 }
 
 /// C15 attacks meshes with a vertex next to the edge of a neighbor: the rule for shared edges does not hold.
 void c15_t_junction(StressRows& rows) {
-    add_junction(rows, m_below, 1, 0);
-    add_junction(rows, m_above, 0, 1);
+    add_junction(rows, m_below, wrong(1), right());
+    add_junction(rows, m_above, right(), wrong(1));
 }
 
 /// C16 attacks edge values that must be exactly 0.
@@ -445,12 +449,8 @@ void c17_order_and_place(StressRows& rows) {
 
 /// C18 attacks samples that are off by 1/256.
 void c18_smaller_than_pixel(StressRows& rows) {
-    rows.add_pictures(triangle_in(R"("1919/256", "1919/256")", R"("1921/256", "1919/256")",
-                                  R"(7.5, "1921/256")", 16),
-                      "top-left", top_left, 1);
-    rows.add_pictures(triangle_in(R"(7.5, "1919/256")", R"("1922/256", "1919/256")",
-                                  R"("1921/256", "1921/256")", 16),
-                      "top-left, moved", top_left, 0);
+    rows.add_pictures(c18, "top-left", top_left, 1);
+    rows.add_pictures(c18_moved, "top-left, moved", top_left, 0);
 }
 
 constexpr auto catalogue = std::to_array<StressCase>({
@@ -467,28 +467,28 @@ constexpr auto catalogue = std::to_array<StressCase>({
      .input = "(0,1/4)(64,3/8)(64,5/16), area 2",
      .why = "64 pixels long, 1/16 high",
      .holds = "no sample lies in it: nothing is drawn",
-     .scenes = [] { return only(triangle_in(R"(0, "1/4")", R"(64, "3/8")", R"(64, "5/16")")); },
+     .scenes = [] { return only(c2); },
      .run = c2_sliver_between_samples},
     {.id = "C3",
      .title = "a sliver whose top edge is on samples",
      .input = "(0,1/2)(64,1/2)(64,129/256), area 1/8",
      .why = "64 samples lie on its top edge",
      .holds = "the top edge has its samples: 64 pixels, row 0",
-     .scenes = [] { return only(triangle_in("0, 0.5", "64, 0.5", R"(64, "129/256")")); },
+     .scenes = [] { return only(c3); },
      .run = c3_sliver_on_samples},
     {.id = "C4",
      .title = "the same below its edge",
      .input = "(0,1/2)(64,1/2)(64,127/256), area 1/8",
      .why = "64 samples lie on its bottom edge",
      .holds = "the bottom edge has none: nothing is drawn",
-     .scenes = [] { return only(triangle_in("0, 0.5", "64, 0.5", R"(64, "127/256")")); },
+     .scenes = [] { return only(c4); },
      .run = c4_sliver_below_samples},
     {.id = "C5",
      .title = "a sliver along the diagonal",
      .input = "(0,0)(64,64)(64,64-1/256), area 1/8",
      .why = "64 samples lie on its left edge; a grid of 1/16 has no room for it",
      .holds = "64 pixels",
-     .scenes = [] { return only(triangle_in("0, 0", "64, 64", R"(64, "16383/256")")); },
+     .scenes = [] { return only(c5); },
      .run = c5_diagonal_sliver},
     {.id = "C6",
      .title = "Cassini: an area of -1/2",
@@ -526,8 +526,7 @@ constexpr auto catalogue = std::to_array<StressCase>({
      .holds = "4,096 pixels, or refused with the vertex named: never silently nothing",
      .scenes =
          [] {
-             return std::vector<StressScene>{{"1e30", huge_triangle("30")},
-                                             {"1e200", huge_triangle("200")}};
+             return Scenes{{"1e30", huge_triangle("30")}, {"1e200", huge_triangle("200")}};
          },
      .run = c10_huge_triangle},
     {.id = "C11",
@@ -550,17 +549,14 @@ constexpr auto catalogue = std::to_array<StressCase>({
      .why = "the diagonal passes 1/1024 beyond the samples; snapped to 1/256, through them",
      .holds = "36 pixels; `fixed`, whose grid is 1/256, has 28. Both are right: the trace names "
               "the grid.",
-     .scenes = [] { return only(triangle_in("0, 0", "8, 0", R"(0, "8193/1024")", 16)); },
+     .scenes = [] { return only(c13); },
      .run = c13_snapped_diagonal},
     {.id = "C14",
      .title = "snapping leaves nothing",
      .input = "(1/2,1/2)(1/2+1/1024,1/2)(1/2,1/2+1/1024)",
      .why = "smaller than the grid, and with a vertex on a sample",
      .holds = "pixel (0,0); `fixed` draws nothing: its vertices are one point",
-     .scenes =
-         [] {
-             return only(triangle_in("0.5, 0.5", R"("513/1024", 0.5)", R"(0.5, "513/1024")", 16));
-         },
+     .scenes = [] { return only(c14); },
      .run = c14_snapped_to_point},
     {.id = "C15",
      .title = "a T-junction",
@@ -571,8 +567,7 @@ constexpr auto catalogue = std::to_array<StressCase>({
               "(M above): the cure is another mesh",
      .scenes =
          [] {
-             return std::vector<StressScene>{{"a gap", t_junction(m_below)},
-                                             {"an overlap", t_junction(m_above)}};
+             return Scenes{{"a gap", t_junction(m_below)}, {"an overlap", t_junction(m_above)}};
          },
      .run = c15_t_junction},
     {.id = "C16",
@@ -603,12 +598,7 @@ constexpr auto catalogue = std::to_array<StressCase>({
      .holds = "pixel (7,7); nothing",
      .scenes =
          [] {
-             return std::vector<StressScene>{
-                 {"round the center",
-                  triangle_in(R"("1919/256", "1919/256")", R"("1921/256", "1919/256")",
-                              R"(7.5, "1921/256")", 16)},
-                 {"moved", triangle_in(R"(7.5, "1919/256")", R"("1922/256", "1919/256")",
-                                       R"("1921/256", "1921/256")", 16)}};
+             return std::vector<StressScene>{{"round the center", c18}, {"moved", c18_moved}};
          },
      .run = c18_smaller_than_pixel},
 });

@@ -352,7 +352,7 @@ constexpr auto catalogue = std::to_array<StressCase>({
               "\"equivalent\" is wrong by one pixel.",
      .scenes =
          [] {
-             return std::vector<StressScene>{{"from A to B", l1}, {"from B to A", l1_reversed}};
+             return Scenes{{"from A to B", l1}, {"from B to A", l1_reversed}};
          },
      .run = l1_one_tie},
     {.id = "L2",
@@ -432,8 +432,7 @@ constexpr auto catalogue = std::to_array<StressCase>({
      .holds = "10 pixels each; a loop `while (x < x1)` draws none of them",
      .scenes =
          [] {
-             return std::vector<StressScene>{{"vertical", l11_vertical},
-                                             {"leftward", l11_leftward}};
+             return Scenes{{"vertical", l11_vertical}, {"leftward", l11_leftward}};
          },
      .run = l11_vertical_and_leftward},
     {.id = "L12",

@@ -11,10 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdlib>
-#include <initializer_list>
-#include <optional>
 #include <random>
 
 namespace rastertrace {
@@ -451,9 +447,9 @@ constexpr auto catalogue = std::to_array<StressCase>({
      .holds = "512, 512 and 0 pixels",
      .scenes =
          [] {
-             return std::vector<StressScene>{{"a vertex on it", p1_touching},
-                                             {"all on it", p1_on},
-                                             {"all before it", p1_before}};
+             return Scenes{{"a vertex on it", p1_touching},
+                           {"all on it", p1_on},
+                           {"all before it", p1_before}};
          },
      .run = p1_near_plane},
     {.id = "P2",
@@ -502,9 +498,9 @@ constexpr auto catalogue = std::to_array<StressCase>({
      .holds = "not drawn, and nothing is normalized to decide it. A textbook's N.E/|N.E| is 0/0.",
      .scenes =
          [] {
-             return std::vector<StressScene>{{"B = C", p7_coincident},
-                                             {"the eye on a vertex", p7_eye_on_vertex},
-                                             {"the eye in the plane", p7_eye_in_plane}};
+             return Scenes{{"B = C", p7_coincident},
+                           {"the eye on a vertex", p7_eye_on_vertex},
+                           {"the eye in the plane", p7_eye_in_plane}};
          },
      .run = p7_no_normal},
     {.id = "P8",

@@ -59,8 +59,9 @@ const std::vector<std::string_view>& scalar_names();
 /// Reads a case's scene.
 Result<Scene> scene_in(std::string_view json, const MethodOverrides& method = {});
 
-/// The scenes of a case that has one.
-inline std::vector<StressScene> only(std::string_view json) {
+/// The scenes of a case; of one that has only one.
+using Scenes = std::vector<StressScene>;
+inline Scenes only(std::string_view json) {
     return {{"", std::string(json)}};
 }
 

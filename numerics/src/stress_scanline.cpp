@@ -14,8 +14,6 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <initializer_list>
-#include <limits>
 #include <optional>
 
 namespace rastertrace {
@@ -523,7 +521,7 @@ constexpr auto catalogue = std::to_array<StressCase>({
      .holds = "drawn as far as the canvas goes, or refused with the vertex named, before any cast",
      .scenes =
          [] {
-             return std::vector<StressScene>{{"3e9", s14("3e9")}, {"1e300", s14("1e300")}};
+             return Scenes{{"3e9", s14("3e9")}, {"1e300", s14("1e300")}};
          },
      .run = s14_beyond_int},
 });

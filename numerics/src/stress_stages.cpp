@@ -10,10 +10,7 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <cstdlib>
-#include <initializer_list>
 #include <limits>
 
 namespace rastertrace {
@@ -300,8 +297,8 @@ constexpr auto catalogue = std::to_array<StressCase>({
               "of the silhouette are theirs",
      .scenes =
          [] {
-             return std::vector<StressScene>{{"front faces first", pyramid(false)},
-                                             {"back faces first", pyramid(true)}};
+             return Scenes{{"front faces first", pyramid(false)},
+                           {"back faces first", pyramid(true)}};
          },
      .run = x6_back_faces},
     {.id = "X7",
@@ -318,8 +315,8 @@ constexpr auto catalogue = std::to_array<StressCase>({
      .holds = "ranges apart: the same picture; touching: 9 pixels differ",
      .scenes =
          [] {
-             return std::vector<StressScene>{{"apart", one_behind_the_other(5)},
-                                             {"touching", one_behind_the_other(4)}};
+             return Scenes{{"apart", one_behind_the_other(5)},
+                           {"touching", one_behind_the_other(4)}};
          },
      .run = x8_painter},
     {.id = "X9",
