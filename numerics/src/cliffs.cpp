@@ -58,6 +58,49 @@ struct Marks {
     Rational across; ///< the same
 };
 
+/// The marks that an edge touches, or nearly touches.
+struct Touches {
+    std::uint64_t exact = 0;
+    std::uint64_t near = 0; ///< within the least distance
+    Rational nearest = 1;
+    std::optional<GridPoint> place; ///< of the nearest; none if there is none
+};
+
+std::string in_words(const Touches& touches, std::string_view what) {
+    const std::string at = fmt::format("({}, {})", touches.place->x, touches.place->y);
+    if (touches.exact == 0)
+        return fmt::format("comes within 2^-20 px of {}, the nearest {:.2g} px away, at pixel {}",
+                           counted(touches.near, what), nearest_double(touches.nearest), at);
+    return fmt::format("passes exactly through {}, one at pixel {}", counted(touches.exact, what),
+                       at) +
+           (touches.near > 0 ? fmt::format("; {} more within 2^-20 px", touches.near) : "");
+}
+
+/// A filter in double: false only where start + slope i is farther than the least distance from every
+/// whole number. Where its own error could be as large, it lets everything through.
+class NearMarks {
+public:
+    NearMarks(const Rational& start, const Rational& slope, Index low, Index high)
+        : start_(nearest_double(start)), slope_(nearest_double(slope)) {
+        constexpr double sure = 0x1p28;
+        const auto as_double = [](Index i) { return std::abs(static_cast<double>(i)); };
+        is_sure_ = std::abs(start_) < sure &&
+                   std::abs(slope_) *
+                           std::max({as_double(high - low + 1), as_double(low), as_double(high)}) <
+                       sure;
+    }
+
+    bool operator()(Index i) const {
+        const double x = start_ + slope_ * static_cast<double>(i);
+        return !is_sure_ || std::abs(x - std::nearbyint(x)) <= 2 * least_distance;
+    }
+
+private:
+    double start_;
+    double slope_;
+    bool is_sure_;
+};
+
 /// A triangle of the screen, and what it and its vertices are called.
 struct NamedTriangle {
     std::array<ScreenPoint, 3> at;
@@ -377,98 +420,70 @@ private:
     }
 
     void look_along(const ScreenEdge& edge, const Marks& marks, std::string_view what) {
-        const Canvas& canvas = scene_.canvas;
-        const auto along_of = [&marks](const Vec<Rational, 2>& p) -> Rational {
-            return marks.along_x ? p.x : p.y;
+        const auto turned = [&marks](const Vec<Rational, 2>& p) {
+            return marks.along_x ? p : Vec<Rational, 2>{p.y, p.x};
         };
-        const auto across_of = [&marks](const Vec<Rational, 2>& p) {
-            return marks.along_x ? p.y : p.x;
-        };
-        Rational from = along_of(edge.from);
-        Rational to = along_of(edge.to);
-        Rational from_across = across_of(edge.from);
-        Rational to_across = across_of(edge.to);
-        if (from == to) {
-            // A fill's horizontal edge: it is a row, or is not.
-            const Index row = nearest_index(from, Ties::up);
-            const Rational distance = absolute(from - Rational(static_cast<long>(row)));
-            if (canvas.row_of(row) >= 0 && canvas.row_of(row) < canvas.height &&
-                distance <= Rational(least_distance))
-                add(CliffKind::sample_on_edge, edge.where,
-                    distance == 0
-                        ? fmt::format("lies on row {}", row)
-                        : fmt::format("lies {:.2g} px from row {}", nearest_double(distance), row),
-                    distance == 0 ? 0x1p60 : 1 / nearest_double(distance));
+        Vec<Rational, 2> from = turned(edge.from);
+        Vec<Rational, 2> to = turned(edge.to);
+        if (from.x == to.x) {
+            look_at_row(edge.where, from.x);
             return;
         }
-        if (to < from) {
+        if (to.x < from.x)
             std::swap(from, to);
-            std::swap(from_across, to_across);
-        }
-        const Rational slope = (to_across - from_across) / (to - from);
+        const Touches touches = touches_along(from, to, marks);
+        if (touches.place)
+            // Whatever is touched comes before what is only near.
+            add(CliffKind::sample_on_edge, edge.where, in_words(touches, what),
+                touches.exact > 0 ? 0x1p60 * static_cast<double>(touches.exact)
+                                  : 1 / nearest_double(touches.nearest));
+    }
 
-        // The indices that lie on the canvas, and on the edge.
-        const int low_y = std::min(canvas.top(), canvas.bottom());
-        const int high_y = std::max(canvas.top(), canvas.bottom());
-        const Index low = marks.along_x ? canvas.left() : low_y;
-        const Index high = marks.along_x ? canvas.right() : high_y;
-        const Index low_across = marks.along_x ? low_y : canvas.left();
-        const Index high_across = marks.along_x ? high_y : canvas.right();
-        const Index first = std::max(low, ceil_index(Rational(from - marks.along)));
-        const Index last = std::min(high, floor_index(Rational(to - marks.along)));
+    /// A fill's horizontal edge: it is a row, or is not.
+    void look_at_row(const std::string& where, const Rational& y) {
+        const Index row = nearest_index(y, Ties::up);
+        const Rational distance = absolute(y - Rational(static_cast<long>(row)));
+        if (scene_.canvas.row_of(row) >= 0 && scene_.canvas.row_of(row) < scene_.canvas.height &&
+            distance <= Rational(least_distance))
+            add(CliffKind::sample_on_edge, where,
+                distance == 0
+                    ? fmt::format("lies on row {}", row)
+                    : fmt::format("lies {:.2g} px from row {}", nearest_double(distance), row),
+                distance == 0 ? 0x1p60 : 1 / nearest_double(distance));
+    }
 
-        // In double first, where double is sure: its error stays below the least distance.
-        constexpr double double_is_sure = 0x1p28;
-        const double slope_in_double = nearest_double(slope);
-        const double start_in_double =
-            nearest_double(from_across - slope * (from - marks.along) - marks.across);
-        const bool is_sure =
-            std::abs(start_in_double) < double_is_sure &&
-            std::abs(slope_in_double) * static_cast<double>(high - low + 1) < double_is_sure &&
-            std::abs(slope_in_double) * std::max(std::abs(static_cast<double>(low)),
-                                                 std::abs(static_cast<double>(high))) <
-                double_is_sure;
-        std::uint64_t touched = 0;
-        std::uint64_t near = 0;
-        Rational nearest = 1;
-        std::optional<GridPoint> place;
+    /// The marks of the canvas that an edge touches; x goes along it, y across.
+    Touches touches_along(const Vec<Rational, 2>& from, const Vec<Rational, 2>& to,
+                          const Marks& marks) const {
+        const Canvas& canvas = scene_.canvas;
+        const std::pair<Index, Index> columns{canvas.left(), canvas.right()};
+        const std::pair<Index, Index> rows = std::minmax(canvas.top(), canvas.bottom());
+        const auto& [low, high] = marks.along_x ? columns : rows;
+        const auto& [low_across, high_across] = marks.along_x ? rows : columns;
+        const Index first = std::max(low, ceil_index(Rational(from.x - marks.along)));
+        const Index last = std::min(high, floor_index(Rational(to.x - marks.along)));
+
+        const Rational slope = (to.y - from.y) / (to.x - from.x);
+        const Rational start = from.y - slope * (from.x - marks.along) - marks.across;
+        const NearMarks may_be_near(start, slope, low, high);
+        Touches touches;
         for (Index i = first; i <= last; ++i) {
-            if (is_sure) {
-                const double x = start_in_double + slope_in_double * static_cast<double>(i);
-                if (std::abs(x - std::nearbyint(x)) > 2 * least_distance)
-                    continue;
-            }
-            const Rational at = Rational(static_cast<long>(i)) + marks.along;
-            const Rational across = from_across + slope * (at - from) - marks.across;
+            if (!may_be_near(i))
+                continue;
+            const Rational across = start + slope * Rational(static_cast<long>(i));
             const Index index = nearest_index(across, Ties::up);
             if (index < low_across || index > high_across)
                 continue;
             const Rational distance = absolute(across - Rational(static_cast<long>(index)));
             if (distance > Rational(least_distance))
                 continue;
-            (distance == 0 ? touched : near) += 1;
-            if (!place || distance < nearest) {
-                nearest = distance;
-                place = marks.along_x ? GridPoint{i, index} : GridPoint{index, i};
+            (distance == 0 ? touches.exact : touches.near) += 1;
+            if (!touches.place || distance < touches.nearest) {
+                touches.nearest = distance;
+                touches.place = marks.along_x ? GridPoint{i, index} : GridPoint{index, i};
             }
         }
-        if (!place)
-            return;
-        const std::string at = fmt::format("({}, {})", place->x, place->y);
-        std::string how_near;
-        if (touched > 0)
-            how_near = fmt::format("passes exactly through {}, one at pixel {}",
-                                   counted(touched, what), at);
-        if (near > 0)
-            how_near += touched > 0
-                            ? fmt::format("; {} more within 2^-20 px", near)
-                            : fmt::format("comes within 2^-20 px of {}", counted(near, what));
-        if (touched == 0)
-            how_near += fmt::format(", the nearest {:.2g} px away, at pixel {}",
-                                    nearest_double(nearest), at);
-        // Whatever is touched comes before what is only near.
-        add(CliffKind::sample_on_edge, edge.where, how_near,
-            touched > 0 ? 0x1p60 * static_cast<double>(touched) : 1 / nearest_double(nearest));
+        return touches;
     }
 
     // Vertices on edges that have no vertex there.

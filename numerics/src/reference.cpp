@@ -309,9 +309,9 @@ std::vector<Color> reference_picture(const Scene& scene) {
     return picture;
 }
 
-Scene snapped_to_grid(Scene scene) {
-    const auto snap = [](Number& number) {
-        Rational snapped(floor_of(number.exact() * 256 + Rational(1, 2)), 256);
+Scene snapped_to_grid(Scene scene, int parts) {
+    const auto snap = [parts](Number& number) {
+        Rational snapped(floor_of(number.exact() * parts + Rational(1, 2)), parts);
         snapped.canonicalize();
         number = Number::fraction(snapped);
     };

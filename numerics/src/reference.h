@@ -36,8 +36,8 @@ CoveredPixels covered_by_polygon(const std::vector<ExactPoint>& polygon, const C
 /// and points. Lines must run between integer points.
 std::vector<Color> reference_picture(const Scene& scene);
 
-/// The scene with every vertex at the nearest multiple of 1/256, a half up.
-Scene snapped_to_grid(Scene scene);
+/// The scene with every vertex at the nearest multiple of 1/parts pixel, a half up.
+Scene snapped_to_grid(Scene scene, int parts = 256);
 
 /// The vertices of a primitive.
 std::array<ExactPoint, 3> exact_corners(const Scene& scene, std::size_t primitive);

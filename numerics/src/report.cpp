@@ -66,7 +66,31 @@ struct Candidate {
     const Setting* setting;
     double error;
     double time() const { return setting->timing.median; }
+    std::string name() const { return name_of(*curve, *setting); }
 };
+
+bool is_faster(const Candidate& a, const Candidate& b) {
+    return a.time() < b.time();
+}
+bool is_more_exact(const Candidate& a, const Candidate& b) {
+    return a.error != b.error ? a.error < b.error : is_faster(a, b);
+}
+
+/// The most exact of those that take at most `factor` times the least time.
+Candidate most_exact_within(std::vector<Candidate> all, double factor) {
+    const double least = std::min_element(all.begin(), all.end(), is_faster)->time();
+    std::erase_if(all, [&](const Candidate& one) { return one.time() > factor * least; });
+    return *std::min_element(all.begin(), all.end(), is_more_exact);
+}
+
+/// Of those that are right on any scene.
+std::optional<Candidate> fastest_that_never_errs(std::vector<Candidate> all) {
+    std::erase_if(all,
+                  [](const Candidate& one) { return !one.setting->never_errs || one.error != 0; });
+    if (all.empty())
+        return std::nullopt;
+    return *std::min_element(all.begin(), all.end(), is_faster);
+}
 
 std::vector<Candidate> candidates(const JobReport& job, std::size_t measure) {
     std::vector<Candidate> result;
@@ -156,56 +180,39 @@ Advice advice_for(const JobReport& job, std::size_t measure) {
     const auto all = candidates(job, measure);
     if (all.empty())
         return {"Nothing could be measured."};
-    const auto faster = [](const Candidate& a, const Candidate& b) { return a.time() < b.time(); };
-    const auto more_exact = [&](const Candidate& a, const Candidate& b) {
-        return a.error != b.error ? a.error < b.error : faster(a, b);
+    const auto error = [&](const Candidate& one) {
+        return error_in_words(job.measures[measure], one.setting->errors[measure]);
     };
     const auto cost = [&](const Candidate& one) {
         return fmt::format("{:.3g} ns per {}", one.time(), job.unit);
     };
-    const auto name = [](const Candidate& one) { return name_of(*one.curve, *one.setting); };
-    const auto error = [&](const Candidate& one) {
-        return error_in_words(job.measures[measure], one.setting->errors[measure]);
-    };
 
     // The most exact of all, of the fastest, and of those that are almost as fast.
-    const auto most_exact_within = [&](double factor) {
-        const double least = std::min_element(all.begin(), all.end(), faster)->time();
-        std::vector<Candidate> fast;
-        std::copy_if(all.begin(), all.end(), std::back_inserter(fast),
-                     [&](const Candidate& one) { return one.time() <= factor * least; });
-        return *std::min_element(fast.begin(), fast.end(), more_exact);
-    };
     constexpr double almost = 2;
-    const Candidate best = *std::min_element(all.begin(), all.end(), more_exact);
-    const Candidate fastest = most_exact_within(1 + timing_noise);
-    const Candidate near = most_exact_within(almost);
+    const Candidate best = *std::min_element(all.begin(), all.end(), is_more_exact);
+    const Candidate fastest = most_exact_within(all, 1 + timing_noise);
+    const Candidate near = most_exact_within(all, almost);
 
     // No error on this scene need not mean none on another: name what cannot have any.
-    std::string of_best = best.error == 0 ? "has no error" : error(best);
+    const bool may_err_elsewhere = best.error == 0 && !best.setting->never_errs;
+    const std::string of_best = best.error > 0      ? error(best)
+                                : may_err_elsewhere ? "has no error here"
+                                                    : "has no error";
     std::string instead;
-    if (best.error == 0 && !best.setting->never_errs) {
-        of_best += " here";
-        std::vector<Candidate> safe;
-        std::copy_if(all.begin(), all.end(), std::back_inserter(safe), [](const Candidate& one) {
-            return one.setting->never_errs && one.error == 0;
-        });
-        if (!safe.empty()) {
-            const Candidate safest = *std::min_element(safe.begin(), safe.end(), faster);
-            instead = fmt::format("; {} never has any ({})", name(safest), cost(safest));
-        }
-    }
+    if (const auto safest = fastest_that_never_errs(all); may_err_elsewhere && safest)
+        instead = fmt::format("; {} never has any ({})", safest->name(), cost(*safest));
+
     if (fastest.error == best.error)
-        return {fmt::format("Choose {}: it {}, and nothing is faster ({}){}.", name(fastest),
+        return {fmt::format("Choose {}: it {}, and nothing is faster ({}){}.", fastest.name(),
                             of_best, cost(fastest), instead)};
-    const std::string choice = fmt::format(
-        "Choose {}: it {} ({}){}", name(best),
-        best.error == 0 ? of_best : of_best + ", the least of all", cost(best), instead);
+    const std::string choice =
+        fmt::format("Choose {}: it {}{} ({}){}", best.name(), of_best,
+                    best.error == 0 ? "" : ", the least of all", cost(best), instead);
     const std::string speed =
-        fmt::format("the fastest, {} ({}), {}", name(fastest), cost(fastest), error(fastest));
+        fmt::format("the fastest, {} ({}), {}", fastest.name(), cost(fastest), error(fastest));
     if (near.error == best.error || near.error == fastest.error)
         return {fmt::format("{}; {}.", choice, speed)};
-    return {fmt::format("{}; {}; within twice that time {} {} ({}).", choice, speed, name(near),
+    return {fmt::format("{}; {}; within twice that time {} {} ({}).", choice, speed, near.name(),
                         error(near), cost(near))};
 }
 

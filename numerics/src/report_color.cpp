@@ -214,13 +214,8 @@ private:
                         setting.name, setting.label,
                         "clipping has left other triangles than in exact arithmetic");
                 setting.errors = errors_of(mix(*input, *pieces_));
-                Work work;
-                {
-                    const Counting counting(work);
-                    keep(mix(counting_copy_of(*input), *pieces_));
-                }
-                work.pixels_tested = fragments_;
-                setting.work = work;
+                setting.work =
+                    work_of([&] { keep(mix(counting_copy_of(*input), *pieces_)); }, fragments_);
                 builder_.add(
                     std::move(setting),
                     [input, mix, pieces = pieces_] { keep(mix(*input, *pieces)); }, fragments_);

@@ -421,19 +421,12 @@ private:
                                   visit(depths.at(x));
                           })};
         setting.work =
-            work_of([&] { keep(run_buffer(counting_copy_of(*input), *shared_, depths_of)); });
+            work_of([&] { keep(run_buffer(counting_copy_of(*input), *shared_, depths_of)); },
+                    shared_->fragments);
         builder_.add(
             std::move(setting),
             [input, shared = shared_, depths_of] { keep(run_buffer(*input, *shared, depths_of)); },
             shared_->fragments);
-    }
-
-    template <typename Run> Work work_of(Run&& run) const {
-        Work work;
-        const Counting counting(work);
-        run();
-        work.pixels_tested = shared_->fragments;
-        return work;
     }
 
     /// Buffers of whole numbers, between the nearest and the farthest vertex of the scene, and of
@@ -512,10 +505,12 @@ private:
                                                 for (int x = span.from; x <= span.to; ++x)
                                                     visit(store.depth_of(store.code_of(row.at(x))));
                                             })};
-            setting.work = work_of([&] {
-                const auto counting = counting_copy_of(*input);
-                keep(run_stored<Code>(counting, *shared_, make_store(counting)));
-            });
+            setting.work = work_of(
+                [&] {
+                    const auto counting = counting_copy_of(*input);
+                    keep(run_stored<Code>(counting, *shared_, make_store(counting)));
+                },
+                shared_->fragments);
             builder_.add(
                 std::move(setting),
                 [input, shared = shared_, store] {
@@ -549,41 +544,56 @@ private:
                 builder_.add_failure(setting.name, setting.label, refusal);
                 continue;
             }
-            std::map<std::size_t, std::vector<std::size_t>> pieces_of;
-            for (std::size_t i = 0; i < shared_->pieces.size(); ++i)
-                pieces_of[shared_->pieces[i].primitive].push_back(i);
-            const auto geometry = std::make_shared<Geometry<double>>(geometry_of<double>(scene));
-            const auto run = [scene, geometry, pieces_of, shared = shared_] {
-                const auto order =
-                    painter_order<double>(scene, [&geometry](std::size_t vertex) -> const double& {
-                        return geometry->vertices[vertex].distance;
-                    });
-                Winners winners(static_cast<std::size_t>(shared->canvas.width) *
-                                static_cast<std::size_t>(shared->canvas.height));
-                for (const std::size_t primitive : order.primitives)
-                    if (const auto found = pieces_of.find(primitive); found != pieces_of.end())
-                        for (const std::size_t piece : found->second)
-                            for (const PieceSpan& span : shared->pieces[piece].spans) {
-                                const int line = static_cast<int>(shared->canvas.row_of(span.y));
-                                std::uint32_t* const seen = row_of(winners, shared->canvas, line);
-                                std::fill(seen + span.from, seen + span.to + 1,
-                                          static_cast<std::uint32_t>(piece + 1));
-                            }
-                return winners;
+            std::vector<double> distances;
+            for (const auto& vertex : geometry_of<double>(scene).vertices)
+                distances.push_back(vertex.distance);
+            const auto run = [scene, distances, shared = shared_,
+                              pieces_of = pieces_of_primitives()] {
+                return painted(order_by(scene, distances), pieces_of, *shared);
             };
             setting.errors = {wrong_winners(run()), {}};
-            setting.work = work_of([&] {
-                std::vector<Counted<double>> distances;
-                for (const auto& vertex : geometry->vertices)
-                    distances.emplace_back(vertex.distance);
-                keep(painter_order<Counted<double>>(
-                    scene, [&distances](std::size_t vertex) -> const Counted<double>& {
-                        return distances[vertex];
-                    }));
-            });
+            setting.work = work_of(
+                [&] {
+                    keep(order_by(
+                        scene, std::vector<Counted<double>>(distances.begin(), distances.end())));
+                },
+                shared_->fragments);
             builder_.add(
                 std::move(setting), [run] { keep(run()); }, shared_->fragments);
         }
+    }
+
+    /// The pieces of each primitive, by their places.
+    using PiecesOf = std::map<std::size_t, std::vector<std::size_t>>;
+    PiecesOf pieces_of_primitives() const {
+        PiecesOf pieces_of;
+        for (std::size_t i = 0; i < shared_->pieces.size(); ++i)
+            pieces_of[shared_->pieces[i].primitive].push_back(i);
+        return pieces_of;
+    }
+
+    template <typename Scalar>
+    static PainterOrder<Scalar> order_by(const Scene& scene, const std::vector<Scalar>& distances) {
+        return painter_order<Scalar>(
+            scene, [&](std::size_t vertex) -> const Scalar& { return distances[vertex]; });
+    }
+
+    /// Each pixel's winner where the pieces are painted one over the other.
+    template <typename Order>
+    static Winners painted(const Order& order, const PiecesOf& pieces_of,
+                           const DepthScene& shared) {
+        Winners winners(static_cast<std::size_t>(shared.canvas.width) *
+                        static_cast<std::size_t>(shared.canvas.height));
+        for (const std::size_t primitive : order.primitives)
+            if (const auto found = pieces_of.find(primitive); found != pieces_of.end())
+                for (const std::size_t piece : found->second)
+                    for (const PieceSpan& span : shared.pieces[piece].spans) {
+                        const int line = static_cast<int>(shared.canvas.row_of(span.y));
+                        std::uint32_t* const seen = row_of(winners, shared.canvas, line);
+                        std::fill(seen + span.from, seen + span.to + 1,
+                                  static_cast<std::uint32_t>(piece + 1));
+                    }
+        return winners;
     }
 
     const Scene& scene_;

@@ -188,17 +188,40 @@ private:
         }
     }
 
-    /// Measures one method in one setting.
+    /// Calls `visit(pixel)` with each pixel of each edge's walk.
+    template <typename Inputs, typename Make, typename Visit>
+    static void for_each_pixel(const Inputs& inputs, const Make& make, int down, Visit&& visit) {
+        for_each_walk(inputs, make, [&](auto& walk, const auto& input, std::size_t) {
+            for (int i = 0; i < input.rows; ++i)
+                visit(walk.pixel_on_row(input.first_y + down * i));
+        });
+    }
+
+    /// Measures one method in one setting: how far off it is, what it does, how long it takes.
     template <typename Inputs, typename Make>
     void add(Setting setting, std::shared_ptr<Inputs> inputs, const Make& make) {
-        // How far off it is.
-        const int down = canvas_.down();
+        setting.errors = errors_of(*inputs, make);
+        setting.work = counted_work(*inputs, make);
+        builder_.add(
+            std::move(setting),
+            [inputs, make, down = canvas_.down()] {
+                Index sum = 0;
+                for_each_pixel(*inputs, make, down, [&sum](Index pixel) { sum += pixel; });
+                keep(sum);
+            },
+            pixels_.size());
+    }
+
+    /// Rows with a wrong pixel, and the largest error of x.
+    template <typename Inputs, typename Make>
+    std::vector<ErrorValue> errors_of(const Inputs& inputs, const Make& make) const {
         std::uint64_t wrong = 0;
         double largest = 0;
         std::size_t row = 0;
-        for_each_walk(*inputs, make, [&](auto& walk, const auto& input, std::size_t edge) {
+        for_each_walk(inputs, make, [&](auto& walk, const auto& input, std::size_t edge) {
             for (int i = 0; i < input.rows; ++i, ++row) {
-                wrong += walk.pixel_on_row(input.first_y + down * i) == pixels_[row] ? 0 : 1;
+                wrong +=
+                    walk.pixel_on_row(input.first_y + canvas_.down() * i) == pixels_[row] ? 0 : 1;
                 const auto x = x_of(walk);
                 double error = 0;
                 if constexpr (std::floating_point<std::remove_cvref_t<decltype(x)>>)
@@ -209,37 +232,19 @@ private:
                 largest = error <= largest ? largest : error;
             }
         });
-        setting.errors = {ErrorValue::ratio(wrong, pixels_.size()), {largest}};
+        return {ErrorValue::ratio(wrong, pixels_.size()), {largest}};
+    }
 
-        // What it does.
+    template <typename Inputs, typename Make>
+    Work counted_work(const Inputs& inputs, const Make& make) const {
         using Input = typename Inputs::value_type;
         using Ends = decltype(counting_copy_of(std::declval<Input>().ends));
         std::vector<EdgeInput<Ends>> counting_inputs;
-        for (const Input& input : *inputs)
+        for (const Input& input : inputs)
             counting_inputs.push_back({counting_copy_of(input.ends), input.first_y, input.rows});
-        Work work;
-        {
-            const Counting counting(work);
-            for_each_walk(counting_inputs, make,
-                          [down](auto& walk, const auto& input, std::size_t) {
-                              for (int i = 0; i < input.rows; ++i)
-                                  keep(walk.pixel_on_row(input.first_y + down * i));
-                          });
-        }
-        setting.work = work;
-
-        builder_.add(
-            std::move(setting),
-            [inputs, make, down] {
-                Index sum = 0;
-                for_each_walk(*inputs, make,
-                              [&sum, down](auto& walk, const auto& input, std::size_t) {
-                                  for (int i = 0; i < input.rows; ++i)
-                                      sum += walk.pixel_on_row(input.first_y + down * i);
-                              });
-                keep(sum);
-            },
-            pixels_.size());
+        return work_of([&] {
+            for_each_pixel(counting_inputs, make, canvas_.down(), [](Index pixel) { keep(pixel); });
+        });
     }
 
     /// The edges in floating point or rationals; none if one of them does not fit.

@@ -83,31 +83,25 @@ bool is_as_documented(const StressRow& row) {
     return measured.note.find(documented.note) != std::string::npos;
 }
 
-std::string described(const StressRow& row) {
+std::string described_error(const StressRow& row) {
     const Measured& measured = row.measured;
     std::string text;
-    const auto add = [&text](std::string_view separator, const std::string& more) {
-        text += text.empty() || more.empty() ? "" : separator;
-        text += more;
-    };
-    switch (verdict_of(row)) {
-    case Verdict::right:
-    case Verdict::refused:
-        return measured.note;
-    case Verdict::within:
-        text = fmt::format("off by at most {:.2g} {}", measured.worst, measured.worst_unit);
-        add("; ", measured.note);
-        return text;
-    case Verdict::wrong:
-        break;
-    }
     if (measured.wrong > 0 && !measured.unit.empty())
         text = fmt::format("{} {} wrong", measured.wrong, plural(measured.wrong, measured.unit));
     if (!measured.worst_unit.empty())
-        add(", ", fmt::format("at most {:.{}g} {}", measured.worst,
-                              significant_digits(row.documented.worst), measured.worst_unit));
-    add("; ", measured.note);
+        text += fmt::format("{}at most {:.{}g} {}", text.empty() ? "" : ", ", measured.worst,
+                            significant_digits(row.documented.worst), measured.worst_unit);
     return text;
+}
+
+std::string described(const StressRow& row) {
+    const Measured& measured = row.measured;
+    std::string text;
+    if (verdict_of(row) == Verdict::within)
+        text = fmt::format("off by at most {:.2g} {}", measured.worst, measured.worst_unit);
+    if (verdict_of(row) == Verdict::wrong)
+        text = described_error(row);
+    return text + (text.empty() || measured.note.empty() ? "" : "; ") + measured.note;
 }
 
 std::string described(const Documented& documented, const Measured& measured) {
@@ -146,7 +140,7 @@ std::span<const StressCase> stress_cases() {
         std::vector<StressCase> all;
         for (auto* const family : {line_cases, scanline_cases, edge_function_cases, depth_cases,
                                    pipeline_cases, stage_cases}) {
-            const std::vector<StressCase> some = family();
+            const std::span<const StressCase> some = family();
             all.insert(all.end(), some.begin(), some.end());
         }
         return all;

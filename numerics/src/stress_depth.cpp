@@ -14,8 +14,6 @@
 #include <bit>
 #include <cmath>
 #include <cstdlib>
-#include <initializer_list>
-#include <limits>
 #include <random>
 
 namespace rastertrace {
@@ -26,10 +24,6 @@ const MethodOverrides inverse_z{{"depth", "inverse-z"}};
 const MethodOverrides linear_z{{"depth", "linear-z"}};
 
 const Color red{255, 0, 0};
-
-std::vector<StressScene> one(std::string_view json) {
-    return {{"", std::string(json)}};
-}
 
 /// The picture by 1/z, which is linear on the screen, whatever the scene's own depth.
 std::vector<Color> by_inverse_z(const Scene& scene) {
@@ -81,6 +75,12 @@ std::string scene_of(const std::vector<ColoredTriangle>& triangles, std::string_
                        side, vertices, list, depth);
 }
 
+/// Right to so many rounding units.
+DocumentedOfScalars within_units(double count) {
+    return {{"float", within(count * rounding_unit<float>())},
+            {"double fixed", within(count * rounding_unit<double>())}};
+}
+
 // Z1: an edge with z from 1 to r over two rows.
 
 std::string steep_edge(std::string_view r) {
@@ -95,7 +95,7 @@ std::string steep_edge(std::string_view r) {
 
 /// The depth in the middle of that edge by the core's own interpolation.
 Measured middle_of_edge(std::string_view scalar, const Rational& r, bool is_inverse) {
-    const Scene scene = readable_scene(steep_edge(r.get_str()), {{"scalar", std::string(scalar)}});
+    const Scene scene = readable_scene(steep_edge(r.get_str()), with_scalar_named({}, scalar));
     return with_numbers_of(scene, [&]<typename Scalar>(const Plan& plan) {
         using D = DepthOf<Scalar>;
         const Triangle<Scalar> triangle{{place_of<Scalar>(scene, 0, plan),
@@ -165,7 +165,7 @@ template <typename Real> Measured mixed_depth(double r, int n) {
 
 /// The core's own row, d1 + slope (x - x1): the largest absolute error, over the nearer depth 1.
 Measured depth_row(std::string_view scalar, double r, int n) {
-    const Scene scene = readable_scene(steep_edge("2"), {{"scalar", std::string(scalar)}});
+    const Scene scene = readable_scene(steep_edge("2"), with_scalar_named({}, scalar));
     return with_numbers_of(scene, [&]<typename Scalar>(const Plan&) {
         using D = DepthOf<Scalar>;
         const D one = scalar_from<D>(1);
@@ -199,12 +199,13 @@ struct CodedDepth {
     static mpz_class largest_code(int bits) {
         return (mpz_class(1) << static_cast<unsigned>(bits)) - 1;
     }
-    mpz_class code_of(const Rational& z, int bits) const {
-        const Rational scaled = at(z) * largest_code(bits) + Rational(1, 2);
+    static mpz_class nearest_code(const Rational& depth, int bits) {
+        const Rational scaled = depth * largest_code(bits) + Rational(1, 2);
         mpz_class code;
         mpz_fdiv_q(code.get_mpz_t(), scaled.get_num_mpz_t(), scaled.get_den_mpz_t());
         return code;
     }
+    mpz_class code_of(const Rational& z, int bits) const { return nearest_code(at(z), bits); }
 
     /// How far apart in z two codes lie: 2^-bits over the slope of the depth.
     double width_at(const Rational& z, int bits) const {
@@ -347,11 +348,7 @@ struct PairReferences {
     Measured wrong_by_codes() const {
         Measured measured{.unit = "pixel", .note = fmt::format("of {}", drawn)};
         const auto code_of = [](const Rational& inverse) {
-            const Rational scaled =
-                (1 - inverse / 32) * CodedDepth::largest_code(24) + Rational(1, 2);
-            mpz_class code;
-            mpz_fdiv_q(code.get_mpz_t(), scaled.get_num_mpz_t(), scaled.get_den_mpz_t());
-            return code;
+            return CodedDepth::nearest_code(1 - inverse / 32, 24);
         };
         for (const StressScene& pair : pairs) {
             const Scene scene = readable_scene(pair.json, {{"scalar", "exact"}});
@@ -444,354 +441,346 @@ std::string z13(int z) {
                     "inverse-z");
 }
 
+/// Z1 attacks linear z, by how far off it is.
+void z1_middle_of_edge(StressRows& rows) {
+    struct Edge {
+        const char* r;
+        std::string_view ratio;
+        std::string_view largest;
+    };
+    for (const auto& [r, ratio, largest] :
+         {Edge{"10", "3.025", "4.675"}, Edge{"1000", "250.50025", "937.75"},
+          Edge{"1000000", "250000.5", "998001"}, Edge{"1000000000", "2.5e8", "999936755"}}) {
+        rows.add_for_all(fmt::format("linear-z, r = {}", r), {{"all", wrong(1, ratio)}},
+                         [r = Rational(r)](std::string_view scalar) {
+                             return middle_of_edge(scalar, r, false);
+                         });
+        // 1/r is rounded, then the difference, the product, the quotient and the sum;
+        // the middle is half as large as what is added.
+        rows.add_for_all(
+            fmt::format("inverse-z, r = {}", r), within_units(6),
+            [r = Rational(r)](std::string_view scalar) { return middle_of_edge(scalar, r, true); });
+        rows.add("exact", fmt::format("linear-z, largest error, r = {}", r),
+                 largest_linear_error(Rational(r)), wrong(1, largest));
+    }
+}
+
+/// Z2 attacks linear z, by the pixels that it gives to the wrong triangle.
+void z2_wrong_winner(StressRows& rows) {
+    rows.add_pictures(z2(), "inverse-z", inverse_z, 2016);
+    rows.expect_same("reference", "inverse-z, T's pixels",
+                     count_of(reference_picture(readable_scene(z2())), red), 1971, "pixel");
+    add_against_inverse_z(rows, z2(), "linear-z", linear_z, {{"all", wrong(735)}});
+}
+
+/// Z3 attacks sums of 1/z: their absolute error stays while the value falls.
+void z3_falling_inverse(StressRows& rows) {
+    const auto accumulated = [&rows](std::string_view scalar, double r, int n,
+                                     const Measured& measured, std::string_view worst) {
+        rows.add(scalar, fmt::format("textbook: d += step, r = {:g}, n = {}", r, n), measured,
+                 wrong(1, worst));
+    };
+    accumulated("float", 1e4, 64, accumulated_depth<float>(1e4, 64), "0.0058");
+    accumulated("float", 1e6, 64, accumulated_depth<float>(1e6, 64), "0.28");
+    accumulated("float", 1e6, 1024, accumulated_depth<float>(1e6, 1024), "0.955");
+    accumulated("float", 1e8, 4096, accumulated_depth<float>(1e8, 4096), "1");
+    accumulated("double", 1e6, 1024, accumulated_depth<double>(1e6, 1024), "2.4e-9");
+    accumulated("double", 1e8, 4096, accumulated_depth<double>(1e8, 4096), "7.8e-6");
+    accumulated("double", 1e12, 1024, accumulated_depth<double>(1e12, 1024), "0.016");
+    // Two roundings of the value itself; or, in a row, of the difference, the slope, the
+    // product and the sum, none of which is larger than the nearest depth.
+    for (const double r : {1e4, 1e6, 1e8}) {
+        rows.add("float", fmt::format("textbook: (1-t)/z0 + t/z1, r = {:g}", r),
+                 mixed_depth<float>(r, 1024), within(4 * rounding_unit<float>()));
+        rows.add("double", fmt::format("textbook: (1-t)/z0 + t/z1, r = {:g}", r),
+                 mixed_depth<double>(r, 1024), within(4 * rounding_unit<double>()));
+        rows.add_for_all(fmt::format("a row of depths, r = {:g}", r), within_units(4),
+                         [r](std::string_view scalar) { return depth_row(scalar, r, 1024); });
+    }
+}
+
+/// Z4 attacks buffers of a few bits, in which different depths have one code.
+void z4_codes(StressRows& rows) {
+    struct Width {
+        Rational near;
+        Rational far;
+        Rational z;
+        int bits;
+        std::string_view width;
+    };
+    const std::array<Width, 5> widths{{{Rational(1, 10), 1000, 500, 24, "0.14900"},
+                                       {Rational(1, 10), 1000, 500, 16, "38.14"},
+                                       {1, 1000, 500, 24, "0.014886"},
+                                       {1, 1000, 500, 16, "3.811"},
+                                       {Rational(1, 1000), 10000, 5000, 24, "1490"}}};
+    for (const auto& [near, far, z, bits, width] : widths)
+        rows.add(
+            fmt::format("{} bits", bits),
+            fmt::format("one code, n={}, f={}, z={}", near.get_str(), far.get_str(), z.get_str()),
+            {.wrong = 1,
+             .unit = "depth",
+             .worst = CodedDepth{near, far}.width_at(z, bits),
+             .worst_unit = "in z"},
+            wrong(1, width));
+    rows.add("24 bits", "textbook: a buffer of codes", TwoPlanes().by_codes(), wrong(496));
+    rows.add_pictures(TwoPlanes().json(), "inverse-z", inverse_z, 496);
+}
+
+/// Z5 attacks a float buffer with 1 at the far plane: its numbers lie at the other end.
+void z5_codes_of_float(StressRows& rows) {
+    const CodedDepth coded{Rational(1, 10), 10000};
+    const Rational from = 1000;
+    const Rational to = 1001;
+    const auto count = [&rows](std::string_view scalar, std::string_view label, std::uint64_t found,
+                               std::uint64_t expected) {
+        rows.expect_same(scalar, label, found, expected, "step");
+    };
+    count("float", "standard, 0 near to 1 far", float_steps_between(coded.at(from), coded.at(to)),
+          2);
+    count("float", "reversed, 1 near to 0 far",
+          float_steps_between(1 - coded.at(from), 1 - coded.at(to)), 13'731);
+    count("float", "n/z", float_steps_between(coded.near / from, coded.near / to), 13'730);
+    count("24 bits", "standard, 0 near to 1 far",
+          mpz_class(coded.code_of(to, 24) - coded.code_of(from, 24)).get_ui(), 2);
+}
+
+/// Z6 attacks every depth at once: each triangle reaches from 1 to a million.
+void z6_deep_pairs(StressRows& rows) {
+    const PairReferences references;
+    rows.add_for_all("inverse-z", {{"float", wrong(682)}}, [&](std::string_view scalar) {
+        return references.wrong_by(with_scalar_named(inverse_z, scalar));
+    });
+    rows.add_for_all("linear-z", {{"float", wrong(2930)}, {"all", wrong(2758)}},
+                     [&](std::string_view scalar) {
+                         return references.wrong_by(with_scalar_named(linear_z, scalar));
+                     });
+    rows.add("24 bits", "textbook: codes of 1 - n/z", references.wrong_by_codes(), wrong(1562));
+}
+
+/// Z7 attacks depth tests that let an equal depth pass.
+void z7_layers(StressRows& rows) {
+    const std::string json = z7();
+    for (const std::string_view scalar : scalar_names()) {
+        const MethodOverrides method = with_scalar_named(inverse_z, scalar);
+        rows.expect_same(scalar, "inverse-z, the first layer's pixels",
+                         count_of(drawn_picture(readable_scene(json, method)), red), 28, "pixel");
+        if (rows.is_quick() && scalar != scalar_names().front())
+            continue;
+        const DepthTests count = depth_tests_of(json, method);
+        rows.expect_same(scalar, "inverse-z, tests", count.tests, 114'688, "test");
+        rows.expect_same(scalar, "inverse-z, tests that pass", count.passes, 28, "test");
+    }
+}
+
+/// Z8 attacks ties of depths that are rounded differently.
+void z8_triangulated_twice(StressRows& rows) {
+    const Scene scene = readable_scene(z8());
+    const auto a = covered_by(exact_corners(scene, 0), scene.method, scene.canvas);
+    const auto b = covered_by(exact_corners(scene, 1), scene.method, scene.canvas);
+    std::uint64_t common = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        common += a[i] && b[i] ? 1 : 0;
+    rows.expect_same("reference", "pixels in both", common, 1695, "pixel");
+    rows.add_pictures(z8(), "inverse-z", inverse_z, std::nullopt,
+                      {{"float", wrong(745)}, {"double fixed", wrong(1295)}});
+}
+
+/// Z9 attacks ties on the line in which two planes cross.
+void z9_crossing_on_samples(StressRows& rows) {
+    for (const bool first : {true, false}) {
+        const std::string_view order = first ? "T first" : "T second";
+        rows.add_pictures(z9(first), fmt::format("inverse-z, {}", order), inverse_z, 2080,
+                          first ? DocumentedOfScalars{{"double fixed", wrong(32)}}
+                                : DocumentedOfScalars{{"float", wrong(32)}});
+        rows.expect_same("reference", fmt::format("inverse-z, {}, T's pixels", order),
+                         count_of(reference_picture(readable_scene(z9(first))), red),
+                         first ? 1584 : 1552, "pixel");
+        rows.add_pictures(z9(first), fmt::format("linear-z, {}", order), linear_z, 2080);
+    }
+}
+
+/// Z10 attacks the painter: there is no right order.
+void z10_cycle(StressRows& rows) {
+    // ABC, ACB, BAC, BCA, CAB, CBA
+    constexpr std::array<std::uint64_t, 6> by_order{60, 27, 38, 62, 56, 29};
+    const auto* wrong_pixels = by_order.data();
+    std::array<std::size_t, 3> order{0, 1, 2};
+    do {
+        const auto label = fmt::format("{}{}{}", "ABC"[order[0]], "ABC"[order[1]], "ABC"[order[2]]);
+        rows.add_pictures(z10(order), "inverse-z, " + label, inverse_z, 817);
+        add_against_inverse_z(rows, z10(order), "no depth, " + label, {{"depth", "none"}},
+                              {{"all", wrong(*wrong_pixels++)}});
+    } while (std::next_permutation(order.begin(), order.end()));
+    // All three have the same keys: the painter leaves them in their order.
+    for (const std::string key : {"nearest", "farthest", "mean"})
+        add_against_inverse_z(rows, z10({0, 1, 2}), "painter by " + key,
+                              {{"depth", "painter"}, {"painter_key", key}},
+                              {{"all", wrong(by_order[0])}});
+}
+
+/// Z11 attacks each of the painter's keys.
+void z11_painter_key(StressRows& rows) {
+    for (const int z : {3, 30}) {
+        rows.add_pictures(z11(z), fmt::format("inverse-z, z = {}", z), inverse_z, std::nullopt);
+        rows.expect_same("reference", fmt::format("the box's pixels, z = {}", z),
+                         count_of(by_inverse_z(readable_scene(z11(z))), red), z == 3 ? 32 : 0,
+                         "pixel");
+        for (const std::string key : {"nearest", "farthest", "mean"}) {
+            const bool is_wrong = (z == 3) == (key == "nearest");
+            add_against_inverse_z(rows, z11(z), fmt::format("painter by {}, z = {}", key, z),
+                                  {{"depth", "painter"}, {"painter_key", key}},
+                                  {{"all", is_wrong ? wrong(32) : right()}});
+        }
+    }
+}
+
+/// Z12 attacks the first test of a pixel, against the cleared buffer.
+void z12_far_plane(StressRows& rows) {
+    for (const std::string_view scalar : scalar_names()) {
+        const MethodOverrides method = with_scalar_named({}, scalar);
+        const DepthTests count = depth_tests_of(z12, method);
+        rows.add(scalar, "ndc-z, tests that pass",
+                 {.wrong = count.passes, .unit = "test", .note = counted(count.tests, "test")},
+                 right());
+        rows.expect_same(scalar, "ndc-z", drawn_in(drawn_picture(readable_scene(z12, method))), 0,
+                         "pixel");
+        rows.expect_same(scalar, "ndc-z, samples that were tested", count.tests > 0 ? 1 : 0, 1,
+                         "scene");
+    }
+}
+
+/// Z13 attacks 1/z where z is 0 or changes its sign.
+void z13_no_inverse(StressRows& rows) {
+    rows.add_refusals(z13(0), "inverse-z, z = 0",
+                      "expected a distance above 0 for 1/distance, found vertex T2 at "
+                      "distance 0");
+    rows.add_refusals(z13(-3), "inverse-z, z = -3",
+                      "expected a distance above 0 for 1/distance, found vertex T2 at "
+                      "distance -3");
+}
+
+constexpr auto catalogue = std::to_array<StressCase>({
+    {.id = "Z1",
+     .title = "depths from 1 to r along one edge",
+     .input = "z = 1..r, its middle on the screen, r = 10, 1e3, 1e6, 1e9",
+     .why = "1/z is linear on the screen, z is not; stiff from r = 1e6 on",
+     .holds = "z = 2r/(1+r) in the middle. Linear z has (1+r)/2, (1+r)^2/(4r) times as far; its "
+              "largest error, nearer to the far end, is (sqrt r - 1)^2.",
+     .scenes = [] { return only(steep_edge("1000000")); },
+     .run = z1_middle_of_edge},
+    {.id = "Z2",
+     .title = "the wrong winner",
+     .input = "T (0,0,1)(64,0,9)(0,64,1); U the same with z = 4",
+     .why = "linear z puts T's far end too far along the whole row",
+     .holds = "2,016 pixels, 1,971 of them T's, up to x = 54 in row 0. Linear z gives T 1,236: "
+              "735 wrong.",
+     .scenes = [] { return only(z2()); },
+     .run = z2_wrong_winner},
+    {.id = "Z3",
+     .title = "1/z falling from 1 to 1/r",
+     .input = "n steps from 1 to 1/r",
+     .why = "sums keep an absolute error while the value falls to 1/r: relative, n r 2^-p",
+     .holds = "direct, (1-t)/z0 + t/z1, keeps every digit at any r. Accumulated, float is 28 % "
+              "off at r = 1e6, and never draws at 1e8. Ours, d + slope x, is off by some 2^-p of "
+              "the nearest depth.",
+     .scenes = [] { return only(steep_edge("1000000")); },
+     .run = z3_falling_inverse},
+    {.id = "Z4",
+     .title = "two planes within one code",
+     .input = "planes at z and z + dz; depth a + b/z from near to far, in 24 or 16 bits",
+     .why = "one code of the buffer spans z^2 (f - n)/(f n 2^bits)",
+     .holds = "near 0.1, far 1000, z = 500: 0.149 (24 bit), 38 (16 bit). Planes within one code "
+              "are equal: the first one drawn stays, though it is behind. Ours keeps 1/z in the "
+              "scalar.",
+     .scenes = [] { return only(TwoPlanes().json()); },
+     .run = z4_codes},
+    {.id = "Z5",
+     .title = "where a float buffer has its codes",
+     .input = "z = 1000..1001, near 0.1, far 10000",
+     .why = "float has most of its numbers near 0, and standard depth puts the distance near 1",
+     .holds = "steps from depth to depth: standard 2, reversed 13,731, n/z 13,730, 24-bit "
+              "fixed 2. Our "
+              "inverse-z is 1/z, larger is nearer, as good as reversed.",
+     .run = z5_codes_of_float},
+    {.id = "Z6",
+     .title = "pairs of triangles a million deep",
+     .input = "16 random pairs, z from 1 to 2^20 inside each triangle, the second nearer or "
+              "farther by one part in 2..2^24, corner by corner",
+     .why = "r = 1,048,576: stiff in every triangle",
+     .holds = "the winner is that of exact 1/z, in double too. Linear z is wrong in two of five "
+              "pixels, a buffer of 24-bit codes, which tie far away, in one of four, float in one "
+              "of ten.",
+     .scenes = [] { return random_pairs(); },
+     .run = z6_deep_pairs},
+    {.id = "Z7",
+     .title = "4,096 layers at one depth",
+     .input = "(0,0)(8,0)(0,8), z = 5, drawn 4,096 times",
+     .why = "every test but the first is a tie",
+     .holds = "28 pixels, 114,688 tests: 28 pass, 114,660 fail, the first layer stays. (With <= "
+              "all would pass; ours is strict.)",
+     .scenes = [] { return only(z7()); },
+     .run = z7_layers},
+    {.id = "Z8",
+     .title = "one plane, triangulated twice",
+     .input = "z = 1000/(x+2y+7) at A (0,0)(60,3)(5,61) and B (2,60)(1,1)(63,5)",
+     .why = "equal depths, each rounded on its own: z-fighting",
+     .holds = "1,695 pixels in both; B, drawn last, wins none. Rounded, B wins where its noise is "
+              "the larger: 745 in float, 1,295 in double. More digits do not cure a tie.",
+     .scenes = [] { return only(z8()); },
+     .run = z8_triangulated_twice},
+    {.id = "Z9",
+     .title = "planes that cross on samples",
+     .input = "T (.5,.5,1)(64.5,.5,3)(.5,64.5,1); U with z = 3,1,3; 65x65",
+     .why = "32 samples at which both are equally near",
+     .holds = "2,080 pixels; T gets 1,584 drawn first, 1,552 drawn second: the first one keeps "
+              "the ties. 1/3 is no sum of powers of two: rounded 1/z splits them.",
+     .scenes =
+         [] {
+             return Scenes{{"T first", z9(true)}, {"T second", z9(false)}};
+         },
+     .run = z9_crossing_on_samples},
+    {.id = "Z10",
+     .title = "a cycle",
+     .input = "A (4,28,2)(60,24,6)(60,34,6); B (28,60,2)(26,4,6)(36,4,6); C "
+              "(58,6,2)(10,60,6)(4,52,6)",
+     .why = "each lies before one of the others and behind the other: no order is right",
+     .holds = "817 pixels, the same in any order with a depth buffer; the painter is wrong in "
+              "every order",
+     .scenes =
+         [] {
+             return only(z10({0, 1, 2}));
+         },
+     .run = z10_cycle},
+    {.id = "Z11",
+     .title = "which depth the painter sorts by",
+     .input = "floor (0,63,2)(63,63,2)(32,10,100); box (28,30,z)(36,30,z)(32,38,z), z = 3 or 30",
+     .why = "one number stands for a triangle that reaches from 2 to 100",
+     .holds = "z = 3: the box wins its 32 pixels; z = 30: the floor does. The nearest vertex is "
+              "the wrong key for the one, mean and farthest for the other.",
+     .scenes =
+         [] {
+             return Scenes{{"z = 3", z11(3)}, {"z = 30", z11(30)}};
+         },
+     .run = z11_painter_key},
+    {.id = "Z12",
+     .title = "as far as the cleared buffer",
+     .input = "a triangle on the far plane, ndc-z: its depth is 1, and so is the buffer's",
+     .why = "a tie with nothing",
+     .holds = "not drawn: the test is strict, and each test says what was stored",
+     .scenes = [] { return only(z12); },
+     .run = z12_far_plane},
+    {.id = "Z13",
+     .title = "z = 0, or of both signs",
+     .input = "z = 1, 0, 1; z = 1, -3, 1; without clipping",
+     .why = "1/0, or 1/z through infinity: the largest of all depths wins every test",
+     .holds = "refused with the vertex named, never drawn",
+     .run = z13_no_inverse},
+});
+
 } // namespace
 
-std::vector<StressCase> depth_cases() {
-    return {
-        {.id = "Z1",
-         .title = "depths from 1 to r along one edge",
-         .input = "z = 1..r, its middle on the screen, r = 10, 1e3, 1e6, 1e9",
-         .why = "1/z is linear on the screen, z is not; stiff from r = 1e6 on",
-         .holds =
-             "z = 2r/(1+r) in the middle. Linear z has (1+r)/2, (1+r)^2/(4r) times as far; its "
-             "largest error, nearer to the far end, is (sqrt r - 1)^2.",
-         .scenes = [] { return one(steep_edge("1000000")); },
-         .run =
-             [](StressRows& rows) {
-                 struct Edge {
-                     const char* r;
-                     std::string_view ratio;
-                     std::string_view largest;
-                 };
-                 for (const auto& [r, ratio, largest] :
-                      {Edge{"10", "3.025", "4.675"}, Edge{"1000", "250.50025", "937.75"},
-                       Edge{"1000000", "250000.5", "998001"},
-                       Edge{"1000000000", "2.5e8", "999936755"}}) {
-                     for (const std::string_view scalar : scalar_names())
-                         rows.add(scalar, fmt::format("linear-z, r = {}", r),
-                                  middle_of_edge(scalar, Rational(r), false), wrong(1, ratio));
-                     // 1/r is rounded, then the difference, the product, the quotient and the sum;
-                     // the middle is half as large as what is added.
-                     for (const std::string_view scalar : scalar_names())
-                         rows.add(
-                             scalar, fmt::format("inverse-z, r = {}", r),
-                             middle_of_edge(scalar, Rational(r), true),
-                             documented_of({{"float", within(6 * rounding_unit<float>())},
-                                            {"double fixed", within(6 * rounding_unit<double>())}},
-                                           scalar));
-                     rows.add("exact", fmt::format("linear-z, largest error, r = {}", r),
-                              largest_linear_error(Rational(r)), wrong(1, largest));
-                 }
-             }},
-        {.id = "Z2",
-         .title = "the wrong winner",
-         .input = "T (0,0,1)(64,0,9)(0,64,1); U the same with z = 4",
-         .why = "linear z puts T's far end too far along the whole row",
-         .holds = "2,016 pixels, 1,971 of them T's, up to x = 54 in row 0. Linear z gives T 1,236: "
-                  "735 wrong.",
-         .scenes = [] { return one(z2()); },
-         .run =
-             [](StressRows& rows) {
-                 rows.add_pictures(z2(), "inverse-z", inverse_z, 2016);
-                 rows.expect_same("reference", "inverse-z, T's pixels",
-                                  count_of(reference_picture(readable_scene(z2())), red), 1971,
-                                  "pixel");
-                 add_against_inverse_z(rows, z2(), "linear-z", linear_z, {{"all", wrong(735)}});
-             }},
-        {.id = "Z3",
-         .title = "1/z falling from 1 to 1/r",
-         .input = "n steps from 1 to 1/r",
-         .why = "sums keep an absolute error while the value falls to 1/r: relative, n r 2^-p",
-         .holds =
-             "direct, (1-t)/z0 + t/z1, keeps every digit at any r. Accumulated, float is 28 % "
-             "off at r = 1e6, and never draws at 1e8. Ours, d + slope x, is off by some 2^-p of "
-             "the nearest depth.",
-         .scenes = [] { return one(steep_edge("1000000")); },
-         .run =
-             [](StressRows& rows) {
-                 const auto accumulated = [&rows](std::string_view scalar, double r, int n,
-                                                  const Measured& measured,
-                                                  std::string_view worst) {
-                     rows.add(scalar, fmt::format("textbook: d += step, r = {:g}, n = {}", r, n),
-                              measured, wrong(1, worst));
-                 };
-                 accumulated("float", 1e4, 64, accumulated_depth<float>(1e4, 64), "0.0058");
-                 accumulated("float", 1e6, 64, accumulated_depth<float>(1e6, 64), "0.28");
-                 accumulated("float", 1e6, 1024, accumulated_depth<float>(1e6, 1024), "0.955");
-                 accumulated("float", 1e8, 4096, accumulated_depth<float>(1e8, 4096), "1");
-                 accumulated("double", 1e6, 1024, accumulated_depth<double>(1e6, 1024), "2.4e-9");
-                 accumulated("double", 1e8, 4096, accumulated_depth<double>(1e8, 4096), "7.8e-6");
-                 accumulated("double", 1e12, 1024, accumulated_depth<double>(1e12, 1024), "0.016");
-                 // Two roundings of the value itself; or, in a row, of the difference, the slope, the
-                 // product and the sum, none of which is larger than the nearest depth.
-                 for (const double r : {1e4, 1e6, 1e8}) {
-                     rows.add("float", fmt::format("textbook: (1-t)/z0 + t/z1, r = {:g}", r),
-                              mixed_depth<float>(r, 1024), within(4 * rounding_unit<float>()));
-                     rows.add("double", fmt::format("textbook: (1-t)/z0 + t/z1, r = {:g}", r),
-                              mixed_depth<double>(r, 1024), within(4 * rounding_unit<double>()));
-                     for (const std::string_view scalar : scalar_names())
-                         rows.add(
-                             scalar, fmt::format("a row of depths, r = {:g}", r),
-                             depth_row(scalar, r, 1024),
-                             documented_of({{"float", within(4 * rounding_unit<float>())},
-                                            {"double fixed", within(4 * rounding_unit<double>())}},
-                                           scalar));
-                 }
-             }},
-        {.id = "Z4",
-         .title = "two planes within one code",
-         .input = "planes at z and z + dz; depth a + b/z from near to far, in 24 or 16 bits",
-         .why = "one code of the buffer spans z^2 (f - n)/(f n 2^bits)",
-         .holds =
-             "near 0.1, far 1000, z = 500: 0.149 (24 bit), 38 (16 bit). Planes within one code "
-             "are equal: the first one drawn stays, though it is behind. Ours keeps 1/z in the "
-             "scalar.",
-         .scenes = [] { return one(TwoPlanes().json()); },
-         .run =
-             [](StressRows& rows) {
-                 struct Width {
-                     Rational near;
-                     Rational far;
-                     Rational z;
-                     int bits;
-                     std::string_view width;
-                 };
-                 const std::array<Width, 5> widths{{{Rational(1, 10), 1000, 500, 24, "0.14900"},
-                                                    {Rational(1, 10), 1000, 500, 16, "38.14"},
-                                                    {1, 1000, 500, 24, "0.014886"},
-                                                    {1, 1000, 500, 16, "3.811"},
-                                                    {Rational(1, 1000), 10000, 5000, 24, "1490"}}};
-                 for (const auto& [near, far, z, bits, width] : widths)
-                     rows.add(fmt::format("{} bits", bits),
-                              fmt::format("one code, n={}, f={}, z={}", near.get_str(),
-                                          far.get_str(), z.get_str()),
-                              {.wrong = 1,
-                               .unit = "depth",
-                               .worst = CodedDepth{near, far}.width_at(z, bits),
-                               .worst_unit = "in z"},
-                              wrong(1, width));
-                 rows.add("24 bits", "textbook: a buffer of codes", TwoPlanes().by_codes(),
-                          wrong(496));
-                 rows.add_pictures(TwoPlanes().json(), "inverse-z", inverse_z, 496);
-             }},
-        {.id = "Z5",
-         .title = "where a float buffer has its codes",
-         .input = "z = 1000..1001, near 0.1, far 10000",
-         .why = "float has most of its numbers near 0, and standard depth puts the distance near 1",
-         .holds = "steps from depth to depth: standard 2, reversed 13,731, n/z 13,730, 24-bit "
-                  "fixed 2. Our "
-                  "inverse-z is 1/z, larger is nearer, as good as reversed.",
-         .scenes = [] { return std::vector<StressScene>(); },
-         .run =
-             [](StressRows& rows) {
-                 const CodedDepth coded{Rational(1, 10), 10000};
-                 const Rational from = 1000;
-                 const Rational to = 1001;
-                 const auto count = [&rows](std::string_view scalar, std::string_view label,
-                                            std::uint64_t found, std::uint64_t expected) {
-                     rows.expect_same(scalar, label, found, expected, "step");
-                 };
-                 count("float", "standard, 0 near to 1 far",
-                       float_steps_between(coded.at(from), coded.at(to)), 2);
-                 count("float", "reversed, 1 near to 0 far",
-                       float_steps_between(1 - coded.at(from), 1 - coded.at(to)), 13'731);
-                 count("float", "n/z", float_steps_between(coded.near / from, coded.near / to),
-                       13'730);
-                 count("24 bits", "standard, 0 near to 1 far",
-                       mpz_class(coded.code_of(to, 24) - coded.code_of(from, 24)).get_ui(), 2);
-             }},
-        {.id = "Z6",
-         .title = "pairs of triangles a million deep",
-         .input = "16 random pairs, z from 1 to 2^20 inside each triangle, the second nearer or "
-                  "farther by one part in 2..2^24, corner by corner",
-         .why = "r = 1,048,576: stiff in every triangle",
-         .holds =
-             "the winner is that of exact 1/z, in double too. Linear z is wrong in two of five "
-             "pixels, a buffer of 24-bit codes, which tie far away, in one of four, float in one "
-             "of ten.",
-         .scenes = [] { return random_pairs(); },
-         .run =
-             [](StressRows& rows) {
-                 const PairReferences references;
-                 for (const std::string_view scalar : scalar_names())
-                     rows.add(scalar, "inverse-z",
-                              references.wrong_by(with_scalar_named(inverse_z, scalar)),
-                              documented_of({{"float", wrong(682)}}, scalar));
-                 for (const std::string_view scalar : scalar_names())
-                     rows.add(
-                         scalar, "linear-z",
-                         references.wrong_by(with_scalar_named(linear_z, scalar)),
-                         documented_of({{"float", wrong(2930)}, {"all", wrong(2758)}}, scalar));
-                 rows.add("24 bits", "textbook: codes of 1 - n/z", references.wrong_by_codes(),
-                          wrong(1562));
-             }},
-        {.id = "Z7",
-         .title = "4,096 layers at one depth",
-         .input = "(0,0)(8,0)(0,8), z = 5, drawn 4,096 times",
-         .why = "every test but the first is a tie",
-         .holds =
-             "28 pixels, 114,688 tests: 28 pass, 114,660 fail, the first layer stays. (With <= "
-             "all would pass; ours is strict.)",
-         .scenes = [] { return one(z7()); },
-         .run =
-             [](StressRows& rows) {
-                 const std::string json = z7();
-                 for (const std::string_view scalar : scalar_names()) {
-                     const MethodOverrides method = with_scalar_named(inverse_z, scalar);
-                     rows.expect_same(scalar, "inverse-z, the first layer's pixels",
-                                      count_of(drawn_picture(readable_scene(json, method)), red),
-                                      28, "pixel");
-                     if (rows.is_quick() && scalar != scalar_names().front())
-                         continue;
-                     const DepthTests count = depth_tests_of(json, method);
-                     rows.expect_same(scalar, "inverse-z, tests", count.tests, 114'688, "test");
-                     rows.expect_same(scalar, "inverse-z, tests that pass", count.passes, 28,
-                                      "test");
-                 }
-             }},
-        {.id = "Z8",
-         .title = "one plane, triangulated twice",
-         .input = "z = 1000/(x+2y+7) at A (0,0)(60,3)(5,61) and B (2,60)(1,1)(63,5)",
-         .why = "equal depths, each rounded on its own: z-fighting",
-         .holds =
-             "1,695 pixels in both; B, drawn last, wins none. Rounded, B wins where its noise is "
-             "the larger: 745 in float, 1,295 in double. More digits do not cure a tie.",
-         .scenes = [] { return one(z8()); },
-         .run =
-             [](StressRows& rows) {
-                 const Scene scene = readable_scene(z8());
-                 const auto a = covered_by(exact_corners(scene, 0), scene.method, scene.canvas);
-                 const auto b = covered_by(exact_corners(scene, 1), scene.method, scene.canvas);
-                 std::uint64_t common = 0;
-                 for (std::size_t i = 0; i < a.size(); ++i)
-                     common += a[i] && b[i] ? 1 : 0;
-                 rows.expect_same("reference", "pixels in both", common, 1695, "pixel");
-                 rows.add_pictures(z8(), "inverse-z", inverse_z, std::nullopt,
-                                   {{"float", wrong(745)}, {"double fixed", wrong(1295)}});
-             }},
-        {.id = "Z9",
-         .title = "planes that cross on samples",
-         .input = "T (.5,.5,1)(64.5,.5,3)(.5,64.5,1); U with z = 3,1,3; 65x65",
-         .why = "32 samples at which both are equally near",
-         .holds = "2,080 pixels; T gets 1,584 drawn first, 1,552 drawn second: the first one keeps "
-                  "the ties. 1/3 is no sum of powers of two: rounded 1/z splits them.",
-         .scenes =
-             [] {
-                 return std::vector<StressScene>{{"T first", z9(true)}, {"T second", z9(false)}};
-             },
-         .run =
-             [](StressRows& rows) {
-                 for (const bool first : {true, false}) {
-                     const std::string_view order = first ? "T first" : "T second";
-                     rows.add_pictures(z9(first), fmt::format("inverse-z, {}", order), inverse_z,
-                                       2080,
-                                       first ? DocumentedOfScalars{{"double fixed", wrong(32)}}
-                                             : DocumentedOfScalars{{"float", wrong(32)}});
-                     rows.expect_same("reference", fmt::format("inverse-z, {}, T's pixels", order),
-                                      count_of(reference_picture(readable_scene(z9(first))), red),
-                                      first ? 1584 : 1552, "pixel");
-                     rows.add_pictures(z9(first), fmt::format("linear-z, {}", order), linear_z,
-                                       2080);
-                 }
-             }},
-        {.id = "Z10",
-         .title = "a cycle",
-         .input = "A (4,28,2)(60,24,6)(60,34,6); B (28,60,2)(26,4,6)(36,4,6); C "
-                  "(58,6,2)(10,60,6)(4,52,6)",
-         .why = "each lies before one of the others and behind the other: no order is right",
-         .holds = "817 pixels, the same in any order with a depth buffer; the painter is wrong in "
-                  "every order",
-         .scenes =
-             [] {
-                 return one(z10({0, 1, 2}));
-             },
-         .run =
-             [](StressRows& rows) {
-                 // ABC, ACB, BAC, BCA, CAB, CBA
-                 constexpr std::array<std::uint64_t, 6> by_order{60, 27, 38, 62, 56, 29};
-                 const auto* wrong_pixels = by_order.data();
-                 std::array<std::size_t, 3> order{0, 1, 2};
-                 do {
-                     const auto label =
-                         fmt::format("{}{}{}", "ABC"[order[0]], "ABC"[order[1]], "ABC"[order[2]]);
-                     rows.add_pictures(z10(order), "inverse-z, " + label, inverse_z, 817);
-                     add_against_inverse_z(rows, z10(order), "no depth, " + label,
-                                           {{"depth", "none"}}, {{"all", wrong(*wrong_pixels++)}});
-                 } while (std::next_permutation(order.begin(), order.end()));
-                 // All three have the same keys: the painter leaves them in their order.
-                 for (const std::string key : {"nearest", "farthest", "mean"})
-                     add_against_inverse_z(rows, z10({0, 1, 2}), "painter by " + key,
-                                           {{"depth", "painter"}, {"painter_key", key}},
-                                           {{"all", wrong(by_order[0])}});
-             }},
-        {.id = "Z11",
-         .title = "which depth the painter sorts by",
-         .input =
-             "floor (0,63,2)(63,63,2)(32,10,100); box (28,30,z)(36,30,z)(32,38,z), z = 3 or 30",
-         .why = "one number stands for a triangle that reaches from 2 to 100",
-         .holds =
-             "z = 3: the box wins its 32 pixels; z = 30: the floor does. The nearest vertex is "
-             "the wrong key for the one, mean and farthest for the other.",
-         .scenes =
-             [] {
-                 return std::vector<StressScene>{{"z = 3", z11(3)}, {"z = 30", z11(30)}};
-             },
-         .run =
-             [](StressRows& rows) {
-                 for (const int z : {3, 30}) {
-                     rows.add_pictures(z11(z), fmt::format("inverse-z, z = {}", z), inverse_z,
-                                       std::nullopt);
-                     rows.expect_same("reference", fmt::format("the box's pixels, z = {}", z),
-                                      count_of(by_inverse_z(readable_scene(z11(z))), red),
-                                      z == 3 ? 32 : 0, "pixel");
-                     for (const std::string key : {"nearest", "farthest", "mean"}) {
-                         const bool is_wrong = (z == 3) == (key == "nearest");
-                         add_against_inverse_z(rows, z11(z),
-                                               fmt::format("painter by {}, z = {}", key, z),
-                                               {{"depth", "painter"}, {"painter_key", key}},
-                                               {{"all", is_wrong ? wrong(32) : right()}});
-                     }
-                 }
-             }},
-        {.id = "Z12",
-         .title = "as far as the cleared buffer",
-         .input = "a triangle on the far plane, ndc-z: its depth is 1, and so is the buffer's",
-         .why = "a tie with nothing",
-         .holds = "not drawn: the test is strict, and each test says what was stored",
-         .scenes = [] { return one(z12); },
-         .run =
-             [](StressRows& rows) {
-                 for (const std::string_view scalar : scalar_names()) {
-                     const MethodOverrides method = {{"scalar", std::string(scalar)}};
-                     const DepthTests count = depth_tests_of(z12, method);
-                     rows.add(scalar, "ndc-z, tests that pass",
-                              {.wrong = count.passes,
-                               .unit = "test",
-                               .note = counted(count.tests, "test")},
-                              right());
-                     rows.expect_same(scalar, "ndc-z",
-                                      drawn_in(drawn_picture(readable_scene(z12, method))), 0,
-                                      "pixel");
-                     rows.expect_same(scalar, "ndc-z, samples that were tested",
-                                      count.tests > 0 ? 1 : 0, 1, "scene");
-                 }
-             }},
-        {.id = "Z13",
-         .title = "z = 0, or of both signs",
-         .input = "z = 1, 0, 1; z = 1, -3, 1; without clipping",
-         .why = "1/0, or 1/z through infinity: the largest of all depths wins every test",
-         .holds = "refused with the vertex named, never drawn",
-         .scenes = [] { return std::vector<StressScene>(); },
-         .run =
-             [](StressRows& rows) {
-                 rows.add_refusals(z13(0), "inverse-z, z = 0",
-                                   "expected a distance above 0 for 1/distance, found vertex T2 at "
-                                   "distance 0");
-                 rows.add_refusals(z13(-3), "inverse-z, z = -3",
-                                   "expected a distance above 0 for 1/distance, found vertex T2 at "
-                                   "distance -3");
-             }},
-    };
+std::span<const StressCase> depth_cases() {
+    return catalogue;
 }
 
 } // namespace rastertrace

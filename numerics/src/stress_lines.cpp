@@ -53,7 +53,7 @@ struct LineLoop {
                                           R"("vertices":{{"A":[0,0],"B":[{},{}]}},)"
                                           R"("lines":["AB"],"method":{{"line":"dda"}}}})",
                                           dx, dy),
-                              {{"scalar", std::string(scalar)}});
+                              with_scalar_named({}, scalar));
     }
 
     Measured run(std::string_view scalar, Loop loop) const {
@@ -110,12 +110,10 @@ struct LineLoop {
     /// With every scalar, both loops.
     void add_to(StressRows& rows, const DocumentedOfScalars& accumulated,
                 const DocumentedOfScalars& multiplied) const {
-        for (const std::string_view scalar : scalar_names())
-            rows.add(scalar, "accumulate, y += m", run(scalar, Loop::accumulate),
-                     documented_of(accumulated, scalar));
-        for (const std::string_view scalar : scalar_names())
-            rows.add(scalar, "multiply, y = m x", run(scalar, Loop::multiply),
-                     documented_of(multiplied, scalar));
+        rows.add_for_all("accumulate, y += m", accumulated,
+                         [this](std::string_view scalar) { return run(scalar, Loop::accumulate); });
+        rows.add_for_all("multiply, y = m x", multiplied,
+                         [this](std::string_view scalar) { return run(scalar, Loop::multiply); });
         const BresenhamLine line({0, 0}, {dx, dy});
         std::uint64_t differing = 0;
         for (Index x = 0; x <= dx; ++x) {
@@ -154,25 +152,22 @@ template <typename Scalar> Measured last_level(int from, int to, int steps) {
             .note = fmt::format("{} becomes {}", level, last)};
 }
 
-/// What the 32-bit fields of a textbook make of a whole number.
-Measured in_32_bits(Index value, std::string_view what) {
-    const auto wrapped = static_cast<Index>(static_cast<std::int32_t>(value));
-    return {.wrong = wrapped == value ? 0u : 1u,
-            .unit = "value",
-            .note =
-                fmt::format("{} = {} does not fit: undefined, usually {}", what, value, wrapped)};
+/// A line AB on a canvas whose pixel (0, 0) is the lowest on the left.
+std::string line_in(int width, int height, std::string_view a, std::string_view b) {
+    return fmt::format(R"({{
+  "canvas": {{"width": {}, "height": {}, "origin": "bottom-left"}},
+  "vertices": {{"A": [{}], "B": [{}]}},
+  "lines": ["AB"]
+}})",
+                       width, height, a, b);
 }
 
-constexpr std::string_view l1 = R"({
-  "canvas": {"width": 4, "height": 3, "origin": "bottom-left"},
-  "vertices": {"A": [0, 0], "B": [2, 1]},
-  "lines": ["AB"]
-})";
-constexpr std::string_view l1_reversed = R"({
-  "canvas": {"width": 4, "height": 3, "origin": "bottom-left"},
-  "vertices": {"A": [2, 1], "B": [0, 0]},
-  "lines": ["AB"]
-})";
+const std::string l1 = line_in(4, 3, "0, 0", "2, 1");
+const std::string l1_reversed = line_in(4, 3, "2, 1", "0, 0");
+const std::string l2 = line_in(61, 11, "0, 0", "60, 10");
+const std::string l10 = line_in(8, 8, "3, 3", "3, 3");
+const std::string l11_vertical = line_in(12, 12, "4, 0", "4, 9");
+const std::string l11_leftward = line_in(12, 12, "9, 4", "0, 4");
 
 /// The pixels of one scene, drawn exactly, that another does not have, and the other way round, over
 /// the pixels of a line: two methods that are said to be the same.
@@ -183,12 +178,6 @@ Measured lines_apart(std::string_view one, const MethodOverrides& by_one, std::s
     // Each place where they part leaves a pixel in both pictures.
     return {.wrong = differing(a, b) / 2, .unit = "pixel"};
 }
-
-constexpr std::string_view l2 = R"({
-  "canvas": {"width": 61, "height": 11, "origin": "bottom-left"},
-  "vertices": {"A": [0, 0], "B": [60, 10]},
-  "lines": ["AB"]
-})";
 
 // The middle of the line from (0, 0) to (1, 1000000), where it changes its column.
 constexpr std::string_view l3 = R"({
@@ -210,23 +199,6 @@ std::string long_line(Index dx, Index dy) {
 constexpr std::string_view l9 = R"({
   "canvas": {"width": 16, "height": 5},
   "vertices": {"A": [-2147483648, 0], "B": [2147483647, 1]},
-  "lines": ["AB"]
-})";
-
-constexpr std::string_view l10 = R"({
-  "canvas": {"width": 8, "height": 8, "origin": "bottom-left"},
-  "vertices": {"A": [3, 3], "B": [3, 3]},
-  "lines": ["AB"]
-})";
-
-constexpr std::string_view l11_vertical = R"({
-  "canvas": {"width": 12, "height": 12, "origin": "bottom-left"},
-  "vertices": {"A": [4, 0], "B": [4, 9]},
-  "lines": ["AB"]
-})";
-constexpr std::string_view l11_leftward = R"({
-  "canvas": {"width": 12, "height": 12, "origin": "bottom-left"},
-  "vertices": {"A": [9, 4], "B": [0, 4]},
   "lines": ["AB"]
 })";
 
@@ -252,243 +224,237 @@ std::vector<Color> levels_of_l13(const Scene& scene) {
     return levels;
 }
 
-std::vector<StressScene> one(std::string_view json) {
-    return {{"", std::string(json)}};
+/// L1 attacks the claim that two tie rules, or two directions, draw the same line.
+void l1_one_tie(StressRows& rows) {
+    rows.add_pictures(l1, "bresenham", bresenham, 3);
+    rows.add_pictures(l1_reversed, "bresenham, other end", bresenham, 3);
+    rows.add_pictures(l1, "naive, ties away", naive_away, 3);
+    rows.add("exact", "naive, away, taken for bresenham",
+             lines_apart(l1, bresenham, l1, naive_away), wrong(1));
+    rows.add("exact", "bresenham taken for its other end",
+             lines_apart(l1, bresenham, l1_reversed, bresenham), wrong(1));
 }
+
+/// L2 attacks rounded slopes: where every sixth point is a tie, a rounded sum misses some of them.
+void l2_many_ties(StressRows& rows) {
+    // A slope of 1/6 that is rounded takes its ties with it.
+    add_three_methods(rows, l2, 61, {}, {}, {{"float", wrong(2)}, {"double", wrong(8)}});
+    rows.add_pictures(l2, "naive, ties away", naive_away, 61);
+    rows.add("exact", "naive, away, taken for bresenham",
+             lines_apart(l2, bresenham, l2, naive_away), wrong(10));
+}
+
+/// L3 attacks the choice of the axis to step along: x changes once in a million rows.
+void l3_steep(StressRows& rows) {
+    const BresenhamLine line({0, 0}, {1, 1'000'000});
+    rows.expect_same("whole numbers", "bresenham", static_cast<std::uint64_t>(line.steps() + 1),
+                     1'000'001, "pixel");
+    Index y = 0;
+    while (line.pixel(y).x == 0)
+        ++y;
+    rows.expect_same("whole numbers", "bresenham, row of the first x=1",
+                     static_cast<std::uint64_t>(y), 500'001, "row");
+    add_three_methods(rows, l3, 16, {}, {}, {{"float", wrong(2)}});
+    rows.add_pictures(l3, "naive, ties away", naive_away, 16);
+}
+
+/// L4 attacks sums of a rounded slope, whose error grows with the square of the length.
+void l4_million_additions(StressRows& rows) {
+    const LineLoop line{1'000'000, 333'333};
+    line.add_to(rows,
+                {{"float", wrong(977'568, "1675", "first at x=9422, 497 px")},
+                 {"double", wrong(1, "4.2e-6", "first at x=500000")}},
+                {{"float", wrong(606, "0.030", "first at x=500003")},
+                 {"double", line.within_of_products(double_unit)}});
+}
+
+/// L5 attacks the same sums where no pixel is near a tie, so that only large errors show.
+void l5_one_third(StressRows& rows) {
+    const LineLoop line{65'535, 21'845};
+    line.add_to(rows,
+                {{"float", wrong(44'543, "6.4", "first at x=9422")},
+                 {"double", line.within_of_sums(double_unit)}},
+                {{"float", line.within_of_products(float_unit)},
+                 {"double", line.within_of_products(double_unit)}});
+    add_three_methods(rows, long_line(65'535, 21'845), 64);
+}
+
+/// L6 attacks nothing: the line is long, but none of the roundings matter.
+void l6_control(StressRows& rows) {
+    const LineLoop line{4095, 4094};
+    line.add_to(
+        rows,
+        {{"float", line.within_of_sums(float_unit)}, {"double", line.within_of_sums(double_unit)}},
+        {{"float", line.within_of_products(float_unit)},
+         {"double", line.within_of_products(double_unit)}});
+    add_three_methods(rows, long_line(4095, 4094), 64);
+}
+
+/// L7 attacks counters that are floating-point numbers.
+void l7_float_counter(StressRows& rows) {
+    rows.add("float", "textbook: x += 1", count_up<float>(),
+             wrong(1, "", "16777216 + 1 = 16777216"));
+    rows.add("double", "textbook: x += 1", count_up<double>(), right("ends"));
+    add_three_methods(rows, long_line(16'777'217, 3), 64);
+}
+
+/// L8 attacks 32-bit decision variables.
+void l8_doubled_dy(StressRows& rows) {
+    rows.expect_same(
+        "whole numbers", "bresenham, the first d",
+        static_cast<std::uint64_t>(BresenhamLine({0, 0}, {1'500'000'000, 1'200'000'000}).d(0)),
+        900'000'000, "unit");
+
+    add_three_methods(rows, long_line(1'500'000'000, 1'200'000'000), 64);
+}
+
+/// L9 attacks 32-bit differences of coordinates, and ends that float does not have.
+void l9_int32_ends(StressRows& rows) {
+
+    // In float the end is 2147483648, the slope 2^-32 and every y 1/2, a tie.
+    add_three_methods(rows, l9, 16, {{"float", wrong(2)}}, {{"float", wrong(16)}},
+                      {{"float", wrong(16)}});
+}
+
+/// L10 attacks the division dy / dx.
+void l10_no_length(StressRows& rows) {
+    add_three_methods(rows, l10, 1);
+}
+
+/// L11 attacks loops that take x to grow.
+void l11_vertical_and_leftward(StressRows& rows) {
+    add_three_methods(rows, l11_vertical, 10);
+    add_three_methods(rows, l11_leftward, 10);
+}
+
+/// L12 attacks unsigned coordinates.
+void l12_negative_end(StressRows& rows) {
+    add_three_methods(rows, l12, 9);
+}
+
+/// L13 attacks colors that are summed up, then cast.
+void l13_last_color(StressRows& rows) {
+    rows.add_pictures(l13, "bresenham, color by axis", bresenham, 8, levels_of_l13);
+    rows.add_pictures(l13, "dda, color by axis", dda, 8, levels_of_l13);
+    rows.add("float", "textbook: c += step, cast", last_level<float>(10, 200, 7),
+             wrong(1, "", "becomes 199"));
+    rows.add("double", "textbook: c += step, cast", last_level<double>(10, 200, 7),
+             wrong(1, "", "199.99999999999997 becomes 199"));
+}
+
+constexpr auto catalogue = std::to_array<StressCase>({
+    {.id = "L1",
+     .title = "one tie",
+     .input = "(0,0)-(2,1)",
+     .why = "the middle pixel is as near to y=0 as to y=1",
+     .holds = "each tie rule has its own line: Bresenham stays, (1,0); naive with half away "
+              "from zero, (1,1); Bresenham drawn from the other end, (1,1). That they are "
+              "\"equivalent\" is wrong by one pixel.",
+     .scenes =
+         [] {
+             return Scenes{{"from A to B", l1}, {"from B to A", l1_reversed}};
+         },
+     .run = l1_one_tie},
+    {.id = "L2",
+     .title = "many ties",
+     .input = "(0,0)-(60,10)",
+     .why = "gcd 10: ten pixels lie halfway between two rows",
+     .holds = "61 pixels. Naive with half away from zero and Bresenham differ at the 10 ties, "
+              "first (3,1) against (3,0); with the same tie rule they are one line, "
+              "unless rounded sums miss the ties (dda).",
+     .scenes = [] { return only(l2); },
+     .run = l2_many_ties},
+    {.id = "L3",
+     .title = "slope 1,000,000",
+     .input = "(0,0)-(1,1000000), drawn from (0,-500000) to (1,500000)",
+     .why = "one step of x in a million of y",
+     .holds = "1,000,001 pixels; x becomes 1 at y=500001 (naive, half away: 500000). A loop "
+              "over x draws 2 of them.",
+     .scenes = [] { return only(l3); },
+     .run = l3_steep},
+    {.id = "L4",
+     .title = "a million additions of a slope",
+     .input = "(0,0)-(1000000,333333), rounded to nearest",
+     .why = "n additions of a rounded slope to a growing value: error up to n^2 |m| 2^-p",
+     .holds = "the error grows as n^2 when accumulated, as n when multiplied; float draws "
+              "almost every pixel wrong, double one, a tie.",
+     .scenes = [] { return only(long_line(1'000'000, 333'333)); },
+     .run = l4_million_additions},
+    {.id = "L5",
+     .title = "slope one third",
+     .input = "(0,0)-(65535,21845)",
+     .why = "long, but no pixel comes nearer than 1/6 to a tie",
+     .holds = "any method that is off by less than 1/6 pixel draws the one set of pixels; "
+              "accumulating in float is not one of them",
+     .scenes = [] { return only(long_line(65'535, 21'845)); },
+     .run = l5_one_third},
+    {.id = "L6",
+     .title = "control: long, but not stiff",
+     .input = "(0,0)-(4095,4094)",
+     .why = "a pixel in 1/8190 of a tie, and sums that may lose 2 px in float; but the roundings "
+            "of a slope this near to 1 do not add up",
+     .holds = "every pixel right, with every method",
+     .scenes = [] { return only(long_line(4095, 4094)); },
+     .run = l6_control},
+    {.id = "L7",
+     .title = "a counter that stops counting",
+     .input = "x += 1 up to 16777217",
+     .why = "float has no whole numbers between 16777216 and 16777218",
+     .holds = "our loops count in whole numbers and end; a textbook's loop on float does not",
+     .scenes = [] { return only(long_line(16'777'217, 3)); },
+     .run = l7_float_counter},
+    {.id = "L8",
+     .title = "2 dy beyond 32 bits",
+     .input = "(0,0)-(1500000000,1200000000), clipped to the canvas",
+     .why = "Bresenham's first d is 2 dy - dx, and 2 dy = 2,400,000,000",
+     .holds = "d = 900,000,000 at the start, in 64 bits; time follows the canvas, not the line",
+     .scenes = [] { return only(long_line(1'500'000'000, 1'200'000'000)); },
+     .run = l8_doubled_dy},
+    {.id = "L9",
+     .title = "from one end of int32 to the other",
+     .input = "(-2147483648,0)-(2147483647,1)",
+     .why = "dx = 4,294,967,295 does not fit in 32 bits",
+     .holds = "y becomes 1 at x=0, in 64 bits. Float has no 2147483647: its line is another, and "
+              "a tie at every pixel.",
+     .scenes = [] { return only(l9); },
+     .run = l9_int32_ends},
+    {.id = "L10",
+     .title = "no length",
+     .input = "(3,3)-(3,3)",
+     .why = "dx = dy = 0: no slope",
+     .holds = "one pixel (OpenGL's rule has none)",
+     .scenes = [] { return only(l10); },
+     .run = l10_no_length},
+    {.id = "L11",
+     .title = "vertical, and leftward",
+     .input = "(4,0)-(4,9); (9,4)-(0,4)",
+     .why = "dx = 0, and dx < 0",
+     .holds = "10 pixels each; a loop `while (x < x1)` draws none of them",
+     .scenes =
+         [] {
+             return Scenes{{"vertical", l11_vertical}, {"leftward", l11_leftward}};
+         },
+     .run = l11_vertical_and_leftward},
+    {.id = "L12",
+     .title = "a negative end",
+     .input = "(2,5)-(-4,-3)",
+     .why = "a textbook holds coordinates in unsigned fields, where -4 becomes 4294967292",
+     .holds = "9 pixels",
+     .scenes = [] { return only(l12); },
+     .run = l12_negative_end},
+    {.id = "L13",
+     .title = "the last color of a line",
+     .input = "red from 10 to 200 in 7 steps",
+     .why = "190/7 added 7 times, then cast: the cast takes what is missing to 200 as a level",
+     .holds = "200 at the end; ours are whole numbers, rounded once",
+     .scenes = [] { return only(l13); },
+     .run = l13_last_color},
+});
 
 } // namespace
 
-std::vector<StressCase> line_cases() {
-    return {
-        {.id = "L1",
-         .title = "one tie",
-         .input = "(0,0)-(2,1)",
-         .why = "the middle pixel is as near to y=0 as to y=1",
-         .holds = "each tie rule has its own line: Bresenham stays, (1,0); naive with half away "
-                  "from zero, (1,1); Bresenham drawn from the other end, (1,1). That they are "
-                  "\"equivalent\" is wrong by one pixel.",
-         .scenes =
-             [] {
-                 return std::vector<StressScene>{{"from A to B", std::string(l1)},
-                                                 {"from B to A", std::string(l1_reversed)}};
-             },
-         .run =
-             [](StressRows& rows) {
-                 rows.add_pictures(l1, "bresenham", bresenham, 3);
-                 rows.add_pictures(l1_reversed, "bresenham, other end", bresenham, 3);
-                 rows.add_pictures(l1, "naive, ties away", naive_away, 3);
-                 rows.add("exact", "naive, away, taken for bresenham",
-                          lines_apart(l1, bresenham, l1, naive_away), wrong(1));
-                 rows.add("exact", "bresenham taken for its other end",
-                          lines_apart(l1, bresenham, l1_reversed, bresenham), wrong(1));
-             }},
-        {.id = "L2",
-         .title = "many ties",
-         .input = "(0,0)-(60,10)",
-         .why = "gcd 10: ten pixels lie halfway between two rows",
-         .holds = "61 pixels. Naive with half away from zero and Bresenham differ at the 10 ties, "
-                  "first (3,1) against (3,0); with the same tie rule they are one line, "
-                  "unless rounded sums miss the ties (dda).",
-         .scenes = [] { return one(l2); },
-         .run =
-             [](StressRows& rows) {
-                 // A slope of 1/6 that is rounded takes its ties with it.
-                 add_three_methods(rows, l2, 61, {}, {},
-                                   {{"float", wrong(2)}, {"double", wrong(8)}});
-                 rows.add_pictures(l2, "naive, ties away", naive_away, 61);
-                 rows.add("exact", "naive, away, taken for bresenham",
-                          lines_apart(l2, bresenham, l2, naive_away), wrong(10));
-             }},
-        {.id = "L3",
-         .title = "slope 1,000,000",
-         .input = "(0,0)-(1,1000000), drawn from (0,-500000) to (1,500000)",
-         .why = "one step of x in a million of y",
-         .holds = "1,000,001 pixels; x becomes 1 at y=500001 (naive, half away: 500000). A loop "
-                  "over x draws 2 of them.",
-         .scenes = [] { return one(l3); },
-         .run =
-             [](StressRows& rows) {
-                 const BresenhamLine line({0, 0}, {1, 1'000'000});
-                 rows.expect_same("whole numbers", "bresenham",
-                                  static_cast<std::uint64_t>(line.steps() + 1), 1'000'001, "pixel");
-                 Index y = 0;
-                 while (line.pixel(y).x == 0)
-                     ++y;
-                 rows.expect_same("whole numbers", "bresenham, row of the first x=1",
-                                  static_cast<std::uint64_t>(y), 500'001, "row");
-                 add_three_methods(rows, l3, 16, {}, {}, {{"float", wrong(2)}});
-                 rows.add_pictures(l3, "naive, ties away", naive_away, 16);
-                 std::uint64_t by_x = 0;
-                 for (Index x = 0; x <= 1; ++x)
-                     ++by_x;
-                 rows.add("whole numbers", "textbook: a loop over x",
-                          {.wrong = 1'000'001 - by_x, .unit = "pixel", .note = "draws 2"},
-                          wrong(999'999));
-             }},
-        {.id = "L4",
-         .title = "a million additions of a slope",
-         .input = "(0,0)-(1000000,333333), rounded to nearest",
-         .why = "n additions of a rounded slope to a growing value: error up to n^2 |m| 2^-p",
-         .holds = "the error grows as n^2 when accumulated, as n when multiplied; float draws "
-                  "almost every pixel wrong, double one, a tie.",
-         .scenes = [] { return one(long_line(1'000'000, 333'333)); },
-         .run =
-             [](StressRows& rows) {
-                 const LineLoop line{1'000'000, 333'333};
-                 line.add_to(rows,
-                             {{"float", wrong(977'568, "1675", "first at x=9422, 497 px")},
-                              {"double", wrong(1, "4.2e-6", "first at x=500000")}},
-                             {{"float", wrong(606, "0.030", "first at x=500003")},
-                              {"double", line.within_of_products(double_unit)}});
-             }},
-        {.id = "L5",
-         .title = "slope one third",
-         .input = "(0,0)-(65535,21845)",
-         .why = "long, but no pixel comes nearer than 1/6 to a tie",
-         .holds = "any method that is off by less than 1/6 pixel draws the one set of pixels; "
-                  "accumulating in float is not one of them",
-         .scenes = [] { return one(long_line(65'535, 21'845)); },
-         .run =
-             [](StressRows& rows) {
-                 const LineLoop line{65'535, 21'845};
-                 line.add_to(rows,
-                             {{"float", wrong(44'543, "6.4", "first at x=9422")},
-                              {"double", line.within_of_sums(double_unit)}},
-                             {{"float", line.within_of_products(float_unit)},
-                              {"double", line.within_of_products(double_unit)}});
-                 add_three_methods(rows, long_line(65'535, 21'845), 64);
-             }},
-        {.id = "L6",
-         .title = "control: long, but not stiff",
-         .input = "(0,0)-(4095,4094)",
-         .why =
-             "a pixel in 1/8190 of a tie, and sums that may lose 2 px in float; but the roundings "
-             "of a slope this near to 1 do not add up",
-         .holds = "every pixel right, with every method",
-         .scenes = [] { return one(long_line(4095, 4094)); },
-         .run =
-             [](StressRows& rows) {
-                 const LineLoop line{4095, 4094};
-                 line.add_to(rows,
-                             {{"float", line.within_of_sums(float_unit)},
-                              {"double", line.within_of_sums(double_unit)}},
-                             {{"float", line.within_of_products(float_unit)},
-                              {"double", line.within_of_products(double_unit)}});
-                 add_three_methods(rows, long_line(4095, 4094), 64);
-             }},
-        {.id = "L7",
-         .title = "a counter that stops counting",
-         .input = "x += 1 up to 16777217",
-         .why = "float has no whole numbers between 16777216 and 16777218",
-         .holds = "our loops count in whole numbers and end; a textbook's loop on float does not",
-         .scenes = [] { return one(long_line(16'777'217, 3)); },
-         .run =
-             [](StressRows& rows) {
-                 rows.add("float", "textbook: x += 1", count_up<float>(),
-                          wrong(1, "", "16777216 + 1 = 16777216"));
-                 rows.add("double", "textbook: x += 1", count_up<double>(), right("ends"));
-                 add_three_methods(rows, long_line(16'777'217, 3), 64);
-             }},
-        {.id = "L8",
-         .title = "2 dy beyond 32 bits",
-         .input = "(0,0)-(1500000000,1200000000), clipped to the canvas",
-         .why = "Bresenham's first d is 2 dy - dx, and 2 dy = 2,400,000,000",
-         .holds = "d = 900,000,000 at the start, in 64 bits; time follows the canvas, not the line",
-         .scenes = [] { return one(long_line(1'500'000'000, 1'200'000'000)); },
-         .run =
-             [](StressRows& rows) {
-                 rows.expect_same("whole numbers", "bresenham, the first d",
-                                  static_cast<std::uint64_t>(
-                                      BresenhamLine({0, 0}, {1'500'000'000, 1'200'000'000}).d(0)),
-                                  900'000'000, "unit");
-                 rows.add("int32", "textbook: 2 dy", in_32_bits(2'400'000'000, "2 dy"), wrong(1));
-                 add_three_methods(rows, long_line(1'500'000'000, 1'200'000'000), 64);
-             }},
-        {.id = "L9",
-         .title = "from one end of int32 to the other",
-         .input = "(-2147483648,0)-(2147483647,1)",
-         .why = "dx = 4,294,967,295 does not fit in 32 bits",
-         .holds =
-             "y becomes 1 at x=0, in 64 bits. Float has no 2147483647: its line is another, and "
-             "a tie at every pixel.",
-         .scenes = [] { return one(l9); },
-         .run =
-             [](StressRows& rows) {
-                 rows.add("int32", "textbook: dx", in_32_bits(4'294'967'295, "dx"), wrong(1));
-                 // In float the end is 2147483648, the slope 2^-32 and every y 1/2, a tie.
-                 add_three_methods(rows, l9, 16, {{"float", wrong(2)}}, {{"float", wrong(16)}},
-                                   {{"float", wrong(16)}});
-             }},
-        {.id = "L10",
-         .title = "no length",
-         .input = "(3,3)-(3,3)",
-         .why = "dx = dy = 0: no slope",
-         .holds = "one pixel (OpenGL's rule has none)",
-         .scenes = [] { return one(l10); },
-         .run =
-             [](StressRows& rows) {
-                 add_three_methods(rows, l10, 1);
-                 const double m = std::array{0.0, 0.0}[0] / std::array{0.0, 0.0}[1];
-                 rows.add("double", "textbook: m = dy / dx",
-                          {.wrong = std::isnan(m) ? 1u : 0u, .unit = "slope", .note = "0/0"},
-                          wrong(1));
-             }},
-        {.id = "L11",
-         .title = "vertical, and leftward",
-         .input = "(4,0)-(4,9); (9,4)-(0,4)",
-         .why = "dx = 0, and dx < 0",
-         .holds = "10 pixels each; a loop `while (x < x1)` draws none of them",
-         .scenes =
-             [] {
-                 return std::vector<StressScene>{{"vertical", std::string(l11_vertical)},
-                                                 {"leftward", std::string(l11_leftward)}};
-             },
-         .run =
-             [](StressRows& rows) {
-                 add_three_methods(rows, l11_vertical, 10);
-                 add_three_methods(rows, l11_leftward, 10);
-                 for (const auto& [from, to] : {std::pair{4, 4}, std::pair{9, 0}}) {
-                     std::uint64_t plotted = 0;
-                     for (int x = from; x < to; ++x)
-                         ++plotted;
-                     rows.add("whole numbers",
-                              from == to ? "textbook: while (x < x1), vertical"
-                                         : "textbook: while (x < x1), leftward",
-                              {.wrong = 10 - plotted, .unit = "pixel"}, wrong(10));
-                 }
-             }},
-        {.id = "L12",
-         .title = "a negative end",
-         .input = "(2,5)-(-4,-3)",
-         .why = "a textbook holds coordinates in unsigned fields",
-         .holds = "9 pixels",
-         .scenes = [] { return one(l12); },
-         .run =
-             [](StressRows& rows) {
-                 add_three_methods(rows, l12, 9);
-                 const auto held = static_cast<Index>(static_cast<std::uint32_t>(-4));
-                 rows.add("unsigned", "textbook: the field of x",
-                          {.wrong = held == -4 ? 0u : 1u,
-                           .unit = "value",
-                           .note = fmt::format("-4 becomes {}", held)},
-                          wrong(1, "", "4294967292"));
-             }},
-        {.id = "L13",
-         .title = "the last color of a line",
-         .input = "red from 10 to 200 in 7 steps",
-         .why = "190/7 added 7 times, then cast: the cast takes what is missing to 200 as a level",
-         .holds = "200 at the end; ours are whole numbers, rounded once",
-         .scenes = [] { return one(l13); },
-         .run =
-             [](StressRows& rows) {
-                 rows.add_pictures(l13, "bresenham, color by axis", bresenham, 8, levels_of_l13);
-                 rows.add_pictures(l13, "dda, color by axis", dda, 8, levels_of_l13);
-                 rows.add("float", "textbook: c += step, cast", last_level<float>(10, 200, 7),
-                          wrong(1, "", "becomes 199"));
-                 rows.add("double", "textbook: c += step, cast", last_level<double>(10, 200, 7),
-                          wrong(1, "", "199.99999999999997 becomes 199"));
-             }},
-    };
+std::span<const StressCase> line_cases() {
+    return catalogue;
 }
 
 } // namespace rastertrace

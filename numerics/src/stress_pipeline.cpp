@@ -11,21 +11,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdlib>
-#include <initializer_list>
-#include <optional>
 #include <random>
 
 namespace rastertrace {
 
 namespace {
-
-std::vector<StressScene> one(std::string_view json) {
-    return {{"", std::string(json)}};
-}
-
-using Place = std::array<Index, 6>; ///< x, y and z, each a numerator and a denominator
 
 /// A triangle in the view of P1 to P3. The frustum is one pixel wider than the canvas on each side
 /// but half of it, so that `fit` puts x/w at 32 x/w + 31.5: at the integer samples of pixels, what
@@ -150,7 +140,7 @@ struct FaceSeen {
 };
 FaceSeen face_seen(std::string_view json, std::string_view scalar) {
     FaceSeen face;
-    const auto trace = trace_in(json, {{"scalar", std::string(scalar)}});
+    const auto trace = trace_in(json, with_scalar_named({}, scalar));
     for (std::size_t n = 1; trace && n <= trace.value().size(); ++n) {
         const StepView step = trace.value().step(n);
         if (trace.value().kind_of(n) == StepKind::face) {
@@ -293,22 +283,6 @@ constexpr std::string_view p11 = R"({
   "points": ["A", "B", "C"]
 })";
 
-/// P11: the textbook's PutPixel refuses x > 512 or y > 512 only: how many of our three points it
-/// writes, and how far past the end of 512 x 512 x 4 bytes.
-Measured put_pixel_past_end() {
-    constexpr Index side = 512;
-    Measured measured{.unit = "pixel"};
-    Index past_end = 0;
-    for (const auto& [x, y] : {std::array<Index, 2>{512, 0}, {512, 512}, {0, 512}}) {
-        if (x > side || y > side)
-            continue;
-        ++measured.wrong;
-        past_end = std::max(past_end, 4 * (y * side + x) - 4 * side * side);
-    }
-    measured.note = fmt::format("4 bytes {} past the end", past_end);
-    return measured;
-}
-
 /// P12: for how many of 1..1000 scaling by 0.1, then by 3.3, is not scaling by their product.
 template <typename Scalar> Measured scales_joined() {
     const Scalar tenth = nearest_scalar<Scalar>(Rational(1, 10));
@@ -337,264 +311,241 @@ std::string p12(std::string_view model) {
 }})",
                        model);
 }
+const std::string p12_two = p12(R"({"scale": [0.1, 0.1, 0.1]}, {"scale": [3.3, 3.3, 3.3]})");
+
+/// P1 attacks clippers by vertices on the plane.
+void p1_near_plane(StressRows& rows) {
+    rows.add_pictures(p1_touching, "a vertex on it", {}, 512, by_clipping);
+    rows.add_pictures(p1_on, "all on it", {}, 512, by_clipping);
+    rows.add_pictures(p1_before, "all before it", {}, 0, by_clipping);
+}
+
+/// P2 attacks the division by a negative w.
+void p2_behind_eye(StressRows& rows) {
+    rows.add_pictures(p2, "clipped, then divided", {}, 320, by_clipping);
+    rows.add("exact", "textbook: divided, not clipped", without_clipping(readable_scene(p2)),
+             wrong(576, "", "256 pixels, 0 in common"));
+}
+
+/// P3 attacks the division by w = 0.
+void p3_beside_eye(StressRows& rows) {
+    rows.add_pictures(p3, "clipped, then divided", {}, 768, by_clipping);
+}
+
+/// P4 attacks facing tests with >=.
+void p4_edge_on(StressRows& rows) {
+    add_hidden_face(rows, p4, "cull: back", "0");
+    const auto dot = facing<double>({0, 0, 0}, {1, 0, 0}, {0, 0, -1}, {5, 0, -3}, {0, 0, 0});
+    rows.add("double", "textbook: visible if >= 0", {.wrong = dot >= 0 ? 1u : 0u, .unit = "face"},
+             wrong(1));
+}
+
+/// P5 attacks facing tests on inputs that are rounded: edge-on as typed is not edge-on as held.
+void p5_edge_on_decimals(StressRows& rows) {
+    const auto seen = [&rows](std::string_view scalar, std::string_view label,
+                              const Rational& found, const Documented& documented) {
+        rows.add(scalar, label, edge_on(found, "face"), documented);
+    };
+    constexpr std::string_view added = "textbook: from A, eye added up";
+    seen("float", added, exact_value(p5_from_a<float>(false)), right());
+    seen("double", added, exact_value(p5_from_a<double>(false)), wrong(1, "1.1e-16", "-1"));
+    seen("exact", added, p5_from_a<Rational>(false), right());
+    seen("exact", "from A, eye added up in float", p5_of_rounded_inputs<float>(false),
+         wrong(1, "1.05e-7", "+1"));
+    seen("exact", "from A, eye added up in double", p5_of_rounded_inputs<double>(false),
+         wrong(1, "1.7e-16", "-1"));
+    constexpr std::string_view typed = "textbook: from A, eye typed";
+    seen("float", typed, exact_value(p5_from_a<float>(true)), wrong(1, "1.19e-7", "-1"));
+    seen("double", typed, exact_value(p5_from_a<double>(true)), wrong(1, "1.11e-16", "+1"));
+    seen("exact", typed, p5_from_a<Rational>(true), right());
+    seen("exact", "from A, all rounded to float", p5_of_rounded_inputs<float>(true),
+         wrong(1, "3.77e-8", "-3"));
+    seen("exact", "from A, all rounded to double", p5_of_rounded_inputs<double>(true),
+         wrong(1, "2.5e-17", "+2"));
+    // Ours takes the view from the middle of the face.
+    add_hidden_face(rows, p5, "cull: back", "0",
+                    {{"float", wrong(1, "", "-1.7881393e-07, culled")},
+                     {"double fixed", wrong(1, "", "2.220446049250313e-16, not culled")}});
+}
+
+/// P6 attacks normals, which are differences of large products.
+void p6_nearly_edge_on(StressRows& rows) {
+    add_hidden_face(rows, p6, "cull: back", "-1",
+                    {{"float double fixed", wrong(1, "", "zero area")}});
+}
+
+/// P7 attacks facing tests that normalize.
+void p7_no_normal(StressRows& rows) {
+    add_hidden_face(rows, p7_coincident, "B = C", "");
+    add_hidden_face(rows, p7_eye_on_vertex, "the eye on a vertex", "0");
+    add_hidden_face(rows, p7_eye_in_plane, "the eye in the plane", "0");
+}
+
+/// P8 attacks facing tests that take the view from one vertex, by taking it from another.
+void p8_each_vertex(StressRows& rows) {
+    rows.add_for_all("normal . (eye - V)", {{"float", wrong(837)}, {"double fixed", wrong(842)}},
+                     [](std::string_view scalar) {
+                         return with_coordinates_of(
+                             readable_scene(p5, with_scalar_named({}, scalar)),
+                             []<typename Scalar>() { return faces_of_many_minds<Scalar>(); });
+                     });
+}
+
+/// P9 attacks matrices by views that have none.
+void p9_no_view(StressRows& rows) {
+    rows.add_refusals(set_up("16", R"("position": [0, 5, 0], "look_at": [0, 0, 0])", plain_frustum),
+                      "up parallel to the view", "expected an up that is not parallel to the view");
+    rows.add_refusals(set_up("16", R"("position": [1, 2, 3], "look_at": [1, 2, 3])", plain_frustum),
+                      "eye = look_at", "position = look_at");
+    rows.add_refusals(set_up("16", plain_camera, R"("fov_y": 90, "near": 1, "far": 1)"),
+                      "near = far", "expected far above near");
+    rows.add_refusals(set_up("16", plain_camera, R"("fov_y": 90, "near": 0, "far": 1)"), "near = 0",
+                      "expected a distance above 0");
+    rows.add_refusals(set_up("16", plain_camera, R"("fov_y": 0, "near": 1, "far": 9)"), "fov = 0",
+                      "expected a field of view between 0 and 180");
+    rows.add_refusals(set_up("16", plain_camera, R"("fov_y": 180, "near": 1, "far": 9)"),
+                      "fov = 180", "expected a field of view between 0 and 180");
+    rows.add_refusals(set_up("0", plain_camera, plain_frustum), "canvas 0",
+                      "expected a whole number of pixels from 1");
+}
+
+/// P10 attacks viewports that are a pixel too wide.
+void p10_last_column(StressRows& rows) {
+    rows.add_pictures(p10, "viewport: fit", {}, 3, canonical_points);
+}
+
+/// P11 attacks tests against the canvas that let its width pass.
+void p11_put_pixel(StressRows& rows) {
+    rows.add_pictures(p11, "points", {}, 0);
+    for (const std::string_view scalar : scalar_names()) {
+        const auto trace = trace_in(p11, with_scalar_named({}, scalar));
+        rows.expect_same(scalar, "points, rejected",
+                         trace ? count_of(trace.value(), StepKind::reject) : 0, 3, "step");
+    }
+}
+
+/// P12 attacks the joining of matrices, which is exact only before rounding.
+void p12_joined_scales(StressRows& rows) {
+    rows.add("float", "textbook: joined, or one by one", scales_joined<float>(), wrong(445));
+    rows.add("double", "textbook: joined, or one by one", scales_joined<double>(), wrong(367));
+    rows.add("exact", "textbook: joined, or one by one", scales_joined<Rational>(), right());
+    rows.add_for_all("one model of two scales, or of one", {}, [](std::string_view scalar) {
+        const auto picture = [scalar](const std::string& json) {
+            return drawn_picture(readable_scene(json, with_scalar_named({}, scalar)));
+        };
+        return Measured{
+            .wrong = differing(picture(p12_two), picture(p12(R"({"scale": [0.33, 0.33, 0.33]})"))),
+            .unit = "pixel"};
+    });
+}
+
+constexpr auto catalogue = std::to_array<StressCase>({
+    {.id = "P1",
+     .title = "on the near plane",
+     .input = "(-1,-1,-2)(1,-1,-2)(0,1/2,-1); (-1/2,-1/2)(1/2,-1/2)(0,1/2) at z = -1; at z = -1/2",
+     .why = "a vertex on the plane, all on it, all before it: t = 0/0 in the clipper, slivers",
+     .holds = "512, 512 and 0 pixels",
+     .scenes =
+         [] {
+             return Scenes{{"a vertex on it", p1_touching},
+                           {"all on it", p1_on},
+                           {"all before it", p1_before}};
+         },
+     .run = p1_near_plane},
+    {.id = "P2",
+     .title = "behind the eye",
+     .input = "(0,1,-2)(-1,-1,-2)(1,-1,2)",
+     .why = "w = 2, 2, -2: divided by w, the third vertex stands mirrored before the eye",
+     .holds = "320 pixels. Divided without clipping: 256, none of them in common.",
+     .scenes = [] { return only(p2); },
+     .run = p2_behind_eye},
+    {.id = "P3",
+     .title = "beside the eye",
+     .input = "(0,1,-2)(-1,-1,-2)(1,-1,0)",
+     .why = "w = 0: no place on the screen",
+     .holds = "768 pixels",
+     .scenes = [] { return only(p3); },
+     .run = p3_beside_eye},
+    {.id = "P4",
+     .title = "edge-on",
+     .input = "(0,0,0)(1,0,0)(0,0,-1), eye (5,0,-3)",
+     .why = "normal . view = 0 exactly",
+     .holds = "culled: a front has normal . view > 0. A test with >= draws it.",
+     .scenes = [] { return only(p4); },
+     .run = p4_edge_on},
+    {.id = "P5",
+     .title = "edge-on in decimals",
+     .input = "A = 0, B(.1,.2,.3), C(.7,-.4,.5), eye = 3B + 7C = (5.2,-2.2,4.4)",
+     .why = "none of the decimals is a float or double: what was typed is edge-on, what is held "
+            "is not",
+     .holds = "0 as typed: culled. With the eye added up, exactly for the inputs as rounded: "
+              "+1.05e-7 (float), -1.7e-16 (double); computed: 0 (float), -1.1e-16 (double). "
+              "Rounded, the face is turned either way: say which input is meant.",
+     .scenes = [] { return only(p5); },
+     .run = p5_edge_on_decimals},
+    {.id = "P6",
+     .title = "nearly edge-on",
+     .input = "(0,0,0)(F40,F41,0)(F41,F42,0), eye (0,0,1)",
+     .why = "the normal is the difference of two products of 2.7e16",
+     .holds = "normal . view = -1: a back face. In float and double the normal is 0, and the face "
+              "has no area.",
+     .scenes = [] { return only(p6); },
+     .run = p6_nearly_edge_on},
+    {.id = "P7",
+     .title = "no normal, no view",
+     .input = "B = C; the eye on a vertex; the eye in the plane",
+     .why = "a vector of length 0 has no cosine: 0/0",
+     .holds = "not drawn, and nothing is normalized to decide it. A textbook's N.E/|N.E| is 0/0.",
+     .scenes =
+         [] {
+             return Scenes{{"B = C", p7_coincident},
+                           {"the eye on a vertex", p7_eye_on_vertex},
+                           {"the eye in the plane", p7_eye_in_plane}};
+         },
+     .run = p7_no_normal},
+    {.id = "P8",
+     .title = "seen from A, B or C",
+     .input = "1,000 random faces on a grid of 1/10",
+     .why = "normal . (eye - V) does not depend on the vertex V, but its rounding does",
+     .holds = "the same for all three, exactly; rounded, seldom",
+     .run = p8_each_vertex},
+    {.id = "P9",
+     .title = "a view that is none",
+     .input =
+         "up parallel to the view; eye = look_at; near = far; near = 0; fov 0 or 180; canvas 0",
+     .why = "a matrix of NaN or of infinities",
+     .holds = "each is refused by its name",
+     .run = p9_no_view},
+    {.id = "P10",
+     .title = "the last column",
+     .input = "canonical x = 1, 0, -1 on 64 pixels",
+     .why = "(w-1)/2 or w/2: the one ends at pixel 63, the other at 64, outside",
+     .holds = "by T4's (w-1)/2: pixel 63, center 31.5. By w/2 the last column is lost.",
+     .scenes = [] { return only(p10); },
+     .run = p10_last_column},
+    {.id = "P11",
+     .title = "PutPixel at the edge",
+     .input = "(512,0), (512,512), (0,512) on a canvas of 512",
+     .why = "the text's test is x > width: 512 passes",
+     .holds = "rejected, and the trace says so. The text's PutPixel writes (512,y) to the next "
+              "row, and (512,512) behind the buffer.",
+     .scenes = [] { return only(p11); },
+     .run = p11_put_pixel},
+    {.id = "P12",
+     .title = "two scales, or their product",
+     .input = "0.1, then 3.3, of 1..1000",
+     .why = "matrix products are not associative when they are rounded",
+     .holds =
+         "equal in exact arithmetic. Rounded: 445 differ in float, 367 in double. Ours joins a "
+         "model's steps exactly and rounds once.",
+     .scenes = [] { return only(p12_two); },
+     .run = p12_joined_scales},
+});
 
 } // namespace
 
-std::vector<StressCase> pipeline_cases() {
-    return {
-        {.id = "P1",
-         .title = "on the near plane",
-         .input =
-             "(-1,-1,-2)(1,-1,-2)(0,1/2,-1); (-1/2,-1/2)(1/2,-1/2)(0,1/2) at z = -1; at z = -1/2",
-         .why = "a vertex on the plane, all on it, all before it: t = 0/0 in the clipper, slivers",
-         .holds = "512, 512 and 0 pixels",
-         .scenes =
-             [] {
-                 return std::vector<StressScene>{{"a vertex on it", p1_touching},
-                                                 {"all on it", p1_on},
-                                                 {"all before it", p1_before}};
-             },
-         .run =
-             [](StressRows& rows) {
-                 rows.add_pictures(p1_touching, "a vertex on it", {}, 512, by_clipping);
-                 rows.add_pictures(p1_on, "all on it", {}, 512, by_clipping);
-                 rows.add_pictures(p1_before, "all before it", {}, 0, by_clipping);
-             }},
-        {.id = "P2",
-         .title = "behind the eye",
-         .input = "(0,1,-2)(-1,-1,-2)(1,-1,2)",
-         .why = "w = 2, 2, -2: divided by w, the third vertex stands mirrored before the eye",
-         .holds = "320 pixels. Divided without clipping: 256, none of them in common.",
-         .scenes = [] { return one(p2); },
-         .run =
-             [](StressRows& rows) {
-                 rows.add_pictures(p2, "clipped, then divided", {}, 320, by_clipping);
-                 rows.add("exact", "textbook: divided, not clipped",
-                          without_clipping(readable_scene(p2)),
-                          wrong(576, "", "256 pixels, 0 in common"));
-             }},
-        {.id = "P3",
-         .title = "beside the eye",
-         .input = "(0,1,-2)(-1,-1,-2)(1,-1,0)",
-         .why = "w = 0: no place on the screen",
-         .holds = "768 pixels",
-         .scenes = [] { return one(p3); },
-         .run =
-             [](StressRows& rows) {
-                 rows.add_pictures(p3, "clipped, then divided", {}, 768, by_clipping);
-                 const double x = std::array{1.0, 0.0}[0] / std::array{1.0, 0.0}[1];
-                 rows.add("double", "textbook: divided, not clipped",
-                          {.wrong = std::isfinite(x) ? 0u : 1u,
-                           .unit = "vertex",
-                           .note = fmt::format("x/w = {}", x)},
-                          wrong(1, "", "inf"));
-             }},
-        {.id = "P4",
-         .title = "edge-on",
-         .input = "(0,0,0)(1,0,0)(0,0,-1), eye (5,0,-3)",
-         .why = "normal . view = 0 exactly",
-         .holds = "culled: a front has normal . view > 0. A test with >= draws it.",
-         .scenes = [] { return one(p4); },
-         .run =
-             [](StressRows& rows) {
-                 add_hidden_face(rows, p4, "cull: back", "0");
-                 const auto dot =
-                     facing<double>({0, 0, 0}, {1, 0, 0}, {0, 0, -1}, {5, 0, -3}, {0, 0, 0});
-                 rows.add("double", "textbook: visible if >= 0",
-                          {.wrong = dot >= 0 ? 1u : 0u, .unit = "face"}, wrong(1));
-             }},
-        {.id = "P5",
-         .title = "edge-on in decimals",
-         .input = "A = 0, B(.1,.2,.3), C(.7,-.4,.5), eye = 3B + 7C = (5.2,-2.2,4.4)",
-         .why =
-             "none of the decimals is a float or double: what was typed is edge-on, what is held "
-             "is not",
-         .holds = "0 as typed: culled. With the eye added up, exactly for the inputs as rounded: "
-                  "+1.05e-7 (float), -1.7e-16 (double); computed: 0 (float), -1.1e-16 (double). "
-                  "Rounded, the face is turned either way: say which input is meant.",
-         .scenes = [] { return one(p5); },
-         .run =
-             [](StressRows& rows) {
-                 const auto seen = [&rows](std::string_view scalar, std::string_view label,
-                                           const Rational& found, const Documented& documented) {
-                     rows.add(scalar, label, edge_on(found, "face"), documented);
-                 };
-                 constexpr std::string_view added = "textbook: from A, eye added up";
-                 seen("float", added, exact_value(p5_from_a<float>(false)), right());
-                 seen("double", added, exact_value(p5_from_a<double>(false)),
-                      wrong(1, "1.1e-16", "-1"));
-                 seen("exact", added, p5_from_a<Rational>(false), right());
-                 seen("exact", "from A, eye added up in float", p5_of_rounded_inputs<float>(false),
-                      wrong(1, "1.05e-7", "+1"));
-                 seen("exact", "from A, eye added up in double",
-                      p5_of_rounded_inputs<double>(false), wrong(1, "1.7e-16", "-1"));
-                 constexpr std::string_view typed = "textbook: from A, eye typed";
-                 seen("float", typed, exact_value(p5_from_a<float>(true)),
-                      wrong(1, "1.19e-7", "-1"));
-                 seen("double", typed, exact_value(p5_from_a<double>(true)),
-                      wrong(1, "1.11e-16", "+1"));
-                 seen("exact", typed, p5_from_a<Rational>(true), right());
-                 seen("exact", "from A, all rounded to float", p5_of_rounded_inputs<float>(true),
-                      wrong(1, "3.77e-8", "-3"));
-                 seen("exact", "from A, all rounded to double", p5_of_rounded_inputs<double>(true),
-                      wrong(1, "2.5e-17", "+2"));
-                 // Ours takes the view from the middle of the face.
-                 add_hidden_face(
-                     rows, p5, "cull: back", "0",
-                     {{"float", wrong(1, "", "-1.7881393e-07, culled")},
-                      {"double fixed", wrong(1, "", "2.220446049250313e-16, not culled")}});
-             }},
-        {.id = "P6",
-         .title = "nearly edge-on",
-         .input = "(0,0,0)(F40,F41,0)(F41,F42,0), eye (0,0,1)",
-         .why = "the normal is the difference of two products of 2.7e16",
-         .holds =
-             "normal . view = -1: a back face. In float and double the normal is 0, and the face "
-             "has no area.",
-         .scenes = [] { return one(p6); },
-         .run =
-             [](StressRows& rows) {
-                 add_hidden_face(rows, p6, "cull: back", "-1",
-                                 {{"float double fixed", wrong(1, "", "zero area")}});
-             }},
-        {.id = "P7",
-         .title = "no normal, no view",
-         .input = "B = C; the eye on a vertex; the eye in the plane",
-         .why = "a vector of length 0 has no cosine: 0/0",
-         .holds =
-             "not drawn, and nothing is normalized to decide it. A textbook's N.E/|N.E| is 0/0.",
-         .scenes =
-             [] {
-                 return std::vector<StressScene>{{"B = C", p7_coincident},
-                                                 {"the eye on a vertex", p7_eye_on_vertex},
-                                                 {"the eye in the plane", p7_eye_in_plane}};
-             },
-         .run =
-             [](StressRows& rows) {
-                 add_hidden_face(rows, p7_coincident, "B = C", "");
-                 add_hidden_face(rows, p7_eye_on_vertex, "the eye on a vertex", "0");
-                 add_hidden_face(rows, p7_eye_in_plane, "the eye in the plane", "0");
-                 const std::array<double, 2> zero{0.0, 0.0};
-                 const double cosine = zero[0] / std::abs(zero[1]);
-                 rows.add("double", "textbook: N.E / |N.E|",
-                          {.wrong = std::isnan(cosine) ? 1u : 0u, .unit = "cosine", .note = "0/0"},
-                          wrong(1));
-             }},
-        {.id = "P8",
-         .title = "seen from A, B or C",
-         .input = "1,000 random faces on a grid of 1/10",
-         .why = "normal . (eye - V) does not depend on the vertex V, but its rounding does",
-         .holds = "the same for all three, exactly; rounded, seldom",
-         .scenes = [] { return std::vector<StressScene>(); },
-         .run =
-             [](StressRows& rows) {
-                 const DocumentedOfScalars documented{{"float", wrong(837)},
-                                                      {"double fixed", wrong(842)}};
-                 for (const std::string_view scalar : scalar_names()) {
-                     const Scene scene = readable_scene(p5, {{"scalar", std::string(scalar)}});
-                     rows.add(scalar, "normal . (eye - V)",
-                              with_coordinates_of(
-                                  scene,
-                                  []<typename Scalar>() { return faces_of_many_minds<Scalar>(); }),
-                              documented_of(documented, scalar));
-                 }
-             }},
-        {.id = "P9",
-         .title = "a view that is none",
-         .input =
-             "up parallel to the view; eye = look_at; near = far; near = 0; fov 0 or 180; canvas 0",
-         .why = "a matrix of NaN or of infinities",
-         .holds = "each is refused by its name",
-         .scenes = [] { return std::vector<StressScene>(); },
-         .run =
-             [](StressRows& rows) {
-                 rows.add_refusals(
-                     set_up("16", R"("position": [0, 5, 0], "look_at": [0, 0, 0])", plain_frustum),
-                     "up parallel to the view", "expected an up that is not parallel to the view");
-                 rows.add_refusals(
-                     set_up("16", R"("position": [1, 2, 3], "look_at": [1, 2, 3])", plain_frustum),
-                     "eye = look_at", "position = look_at");
-                 rows.add_refusals(
-                     set_up("16", plain_camera, R"("fov_y": 90, "near": 1, "far": 1)"),
-                     "near = far", "expected far above near");
-                 rows.add_refusals(
-                     set_up("16", plain_camera, R"("fov_y": 90, "near": 0, "far": 1)"), "near = 0",
-                     "expected a distance above 0");
-                 rows.add_refusals(set_up("16", plain_camera, R"("fov_y": 0, "near": 1, "far": 9)"),
-                                   "fov = 0", "expected a field of view between 0 and 180");
-                 rows.add_refusals(
-                     set_up("16", plain_camera, R"("fov_y": 180, "near": 1, "far": 9)"),
-                     "fov = 180", "expected a field of view between 0 and 180");
-                 rows.add_refusals(set_up("0", plain_camera, plain_frustum), "canvas 0",
-                                   "expected a whole number of pixels from 1");
-             }},
-        {.id = "P10",
-         .title = "the last column",
-         .input = "canonical x = 1, 0, -1 on 64 pixels",
-         .why = "(w-1)/2 or w/2: the one ends at pixel 63, the other at 64, outside",
-         .holds = "by T4's (w-1)/2: pixel 63, center 31.5. By w/2 the last column is lost.",
-         .scenes = [] { return one(p10); },
-         .run =
-             [](StressRows& rows) {
-                 rows.add_pictures(p10, "viewport: fit", {}, 3, canonical_points);
-                 const int column = (1 + 1) * 64 / 2;
-                 rows.add("whole numbers", "textbook: (x + 1) w/2",
-                          {.wrong = column >= 64 ? 1u : 0u,
-                           .unit = "pixel",
-                           .note = fmt::format("column {}", column)},
-                          wrong(1));
-             }},
-        {.id = "P11",
-         .title = "PutPixel at the edge",
-         .input = "(512,0), (512,512), (0,512) on a canvas of 512",
-         .why = "the text's test is x > width: 512 passes",
-         .holds = "rejected, and the trace says so. The text's PutPixel writes (512,y) to the next "
-                  "row, and (512,512) behind the buffer.",
-         .scenes = [] { return one(p11); },
-         .run =
-             [](StressRows& rows) {
-                 rows.add_pictures(p11, "points", {}, 0);
-                 for (const std::string_view scalar : scalar_names()) {
-                     const auto trace = trace_in(p11, {{"scalar", std::string(scalar)}});
-                     rows.expect_same(scalar, "points, rejected",
-                                      trace ? count_of(trace.value(), StepKind::reject) : 0, 3,
-                                      "step");
-                 }
-                 rows.add("whole numbers", "textbook: refuse x > 512", put_pixel_past_end(),
-                          wrong(3, "", "4 bytes 2048 past the end"));
-             }},
-        {.id = "P12",
-         .title = "two scales, or their product",
-         .input = "0.1, then 3.3, of 1..1000",
-         .why = "matrix products are not associative when they are rounded",
-         .holds =
-             "equal in exact arithmetic. Rounded: 445 differ in float, 367 in double. Ours joins a "
-             "model's steps exactly and rounds once.",
-         .scenes =
-             [] { return one(p12(R"({"scale": [0.1, 0.1, 0.1]}, {"scale": [3.3, 3.3, 3.3]})")); },
-         .run =
-             [](StressRows& rows) {
-                 rows.add("float", "textbook: joined, or one by one", scales_joined<float>(),
-                          wrong(445));
-                 rows.add("double", "textbook: joined, or one by one", scales_joined<double>(),
-                          wrong(367));
-                 rows.add("exact", "textbook: joined, or one by one", scales_joined<Rational>(),
-                          right());
-                 for (const std::string_view scalar : scalar_names()) {
-                     const auto picture = [scalar](std::string_view model) {
-                         return drawn_picture(
-                             readable_scene(p12(model), {{"scalar", std::string(scalar)}}));
-                     };
-                     rows.add(
-                         scalar, "one model of two scales, or of one",
-                         {.wrong = differing(
-                              picture(R"({"scale": [0.1, 0.1, 0.1]}, {"scale": [3.3, 3.3, 3.3]})"),
-                              picture(R"({"scale": [0.33, 0.33, 0.33]})")),
-                          .unit = "pixel"},
-                         right());
-                 }
-             }},
-    };
+std::span<const StressCase> pipeline_cases() {
+    return catalogue;
 }
 
 } // namespace rastertrace

@@ -20,6 +20,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -57,6 +58,12 @@ const std::vector<std::string_view>& scalar_names();
 
 /// Reads a case's scene.
 Result<Scene> scene_in(std::string_view json, const MethodOverrides& method = {});
+
+/// The scenes of a case; of one that has only one.
+using Scenes = std::vector<StressScene>;
+inline Scenes only(std::string_view json) {
+    return {{"", std::string(json)}};
+}
 
 /// A case's scene that can be read, whatever the scalar.
 Scene readable_scene(std::string_view json, const MethodOverrides& method = {});
@@ -161,6 +168,14 @@ public:
     void add(std::string_view scalar, std::string_view method, Measured measured,
              const Documented& documented);
 
+    /// Adds a row for every scalar: `measure(scalar)` is what was found.
+    template <typename Measure>
+    void add_for_all(std::string_view method, const DocumentedOfScalars& documented,
+                     Measure&& measure) {
+        for (const std::string_view scalar : scalar_names())
+            add(scalar, method, measure(scalar), documented_of(documented, scalar));
+    }
+
     /// Adds a row that is right if `found` is `expected`, and wrong by one otherwise.
     void expect_same(std::string_view scalar, std::string_view method, std::uint64_t found,
                      std::uint64_t expected, std::string_view unit);
@@ -202,12 +217,12 @@ std::uint64_t differing(const std::vector<Color>& a, const std::vector<Color>& b
 /// How many pixels are drawn.
 std::uint64_t drawn_in(const std::vector<Color>& picture);
 
-// The families.
-std::vector<StressCase> line_cases();
-std::vector<StressCase> scanline_cases();
-std::vector<StressCase> edge_function_cases();
-std::vector<StressCase> depth_cases();
-std::vector<StressCase> pipeline_cases();
-std::vector<StressCase> stage_cases();
+// The families: each a table at the end of its file, below one function for each case.
+std::span<const StressCase> line_cases();
+std::span<const StressCase> scanline_cases();
+std::span<const StressCase> edge_function_cases();
+std::span<const StressCase> depth_cases();
+std::span<const StressCase> pipeline_cases();
+std::span<const StressCase> stage_cases();
 
 } // namespace rastertrace

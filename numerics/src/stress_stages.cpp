@@ -10,38 +10,28 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <cstdlib>
-#include <initializer_list>
 #include <limits>
 
 namespace rastertrace {
 
 namespace {
 
-std::vector<StressScene> one(std::string_view json) {
-    return {{"", std::string(json)}};
-}
-
 /// With every scalar, the pixels that differ between two ways to draw a scene.
 void add_two_ways(StressRows& rows, std::string_view label, std::string_view json,
-                  const MethodOverrides& one_way, std::string_view other_json,
-                  const MethodOverrides& other_way, const DocumentedOfScalars& documented = {}) {
-    for (const std::string_view scalar : scalar_names()) {
+                  const MethodOverrides& one_way, const MethodOverrides& other_way,
+                  const DocumentedOfScalars& documented = {}) {
+    rows.add_for_all(label, documented, [&](std::string_view scalar) -> Measured {
         const auto a = drawn_picture(readable_scene(json, with_scalar_named(one_way, scalar)));
-        const auto b =
-            drawn_picture(readable_scene(other_json, with_scalar_named(other_way, scalar)));
-        rows.add(scalar, label,
-                 {.wrong = differing(a, b), .unit = "pixel", .note = counted(drawn_in(a), "pixel")},
-                 documented_of(documented, scalar));
-    }
+        const auto b = drawn_picture(readable_scene(json, with_scalar_named(other_way, scalar)));
+        return {.wrong = differing(a, b), .unit = "pixel", .note = counted(drawn_in(a), "pixel")};
+    });
 }
 
 /// With a stage kept that the scene does not need, and without.
 void add_kept(StressRows& rows, std::string_view label, std::string_view json,
               const std::string& stage) {
-    add_two_ways(rows, label, json, {{"keep", stage}}, json, {});
+    add_two_ways(rows, label, json, {{"keep", stage}}, {});
 }
 
 /// A scene in space; all of it lies in view.
@@ -71,19 +61,6 @@ Measured identity_times_infinity() {
     for (const double x : {product.y, product.z, product.w})
         measured.wrong += x == 1 ? 0 : 1;
     measured.note = std::isnan(product.y) ? "0 Inf is NaN" : "";
-    return measured;
-}
-
-/// X2: x/1 of every 4099th float.
-Measured divided_by_one() {
-    Measured measured{.unit = "number"};
-    std::uint64_t count = 0;
-    for (std::uint64_t bits = 0; bits < 0x7F80'0000; bits += 4099) {
-        const auto x = std::bit_cast<float>(static_cast<std::uint32_t>(bits));
-        measured.wrong += x / 1.0F == x ? 0 : 1;
-        ++count;
-    }
-    measured.note = fmt::format("of {}", count);
     return measured;
 }
 
@@ -181,7 +158,7 @@ std::string one_behind_the_other(int z) {
 /// X9: steps of the planned trace that the full one does not have in the same order, and how many
 /// more the full one has.
 Measured planned_in_full(std::string_view json, std::string_view scalar) {
-    const MethodOverrides method{{"scalar", std::string(scalar)}};
+    const MethodOverrides method = with_scalar_named({}, scalar);
     MethodOverrides full = method;
     for (const char* const stage : {"model", "view", "clip", "divide", "canvas"})
         full.emplace_back("keep", stage);
@@ -205,147 +182,157 @@ Measured planned_in_full(std::string_view json, std::string_view scalar) {
     return measured;
 }
 
+/// X1 attacks leaving out an identity matrix: it does change infinities and -0.
+void x1_identity(StressRows& rows) {
+    add_kept(rows, "model kept", in_view, "model");
+    add_kept(rows, "view kept", in_view, "view");
+    rows.add("double", "textbook: identity times (Inf,1,1,1)", identity_times_infinity(),
+             wrong(3, "", "NaN"));
+}
+
+/// X2 attacks leaving out a division by 1.
+void x2_division_by_one(StressRows& rows) {
+    add_kept(rows, "divide kept", parallel_view, "divide");
+}
+
+/// X3 attacks the product with 1/w in place of a division by w.
+void x3_reciprocal(StressRows& rows) {
+    rows.add("double", "textbook: x (1/3)", by_reciprocal<double>(3), wrong(332, "", "first 5"));
+    rows.add("float", "textbook: x (1/3)", by_reciprocal<float>(3), wrong(332, "", "first 5"));
+    rows.add("float", "textbook: x (1/7)", by_reciprocal<float>(7), wrong(550));
+    rows.add("double", "textbook: x (1/7)", by_reciprocal<double>(7), wrong(362));
+    rows.add("float", "textbook: x (1/4)", by_reciprocal<float>(4), right());
+    rows.add("double", "textbook: x (1/4)", by_reciprocal<double>(4), right());
+}
+
+/// X4 attacks weights, which do not sum to 1 when rounded.
+void x4_constant_depth(StressRows& rows) {
+    add_kept(rows, "depth kept", x4, "depth");
+    rows.add("float", "textbook: w1 c + w2 c + w3 c", mixed_constant<float>({}),
+             wrong(491, "", "of 1634"));
+    rows.add("double", "textbook: w1 c + w2 c + w3 c", mixed_constant<double>({}),
+             wrong(496, "", "of 1634"));
+    rows.add("exact", "textbook: w1 c + w2 c + w3 c", mixed_constant<Rational>({}), right());
+}
+
+/// X5 attacks leaving out the depth buffer where triangles only touch.
+void x5_no_overlap(StressRows& rows) {
+    add_kept(rows, "scanline, depth kept", x5, "depth");
+    add_two_ways(rows, "scanline, no depth", x5, {}, {{"depth", "none"}}, {{"all", wrong(9)}});
+    add_two_ways(rows, "top-left, no depth", x5, {{"fill", "top-left"}},
+                 {{"fill", "top-left"}, {"depth", "none"}});
+}
+
+/// X6 attacks the culling of back faces, by a silhouette on samples.
+void x6_back_faces(StressRows& rows) {
+    add_two_ways(rows, "front faces first", pyramid(false), {{"cull", "back"}}, {});
+    add_two_ways(rows, "back faces first", pyramid(true), {{"cull", "back"}}, {},
+                 {{"all", wrong(40)}});
+}
+
+/// X7 attacks leaving out the clipper.
+void x7_all_in_view(StressRows& rows) {
+    add_kept(rows, "clip kept", in_view, "clip");
+}
+
+/// X8 attacks the painter in place of a depth buffer.
+void x8_painter(StressRows& rows) {
+    add_two_ways(rows, "painter, apart", one_behind_the_other(5), {}, {{"depth", "painter"}});
+    add_two_ways(rows, "painter, touching", one_behind_the_other(4), {}, {{"depth", "painter"}},
+                 {{"all", wrong(9)}});
+}
+
+/// X9 attacks the promise that a stage left out takes only its own steps with it.
+void x9_traces(StressRows& rows) {
+    rows.add_for_all("planned, in the full trace", {},
+                     [](std::string_view scalar) { return planned_in_full(in_view, scalar); });
+}
+
+constexpr auto catalogue = std::to_array<StressCase>({
+    {.id = "X1",
+     .title = "the identity matrix",
+     .input = "a matrix that moves nothing, kept or left out; a point with an infinity or -0",
+     .why = "0 times Inf is NaN in the other rows; -0 + 0 is +0",
+     .holds =
+         "left out, the picture is the same, because what is not finite is refused before, and "
+         "zeros are compared as numbers",
+     .scenes = [] { return only(in_view); },
+     .run = x1_identity},
+    {.id = "X2",
+     .title = "division by w = 1",
+     .input = "x/1",
+     .why = "a division is rounded, but not this one",
+     .holds = "x/1 = x for every number: the division may be left out",
+     .scenes = [] { return only(parallel_view); },
+     .run = x2_division_by_one},
+    {.id = "X3",
+     .title = "times 1/w for division by w",
+     .input = "1..1000, w = 3, 4 and 7",
+     .why = "two roundings instead of one",
+     .holds = "not the same: w = 3: 332 differ in double, the first 5; w = 7: 550 in float. Only "
+              "powers of two are. Ours divides.",
+     .run = x3_reciprocal},
+    {.id = "X4",
+     .title = "a depth that is the same everywhere",
+     .input = "1/z = 1/3 at (3,2)(61,9)(17,60)",
+     .why = "weights that are rounded do not sum to 1",
+     .holds = "d1 + w2 (d2 - d1) + w3 (d3 - d1), ours, keeps it; w1 c + w2 c + w3 c changes it in "
+              "491 (float) and 496 (double) of 1,634 pixels",
+     .scenes = [] { return only(x4); },
+     .run = x4_constant_depth},
+    {.id = "X5",
+     .title = "faces that cannot overlap",
+     .input = "S10's square at one depth, with and without a depth buffer",
+     .why = "the triangles do not overlap; their pixels do",
+     .holds = "floor: 9 pixels in both, where the buffer keeps the first and no buffer the last; "
+              "top-left: none. So the plan asks the pixels, not the geometry.",
+     .scenes = [] { return only(x5); },
+     .run = x5_no_overlap},
+    {.id = "X6",
+     .title = "back faces of a closed solid",
+     .input = "a double pyramid whose silhouette lies on samples, culled or not",
+     .why = "on the silhouette a front and a back face are equally far",
+     .holds = "culled or not, the same, if front faces are drawn first; if back faces are, 40 "
+              "pixels "
+              "of the silhouette are theirs",
+     .scenes =
+         [] {
+             return Scenes{{"front faces first", pyramid(false)},
+                           {"back faces first", pyramid(true)}};
+         },
+     .run = x6_back_faces},
+    {.id = "X7",
+     .title = "clipping where nothing is outside",
+     .input = "every vertex in view",
+     .why = "a clipper that cuts at a plane it does not meet makes vertices of its own",
+     .holds = "the same picture, because the planes themselves are inside",
+     .scenes = [] { return only(in_view); },
+     .run = x7_all_in_view},
+    {.id = "X8",
+     .title = "a painter instead of a buffer",
+     .input = "two triangles with depths 2..4 and 5..7; 2..4 and 4..6",
+     .why = "where the ranges touch, depths tie: the buffer keeps the first, the painter the last",
+     .holds = "ranges apart: the same picture; touching: 9 pixels differ",
+     .scenes =
+         [] {
+             return Scenes{{"apart", one_behind_the_other(5)},
+                           {"touching", one_behind_the_other(4)}};
+         },
+     .run = x8_painter},
+    {.id = "X9",
+     .title = "the trace without stages left out",
+     .input = "a triangle in space, its stages as planned and all of them",
+     .why = "the pictures are the same; are the steps?",
+     .holds = "the same frame; the full trace is the planned one and the steps of the stages "
+              "that were left out",
+     .scenes = [] { return only(in_view); },
+     .run = x9_traces},
+});
+
 } // namespace
 
-std::vector<StressCase> stage_cases() {
-    return {
-        {.id = "X1",
-         .title = "the identity matrix",
-         .input = "a matrix that moves nothing, kept or left out; a point with an infinity or -0",
-         .why = "0 times Inf is NaN in the other rows; -0 + 0 is +0",
-         .holds =
-             "left out, the picture is the same, because what is not finite is refused before, and "
-             "zeros are compared as numbers",
-         .scenes = [] { return one(in_view); },
-         .run =
-             [](StressRows& rows) {
-                 add_kept(rows, "model kept", in_view, "model");
-                 add_kept(rows, "view kept", in_view, "view");
-                 rows.add("double", "textbook: identity times (Inf,1,1,1)",
-                          identity_times_infinity(), wrong(3, "", "NaN"));
-             }},
-        {.id = "X2",
-         .title = "division by w = 1",
-         .input = "x/1",
-         .why = "a division is rounded, but not this one",
-         .holds = "x/1 = x for every number: the division may be left out",
-         .scenes = [] { return one(parallel_view); },
-         .run =
-             [](StressRows& rows) {
-                 add_kept(rows, "divide kept", parallel_view, "divide");
-                 rows.add("float", "x/1 = x", divided_by_one(), right());
-             }},
-        {.id = "X3",
-         .title = "times 1/w for division by w",
-         .input = "1..1000, w = 3, 4 and 7",
-         .why = "two roundings instead of one",
-         .holds =
-             "not the same: w = 3: 332 differ in double, the first 5; w = 7: 550 in float. Only "
-             "powers of two are. Ours divides.",
-         .scenes = [] { return std::vector<StressScene>(); },
-         .run =
-             [](StressRows& rows) {
-                 rows.add("double", "textbook: x (1/3)", by_reciprocal<double>(3),
-                          wrong(332, "", "first 5"));
-                 rows.add("float", "textbook: x (1/3)", by_reciprocal<float>(3),
-                          wrong(332, "", "first 5"));
-                 rows.add("float", "textbook: x (1/7)", by_reciprocal<float>(7), wrong(550));
-                 rows.add("double", "textbook: x (1/7)", by_reciprocal<double>(7), wrong(362));
-                 rows.add("float", "textbook: x (1/4)", by_reciprocal<float>(4), right());
-                 rows.add("double", "textbook: x (1/4)", by_reciprocal<double>(4), right());
-             }},
-        {.id = "X4",
-         .title = "a depth that is the same everywhere",
-         .input = "1/z = 1/3 at (3,2)(61,9)(17,60)",
-         .why = "weights that are rounded do not sum to 1",
-         .holds =
-             "d1 + w2 (d2 - d1) + w3 (d3 - d1), ours, keeps it; w1 c + w2 c + w3 c changes it in "
-             "491 (float) and 496 (double) of 1,634 pixels",
-         .scenes = [] { return one(x4); },
-         .run =
-             [](StressRows& rows) {
-                 add_kept(rows, "depth kept", x4, "depth");
-                 rows.add("float", "textbook: w1 c + w2 c + w3 c", mixed_constant<float>({}),
-                          wrong(491, "", "of 1634"));
-                 rows.add("double", "textbook: w1 c + w2 c + w3 c", mixed_constant<double>({}),
-                          wrong(496, "", "of 1634"));
-                 rows.add("exact", "textbook: w1 c + w2 c + w3 c", mixed_constant<Rational>({}),
-                          right());
-             }},
-        {.id = "X5",
-         .title = "faces that cannot overlap",
-         .input = "S10's square at one depth, with and without a depth buffer",
-         .why = "the triangles do not overlap; their pixels do",
-         .holds =
-             "floor: 9 pixels in both, where the buffer keeps the first and no buffer the last; "
-             "top-left: none. So the plan asks the pixels, not the geometry.",
-         .scenes = [] { return one(x5); },
-         .run =
-             [](StressRows& rows) {
-                 add_kept(rows, "scanline, depth kept", x5, "depth");
-                 add_two_ways(rows, "scanline, no depth", x5, {}, x5, {{"depth", "none"}},
-                              {{"all", wrong(9)}});
-                 add_two_ways(rows, "top-left, no depth", x5, {{"fill", "top-left"}}, x5,
-                              {{"fill", "top-left"}, {"depth", "none"}});
-             }},
-        {.id = "X6",
-         .title = "back faces of a closed solid",
-         .input = "a double pyramid whose silhouette lies on samples, culled or not",
-         .why = "on the silhouette a front and a back face are equally far",
-         .holds = "culled or not, the same, if front faces are drawn first; if back faces are, 40 "
-                  "pixels "
-                  "of the silhouette are theirs",
-         .scenes =
-             [] {
-                 return std::vector<StressScene>{{"front faces first", pyramid(false)},
-                                                 {"back faces first", pyramid(true)}};
-             },
-         .run =
-             [](StressRows& rows) {
-                 add_two_ways(rows, "front faces first", pyramid(false), {{"cull", "back"}},
-                              pyramid(false), {});
-                 add_two_ways(rows, "back faces first", pyramid(true), {{"cull", "back"}},
-                              pyramid(true), {}, {{"all", wrong(40)}});
-             }},
-        {.id = "X7",
-         .title = "clipping where nothing is outside",
-         .input = "every vertex in view",
-         .why = "a clipper that cuts at a plane it does not meet makes vertices of its own",
-         .holds = "the same picture, because the planes themselves are inside",
-         .scenes = [] { return one(in_view); },
-         .run = [](StressRows& rows) { add_kept(rows, "clip kept", in_view, "clip"); }},
-        {.id = "X8",
-         .title = "a painter instead of a buffer",
-         .input = "two triangles with depths 2..4 and 5..7; 2..4 and 4..6",
-         .why =
-             "where the ranges touch, depths tie: the buffer keeps the first, the painter the last",
-         .holds = "ranges apart: the same picture; touching: 9 pixels differ",
-         .scenes =
-             [] {
-                 return std::vector<StressScene>{{"apart", one_behind_the_other(5)},
-                                                 {"touching", one_behind_the_other(4)}};
-             },
-         .run =
-             [](StressRows& rows) {
-                 add_two_ways(rows, "painter, apart", one_behind_the_other(5), {},
-                              one_behind_the_other(5), {{"depth", "painter"}});
-                 add_two_ways(rows, "painter, touching", one_behind_the_other(4), {},
-                              one_behind_the_other(4), {{"depth", "painter"}}, {{"all", wrong(9)}});
-             }},
-        {.id = "X9",
-         .title = "the trace without stages left out",
-         .input = "a triangle in space, its stages as planned and all of them",
-         .why = "the pictures are the same; are the steps?",
-         .holds = "the same frame; the full trace is the planned one and the steps of the stages "
-                  "that were left out",
-         .scenes = [] { return one(in_view); },
-         .run =
-             [](StressRows& rows) {
-                 for (const std::string_view scalar : scalar_names())
-                     rows.add(scalar, "planned, in the full trace",
-                              planned_in_full(in_view, scalar), right());
-             }},
-    };
+std::span<const StressCase> stage_cases() {
+    return catalogue;
 }
 
 } // namespace rastertrace

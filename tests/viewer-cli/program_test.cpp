@@ -307,6 +307,25 @@ TEST_F(ProgramTest, StressListsEveryCaseInOneLine) {
         EXPECT_LE(line.size(), 100u) << line;
 }
 
+TEST_F(ProgramTest, StressWritesTheTablesOfTheDocumentation) {
+    const std::string head = "| id | case | what holds | found to be wrong, or refused |\n"
+                             "|---|---|---|---|\n";
+    EXPECT_EQ(
+        shell("$rastertrace stress --case L2,L6,P7 --markdown").out,
+        "3 cases.\n\n## Lines\n\n" + head +
+            "| L2 | many ties | 61 pixels. Naive with half away from zero and Bresenham differ "
+            "at the 10 ties, first (3,1) against (3,0); with the same tie rule they are one "
+            "line, unless rounded sums miss the ties (dda). | dda: float 2 pixels wrong; "
+            "double 8 pixels wrong<br>naive, away, taken for bresenham: exact 10 pixels wrong "
+            "|\n"
+            "| L6 | control: long, but not stiff | every pixel right, with every method | "
+            "nothing |\n"
+            "\n## Pipeline\n\n" +
+            head +
+            "| P7 | no normal, no view | not drawn, and nothing is normalized to decide it. A "
+            "textbook's N.E/\\|N.E\\| is 0/0. | nothing |\n");
+}
+
 TEST_F(ProgramTest, StressShowsACaseInFull) {
     const Outcome outcome = shell("$rastertrace stress --case s6");
     EXPECT_EQ(outcome.status, 0);
@@ -444,6 +463,8 @@ TEST_F(ProgramTest, StressRefusesWhatItCannotRun) {
     EXPECT_EQ(refusal("--case S19"),
               "rastertrace: --case: expected a case of the catalogue, L1 to L13, S1 to S14, C1 to "
               "C18, Z1 to Z13, P1 to P12 or X1 to X9, found \"S19\"\nhint: did you mean S1?\n");
+    EXPECT_THAT(refusal("--markdown --json"),
+                HasSubstr("--markdown: expected cases to print as tables, found \"--json\""));
     EXPECT_EQ(
         refusal("--case Z5 --scene"),
         "rastertrace: --scene: expected a case with a scene, found Z5, which is a computation, "

@@ -388,6 +388,8 @@ private:
                             ->expected(0, 1);
         command.add_flag("--quick", stress_.quick, "Every case, the longest with one scalar only");
         command.add_flag("--json", stress_.json, "Print JSON");
+        command.add_flag("--markdown", stress_.markdown,
+                         "Print the cases as tables of a page, with what is wrong or refused");
         stress_method_.add_to(command);
         stress_input_.add_to(command);
         command.callback([this] {
@@ -403,6 +405,8 @@ private:
         const bool has_scene = !stress_.scene.empty();
         if (has_scene && !stress_.cases.empty())
             refuse("--case", "cases, or a scene, not both", stress_.scene);
+        if (stress_.markdown && (has_scene || stress_.json))
+            refuse("--markdown", "cases to print as tables", has_scene ? stress_.scene : "--json");
         for (const auto& [key, value] : stress_.method) {
             if (!has_scene)
                 refuse(option_named(key), "a scene to draw by another method", "none",

@@ -6,6 +6,7 @@
 
 #include <rastertrace/numerics/cliffs.h>
 #include <rastertrace/numerics/stress.h>
+#include <rastertrace/trace/method_names.h>
 #include <rastertrace/trace/problem.h>
 #include <rastertrace/trace/scene_file.h>
 #include <rastertrace/trace/step_writer.h>
@@ -17,6 +18,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -276,6 +278,79 @@ std::string as_json(const std::vector<RunCase>& cases) {
                        json_list(failed, json_quoted));
 }
 
+// Markdown.
+
+/// Text in a cell of a table.
+std::string in_cell(std::string_view text) {
+    std::string cell;
+    for (const char c : text)
+        cell += c == '|' ? "\\|" : std::string(1, c);
+    return cell;
+}
+
+/// What is wrong or refused of one method.
+struct Failing {
+    std::string_view method;
+    std::string what;    ///< "590 rows wrong, at most 0.024 px"
+    std::string scalars; ///< with which it is so
+    std::size_t scalar_count;
+};
+
+/// What a case has wrong or refused: a line for each method.
+std::string failing_in_cell(const RunCase& one) {
+    if (one.count(Verdict::refused) == one.rows.size())
+        return "all of it is refused, with every scalar";
+    std::vector<Failing> all;
+    for (const StressRow& row : one.rows) {
+        if (verdict_of(row) != Verdict::wrong && verdict_of(row) != Verdict::refused)
+            continue;
+        const std::string what =
+            verdict_of(row) == Verdict::refused ? "refused" : described_error(row);
+        const auto same = std::find_if(all.begin(), all.end(), [&](const Failing& other) {
+            return other.method == row.method && other.what == what;
+        });
+        if (same == all.end()) {
+            all.push_back({row.method, what, row.scalar, 1});
+        } else {
+            same->scalars += ", " + row.scalar;
+            ++same->scalar_count;
+        }
+    }
+    std::string cell;
+    std::string_view method;
+    for (const Failing& failing : all) {
+        if (failing.method != method)
+            cell += (cell.empty() ? "" : "<br>") + in_cell(failing.method) + ": ";
+        else
+            cell += "; ";
+        method = failing.method;
+        cell += failing.scalar_count == find_method_key("scalar")->values.size() ? "every scalar"
+                                                                                 : failing.scalars;
+        cell += " " + failing.what;
+    }
+    return cell.empty() ? "nothing" : cell;
+}
+
+std::string as_markdown(const std::vector<RunCase>& cases) {
+    std::string text = fmt::format("{} cases.\n", cases.size());
+    std::string_view family;
+    for (const RunCase& one : cases) {
+        const StressCase& about = *one.about;
+        if (family_of(about) != family) {
+            family = family_of(about);
+            std::string title(family);
+            title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
+            text += fmt::format(
+                "\n## {}\n\n| id | case | what holds | found to be wrong, or refused |\n"
+                "|---|---|---|---|\n",
+                title);
+        }
+        text += fmt::format("| {} | {} | {} | {} |\n", about.id, in_cell(about.title),
+                            in_cell(about.holds), failing_in_cell(one));
+    }
+    return text;
+}
+
 // Which cases.
 
 std::vector<const StressCase*> chosen_cases(const std::vector<std::string>& ids) {
@@ -414,6 +489,8 @@ int run(const StressCommand& command) {
     }
     if (command.json) {
         print(as_json(cases));
+    } else if (command.markdown) {
+        print(as_markdown(cases));
     } else if (command.cases.empty()) {
         print(as_table(cases));
     } else {

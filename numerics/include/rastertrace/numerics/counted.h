@@ -57,6 +57,15 @@ private:
     Work* before_;
 };
 
+/// What `run` does with numbers that count, in so many pixels.
+template <typename Run> Work work_of(Run&& run, std::uint64_t pixels_tested = 0) {
+    Work work;
+    const Counting counting(work);
+    run();
+    work.pixels_tested = pixels_tested;
+    return work;
+}
+
 /// Whole numbers: indices, numerators, denominators.
 template <typename T>
 concept Whole = std::integral<T> || std::same_as<T, Int128>;

@@ -65,7 +65,9 @@ struct StressRow {
 Verdict verdict_of(const StressRow& row);
 bool is_as_documented(const StressRow& row);
 
-/// What was found, in words: "590 rows wrong, at most 0.024 px".
+/// How wrong a wrong row is: "590 rows wrong, at most 0.024 px".
+std::string described_error(const StressRow& row);
+/// What was found, in words: "590 rows wrong, at most 0.024 px; of 3001, first at y=3".
 std::string described(const StressRow& row);
 /// What is documented, in words.
 std::string described(const Documented& documented, const Measured& measured);
@@ -87,9 +89,10 @@ struct StressCase {
     std::string_view id;    ///< L1, S4, ...
     std::string_view title; ///< at most 40 characters
     std::string_view input;
-    std::string_view why;                 ///< it is stiff or extreme
-    std::string_view holds;               ///< what must hold, and what is documented not to
-    std::vector<StressScene> (*scenes)(); ///< none: the case is a computation
+    std::string_view why;   ///< it is stiff or extreme
+    std::string_view holds; ///< what must hold, and what is documented not to
+    /// None: the case is a computation.
+    std::vector<StressScene> (*scenes)() = [] { return std::vector<StressScene>(); };
     void (*run)(StressRows& rows);
 };
 
