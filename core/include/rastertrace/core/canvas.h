@@ -1,18 +1,41 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Where pixels are: the one page that says which way y points and what a pixel stands for.
+// Where pixels are: the one page that says what a pixel stands for, where it is asked, and which way y
+// points.
 //
-// A pixel is named by the integer point (x, y) of the scene's own coordinates. With `sample:
-// integer` (the convention of the textbooks, and of every algorithm in this folder so far) the
-// pixel *is* that point: whether it is drawn is decided at exactly (x, y).
+// A pixel is named by the integer point (x, y) of the scene's own coordinates. It is decided at one point,
+// its sample. A scene says where that is:
+//
+//     sample: integer                          sample: center
+//
+//         3 -   o     o     o                      3 -   +-----+-----+
+//                                                        |     |     |
+//         2 -   o     o     o   the sample         2.5   |  o  |  o  |   the sample of
+//               (1,2)           of (1, 2)                |(1,2)|     |   (1, 2): (1.5, 2.5)
+//         1 -                                      2 -   +-----+-----+
+//               |     |     |                            |     |     |
+//               1     2     3                            1     2     3
+//
+// With `integer`, the convention of the textbooks, the sample is the integer point itself: scanline,
+// two-halves, fan, lines and points always have it, barycentric unless the scene says otherwise. With
+// `center`, that of graphics hardware, it lies half a pixel from there, toward larger x and larger y:
+// top-left has it unless the scene says otherwise. The algorithms that round where an edge or a line meets
+// a row (rounding.h) ask at the height of the integer point.
 //
 // The canvas says which integer points exist and which way y points:
 //
-//     Canvas canvas{.width = 17, .height = 14};  // origin in the centre: x -8..8, y 7..-6, y up
+//     origin: center, y up           bottom-left, y up          top-left, y down
 //
-// Whatever the origin, pixels are visited from the top row of the picture to the bottom row, and
-// from left to right in a row.
+//          y                         y                          (0,0) ----- x
+//          |                         |                            |
+//     -----+----- x                  |                            |
+//        (0,0)                     (0,0) ----- x                  y
+//
+//     Canvas canvas{.width = 17, .height = 14};  // origin in the center: x -8..8, y 7..-6, y up
+//
+// Whatever the origin, rows are counted from the top of the picture, and pixels are visited from the top
+// row to the bottom row (two-halves: from the bottom), from left to right in a row.
 
 #include <cstddef>
 #include <cstdint>
