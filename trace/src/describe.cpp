@@ -2,6 +2,7 @@
 #include <rastertrace/trace/describe.h>
 
 #include <rastertrace/trace/scene_file.h>
+#include <rastertrace/trace/step_kind.h>
 #include <rastertrace/trace/text.h>
 
 #include <fmt/format.h>
@@ -44,6 +45,13 @@ PrimitiveText primitive_of(const Replay& replay) {
     return {step.text("kind"), step.text("name"), step.texts("vertices"), step.text_rows("at")};
 }
 
+/// What the parts of a sentence are worked out from.
+struct Context {
+    const Replay& replay;
+    StepView step;
+    PrimitiveText primitive;
+};
+
 std::string point(const std::vector<std::string>& coordinates) {
     return fmt::format("({})", fmt::join(coordinates, ", "));
 }
@@ -69,9 +77,10 @@ std::optional<EdgeEnds> ends_of_edge(const PrimitiveText& primitive, const std::
     return std::nullopt;
 }
 
-std::string describe_primitive(const PrimitiveText& primitive, const StepView& step) {
-    std::string text = fmt::format("{} {}", primitive.kind, primitive.name);
+std::string corners(const Context& context) {
+    const auto& [replay, step, primitive] = context;
     const auto colors = step.texts("colors");
+    std::string text;
     for (std::size_t i = 0; i < primitive.vertices.size() && i < primitive.positions.size(); ++i) {
         text += fmt::format("   {} {}", primitive.vertices[i], point(primitive.positions[i]));
         if (i < colors.size())
@@ -79,56 +88,29 @@ std::string describe_primitive(const PrimitiveText& primitive, const StepView& s
     }
     if (primitive.positions.empty())
         text += ": not all of it can be seen, it is clipped";
-    if (step.field("octant"))
-        text += fmt::format("   octant {}", step.text("octant"));
-    return text;
-}
-
-std::string describe_matrix(const StepView& step) {
-    std::string text = step.text("name") + " matrix";
-    if (step.field("object"))
-        text += " of " + step.text("object");
-    text += ":";
-    for (const auto& row : step.text_rows("rows"))
-        text += fmt::format("  [{}]", fmt::join(row, " "));
     return text;
 }
 
 /// The space that a vertex goes on to comes of the one before: by a matrix, or by dividing by w.
-std::string describe_vertex(const Replay& replay, const StepView& step) {
-    const std::string space = step.text("space");
-    const auto at = step.texts("at");
-    std::string text =
-        fmt::format("vertex {} in {} space: {}", step.text("name"), space, point(at));
-    if (const auto before = replay.vertex_before();
-        before != 0 && replay.trace().step(before).text("name") == step.text("name")) {
-        const auto from = replay.trace().step(before).texts("at");
-        if (space == "canonical" && from.size() == 4)
-            text = fmt::format("vertex {} in {} space: ({}, {}, {}) / {} = {}", step.text("name"),
-                               space, from[0], from[1], from[2], from[3], point(at));
-        else if (!replay.trace().step(before).text("space").empty())
-            text +=
-                fmt::format(", from {} {}", replay.trace().step(before).text("space"), point(from));
-    }
-    if (step.field("snapped"))
-        text += fmt::format(" -> {}", point(step.texts("snapped")));
-    return text;
+std::string place(const Context& context) {
+    const auto& [replay, step, primitive] = context;
+    const std::string at = point(step.texts("at"));
+    if (replay.vertex_before() == 0)
+        return at;
+    const StepView before = replay.trace().step(replay.vertex_before());
+    const std::string space_before = before.text("space");
+    if (before.text("name") != step.text("name") || space_before.empty())
+        return at;
+    const auto from = before.texts("at");
+    if (step.text("space") == "canonical" && from.size() == 4)
+        return fmt::format("({}, {}, {}) / {} = {}", from[0], from[1], from[2], from[3], at);
+    return fmt::format("{}, from {} {}", at, space_before, point(from));
 }
 
-std::string describe_clip(const StepView& step) {
-    std::string text =
-        fmt::format("{} clipped at the {} plane:", step.text("name"), step.text("plane"));
-    const auto inside = step.texts("inside");
-    const auto count = std::count(inside.begin(), inside.end(), "true");
-    text +=
-        fmt::format(" {} of {} vertices inside, {} left", count, inside.size(), step.text("out"));
-    return text;
-}
-
-std::string describe_order(const StepView& step) {
-    const auto names = step.texts("names");
-    const auto distances = step.texts("distances");
-    std::string text = "the painter draws, farthest first:";
+std::string farthest_first(const Context& context) {
+    const auto names = context.step.texts("names");
+    const auto distances = context.step.texts("distances");
+    std::string text;
     constexpr std::size_t most_named = 8;
     for (std::size_t i = 0; i < names.size() && i < most_named; ++i)
         text += fmt::format("{} {} at {}", i == 0 ? "" : ",", names[i],
@@ -138,31 +120,7 @@ std::string describe_order(const StepView& step) {
     return text;
 }
 
-/// n . v = dot, and what follows from its sign.
-std::string describe_face(const PrimitiveText& primitive, const StepView& step) {
-    const bool is_by_light = step.text("by") == "light";
-    std::string text = fmt::format("face {}: normal {} . {} {} = {}", primitive.name,
-                                   point(step.texts("normal")), is_by_light ? "to light" : "to eye",
-                                   point(step.texts("view")), step.text("dot"));
-    if (step.text("cosine") != "null")
-        text += fmt::format(", cosine {}", step.text("cosine"));
-    return text + (step.text("culled") == "true" ? ": culled" : ": drawn");
-}
-
-std::string describe_light(const PrimitiveText& primitive, const StepView& step) {
-    return fmt::format("light on {}: normal {} . light {} = {}, intensity {}, color {}",
-                       primitive.name, point(step.texts("normal")), point(step.texts("light")),
-                       step.text("dot"), step.text("intensity"), step.text("color"));
-}
-
-std::string describe_depth(const StepView& step) {
-    const std::string stored = step.text("stored");
-    return fmt::format("depth at ({}, {}): {} against {}: {}", step.text("x"), step.text("y"),
-                       step.text("depth"), stored == "null" ? "nothing" : stored,
-                       step.text("pass") == "true" ? "passes" : "fails");
-}
-
-std::string describe_edge_function(const StepView& step, const std::optional<EdgeEnds>& ends) {
+std::string edge_function(const StepView& step, const std::optional<EdgeEnds>& ends) {
     const bool is_top_left = step.text("top_left") == "true";
     return fmt::format("edge {}: E(x, y) = {} (x {}) {} (y {}), {}", step.text("edge"),
                        step.text("a"), ends ? minus(ends->from[0]) : "- x1", plus(step.text("b")),
@@ -171,13 +129,14 @@ std::string describe_edge_function(const StepView& step, const std::optional<Edg
                                    : "samples where E = 0 do not belong to the triangle");
 }
 
-std::string describe_edge(const Replay& replay, const StepView& step) {
+std::string edge(const Context& context) {
+    const StepView& step = context.step;
     const std::string name = step.text("edge");
     if (step.field("octant"))
         return fmt::format("side {}: octant {}", name, step.text("octant"));
-    const auto ends = ends_of_edge(primitive_of(replay), name);
+    const auto ends = ends_of_edge(context.primitive, name);
     if (step.field("a"))
-        return describe_edge_function(step, ends);
+        return edge_function(step, ends);
     const std::string slope = step.text("dx_dy");
     if (slope == "null")
         return fmt::format("edge {}: horizontal, it has no dx/dy", name);
@@ -187,38 +146,43 @@ std::string describe_edge(const Replay& replay, const StepView& step) {
     return fmt::format("edge {}: dx/dy = {}", name, slope);
 }
 
-std::string describe_half(const StepView& step, const Canvas& canvas) {
-    const Index from = step.whole("from_y").value_or(0);
-    const Index to = step.whole("to_y").value_or(0);
+std::string rows_of_half(const Context& context) {
+    const Canvas& canvas = context.replay.trace().canvas;
+    const Index from = context.step.whole("from_y").value_or(0);
+    const Index to = context.step.whole("to_y").value_or(0);
     // A half is filled upward: its rows end where they began, or above.
-    if (canvas.row_of(from) < canvas.row_of(to))
-        return fmt::format("{} half: no row", step.text("half"));
-    return fmt::format("{} half: rows y={} to {}", step.text("half"), from, to);
+    return canvas.row_of(from) < canvas.row_of(to) ? "no row"
+                                                   : fmt::format("rows y={} to {}", from, to);
 }
 
-std::string describe_along(const StepView& step) {
-    const bool is_x_major = step.field("x").has_value();
-    return fmt::format("{} = {}: {} = {} -> {}", is_x_major ? "x" : "y",
-                       step.text(is_x_major ? "x" : "y"), is_x_major ? "y" : "x",
-                       step.text("value"), step.text("pixel"));
-}
-
-std::string describe_decision(const StepView& step) {
-    const std::string d = step.text("d");
-    const bool goes_straight = d.starts_with('-') || d == "0";
-    return fmt::format("at ({}, {}): d = {} {}, {} to {}", step.text("x"), step.text("y"), d,
-                       goes_straight ? "<= 0" : "> 0", goes_straight ? "straight on" : "diagonally",
-                       step.text("move"));
-}
-
-std::string describe_sample(const PrimitiveText& primitive, const StepView& step) {
-    std::string text = fmt::format("sample of ({}, {}):", step.text("x"), step.text("y"));
-    const auto weights = step.texts("weights");
+std::string weights(const Context& context) {
+    const auto& vertices = context.primitive.vertices;
+    const auto weights = context.step.texts("weights");
+    std::string text;
     for (std::size_t i = 0; i < weights.size(); ++i)
-        text += fmt::format(" {} {}", i < primitive.vertices.size() ? primitive.vertices[i] : "?",
-                            weights[i]);
-    return text + (step.text("inside") == "true" ? ": none is negative, inside"
-                                                 : ": one is negative, outside");
+        text += fmt::format(" {} {}", i < vertices.size() ? vertices[i] : "?", weights[i]);
+    return text;
+}
+
+std::string drawn_over(const Context& context) {
+    const auto& [replay, step, primitive] = context;
+    if (!replay.trace().canvas.contains(*step.whole("x"), *step.whole("y")))
+        return "   not on the canvas, not drawn";
+    return replay.drew_over() != 0 ? fmt::format("   over step {}", replay.drew_over())
+                                   : std::string();
+}
+
+std::string dropped(const Context& context) {
+    const StepView& step = context.step;
+    const std::string x = step.text("x");
+    const std::string y = step.text("y");
+    const std::string to_x = step.field("to_x") ? step.text("to_x") : x;
+    const std::string to_y = step.field("to_y") ? step.text("to_y") : y;
+    if (x.empty())
+        return fmt::format("rows y={} to {}", y, to_y);
+    if (x == to_x && y == to_y)
+        return fmt::format("pixel ({}, {})", x, y);
+    return fmt::format("pixels ({}, {}) to ({}, {})", x, y, to_x, to_y);
 }
 
 /// dx/dy of an edge of the current primitive as it was set up; nothing if it is horizontal.
@@ -232,15 +196,15 @@ std::optional<std::string> slope_of(const Replay& replay, const std::string& edg
 }
 
 /// One end of a row: `left AB: x = 2 + 3/4 (2 - 5) = -1/4 -> -1`.
-std::string describe_end(const Replay& replay, const StepView& step, const std::string& side,
-                         const std::string& pixel) {
+std::string end_of_row(const Context& context, const std::string& side, const std::string& pixel) {
+    const auto& [replay, step, primitive] = context;
     const std::string edge = step.text(side + "_edge");
     const std::string x = step.text(side);
     const std::string y = step.text("y");
     std::string text = edge.empty() ? side + ": x = " : fmt::format("{} {}: x = ", side, edge);
 
     const auto slope = slope_of(replay, edge);
-    const auto ends = ends_of_edge(primitive_of(replay), edge);
+    const auto ends = ends_of_edge(primitive, edge);
     const bool adds = replay.trace().method_value("lerp") == "incremental";
     std::string x_before;
     if (adds && replay.scanline_before() != 0) {
@@ -258,113 +222,148 @@ std::string describe_end(const Replay& replay, const StepView& step, const std::
     return text + fmt::format("{} -> {}", x, pixel);
 }
 
-std::string describe_scanline(const Replay& replay, const StepView& step) {
-    const std::string y = step.text("y");
-    const bool is_at_center = replay.trace().method_value("sample") == "center";
-    std::string text = fmt::format("scanline y={}{}   {}   {}", y,
-                                   is_at_center ? fmt::format(", samples at y = {} + 1/2", y) : "",
-                                   describe_end(replay, step, "left", step.text("from")),
-                                   describe_end(replay, step, "right", step.text("to")));
-    if (*step.whole("to") < *step.whole("from"))
-        text += "   no pixel between";
-    return text;
+/// A part of a sentence that is more than a field.
+struct Part {
+    std::string_view name;
+    std::string (*text)(const Context& context);
+};
+
+/// In the order of the sentences in step_kind.cpp.
+constexpr Part parts[] = {
+    {"of_object",
+     [](const Context& context) {
+         const std::string object = context.step.text("object");
+         return object.empty() ? object : " of " + object;
+     }},
+    {"rows",
+     [](const Context& context) {
+         std::string text;
+         for (const auto& row : context.step.text_rows("rows"))
+             text += fmt::format("  [{}]", fmt::join(row, " "));
+         return text;
+     }},
+    {"place", place},
+    {"snapped",
+     [](const Context& context) {
+         return context.step.field("snapped") ? " -> " + point(context.step.texts("snapped"))
+                                              : std::string();
+     }},
+    {"farthest_first", farthest_first},
+    {"corners", corners},
+    {"octant",
+     [](const Context& context) {
+         return context.step.field("octant") ? "   octant " + context.step.text("octant")
+                                             : std::string();
+     }},
+    {"kind", [](const Context& context) { return context.primitive.kind; }},
+    {"primitive", [](const Context& context) { return context.primitive.name; }},
+    {"toward",
+     [](const Context& context) {
+         return std::string(context.step.text("by") == "light" ? "to light" : "to eye");
+     }},
+    {"cosine",
+     [](const Context& context) {
+         const std::string cosine = context.step.text("cosine");
+         return cosine == "null" ? std::string() : ", cosine " + cosine;
+     }},
+    {"inside",
+     [](const Context& context) {
+         const auto inside = context.step.texts("inside");
+         return fmt::format("{} of {}", std::count(inside.begin(), inside.end(), "true"),
+                            inside.size());
+     }},
+    {"edge", edge},
+    {"rows_of_half", rows_of_half},
+    {"samples",
+     [](const Context& context) {
+         const bool is_at_center = context.replay.trace().method_value("sample") == "center";
+         return is_at_center ? fmt::format(", samples at y = {} + 1/2", context.step.text("y"))
+                             : std::string();
+     }},
+    {"left_end",
+     [](const Context& context) { return end_of_row(context, "left", context.step.text("from")); }},
+    {"right_end",
+     [](const Context& context) { return end_of_row(context, "right", context.step.text("to")); }},
+    {"empty",
+     [](const Context& context) {
+         const bool is_empty = *context.step.whole("to") < *context.step.whole("from");
+         return std::string(is_empty ? "   no pixel between" : "");
+     }},
+    {"along",
+     [](const Context& context) {
+         const bool is_x_major = context.step.field("x").has_value();
+         return is_x_major ? fmt::format("x = {}: y", context.step.text("x"))
+                           : fmt::format("y = {}: x", context.step.text("y"));
+     }},
+    {"sign_of_d",
+     [](const Context& context) {
+         const std::string d = context.step.text("d");
+         const bool goes_straight = d.starts_with('-') || d == "0";
+         return std::string(goes_straight ? "<= 0, straight on" : "> 0, diagonally");
+     }},
+    {"weights", weights},
+    {"stored",
+     [](const Context& context) {
+         const std::string stored = context.step.text("stored");
+         return stored == "null" ? std::string("nothing") : stored;
+     }},
+    {"color",
+     [](const Context& context) {
+         return context.step.field("color") ? " " + context.step.text("color") : std::string();
+     }},
+    {"drawn_over", drawn_over},
+    {"dropped", dropped},
+    {"what_is_open",
+     [](const Context& context) {
+         const StepView& step = context.step;
+         return step.text("error").empty()
+                    ? std::string("a number has left the doubles")
+                    : fmt::format("doubles leave it open: a difference of {}, off by up to {}",
+                                  step.text("difference"), step.text("error"));
+     }},
+};
+
+/// What stands for a placeholder of a sentence.
+std::string filled_in(std::string_view placeholder, const Context& context) {
+    if (placeholder.starts_with('@'))
+        for (const Part& part : parts)
+            if (part.name == placeholder.substr(1))
+                return part.text(context);
+    if (const std::size_t choice = placeholder.find('?'); choice != std::string_view::npos) {
+        const std::size_t colon = placeholder.find(':');
+        return std::string(context.step.text(placeholder.substr(0, choice)) == "true"
+                               ? placeholder.substr(choice + 1, colon - choice - 1)
+                               : placeholder.substr(colon + 1));
+    }
+    const std::string_view json = context.step.field(placeholder).value_or("");
+    return json.starts_with('[') ? point(context.step.texts(placeholder))
+                                 : context.step.text(placeholder);
 }
 
-std::string describe_pixel(const Replay& replay, const StepView& step) {
-    std::string text = fmt::format("pixel ({}, {})", step.text("x"), step.text("y"));
-    if (step.field("color"))
-        text += fmt::format(" {}", step.text("color"));
-    if (!replay.trace().canvas.contains(*step.whole("x"), *step.whole("y")))
-        text += "   not on the canvas, not drawn";
-    else if (replay.drew_over() != 0)
-        text += fmt::format("   over step {}", replay.drew_over());
-    return text;
+std::string sentence(std::string_view pattern, const Context& context) {
+    std::string text;
+    for (std::size_t open = pattern.find('{'); open != std::string_view::npos;
+         open = pattern.find('{')) {
+        const std::size_t close = pattern.find('}', open);
+        text += pattern.substr(0, open);
+        text += filled_in(pattern.substr(open + 1, close - open - 1), context);
+        pattern.remove_prefix(close + 1);
+    }
+    return text.append(pattern);
 }
 
-std::string describe_reject(const StepView& step) {
-    const std::string x = step.text("x");
-    const std::string y = step.text("y");
-    const std::string to_x = step.field("to_x") ? step.text("to_x") : x;
-    const std::string to_y = step.field("to_y") ? step.text("to_y") : y;
-    std::string what;
-    if (x.empty())
-        what = fmt::format("rows y={} to {}", y, to_y);
-    else if (x == to_x && y == to_y)
-        what = fmt::format("pixel ({}, {})", x, y);
-    else
-        what = fmt::format("pixels ({}, {}) to ({}, {})", x, y, to_x, to_y);
-    return fmt::format("{}: dropped, {}", what, step.text("why"));
-}
+} // namespace
 
-std::string describe_skip(const Replay& replay, const StepView& step) {
-    const PrimitiveText primitive = primitive_of(replay);
-    return fmt::format("{} {}: skipped, {}", primitive.kind, primitive.name, step.text("why"));
-}
-
-std::string describe_undecided(const StepView& step) {
-    if (step.text("error").empty())
-        return "a number has left the doubles; drawn in exact numbers";
-    return fmt::format(
-        "doubles leave it open: a difference of {}, off by up to {}; drawn in exact numbers",
-        step.text("difference"), step.text("error"));
-}
-
-std::string unsafe_description(const Replay& replay) {
+std::string describe_step(const Replay& replay) {
     if (replay.step() == 0)
         return "nothing drawn yet";
     const StepView step = replay.trace().step(replay.step());
     const auto kind = replay.trace().kind_of(replay.step());
     if (!kind) {
         constexpr std::size_t width = 100;
-        return shortened(step.json(), width);
+        return printable(shortened(step.json(), width));
     }
-    switch (*kind) {
-    case StepKind::matrix:
-        return describe_matrix(step);
-    case StepKind::vertex:
-        return describe_vertex(replay, step);
-    case StepKind::clip:
-        return describe_clip(step);
-    case StepKind::order:
-        return describe_order(step);
-    case StepKind::face:
-        return describe_face(primitive_of(replay), step);
-    case StepKind::light:
-        return describe_light(primitive_of(replay), step);
-    case StepKind::depth:
-        return describe_depth(step);
-    case StepKind::primitive:
-        return describe_primitive(primitive_of(replay), step);
-    case StepKind::edge:
-        return describe_edge(replay, step);
-    case StepKind::half:
-        return describe_half(step, replay.trace().canvas);
-    case StepKind::ray:
-        return fmt::format("a line begins at ({}, {})", step.text("x"), step.text("y"));
-    case StepKind::scanline:
-        return describe_scanline(replay, step);
-    case StepKind::along:
-        return describe_along(step);
-    case StepKind::decide:
-        return describe_decision(step);
-    case StepKind::sample:
-        return describe_sample(primitive_of(replay), step);
-    case StepKind::pixel:
-        return describe_pixel(replay, step);
-    case StepKind::reject:
-        return describe_reject(step);
-    case StepKind::undecided:
-        return describe_undecided(step);
-    case StepKind::skip:
-        break;
-    }
-    return describe_skip(replay, step);
-}
-
-} // namespace
-
-std::string describe_step(const Replay& replay) {
-    return printable(unsafe_description(replay));
+    return printable(sentence(row_of(*kind).sentence, {replay, step, primitive_of(replay)}));
 }
 
 } // namespace rastertrace

@@ -7,26 +7,128 @@ namespace rastertrace {
 
 namespace {
 
-constexpr std::array<std::string_view, step_kinds> names{
-    "matrix", "vertex", "order",  "primitive", "face",     "light",  "clip",
-    "edge",   "half",   "ray",    "scanline",  "along",    "decide", "sample",
-    "depth",  "pixel",  "reject", "skip",      "undecided"};
+using enum FieldType;
+using enum FieldRole;
+
+// clang-format off
+const std::array<StepRow, step_kinds> table{{
+    {StepKind::matrix, "matrix", "a transform is set up",
+     "{name} matrix{@of_object}:{@rows}",
+     {{"name", string, key, true}, {"object", string, key}, {"rows", list, told}}},
+
+    {StepKind::vertex, "vertex", "a vertex enters a space",
+     "vertex {name} in {space} space: {@place}{@snapped}",
+     {{"name", string, key, true}, {"space", string, key, true}, {"at", list, reason},
+      {"snapped", list, decision}}},
+
+    {StepKind::order, "order", "the painter has sorted the triangles",
+     "the painter draws, farthest first:{@farthest_first}",
+     {{"names", list, decision}, {"distances", list, reason}}},
+
+    {StepKind::primitive, "primitive", "a primitive begins",
+     "{kind} {name}{@corners}{@octant}",
+     {{"kind", string, told, true}, {"name", string, key, true}, {"vertices", list, told},
+      {"at", list, reason}, {"within", quantity, told}, {"depths", list, reason},
+      {"color", string, told}, {"colors", list, reason}, {"octant", whole, decision},
+      {"part", boolean, told}}},
+
+    {StepKind::face, "face", "a face is tested",
+     "face {@primitive}: normal {normal} . {@toward} {view} = {dot}{@cosine}: {culled?culled:drawn}",
+     {{"normal", list, reason}, {"view", list, reason}, {"dot", quantity, reason, true},
+      {"cosine", quantity, told}, {"by", string, key}, {"culled", boolean, decision},
+      {"opposite", boolean, told}}},
+
+    {StepKind::light, "light", "a face is lit",
+     "light on {@primitive}: normal {normal} . light {light} = {dot}, intensity {intensity}, color {color}",
+     {{"normal", list, reason}, {"light", list, reason}, {"dot", quantity, reason},
+      {"intensity", quantity, told, true}, {"color", string, decision}}},
+
+    {StepKind::clip, "clip", "a primitive meets a plane with a vertex outside it",
+     "{name} clipped at the {plane} plane: {@inside} vertices inside, {out} left",
+     {{"name", string, key}, {"plane", string, key, true}, {"inside", list, decision},
+      {"out", whole, decision}}},
+
+    {StepKind::edge, "edge", "an edge is set up, or a side is about to be drawn",
+     "{@edge}",
+     {{"edge", string, key, true}, {"dx_dy", quantity, reason}, {"a", quantity, reason},
+      {"b", quantity, reason}, {"top_left", boolean, decision}, {"octant", whole, decision}}},
+
+    {StepKind::half, "half", "a half of a `two-halves` fill begins",
+     "{half} half: {@rows_of_half}",
+     {{"half", string, key, true}, {"from_y", whole, decision}, {"to_y", whole, decision}}},
+
+    {StepKind::ray, "ray", "a line of the fan begins",
+     "a line begins at ({x}, {y})",
+     {{"x", whole, key, true}, {"y", whole, key, true}}},
+
+    {StepKind::scanline, "scanline", "the two ends of a row are known",
+     "scanline y={y}{@samples}   {@left_end}   {@right_end}{@empty}",
+     {{"y", whole, key, true}, {"left", quantity, reason, true}, {"right", quantity, reason, true},
+      {"from", whole, decision, true}, {"to", whole, decision, true}, {"left_edge", string, reason},
+      {"right_edge", string, reason}, {"left_depth", quantity, reason},
+      {"right_depth", quantity, reason}}},
+
+    {StepKind::along, "along", "a `naive` or `dda` line is at a step of its major axis",
+     "{@along} = {value} -> {pixel}",
+     {{"x", whole, key}, {"y", whole, key}, {"value", quantity, reason, true},
+      {"pixel", whole, decision, true}}},
+
+    {StepKind::decide, "decide", "Bresenham chooses",
+     "at ({x}, {y}): d = {d} {@sign_of_d} to {move}",
+     {{"x", whole, key, true}, {"y", whole, key, true}, {"d", quantity, reason, true},
+      {"move", string, decision, true}}},
+
+    {StepKind::sample, "sample", "`barycentric` tests a pixel",
+     "sample of ({x}, {y}):{@weights}: {inside?none is negative, inside:one is negative, outside}",
+     {{"x", whole, key, true}, {"y", whole, key, true}, {"weights", list, reason},
+      {"inside", boolean, decision}}},
+
+    {StepKind::depth, "depth", "a pixel of a triangle meets the depth buffer",
+     "depth at ({x}, {y}): {depth} against {@stored}: {pass?passes:fails}",
+     {{"x", whole, key, true}, {"y", whole, key, true}, {"depth", quantity, reason, true},
+      {"stored", quantity, reason}, {"pass", boolean, decision}}},
+
+    {StepKind::pixel, "pixel", "a pixel is plotted",
+     "pixel ({x}, {y}){@color}{@drawn_over}",
+     {{"x", whole, key, true}, {"y", whole, key, true}, {"color", string, decision}}},
+
+    {StepKind::reject, "reject", "pixels are dropped",
+     "{@dropped}: dropped, {why}",
+     {{"x", whole, key}, {"to_x", whole, key}, {"y", whole, key}, {"to_y", whole, key},
+      {"why", string, reason, true}}},
+
+    {StepKind::skip, "skip", "a primitive draws nothing",
+     "{@kind} {@primitive}: skipped, {why}",
+     {{"why", string, reason, true}}},
+
+    {StepKind::undecided, "undecided", "with `adaptive`: doubles leave a decision about the primitive open",
+     "{@what_is_open}; drawn in exact numbers",
+     {{"difference", quantity, reason}, {"error", quantity, reason}}},
+}};
+// clang-format on
 
 } // namespace
 
+const StepRow& row_of(StepKind kind) {
+    return table[static_cast<std::size_t>(kind)];
+}
+
 std::string_view name_of(StepKind kind) {
-    return names[static_cast<std::size_t>(kind)];
+    return row_of(kind).name;
 }
 
 std::optional<StepKind> step_kind_named(std::string_view name) {
-    for (std::size_t i = 0; i < names.size(); ++i)
-        if (names[i] == name)
-            return static_cast<StepKind>(i);
+    for (const StepRow& row : table)
+        if (row.name == name)
+            return row.kind;
     return std::nullopt;
 }
 
 std::vector<std::string_view> step_kind_names() {
-    return {names.begin(), names.end()};
+    std::vector<std::string_view> names;
+    for (const StepRow& row : table)
+        names.push_back(row.name);
+    return names;
 }
 
 } // namespace rastertrace

@@ -85,14 +85,6 @@ std::string Trace::method_value(std::string_view key) const {
 
 namespace {
 
-/// What a field of a known step must be.
-enum class FieldType { whole, quantity, string };
-
-struct FieldRule {
-    std::string_view name;
-    FieldType type;
-};
-
 std::string_view expected_for(FieldType type) {
     switch (type) {
     case FieldType::whole:
@@ -100,45 +92,13 @@ std::string_view expected_for(FieldType type) {
     case FieldType::quantity:
         return R"(a number, or an exact one like "25/8")";
     case FieldType::string:
+        return "a string";
+    case FieldType::boolean:
+        return "true or false";
+    case FieldType::list:
         break;
     }
-    return "a string";
-}
-
-/// The fields without which a step of a known kind cannot be understood.
-const std::vector<FieldRule>& required_fields(StepKind kind) {
-    static const std::array<std::vector<FieldRule>, step_kinds> rules{{
-        /* matrix */ {{"name", FieldType::string}},
-        /* vertex */ {{"name", FieldType::string}, {"space", FieldType::string}},
-        /* order */ {},
-        /* primitive */ {{"kind", FieldType::string}, {"name", FieldType::string}},
-        /* face */ {{"dot", FieldType::quantity}},
-        /* light */ {{"intensity", FieldType::quantity}},
-        /* clip */ {{"plane", FieldType::string}},
-        /* edge */ {{"edge", FieldType::string}},
-        /* half */ {{"half", FieldType::string}},
-        /* ray */ {{"x", FieldType::whole}, {"y", FieldType::whole}},
-        /* scanline */
-        {{"y", FieldType::whole},
-         {"left", FieldType::quantity},
-         {"right", FieldType::quantity},
-         {"from", FieldType::whole},
-         {"to", FieldType::whole}},
-        /* along */ {{"value", FieldType::quantity}, {"pixel", FieldType::whole}},
-        /* decide */
-        {{"x", FieldType::whole},
-         {"y", FieldType::whole},
-         {"d", FieldType::quantity},
-         {"move", FieldType::string}},
-        /* sample */ {{"x", FieldType::whole}, {"y", FieldType::whole}},
-        /* depth */
-        {{"x", FieldType::whole}, {"y", FieldType::whole}, {"depth", FieldType::quantity}},
-        /* pixel */ {{"x", FieldType::whole}, {"y", FieldType::whole}},
-        /* reject */ {{"why", FieldType::string}},
-        /* skip */ {{"why", FieldType::string}},
-        /* undecided */ {},
-    }};
-    return rules[static_cast<std::size_t>(kind)];
+    return "an array";
 }
 
 bool has_type(std::string_view json, FieldType type) {
@@ -148,6 +108,10 @@ bool has_type(std::string_view json, FieldType type) {
         return whole_in(json).has_value();
     case FieldType::string:
         return is_string;
+    case FieldType::boolean:
+        return json == "true" || json == "false";
+    case FieldType::list:
+        return json.starts_with('[');
     case FieldType::quantity:
         break;
     }
@@ -468,14 +432,16 @@ private:
 
     void check_fields(StepKind kind, std::size_t begin, std::string_view json) {
         const StepView step(json);
-        for (const FieldRule& rule : required_fields(kind)) {
-            const auto value = step.field(rule.name);
+        for (const StepField& field : row_of(kind).fields) {
+            if (!field.is_required)
+                continue;
+            const auto value = step.field(field.name);
             if (!value)
                 fail(begin, fmt::format("expected a {} step with the key \"{}\", found none",
-                                        name_of(kind), rule.name));
-            if (!has_type(*value, rule.type))
+                                        name_of(kind), field.name));
+            if (!has_type(*value, field.type))
                 fail(begin + static_cast<std::size_t>(value->data() - json.data()),
-                     fmt::format("expected {}, found {}", expected_for(rule.type),
+                     fmt::format("expected {}, found {}", expected_for(field.type),
                                  shortened(*value, 40)));
         }
         if (kind == StepKind::pixel &&
