@@ -12,8 +12,11 @@
 // 1/z and z after the division are linear on the screen, z itself is not: T0, "Pintando faces",
 // after Gambetta. The comparison is strict: of equal depths, the first one drawn stays.
 //
-// The buffer holds every depth turned: with the sign that makes the nearer one smaller, so that one
-// comparison serves all three. Turning is exact, and turning twice gives the depth back.
+// The buffer holds every depth turned: with the sign that makes the one that passes smaller (the nearer
+// one, unless the scene asks for the other with `depth_compare`), so that one comparison serves all. Turning is
+// exact, and turning twice gives the depth back.
+//
+// A triangle that can share no pixel with another one is not tested (pixel_stages in src/stages_of.h).
 //
 //     DepthBuffer<double> buffer(region, {.larger_passes = true, .cleared = 0.0});
 //     buffer.keep_if_nearer(*buffer.row_from(x, row), buffer.turned(0.25));

@@ -10,7 +10,7 @@
 // triangles that share an edge evaluate one expression, with its sign turned: what is rounded is rounded
 // alike, and a sample belongs to one of them.
 //
-// Source: Pineda 1988, E(x, y) = (x - X) dY - (y - Y) dX; Direct3D 11 specification, section 3.4.2.1 (the
+// Source: Pineda 1988, E(x, y) = (x - X) dY - (y - Y) dX, here with its sign turned; Direct3D 11 specification, section 3.4.2.1 (the
 // top-left rule).
 
 #include <rastertrace/core/edge.h>

@@ -38,8 +38,9 @@ template <typename Scalar> Index last_row_above(const Scalar& y, int down) {
     return down > 0 ? floor_index(y) : ceil_index(y);
 }
 
-/// The y of the first row whose short edge is the lower one. The row of the middle vertex belongs to
-/// it, unless it is horizontal: then that is the upper edge's last row.
+/// The y of the first row whose short edge is the lower one. The row of the middle vertex is the lower
+/// edge's, which begins there: x is the vertex's own, and nothing is rounded. A horizontal lower edge has no
+/// row: then that one is the upper edge's last.
 template <typename Scalar> Index first_lower_y(const JoinedEdges<Scalar>& edges, int down) {
     return edges.has_flat_bottom ? last_row_above(edges.bottom.position.y, down) + down
                                  : first_row_below(edges.middle.position.y, down);

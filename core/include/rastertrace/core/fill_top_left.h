@@ -42,7 +42,8 @@ struct TriangleOrder {
     bool long_edge_is_left; ///< it passes the middle vertex on the left
 };
 
-/// The three edges as functions: from top to middle, from middle to bottom, from top to bottom.
+/// The three edges as functions, to be told: from top to middle, from middle to bottom, from top to
+/// bottom. (A fill walks down two edges at a time, see sample_walk.h.)
 template <typename Scalar>
 std::array<EdgeFunction<Scalar>, 3> edge_functions(const Triangle<Scalar>& triangle,
                                                    const TriangleOrder& order, int down) {
@@ -154,7 +155,8 @@ void fill_top_left(const Triangle<Scalar>& triangle, const SampleGrid<Scalar>& g
         static_cast<int>(std::clamp<Index>(first_lower_row, rows.begin, rows.end));
 
     // Down the upper short edge, then down the lower one; the long edge opposite both. In each row,
-    // the samples from the left edge to before the right one.
+    // the samples from the left edge to before the right one: a left edge has its own samples, a right
+    // edge does not. That, and which rows there are, is the top-left rule.
     SampleWalk<Scalar> along_long_edge(top, bottom, grid, rows.begin);
     const auto fill_half = [&](bool is_upper, const auto& upper, const auto& lower, int begin,
                                int end) __attribute__((always_inline)) {

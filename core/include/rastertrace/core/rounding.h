@@ -25,7 +25,8 @@ enum class Rounding { floor, nearest, truncate, inside };
 
 /// Where `nearest` sends a number halfway between two whole numbers.
 enum class Ties {
-    start, ///< stays at the lower one, as Bresenham's line stays at a tie
+    start, ///< to the smaller one: -1/2 -> -1, 1/2 -> 0. Lines stay on the side that they come from,
+           ///< as Bresenham's does (pixel_across)
     up,    ///< to the larger one: -1/2 -> 0, 1/2 -> 1
     away,  ///< away from zero: -1/2 -> -1, 1/2 -> 1
     even,  ///< to the even one: -1/2 -> 0, 1/2 -> 0

@@ -165,7 +165,8 @@ private:
 };
 
 /// Walks along an edge from row to row of the picture and gives, in each, the first pixel whose
-/// sample does not lie left of the edge.
+/// sample does not lie left of the edge. This is the form of Rational and Adaptive, which round up what is
+/// exact, or leave it open.
 template <typename Scalar> class SampleWalk {
 public:
     /// Along the edge from its upper vertex to its lower one, beginning in `row`. The edge must
