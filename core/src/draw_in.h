@@ -59,7 +59,7 @@ template <typename Sink> Sink sink_to(const Listener& listener) {
 
 /// Draws the line between two vertices of a primitive.
 template <typename Scalar, typename Sink>
-void draw_line(const PlacedPrimitive<Scalar>& primitive, EdgeName side, const Method& method,
+void draw_line(const Piece<Scalar>& primitive, EdgeName side, const Method& method,
                const Canvas& canvas, Sink&& sink) {
     Segment<Scalar> segment{primitive.positions[side.from], primitive.positions[side.to]};
     GridLine line{nearest_pixel(segment.from.x, segment.from.y),
@@ -86,13 +86,13 @@ void draw_line(const PlacedPrimitive<Scalar>& primitive, EdgeName side, const Me
 /// colors are mixed from, and how deep they lie.
 template <typename Scalar, typename OfPixels> class TrianglePaint {
 public:
-    TrianglePaint(const PlacedPrimitive<Scalar>& primitive, Color color, const Scene& scene,
-                  const Plan& plan, const Target<Scalar, OfPixels>& target)
-        : stages_(plan.stages.pixels[primitive.number]), flat_(color) {
+    TrianglePaint(const Piece<Scalar>& primitive, const Scene& scene, const Plan& plan,
+                  const Target<Scalar, OfPixels>& target)
+        : stages_(plan.stages.pixels[primitive.primitive]), flat_(primitive.color) {
         // Without area, and where its vertices agree, it has one color.
         const Triangle<Scalar> triangle{primitive.positions};
         const auto& [a, b, c] = primitive.colors;
-        if (plan.mixes_colors && a == b && a == c)
+        if (a == b && a == c)
             flat_ = a;
         if (stages_.colors != ColorStage::flat) {
             const Barycentric<Scalar> barycentric(triangle);
@@ -154,25 +154,24 @@ private:
 
 /// Fills a triangle; `painter` takes the rows.
 template <typename Scalar, typename Painter>
-void fill(const PlacedPrimitive<Scalar>& primitive, const Method& method,
-          const SampleGrid<Scalar>& grid, const Canvas& canvas, Painter&& painter) {
+void fill(const Piece<Scalar>& primitive, const Method& method, const SampleGrid<Scalar>& grid,
+          const Canvas& canvas, Painter&& painter) {
     fill(Triangle<Scalar>{primitive.positions}, primitive.colors, method, grid, canvas, painter);
 }
 
 /// The pixel that a vertex is nearest to.
-template <typename Scalar>
-GridPoint pixel_of(const PlacedPrimitive<Scalar>& primitive, std::size_t corner) {
+template <typename Scalar> GridPoint pixel_of(const Piece<Scalar>& primitive, std::size_t corner) {
     return nearest_pixel(primitive.positions[corner].x, primitive.positions[corner].y);
 }
-template <typename Scalar> int octant_of(const PlacedPrimitive<Scalar>& primitive, EdgeName side) {
+template <typename Scalar> int octant_of(const Piece<Scalar>& primitive, EdgeName side) {
     return octant_of(pixel_of(primitive, side.from), pixel_of(primitive, side.to));
 }
 
 /// Draws what is no triangle: a point, a line, or the three lines of an outline.
 template <typename Scalar, typename Sink>
-void draw_lines(PrimitiveKind kind, const PlacedPrimitive<Scalar>& primitive, const Method& method,
-                const Canvas& canvas, Sink&& sink) {
-    switch (kind) {
+void draw_lines(const Piece<Scalar>& primitive, const Method& method, const Canvas& canvas,
+                Sink&& sink) {
+    switch (primitive.kind) {
     case PrimitiveKind::point:
         return draw_point(pixel_of(primitive, 0), primitive.colors[0], canvas, sink);
     case PrimitiveKind::line:
@@ -189,64 +188,68 @@ void draw_lines(PrimitiveKind kind, const PlacedPrimitive<Scalar>& primitive, co
 }
 
 /// Tells that a piece begins. `told` are its corners in the numbers that they are told in.
-template <typename Coordinate, typename Scalar, typename Told, typename Sink>
-void tell_beginning(const Piece<Coordinate>& piece, const PlacedPrimitive<Scalar>& primitive,
-                    const PlacedPrimitive<Told>& told, bool has_depths, const Plan& plan,
-                    Sink&& sink) {
+template <typename Scalar, typename Told, typename Sink>
+void tell_beginning(const Piece<Scalar>& piece, const PieceNames& names, const Piece<Told>& told,
+                    bool has_depths, const Plan& plan, Sink&& sink) {
     sink(PrimitiveBegan<Told>{
         .kind = piece.kind,
-        .name = piece.name,
-        .vertices = std::span(primitive.names).first(primitive.count),
-        .positions = std::span(told.positions).first(primitive.count),
+        .name = names.piece,
+        .vertices = std::span(names.corners).first(piece.count),
+        .positions = std::span(told.positions).first(piece.count),
         .color = piece.color,
-        .colors = std::span(primitive.colors).first(plan.mixes_colors ? primitive.count : 0),
-        .octant = piece.kind == PrimitiveKind::line ? octant_of(primitive, {0, 1}) : 0,
+        .colors = std::span(piece.colors).first(plan.mixes_colors ? piece.count : 0),
+        .octant = piece.kind == PrimitiveKind::line ? octant_of(piece, {0, 1}) : 0,
         .is_part = piece.is_part,
-        .depths = std::span(told.depths).first(has_depths ? primitive.count : 0)});
+        .depths = std::span(told.depths).first(has_depths ? piece.count : 0)});
 }
 
-/// Draws a primitive, or a part of one, that lies where `primitive` says.
-template <typename Coordinate, typename Scalar, typename OfPixels, typename Sink>
-void draw_piece(const Piece<Coordinate>& piece, const PlacedPrimitive<Scalar>& primitive,
-                const Scene& scene, const Plan& plan, Target<Scalar, OfPixels>& target,
-                const Sink& sink) {
-    const Method& method = scene.method;
+/// Draws a primitive, or a part of one, with its numbers ready to draw.
+template <typename Scalar, typename OfPixels, typename Sink>
+void draw_piece(const Piece<Scalar>& piece, const Scene& scene, const Plan& plan,
+                Target<Scalar, OfPixels>& target, const Sink& sink) {
     const Canvas& canvas = target.image.canvas();
-    const bool is_triangle = piece.kind == PrimitiveKind::triangle;
-    const bool has_depths = target.depth && is_triangle;
-
-    // The corners of `adaptive` are told as what they stand for: all decisions are about those.
-    if constexpr (std::same_as<Scalar, Adaptive> && keeps_steps<Sink>)
-        tell_beginning(piece, primitive,
-                       target.exactness->pieces.placed(target.exactness->drawn.back()), has_depths,
-                       plan, sink);
-    else if constexpr (keeps_steps<Sink>)
-        tell_beginning(piece, primitive, primitive, has_depths, plan, sink);
-    if constexpr (!std::same_as<Coordinate, Number>)
-        if (!report_face(piece.face, sink))
-            return;
-
-    if (is_triangle)
-        TrianglePaint<Scalar, OfPixels>(primitive, piece.color, scene, plan, target)
+    if (piece.kind == PrimitiveKind::triangle)
+        TrianglePaint<Scalar, OfPixels>(piece, scene, plan, target)
             .with_painter(target, sink, [&](const auto& painter) {
-                fill(primitive, method, target.grid, canvas, painter);
+                fill(piece, scene.method, target.grid, canvas, painter);
             });
     else
-        draw_lines(piece.kind, primitive, method, canvas,
-                   FlatPainter(target.image, piece.color, sink));
+        draw_lines(piece, scene.method, canvas, FlatPainter(target.image, piece.color, sink));
 }
 
-/// Draws all pieces of the scene.
-template <typename Scalar, typename AGeometry, typename Sink>
-void draw_pieces(const Scene& scene, const Plan& plan, const AGeometry& geometry,
-                 Target<Scalar>& target, const Listener& listener, Sink&& sink) {
-    for_each_piece(
-        scene, geometry,
-        [&]<typename Coordinate>(const Piece<Coordinate>& piece) {
-            if constexpr (draws<Scalar, Coordinate>)
-                draw_piece(piece, placed<Scalar>(piece, plan), scene, plan, target, sink);
-        },
-        listener);
+/// Tells of a piece and draws it. The corners of `adaptive` are told as what they stand for: all
+/// decisions are about those.
+template <typename AList, typename AFace, typename Scalar, typename OfPixels, typename Sink>
+void tell_and_draw(const AList& list, const ScreenPrimitive& one, const AFace& face,
+                   const Piece<Scalar>& piece, const Scene& scene, const Plan& plan,
+                   Target<Scalar, OfPixels>& target, const Sink& sink) {
+    const PieceNames names(scene, list, one); // a listener may refer to them until the piece ends
+    const bool has_depths = target.depth && piece.kind == PrimitiveKind::triangle;
+    if constexpr (!std::same_as<Scalar, Adaptive>)
+        tell_beginning(piece, names, piece, has_depths, plan, sink);
+    else if (takes<PrimitiveBegan<Adaptive>>(sink))
+        tell_beginning(piece, names,
+                       target.exactness->pieces.placed(target.exactness->drawn.back()), has_depths,
+                       plan, sink);
+    report_face(face, sink);
+    if (!piece.is_skipped)
+        draw_piece(piece, scene, plan, target, sink);
+}
+
+/// Draws the list.
+template <typename Scalar, typename AList, typename Sink>
+void draw_list(const Scene& scene, const Plan& plan, const AList& list, Target<Scalar>& target,
+               const Listener& listener, const Sink& sink) {
+    if constexpr (keeps_steps<Sink>)
+        tell_all_pieces(scene, list, listener, [&](const ScreenPrimitive& one, const auto& face) {
+            const auto piece = placed<Scalar>(piece_of(scene, list, one), plan);
+            tell_and_draw(list, one, face, piece, scene, plan, target, sink);
+        });
+    else
+        for_each_piece(scene, list, [&](const auto& piece) {
+            if (!piece.is_skipped)
+                draw_piece(placed<Scalar>(piece, plan), scene, plan, target, sink);
+        });
 }
 
 /// Draws a scene with the numbers that its plan has chosen, with a sink or without one.
@@ -263,12 +266,15 @@ Image draw_with(const Scene& scene, const Plan& plan, const Listener& listener, 
         target.exactness = &exactness.emplace(Exactness{
             ExactPieces(scene, plan), scalar_from<Rational>(sample_offset_of(scene.method))});
     std::visit(
-        [&](const auto& geometry) {
+        [&]<typename AList>(const AList& list) {
             // All vertices on their way to the screen, then what is drawn between them.
-            tell_geometry(scene, geometry, listener);
-            draw_pieces(scene, plan, geometry, target, listener, sink);
+            if constexpr (draws<Scalar, AList>) {
+                if constexpr (!std::same_as<AList, TypedVertices>)
+                    tell_geometry(scene, list.transforms, list.order, listener);
+                draw_list(scene, plan, list, target, listener, sink);
+            }
         },
-        plan.geometry);
+        plan.list);
     if (fallbacks && exactness)
         *fallbacks = exactness->fallbacks;
     return image;

@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace rastertrace {
@@ -122,53 +123,75 @@ public:
                 [this](auto... asked) { return told_depth(scene_, exactness_, asked...); });
     }
 
-    /// Draws a primitive whose pieces doubles may leave open: its face, or what clips it.
-    void draw(const Geometry<Adaptive>& geometry, std::size_t number) {
-        parts_ = 0;
-        pieces_.clear();
-        const auto open = left_open_by([&] {
-            visit_pieces(scene_, geometry, number, plan_.mixes_colors, certifying_,
-                         [this](const Piece<Adaptive>& piece) { draw_or_keep(piece); });
+    /// Draws the list.
+    void draw(const TypedVertices& typed) {
+        for_each_primitive(scene_, typed, [&](const ScreenPrimitive& one) {
+            parts_ = 0;
+            draw_one(typed, one, NoFace(), listener_);
         });
-        if (open) {
-            TellingUndecided telling(listener_, *open);
-            const Listener told(telling);
-            exactness_.pieces.visit(number, told, [&](const auto& piece) {
-                if (piece.is_part)
-                    return draw_one(piece, told);
-                begin(piece.primitive);
-                draw_exactly(piece, told);
-            });
-        } else if constexpr (keeps_steps<Sink>) {
-            visit_pieces(scene_, geometry, number, plan_.mixes_colors, listener_,
-                         [this](const Piece<Adaptive>& piece) { draw_one(piece, listener_); });
-        } else {
-            for (const Piece<Adaptive>& piece : pieces_)
-                draw_one(piece, listener_);
-        }
     }
-
-    /// Draws a primitive whose pieces are certain.
-    template <typename AGeometry> void draw(const AGeometry& geometry, std::size_t number) {
-        parts_ = 0;
-        visit_pieces(scene_, geometry, number, plan_.mixes_colors, listener_,
-                     [this]<typename Coordinate>(const Piece<Coordinate>& piece) {
-                         if constexpr (draws<Adaptive, Coordinate>)
-                             draw_one(piece, listener_);
-                     });
+    template <typename Coordinate> void draw(const ScreenList<Coordinate>& list) {
+        auto next = list.primitives.begin();
+        for (std::size_t turn = 0; turn < scene_.primitives.size(); ++turn) {
+            const std::size_t number = primitive_at(list, turn);
+            const auto first = next;
+            while (next != list.primitives.end() && next->primitive == number)
+                ++next;
+            draw(list, number, {first, next});
+        }
     }
 
 private:
-    /// A whole piece is all that there is to decide about its primitive. A part is kept until the others
-    /// are certain. Who listens visits them again.
-    void draw_or_keep(const Piece<Adaptive>& piece) {
-        if constexpr (!keeps_steps<Sink>) {
-            if (!piece.is_part)
-                return draw_one(piece, listener_);
-            Piece<Adaptive>& kept = pieces_.emplace_back(piece);
-            kept.name = {}; // those of parts end with the visit
-            kept.names = {};
-        }
+    /// Draws a primitive, of which the list has these pieces.
+    template <typename Coordinate>
+    void draw(const ScreenList<Coordinate>& list, std::size_t number,
+              std::span<const ScreenPrimitive> pieces) {
+        parts_ = 0;
+        const auto open = left_open_in(list, number, pieces);
+        if (!open)
+            return draw_in_turn(list, number, pieces, listener_,
+                                [&](auto&&... one) { draw_one(list, one..., listener_); });
+        TellingUndecided telling(listener_, *open);
+        const Listener told(telling);
+        const auto exact = exactness_.pieces.of(number);
+        const auto& exact_list = exactness_.pieces.list();
+        draw_in_turn(exact_list, number, exact, told,
+                     [&](const ScreenPrimitive& one, const auto& face) {
+                         if (one.state == ScreenPrimitive::State::part)
+                             return draw_one(exact_list, one, face, told);
+                         begin(number);
+                         draw_exactly(exact_list, one, face, told);
+                     });
+    }
+
+    /// What doubles leave open about a primitive before its pieces are drawn: its face, or what clips it.
+    template <typename Coordinate>
+    std::optional<Undecided> left_open_in(const ScreenList<Coordinate>& list, std::size_t number,
+                                          std::span<const ScreenPrimitive> pieces) {
+        if constexpr (!std::same_as<Coordinate, Adaptive>)
+            return std::nullopt;
+        else if constexpr (keeps_steps<Sink>)
+            if (const auto open = left_open_by([&] {
+                    tell_pieces<Adaptive>(scene_, list, number, certifying_, [](const auto&) {});
+                }))
+                return open;
+        const bool is_open =
+            !pieces.empty() && pieces.front().state == ScreenPrimitive::State::undecided;
+        return is_open ? std::optional(list.undecided[pieces.front().index]) : std::nullopt;
+    }
+
+    /// Tells of a primitive, and calls `draw_piece(one, face)` with its pieces.
+    template <typename Coordinate, typename DrawPiece>
+    void draw_in_turn(const ScreenList<Coordinate>& list, std::size_t number,
+                      std::span<const ScreenPrimitive> pieces, const Listener& listener,
+                      DrawPiece&& draw_piece) {
+        auto next = pieces.begin();
+        if constexpr (keeps_steps<Sink>)
+            tell_pieces<Coordinate>(scene_, list, number, listener,
+                                    [&](const auto& face) { draw_piece(*next++, face); });
+        else
+            for (const ScreenPrimitive& one : pieces)
+                draw_piece(one, NoFace());
     }
 
     /// What follows is about the next piece of a primitive.
@@ -179,61 +202,56 @@ private:
     }
 
     /// Draws the next piece of a primitive.
-    template <typename Coordinate>
-    void draw_one(const Piece<Coordinate>& piece, const Listener& listener) {
-        begin(piece.primitive);
-        const auto primitive = placed<Adaptive>(piece, plan_);
-        const auto open = keeps_steps<Sink> ? certified(piece, primitive)
-                                            : certified_and_painted(piece, primitive);
+    template <typename AList, typename AFace>
+    void draw_one(const AList& list, const ScreenPrimitive& one, const AFace& face,
+                  const Listener& listener) {
+        begin(one.primitive);
+        const auto piece = placed<Adaptive>(piece_of(scene_, list, one), plan_);
+        const auto open = keeps_steps<Sink> ? certified(piece, face) : certified_and_painted(piece);
         if (open) {
             TellingUndecided telling(listener, *open);
-            draw_exactly(piece, Listener(telling));
+            draw_exactly(list, one, face, Listener(telling));
         } else if constexpr (keeps_steps<Sink>) {
-            draw_piece(piece, primitive, scene_, plan_, target_, sink_to<Sink>(listener));
+            tell_and_draw(list, one, face, piece, scene_, plan_, target_, ListenerSink(listener));
         }
     }
 
     /// Draws it with rationals.
-    template <typename Coordinate>
-    void draw_exactly(const Piece<Coordinate>& piece, const Listener& listener) {
+    template <typename AList, typename AFace>
+    void draw_exactly(const AList& list, const ScreenPrimitive& one, const AFace& face,
+                      const Listener& listener) {
         ++exactness_.fallbacks.primitives;
-        PlacedPrimitive<Rational> exact = exactness_.pieces.placed(exactness_.drawn.back());
-        exact.names = piece.names;
-        draw_piece(piece, exact, scene_, plan_, exact_target_, sink_to<Sink>(listener));
+        const auto exact = exactness_.pieces.placed(exactness_.drawn.back());
+        tell_and_draw(list, one, face, exact, scene_, plan_, exact_target_,
+                      sink_to<Sink>(listener));
     }
 
     /// Takes all decisions about a piece, and looks at every step that the listener would be told.
-    template <typename Coordinate>
-    std::optional<Undecided> certified(const Piece<Coordinate>& piece,
-                                       const PlacedPrimitive<Adaptive>& primitive) {
+    template <typename AFace>
+    std::optional<Undecided> certified(const Piece<Adaptive>& piece, const AFace& face) {
         const ListenerSink sink(certifying_);
         return left_open_by([&] {
-            if constexpr (!std::same_as<Coordinate, Number>)
-                if (!report_face(piece.face, sink))
-                    return;
+            if (!report_face(face, sink))
+                return;
             if (piece.kind == PrimitiveKind::triangle)
-                TrianglePaint<Adaptive, Adaptive>(primitive, piece.color, scene_, plan_, target_);
-            decide(piece.kind, primitive, sink);
+                TrianglePaint<Adaptive, Adaptive>(piece, scene_, plan_, target_);
+            decide(piece, sink);
         });
     }
 
     /// The same for nobody. What is certain is painted at once.
-    template <typename Coordinate>
-    std::optional<Undecided> certified_and_painted(const Piece<Coordinate>& piece,
-                                                   const PlacedPrimitive<Adaptive>& primitive) {
-        if constexpr (!std::same_as<Coordinate, Number>)
-            if (piece.face.skip)
-                return std::nullopt;
+    std::optional<Undecided> certified_and_painted(const Piece<Adaptive>& piece) {
+        if (piece.is_skipped)
+            return std::nullopt;
         rows_.clear();
         std::optional<TrianglePaint<Adaptive, Adaptive>> paint;
         const auto open = left_open_by([&] {
             if (piece.kind == PrimitiveKind::triangle)
-                paint.emplace(primitive, piece.color, scene_, plan_, target_);
-            decide(piece.kind, primitive, rows_);
+                paint.emplace(piece, scene_, plan_, target_);
+            decide(piece, rows_);
         });
         const auto paint_with = [&](const auto& painter) {
-            rows_.paint_with(painter,
-                             [&](const auto& again) { decide(piece.kind, primitive, again); });
+            rows_.paint_with(painter, [&](const auto& again) { decide(piece, again); });
         };
         if (open)
             return open;
@@ -244,14 +262,12 @@ private:
         return std::nullopt;
     }
 
-    template <typename Decisions>
-    void decide(PrimitiveKind kind, const PlacedPrimitive<Adaptive>& primitive,
-                Decisions&& decisions) {
+    template <typename Decisions> void decide(const Piece<Adaptive>& piece, Decisions&& decisions) {
         const Canvas& canvas = target_.image.canvas();
-        if (kind == PrimitiveKind::triangle)
-            fill(primitive, scene_.method, target_.grid, canvas, decisions);
+        if (piece.kind == PrimitiveKind::triangle)
+            fill(piece, scene_.method, target_.grid, canvas, decisions);
         else
-            draw_lines(kind, primitive, scene_.method, canvas, decisions);
+            draw_lines(piece, scene_.method, canvas, decisions);
     }
 
     const Scene& scene_;
@@ -263,18 +279,15 @@ private:
     const Certifier certifier_;
     const Listener certifying_; ///< tells the certifier
     CertainRows rows_;
-    std::vector<Piece<Adaptive>> pieces_; ///< parts of the primitive; without names
-    std::size_t parts_ = 0;
+    std::size_t parts_ = 0; ///< of the primitive, so far
 };
 
 } // namespace
 
-template <typename AGeometry, typename Sink>
-void draw_pieces(const Scene& scene, const Plan& plan, const AGeometry& geometry,
-                 Target<Adaptive>& target, const Listener& listener, const Sink&) {
-    AdaptiveDrawing<Sink> drawing(scene, plan, target, listener);
-    for (std::size_t turn = 0; turn < scene.primitives.size(); ++turn)
-        drawing.draw(geometry, primitive_at(geometry, turn));
+template <typename AList, typename Sink>
+void draw_list(const Scene& scene, const Plan& plan, const AList& list, Target<Adaptive>& target,
+               const Listener& listener, const Sink&) {
+    AdaptiveDrawing<Sink>(scene, plan, target, listener).draw(list);
     if (target.depth)
         target.exactness->fallbacks.depths = target.depth->exact_tests();
 }

@@ -46,9 +46,46 @@ bool is_finite(const Vec<Quantity, 3>& at) {
 
 } // namespace
 
+std::vector<ScreenPrimitive> ExactPieces::of(std::size_t primitive) {
+    if (!geometry_) {
+        geometry_ = empty_geometry<Rational>(scene_);
+        geometry_->transforms.divides = std::visit(
+            []<typename AList>(const AList& list) {
+                if constexpr (std::same_as<AList, TypedVertices>)
+                    return true;
+                else
+                    return list.transforms.divides;
+            },
+            plan_.list);
+        list_ = empty_screen_list(scene_, geometry_->transforms);
+        list_.vertices.resize(scene_.vertices.size());
+    }
+    const auto [known, is_new] = ranges_.try_emplace(primitive);
+    auto& [begin, end] = known->second;
+    if (is_new) {
+        for (const std::size_t place : scene_.primitives[primitive].corners())
+            if (!geometry_->is_used[place]) {
+                geometry_->is_used[place] = true;
+                place_vertex(scene_, place, *geometry_, list_.vertices[place]);
+            }
+        begin = list_.primitives.size();
+        add_primitive(scene_, *geometry_, primitive, list_);
+        end = list_.primitives.size();
+    }
+    const auto first = list_.primitives.begin();
+    return {first + static_cast<std::ptrdiff_t>(begin), first + static_cast<std::ptrdiff_t>(end)};
+}
+
+Piece<Rational> ExactPieces::placed(const PieceNumber& piece) {
+    if (const auto* typed = std::get_if<TypedVertices>(&plan_.list))
+        return rastertrace::placed<Rational>(
+            piece_of(scene_, *typed, typed_primitive(scene_, piece.primitive)), plan_);
+    return rastertrace::placed<Rational>(piece_of(scene_, list_, of(piece.primitive)[piece.part]),
+                                         plan_);
+}
+
 /// The turned depth of a triangle in the pixel at (x, y), as the fill that the scene names finds it.
-Rational exact_depth_at(const Scene& scene, const PlacedPrimitive<Rational>& primitive, int x,
-                        int y) {
+Rational exact_depth_at(const Scene& scene, const Piece<Rational>& primitive, int x, int y) {
     const Triangle<Rational> triangle{primitive.positions};
     TriangleDepth<Rational> depth(triangle.vertices, primitive.depths,
                                   depth_rule<Rational>(scene).larger_passes);
@@ -69,10 +106,15 @@ std::optional<std::array<std::size_t, 2>> edge_of_depth(const Scene& scene, cons
     if (!finds_depths_along_edges(scene))
         return std::nullopt;
     std::optional<std::array<std::size_t, 2>> vertices;
-    const auto look_at = [&]<typename Coordinate>(const Piece<Coordinate>& piece) {
-        if constexpr (draws<Adaptive, Coordinate>) {
-            if (piece.is_part)
+    const auto find_in = [&]<typename AList>(const AList& list) {
+        // Vertices as typed have no depths.
+        if constexpr (draws<Adaptive, AList> && !std::same_as<AList, TypedVertices>) {
+            if (!is_whole(scene, list, number.primitive))
                 return;
+            const auto piece = piece_of(scene, list,
+                                        {.primitive = static_cast<std::uint32_t>(number.primitive),
+                                         .index = 0,
+                                         .color = {}});
             const Triangle<Adaptive> triangle{placed<Adaptive>(piece, plan).positions};
             const auto [left, right] = edges_of_row(triangle, y, scene.canvas.down());
             const auto height = scalar_from<Adaptive>(y);
@@ -90,11 +132,7 @@ std::optional<std::array<std::size_t, 2>> edge_of_depth(const Scene& scene, cons
         }
     };
     try {
-        std::visit(
-            [&](const auto& geometry) {
-                visit_pieces(scene, geometry, number.primitive, false, {}, look_at);
-            },
-            plan.geometry);
+        std::visit(find_in, plan.list);
     } catch (const Undecided&) {
         return std::nullopt;
     }
@@ -130,7 +168,7 @@ Rational told_depth(const Scene& scene, Exactness& exactness, std::optional<std:
     const DepthRule<Rational> rule = depth_rule<Rational>(scene);
     if (!piece)
         return *rule.cleared;
-    const PlacedPrimitive<Rational>& placed = exactness.pieces.placed(exactness.drawn[*piece]);
+    const Piece<Rational>& placed = exactness.pieces.placed(exactness.drawn[*piece]);
     return turned(exact_depth_at(scene, placed, x, scene.canvas.y_of(row)), rule.larger_passes);
 }
 

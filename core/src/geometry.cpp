@@ -129,15 +129,24 @@ ScreenPlaces<Scalar> places_on_screen(const Vec<Scalar, 4>& clip,
             .pixel = {snapped(screen.x), snapped(screen.y)}};
 }
 
-/// Calls `visit(place, vertex, model)` with each vertex that is used, and the place of its object.
+/// Which of the scene's vertices a primitive has.
+std::vector<bool> used_vertices(const Scene& scene) {
+    std::vector<bool> is_used(scene.vertices.size());
+    for (const ScenePrimitive& primitive : scene.primitives)
+        for (const std::size_t place : primitive.corners())
+            is_used[place] = true;
+    return is_used;
+}
+
+/// Calls `visit(place, model)` with each vertex that is used, and the matrix of its object.
 template <typename Scalar, typename Visit>
-void for_each_used_vertex(const Scene& scene, const Geometry<Scalar>& geometry, Visit&& visit) {
-    const auto& transforms = geometry.transforms;
+void for_each_used_vertex(const Scene& scene, const Transforms<Scalar>& transforms,
+                          const std::vector<bool>& is_used, Visit&& visit) {
     std::size_t object = 0;
     for (std::size_t i = 0; i < scene.vertices.size(); ++i) {
         while (object < scene.objects.size() && i >= scene.objects[object].end_vertex)
             ++object;
-        if (geometry.is_used[i])
+        if (is_used[i])
             visit(i, object < scene.objects.size() ? transforms.models[object]
                                                    : transforms.rest_model);
     }
@@ -145,15 +154,14 @@ void for_each_used_vertex(const Scene& scene, const Geometry<Scalar>& geometry, 
 
 /// The matrix of the object that a vertex belongs to.
 template <typename Scalar>
-const std::optional<Matrix<Scalar>>& model_of(const Scene& scene, const Geometry<Scalar>& geometry,
-                                              std::size_t place) {
+const std::optional<Matrix<Scalar>>&
+model_of(const Scene& scene, const Transforms<Scalar>& transforms, std::size_t place) {
     const auto object =
         std::upper_bound(scene.objects.begin(), scene.objects.end(), place,
                          [](std::size_t i, const SceneObject& one) { return i < one.end_vertex; });
     return object == scene.objects.end()
-               ? geometry.transforms.rest_model
-               : geometry.transforms
-                     .models[static_cast<std::size_t>(object - scene.objects.begin())];
+               ? transforms.rest_model
+               : transforms.models[static_cast<std::size_t>(object - scene.objects.begin())];
 }
 
 /// How far a place in camera space lies in front of the eye. Without a camera and a projection, z as
@@ -179,43 +187,69 @@ template <typename Scalar> Vec<Scalar, 3> eye_of(const Scene& scene) {
             nearest_scalar<Scalar>(eye.z)};
 }
 
+/// A vertex in clip space is in view if it lies outside of no plane.
+template <typename Scalar>
+bool is_in_view(const Vec<Scalar, 4>& clip, const Transforms<Scalar>& transforms) {
+    return std::all_of(transforms.planes.begin(), transforms.planes.end(),
+                       [&clip](const auto& plane) { return plane.has_inside(clip); });
+}
+
+/// A vertex in the world and in clip space.
+template <typename Scalar>
+VertexInSpace<Scalar> vertex_in_space(const Scene& scene, const Transforms<Scalar>& transforms,
+                                      const std::optional<Matrix<Scalar>>& model,
+                                      std::size_t place) {
+    const VertexPlaces<Scalar> places = places_of(scene.vertices[place], model, transforms);
+    for (const Scalar* coordinate :
+         {&places.clip.x, &places.clip.y, &places.clip.z, &places.clip.w})
+        require_finite(*coordinate);
+    return {.world = {places.world.x, places.world.y, places.world.z},
+            .placed = {.clip = places.clip,
+                       .distance = distance_along_view<Scalar>(scene, places.camera),
+                       .is_in_view = is_in_view(places.clip, transforms)}};
+}
+template <typename Scalar>
+VertexInSpace<Scalar> vertex_in_space(const Scene& scene, const Transforms<Scalar>& transforms,
+                                      std::size_t place) {
+    return vertex_in_space(scene, transforms, model_of(scene, transforms, place), place);
+}
+
 /// Takes a vertex to clip space.
 template <typename Scalar>
 void place_in_clip_space(const Scene& scene, const std::optional<Matrix<Scalar>>& model,
                          std::size_t place, Geometry<Scalar>& geometry) {
-    PlacedVertex<Scalar>& vertex = geometry.vertices[place];
-    const VertexPlaces<Scalar> places =
-        places_of(scene.vertices[place], model, geometry.transforms);
-    vertex.clip = places.clip;
-    vertex.distance = distance_along_view<Scalar>(scene, places.camera);
+    auto [world, placed] = vertex_in_space(scene, geometry.transforms, model, place);
+    geometry.vertices[place] = std::move(placed);
     if (!geometry.world.empty())
-        geometry.world[place] = {places.world.x, places.world.y, places.world.z};
-    for (const Scalar* coordinate :
-         {&vertex.clip.x, &vertex.clip.y, &vertex.clip.z, &vertex.clip.w})
-        require_finite(*coordinate);
-    const auto& planes = geometry.transforms.planes;
-    vertex.is_in_view = std::all_of(planes.begin(), planes.end(), [&vertex](const auto& plane) {
-        return plane.has_inside(vertex.clip);
-    });
+        geometry.world[place] = std::move(world);
 }
 
 /// Takes a vertex from there on to the screen, if it can be seen.
-template <typename Scalar> void place_on_screen(std::size_t place, Geometry<Scalar>& geometry) {
-    PlacedVertex<Scalar>& vertex = geometry.vertices[place];
+template <typename Scalar>
+void place_on_screen(const PlacedVertex<Scalar>& vertex, const Transforms<Scalar>& transforms,
+                     ScreenVertex<Scalar>& on_screen) {
     if (vertex.is_in_view)
-        vertex.pixel = places_on_screen(vertex.clip, geometry.transforms).pixel;
+        on_screen.position = places_on_screen(vertex.clip, transforms).pixel;
+}
+
+/// Takes a vertex to clip space, and on to the screen if it can be seen.
+template <typename Scalar>
+void place_vertex(const Scene& scene, std::size_t place, Geometry<Scalar>& geometry,
+                  ScreenVertex<Scalar>& on_screen) {
+    const auto& transforms = geometry.transforms;
+    place_in_clip_space(scene, model_of(scene, transforms, place), place, geometry);
+    place_on_screen(geometry.vertices[place], transforms, on_screen);
 }
 
 /// A geometry whose vertices have no place yet.
 template <typename Scalar> Geometry<Scalar> empty_geometry(const Scene& scene) {
     Geometry<Scalar> result;
     result.transforms = transforms_of<Scalar>(scene);
-    result.depth = scene.depth();
     result.vertices.resize(scene.vertices.size());
     result.is_used.resize(scene.vertices.size());
     if (scene.tests_faces()) {
         result.world.resize(scene.vertices.size());
-        result.eye = eye_of<Scalar>(scene);
+        result.transforms.eye = eye_of<Scalar>(scene);
     }
     return result;
 }
@@ -223,14 +257,12 @@ template <typename Scalar> Geometry<Scalar> empty_geometry(const Scene& scene) {
 /// Takes every vertex that is used to clip space, and on to the screen if it can be seen.
 template <typename Scalar> Geometry<Scalar> geometry_of(const Scene& scene) {
     Geometry<Scalar> result = empty_geometry<Scalar>(scene);
-    for (const ScenePrimitive& primitive : scene.primitives)
-        for (const std::size_t place : primitive.corners())
-            result.is_used[place] = true;
+    result.is_used = used_vertices(scene);
 
     // To clip space. A plane that no vertex lies outside of cannot cut anything.
     Transforms<Scalar>& transforms = result.transforms;
     std::vector<std::size_t> outside(transforms.planes.size());
-    for_each_used_vertex(scene, result, [&](std::size_t i, const auto& model) {
+    for_each_used_vertex(scene, transforms, result.is_used, [&](std::size_t i, const auto& model) {
         place_in_clip_space(scene, model, i, result);
         const PlacedVertex<Scalar>& vertex = result.vertices[i];
         if (!vertex.is_in_view)
@@ -252,10 +284,11 @@ template <typename Scalar> Geometry<Scalar> geometry_of(const Scene& scene) {
     }
 
     // On to the screen, what can be seen.
+    result.screen.resize(result.vertices.size());
     for (std::size_t i = 0; i < result.vertices.size(); ++i)
-        place_on_screen(i, result);
+        place_on_screen(result.vertices[i], transforms, result.screen[i]);
 
-    if (result.depth == Depth::painter) {
+    if (scene.depth() == Depth::painter) {
         const auto distance_of = [&result](std::size_t place) -> const Scalar& {
             return result.vertices[place].distance;
         };
@@ -298,30 +331,31 @@ void tell_places_on_screen(std::string_view name, const Vec<Scalar, 4>& clip,
 /// Tells every vertex through its spaces; a space that the scene has no matrix for is passed over.
 /// A vertex that cannot be seen stops at clip space.
 template <typename Scalar>
-void tell_vertices(const Scene& scene, const Geometry<Scalar>& geometry, const Listener& listener) {
+void tell_vertices(const Scene& scene, const Transforms<Scalar>& transforms,
+                   const Listener& listener) {
     if (!listener.takes<VertexPlaced<Scalar>>())
         return;
-    const Transforms<Scalar>& transforms = geometry.transforms;
-    for_each_used_vertex(scene, geometry, [&](std::size_t i, const auto& model) {
-        const std::string_view name = scene.vertices[i].name;
-        const auto places = places_of(scene.vertices[i], model, transforms);
-        if (model)
-            tell_place<Scalar>(name, Space::object, places.object, 3, listener);
-        tell_place<Scalar>(name, Space::world, places.world, 3, listener);
-        if (transforms.view)
-            tell_place<Scalar>(name, Space::camera, places.camera, 3, listener);
-        if (transforms.projection)
-            tell_place<Scalar>(name, Space::clip, places.clip, 4, listener);
-        if (geometry.vertices[i].is_in_view)
-            tell_places_on_screen(name, places.clip, transforms, listener);
-    });
+    for_each_used_vertex(
+        scene, transforms, used_vertices(scene), [&](std::size_t i, const auto& model) {
+            const std::string_view name = scene.vertices[i].name;
+            const auto places = places_of(scene.vertices[i], model, transforms);
+            if (model)
+                tell_place<Scalar>(name, Space::object, places.object, 3, listener);
+            tell_place<Scalar>(name, Space::world, places.world, 3, listener);
+            if (transforms.view)
+                tell_place<Scalar>(name, Space::camera, places.camera, 3, listener);
+            if (transforms.projection)
+                tell_place<Scalar>(name, Space::clip, places.clip, 4, listener);
+            if (is_in_view(places.clip, transforms))
+                tell_places_on_screen(name, places.clip, transforms, listener);
+        });
 }
 
 /// Tells the matrices, then the vertices, then what the painter has sorted.
 template <typename Scalar>
-void tell_geometry(const Scene& scene, const Geometry<Scalar>& geometry, const Listener& listener) {
+void tell_geometry(const Scene& scene, const Transforms<Scalar>& transforms,
+                   const std::optional<PainterOrder<Scalar>>& order, const Listener& listener) {
     const ListenerSink sink(listener);
-    const Transforms<Scalar>& transforms = geometry.transforms;
     for (std::size_t i = 0; i < transforms.models.size(); ++i)
         if (transforms.models[i])
             sink(MatrixSetUp<Scalar>{
@@ -337,74 +371,63 @@ void tell_geometry(const Scene& scene, const Geometry<Scalar>& geometry, const L
         sink(MatrixSetUp<Scalar>{.name = "viewport", .object = {}, .matrix = *transforms.viewport});
 
     if (scene.has_transforms() || scene.keeps_transforms())
-        tell_vertices(scene, geometry, listener);
-    if (geometry.order) {
+        tell_vertices(scene, transforms, listener);
+    if (order) {
         std::vector<std::string_view> names;
-        for (const std::size_t i : geometry.order->primitives)
+        for (const std::size_t i : order->primitives)
             if (scene.primitives[i].kind == PrimitiveKind::triangle)
                 names.push_back(scene.primitives[i].name);
-        sink(PrimitivesOrdered<Scalar>{.names = names, .distances = geometry.order->keys});
+        sink(PrimitivesOrdered<Scalar>{.names = names, .distances = order->keys});
     }
 }
 
 // For every kind of number that vertices are moved in.
 
 template Geometry<float> geometry_of(const Scene&);
-template Geometry<float> empty_geometry(const Scene&);
-template const std::optional<Matrix<float>>& model_of(const Scene&, const Geometry<float>&,
-                                                      std::size_t);
-template void place_in_clip_space(const Scene&, const std::optional<Matrix<float>>&, std::size_t,
-                                  Geometry<float>&);
-template void place_on_screen(std::size_t, Geometry<float>&);
+template VertexInSpace<float> vertex_in_space(const Scene&, const Transforms<float>&, std::size_t);
 template ScreenPlaces<float> places_on_screen(const Vec<float, 4>&, const Transforms<float>&);
 template void tell_place<float>(std::string_view, Space, const Vec<float, 4>&, std::size_t,
                                 const Listener&);
 template void tell_places_on_screen<float>(std::string_view, const Vec<float, 4>&,
                                            const Transforms<float>&, const Listener&);
-template void tell_geometry(const Scene&, const Geometry<float>&, const Listener&);
+template void tell_geometry(const Scene&, const Transforms<float>&,
+                            const std::optional<PainterOrder<float>>&, const Listener&);
 
 template Geometry<double> geometry_of(const Scene&);
-template Geometry<double> empty_geometry(const Scene&);
-template const std::optional<Matrix<double>>& model_of(const Scene&, const Geometry<double>&,
-                                                       std::size_t);
-template void place_in_clip_space(const Scene&, const std::optional<Matrix<double>>&, std::size_t,
-                                  Geometry<double>&);
-template void place_on_screen(std::size_t, Geometry<double>&);
+template VertexInSpace<double> vertex_in_space(const Scene&, const Transforms<double>&,
+                                               std::size_t);
 template ScreenPlaces<double> places_on_screen(const Vec<double, 4>&, const Transforms<double>&);
 template void tell_place<double>(std::string_view, Space, const Vec<double, 4>&, std::size_t,
                                  const Listener&);
 template void tell_places_on_screen<double>(std::string_view, const Vec<double, 4>&,
                                             const Transforms<double>&, const Listener&);
-template void tell_geometry(const Scene&, const Geometry<double>&, const Listener&);
+template void tell_geometry(const Scene&, const Transforms<double>&,
+                            const std::optional<PainterOrder<double>>&, const Listener&);
 
 template Geometry<Adaptive> geometry_of(const Scene&);
-template Geometry<Adaptive> empty_geometry(const Scene&);
-template const std::optional<Matrix<Adaptive>>& model_of(const Scene&, const Geometry<Adaptive>&,
-                                                         std::size_t);
-template void place_in_clip_space(const Scene&, const std::optional<Matrix<Adaptive>>&, std::size_t,
-                                  Geometry<Adaptive>&);
-template void place_on_screen(std::size_t, Geometry<Adaptive>&);
+template VertexInSpace<Adaptive> vertex_in_space(const Scene&, const Transforms<Adaptive>&,
+                                                 std::size_t);
 template ScreenPlaces<Adaptive> places_on_screen(const Vec<Adaptive, 4>&,
                                                  const Transforms<Adaptive>&);
 template void tell_place<Adaptive>(std::string_view, Space, const Vec<Adaptive, 4>&, std::size_t,
                                    const Listener&);
 template void tell_places_on_screen<Adaptive>(std::string_view, const Vec<Adaptive, 4>&,
                                               const Transforms<Adaptive>&, const Listener&);
-template void tell_geometry(const Scene&, const Geometry<Adaptive>&, const Listener&);
+template void tell_geometry(const Scene&, const Transforms<Adaptive>&,
+                            const std::optional<PainterOrder<Adaptive>>&, const Listener&);
 
 template Geometry<Rational> geometry_of(const Scene&);
 template Geometry<Rational> empty_geometry(const Scene&);
-template const std::optional<Matrix<Rational>>& model_of(const Scene&, const Geometry<Rational>&,
-                                                         std::size_t);
-template void place_in_clip_space(const Scene&, const std::optional<Matrix<Rational>>&, std::size_t,
-                                  Geometry<Rational>&);
-template void place_on_screen(std::size_t, Geometry<Rational>&);
+template VertexInSpace<Rational> vertex_in_space(const Scene&, const Transforms<Rational>&,
+                                                 std::size_t);
+template void place_vertex(const Scene&, std::size_t, Geometry<Rational>&, ScreenVertex<Rational>&);
 template ScreenPlaces<Rational> places_on_screen(const Vec<Rational, 4>&,
                                                  const Transforms<Rational>&);
 template void tell_place<Rational>(std::string_view, Space, const Vec<Rational, 4>&, std::size_t,
                                    const Listener&);
 template void tell_places_on_screen<Rational>(std::string_view, const Vec<Rational, 4>&,
                                               const Transforms<Rational>&, const Listener&);
-template void tell_geometry(const Scene&, const Geometry<Rational>&, const Listener&);
+template void tell_geometry(const Scene&, const Transforms<Rational>&,
+                            const std::optional<PainterOrder<Rational>>&, const Listener&);
 
 } // namespace rastertrace

@@ -6,8 +6,12 @@
 #include <rastertrace/core/clip.h>
 
 #include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <initializer_list>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -23,14 +27,10 @@ Vec<Scalar, 3> light_from(const Light& light, const Vec<Scalar, 3>& centroid) {
 
 /// Tests which way a triangle is turned, and lights it. A triangle without area has no normal.
 template <typename Scalar>
-Face<Scalar> face_of(const Scene& scene, const Geometry<Scalar>& geometry,
-                     const ScenePrimitive& primitive) {
+Face<Scalar> face_of(const Scene& scene, const Transforms<Scalar>& transforms,
+                     const ScenePrimitive& primitive, const std::array<Vec<Scalar, 3>, 3>& world) {
     Face<Scalar> face;
-    if (geometry.world.empty() || primitive.kind != PrimitiveKind::triangle)
-        return face;
-    const auto& a = geometry.world[primitive.vertices[0]];
-    const auto& b = geometry.world[primitive.vertices[1]];
-    const auto& c = geometry.world[primitive.vertices[2]];
+    const auto& [a, b, c] = world;
     const Vec<Scalar, 3> normal = normal_of<Scalar>(a, b, c);
     if (has_no_length<Scalar>(normal)) {
         face.skip = SkipReason::zero_area;
@@ -44,8 +44,8 @@ Face<Scalar> face_of(const Scene& scene, const Geometry<Scalar>& geometry,
         const bool is_by_light = cull == Cull::light;
         const Vec<Scalar, 3> view = is_by_light ? light_from<Scalar>(*scene.light, centroid)
                                     : is_perspective(scene.projection.type)
-                                        ? geometry.eye - centroid
-                                        : geometry.eye;
+                                        ? transforms.eye - centroid
+                                        : transforms.eye;
         const Scalar product = dot(normal, view);
         const auto cosine = cosine_between(normal, view);
         face.tested =
@@ -77,6 +77,36 @@ Face<Scalar> face_of(const Scene& scene, const Geometry<Scalar>& geometry,
     return face;
 }
 
+/// True if a primitive is a triangle whose face is tested or lit.
+bool has_face(const Scene& scene, const ScenePrimitive& primitive) {
+    return primitive.kind == PrimitiveKind::triangle &&
+           (scene.method.cull != Cull::none || scene.method.shade == Shade::lambert);
+}
+
+/// False if a number of a face that would be told is none: a normal is a product of two lengths, and is
+/// multiplied by a third one.
+template <typename Scalar> bool is_finite(const Face<Scalar>& face) {
+    if constexpr (std::floating_point<Scalar>) {
+        const auto all_finite = [](const Vec<Scalar, 3>& a, const Vec<Scalar, 3>& b,
+                                   std::initializer_list<double> others) {
+            return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z) &&
+                   std::isfinite(b.x) && std::isfinite(b.y) && std::isfinite(b.z) &&
+                   std::all_of(others.begin(), others.end(),
+                               [](double one) { return std::isfinite(one); });
+        };
+        const auto& [tested, lit, skip] = face;
+        return (!tested || all_finite(tested->normal, tested->view,
+                                      {tested->dot, tested->cosine.value_or(0)})) &&
+               (!lit || all_finite(lit->normal, lit->light, {lit->dot, lit->intensity}));
+    }
+    return true;
+}
+
+/// What a vertex is called that clipping has made.
+std::string name_of_made(const std::string& primitive, int number) {
+    return primitive + ":" + std::to_string(number);
+}
+
 /// What the depth buffer holds of a vertex.
 template <typename Scalar>
 Scalar depth_at(Depth depth, const Scalar& distance, const Vec<Scalar, 4>& clip) {
@@ -102,26 +132,10 @@ Color color_of(const Scene& scene, std::size_t primitive, const Face<Coordinate>
     return face.lit ? face.lit->color : scene.primitives[primitive].color;
 }
 
-/// A primitive whose vertices all have a place: `position_of(i)` tells it.
-template <typename Coordinate, typename PositionOf>
-Piece<Coordinate> whole_piece(const Scene& scene, std::size_t number, Color color,
-                              bool mixes_colors, PositionOf&& position_of) {
-    const ScenePrimitive& primitive = scene.primitives[number];
-    Piece<Coordinate> piece{.kind = primitive.kind,
-                            .name = primitive.name,
-                            .primitive = number,
-                            .color = color,
-                            .names = {},
-                            .colors = {}};
-    for (const std::size_t place : primitive.corners()) {
-        const SceneVertex& vertex = scene.vertices[place];
-        const std::size_t i = piece.count++;
-        piece.names[i] = vertex.name;
-        piece.positions[i] = position_of(place);
-        piece.colors[i] = mixes_colors ? vertex.color.value_or(color) : color;
-        piece.vertices[i] = place;
-    }
-    return piece;
+/// The color of a vertex of the scene, or of its primitive if it has none that counts.
+template <typename AList>
+Color color_of_vertex(const Scene& scene, const AList& list, std::size_t place, Color color) {
+    return list.mixes_colors ? scene.vertices[place].color.value_or(color) : color;
 }
 
 /// Why clipping at a plane has left nothing of a polygon.
@@ -144,7 +158,7 @@ SkipReason reason_of(const ClipPlane<Scalar>& plane,
 }
 
 /// Cuts a polygon, a line or a point down to what lies inside all planes; each plane that it is not
-/// wholly inside of is reported. If nothing is left: why. Only a vertex that it begins with makes a
+/// wholly inside of is told. If nothing is left: why. Only a vertex that it begins with makes a
 /// plane cut: one that clipping has made lies, but for rounding, between two of those.
 template <typename Scalar>
 std::optional<SkipReason>
@@ -182,111 +196,285 @@ clip_at_planes(std::string_view name, std::vector<ClipVertex<Scalar>>& polygon,
     return std::nullopt;
 }
 
-/// What some vertices of a primitive span, before clipping.
-template <typename Scalar>
-std::vector<ClipVertex<Scalar>> polygon_of(const Scene& scene, const Geometry<Scalar>& geometry,
-                                           Color color, std::span<const std::size_t> corners,
-                                           bool mixes_colors) {
-    std::vector<ClipVertex<Scalar>> polygon;
-    for (const std::size_t place : corners)
-        polygon.push_back({geometry.vertices[place].clip, geometry.vertices[place].distance,
-                           mixes_colors ? scene.vertices[place].color.value_or(color) : color,
-                           static_cast<int>(polygon.size())});
-    return polygon;
+/// The corners of a primitive, each from its place in the scene.
+template <typename PlaceOf> auto corners_of(const ScenePrimitive& primitive, PlaceOf&& place_of) {
+    std::array<std::decay_t<decltype(place_of(std::size_t{}))>, 3> corners{};
+    for (std::size_t i = 0; i < primitive.corners().size(); ++i)
+        corners[i] = place_of(primitive.vertices[i]);
+    return corners;
 }
 
-/// Clips what some vertices of a primitive span, puts the vertices that this makes on the screen, and
-/// visits what is left: a point, a line, or the triangles of a fan. `made` counts the vertices that
-/// clipping has made, `parts` the pieces. If nothing is left: why.
-template <typename Scalar>
-std::optional<SkipReason>
-visit_parts(const Scene& scene, const Geometry<Scalar>& geometry, std::size_t number, Color color,
-            std::span<const std::size_t> corners, bool mixes_colors, int& made, int& parts,
-            const Listener& listener, const std::type_identity_t<PieceVisitor<Scalar>>& visit) {
+/// Clips a primitive whose corners lie in clip space; the sides of an outline one by one. Calls
+/// `take(side, polygon)` with what is left of each: the first corner of what was clipped, and a point, a
+/// line or a polygon, whose vertices know which of the corners they are. If nothing is left: why.
+template <typename Scalar, typename Take>
+std::optional<SkipReason> clip_primitive(const Scene& scene, const ScreenList<Scalar>& list,
+                                         std::size_t number, Color color,
+                                         const std::array<PlacedVertex<Scalar>, 3>& vertices,
+                                         const Listener& listener, Take&& take) {
     const ScenePrimitive& primitive = scene.primitives[number];
-    std::vector<ClipVertex<Scalar>> polygon =
-        polygon_of(scene, geometry, color, corners, mixes_colors);
-    const auto reason =
-        clip_at_planes(primitive.name, polygon, geometry.transforms.planes, listener);
-
-    std::vector<std::string> names;
-    std::vector<Vec<Scalar, 2>> positions;
-    for (const ClipVertex<Scalar>& vertex : polygon) {
-        if (vertex.original >= 0) {
-            names.push_back(
-                scene.vertices[corners[static_cast<std::size_t>(vertex.original)]].name);
-        } else {
-            names.push_back(primitive.name + ":" + std::to_string(++made));
-            tell_place<Scalar>(names.back(), Space::clip, vertex.position, 4, listener);
-            tell_places_on_screen(names.back(), vertex.position, geometry.transforms, listener);
+    const std::size_t count = primitive.corners().size();
+    const bool is_outline = primitive.kind == PrimitiveKind::outline;
+    std::optional<SkipReason> reason;
+    bool is_left = false;
+    for (std::size_t side = 0; side < (is_outline ? count : 1); ++side) {
+        std::vector<ClipVertex<Scalar>> polygon;
+        for (std::size_t i = 0; i < (is_outline ? 2 : count); ++i) {
+            const std::size_t corner = (side + i) % count;
+            const auto& [clip, distance, is_in_view] = vertices[corner];
+            polygon.push_back({clip, distance,
+                               color_of_vertex(scene, list, primitive.vertices[corner], color),
+                               static_cast<int>(corner)});
         }
-        positions.push_back(places_on_screen(vertex.position, geometry.transforms).pixel);
+        reason = clip_at_planes(primitive.name, polygon, list.transforms.planes, listener);
+        is_left = is_left || !polygon.empty();
+        take(side, polygon);
     }
-
-    const std::size_t count = std::min<std::size_t>(polygon.size(), 3);
-    for (std::size_t last = count; count > 0 && last <= polygon.size(); ++last) {
-        const std::string name = primitive.name + "/" + std::to_string(++parts);
-        Piece<Scalar> piece{.kind = corners.size() < primitive.corners().size()
-                                        ? PrimitiveKind::line
-                                        : primitive.kind,
-                            .name = name,
-                            .primitive = number,
-                            .color = color,
-                            .count = count,
-                            .names = {},
-                            .colors = {},
-                            .is_part = true};
-        for (std::size_t i = 0; i < count; ++i) {
-            const std::size_t corner = i == 0 ? 0 : last - count + i;
-            const int original = polygon[corner].original;
-            piece.names[i] = names[corner];
-            piece.positions[i] = positions[corner];
-            piece.colors[i] = polygon[corner].color;
-            piece.depths[i] = depth_at<Scalar>(geometry.depth, polygon[corner].distance,
-                                               polygon[corner].position);
-            piece.inverse_w[i] = scalar_from<Scalar>(1) / polygon[corner].position.w;
-            piece.vertices[i] = corners[static_cast<std::size_t>(std::max(original, 0))];
-        }
-        visit(piece);
-    }
-    return reason;
+    return is_left ? std::nullopt : reason;
 }
 
-/// Visits the pieces of a primitive. In view it is one; what clips it is reported.
-template <typename Scalar>
-void visit_pieces(const Scene& scene, const Geometry<Scalar>& geometry, std::size_t number,
-                  bool mixes_colors, const Listener& listener,
-                  const std::type_identity_t<PieceVisitor<Scalar>>& visit) {
-    const ScenePrimitive& primitive = scene.primitives[number];
-    const auto corners = primitive.corners();
-    const Face<Scalar> face = face_of(scene, geometry, primitive);
-    const Color color = color_of(scene, number, face);
+/// What a polygon is drawn as: itself if it is a point or a line, else a fan of triangles. So many.
+std::size_t part_count(std::size_t corners) {
+    return corners < 3 ? std::min<std::size_t>(corners, 1) : corners - 2;
+}
 
-    // In view: one piece. Clipping it would leave it as it is.
-    if (std::all_of(corners.begin(), corners.end(), [&geometry](std::size_t place) {
-            return geometry.vertices[place].is_in_view;
-        })) {
-        auto piece =
-            whole_piece<Scalar>(scene, number, color, mixes_colors, [&geometry](std::size_t place) {
-                return geometry.vertices[place].pixel;
-            });
-        if (scene.keep.has(Stage::clip)) {
-            auto polygon = polygon_of(scene, geometry, color, corners, mixes_colors);
-            clip_at_planes(primitive.name, polygon, geometry.transforms.planes, listener);
-        }
-        for (std::size_t i = 0; i < piece.count; ++i) {
-            const PlacedVertex<Scalar>& vertex = geometry.vertices[piece.vertices[i]];
-            piece.depths[i] = depth_at<Scalar>(geometry.depth, vertex.distance, vertex.clip);
-            if (mixes_colors)
-                piece.inverse_w[i] = scalar_from<Scalar>(1) / vertex.clip.w;
-        }
-        piece.face = face;
-        visit(piece);
+/// Finds how deep a vertex lies that is on the screen, and 1/w.
+template <typename Scalar>
+void find_depth(const Vec<Scalar, 4>& clip, const Scalar& distance, const ScreenList<Scalar>& list,
+                ScreenVertex<Scalar>& vertex) {
+    vertex.depth = depth_at<Scalar>(list.depth, distance, clip);
+    if (list.mixes_colors)
+        vertex.inverse_w = scalar_from<Scalar>(1) / clip.w;
+}
+
+/// The same for a vertex of the scene, once.
+template <typename Scalar>
+void find_depth(const Geometry<Scalar>& geometry, std::size_t place, ScreenList<Scalar>& list) {
+    if (list.is_placed[place])
         return;
-    }
+    const PlacedVertex<Scalar>& vertex = geometry.vertices[place];
+    find_depth(vertex.clip, vertex.distance, list, list.vertices[place]);
+    list.is_placed[place] = true;
+}
 
-    // Cut: what is left of it comes as parts. The sides of an outline are cut one by one.
+/// A list without primitives and vertices.
+template <typename Scalar>
+ScreenList<Scalar> empty_screen_list(const Scene& scene, const Transforms<Scalar>& transforms) {
+    ScreenList<Scalar> list;
+    list.transforms = transforms;
+    list.mixes_colors = scene.mixes_colors();
+    list.depth = scene.depth();
+    list.is_placed.resize(scene.vertices.size());
+    return list;
+}
+
+/// Tests and lights the face of a primitive, clips it, and adds what is left of it to a list.
+template <typename Scalar>
+void add_primitive(const Scene& scene, const Geometry<Scalar>& geometry, std::size_t number,
+                   ScreenList<Scalar>& list) {
+    using State = ScreenPrimitive::State;
+    const ScenePrimitive& primitive = scene.primitives[number];
+    Face<Scalar> face;
+    if (has_face(scene, primitive))
+        face = face_of(
+            scene, list.transforms, primitive,
+            corners_of(primitive, [&](std::size_t place) { return geometry.world[place]; }));
+    if (!is_finite(face))
+        list.infinite_face = std::min(number, list.infinite_face.value_or(number));
+    const Color color = color_of(scene, number, face);
+    const auto add = [&](State state, std::size_t index) {
+        list.primitives.push_back({.primitive = static_cast<std::uint32_t>(number),
+                                   .index = static_cast<std::uint32_t>(index),
+                                   .color = color,
+                                   .state = state});
+    };
+    const auto clip_it = [&](auto&& take) {
+        const auto vertices =
+            corners_of(primitive, [&](std::size_t place) { return geometry.vertices[place]; });
+        clip_primitive(scene, list, number, color, vertices, {}, take);
+    };
+
+    // In view: all of it. Clipping it would leave it as it is.
+    const auto corners = primitive.corners();
+    if (std::all_of(corners.begin(), corners.end(),
+                    [&](std::size_t place) { return geometry.vertices[place].is_in_view; })) {
+        if (scene.keep.has(Stage::clip))
+            clip_it([](auto&&...) {});
+        for (const std::size_t place : corners)
+            find_depth(geometry, place, list);
+        return add(face.skip ? State::skipped : State::whole, 0);
+    }
+    if (face.skip)
+        return;
+
+    // Cut: what is left of it comes as parts.
+    int made = 0;
+    int parts = 0;
+    clip_it([&](std::size_t side, const std::vector<ClipVertex<Scalar>>& polygon) {
+        std::vector<std::size_t> places;
+        for (const ClipVertex<Scalar>& vertex : polygon) {
+            if (vertex.original >= 0) {
+                places.push_back(corners[static_cast<std::size_t>(vertex.original)]);
+                find_depth(geometry, places.back(), list);
+                continue;
+            }
+            places.push_back(list.vertices.size());
+            list.made.push_back({vertex.color, ++made, corners[side]});
+            auto& on_screen = list.vertices.emplace_back();
+            on_screen.position = places_on_screen(vertex.position, list.transforms).pixel;
+            find_depth(vertex.position, vertex.distance, list, on_screen);
+        }
+        for (std::size_t i = 0; i < part_count(places.size()); ++i) {
+            ScreenPart part{{places[0], 0, 0}, ++parts};
+            for (std::size_t corner = 1; corner < std::min<std::size_t>(places.size(), 3); ++corner)
+                part.corners[corner] = places[i + corner];
+            add(State::part, list.parts.size());
+            list.parts.push_back(part);
+        }
+    });
+}
+
+/// What is drawn of all primitives, in the order in which they are drawn.
+template <typename Scalar>
+ScreenList<Scalar> screen_list_of(const Scene& scene, Geometry<Scalar> geometry) {
+    ScreenList<Scalar> list = empty_screen_list(scene, geometry.transforms);
+    list.vertices = std::move(geometry.screen);
+    list.order = std::move(geometry.order);
+    list.outside = std::move(geometry.outside);
+    list.primitives.reserve(scene.primitives.size());
+    for (std::size_t turn = 0; turn < scene.primitives.size(); ++turn) {
+        const std::size_t number = primitive_at(list, turn);
+        const std::size_t count = list.primitives.size();
+        try {
+            add_primitive(scene, geometry, number, list);
+        } catch (const Undecided& undecided) {
+            list.primitives.resize(count);
+            list.primitives.push_back({.primitive = static_cast<std::uint32_t>(number),
+                                       .index = static_cast<std::uint32_t>(list.undecided.size()),
+                                       .color = {},
+                                       .state = ScreenPrimitive::State::undecided});
+            list.undecided.push_back(undecided);
+        }
+    }
+    return list;
+}
+
+/// What the list would hold of a primitive.
+ScreenPrimitive typed_primitive(const Scene& scene, std::size_t number) {
+    return {.primitive = static_cast<std::uint32_t>(number),
+            .index = 0,
+            .color = color_of(scene, number, Face<Number>{})};
+}
+
+/// Places in the list of the corners of a primitive, or of a part of one.
+template <typename Scalar>
+std::span<const std::size_t> corners_of(const Scene& scene, const ScreenList<Scalar>& list,
+                                        const ScreenPrimitive& one) {
+    const auto corners = scene.primitives[one.primitive].corners();
+    if (one.state != ScreenPrimitive::State::part)
+        return corners;
+    const bool is_line = scene.primitives[one.primitive].kind == PrimitiveKind::outline;
+    return std::span(list.parts[one.index].corners).first(is_line ? 2 : corners.size());
+}
+
+/// A piece, but for its corners.
+template <typename Coordinate>
+Piece<Coordinate> piece_without_corners(const Scene& scene, const ScreenPrimitive& one) {
+    using State = ScreenPrimitive::State;
+    const bool is_part = one.state == State::part;
+    const PrimitiveKind kind = scene.primitives[one.primitive].kind;
+    return {.kind = is_part && kind == PrimitiveKind::outline ? PrimitiveKind::line : kind,
+            .primitive = one.primitive,
+            .color = one.color,
+            .is_part = is_part,
+            .is_skipped = one.state == State::skipped,
+            .colors = {}};
+}
+
+/// One of the list with its corners.
+template <typename Scalar>
+Piece<Scalar> piece_of(const Scene& scene, const ScreenList<Scalar>& list,
+                       const ScreenPrimitive& one) {
+    auto piece = piece_without_corners<Scalar>(scene, one);
+    for (const std::size_t place : corners_of(scene, list, one)) {
+        const std::size_t i = piece.count++;
+        const ScreenVertex<Scalar>& vertex = list.vertices[place];
+        piece.positions[i] = vertex.position;
+        piece.depths[i] = vertex.depth;
+        piece.inverse_w[i] = vertex.inverse_w;
+        if (place < scene.vertices.size()) {
+            piece.colors[i] = color_of_vertex(scene, list, place, one.color);
+            piece.vertices[i] = place;
+        } else {
+            const MadeVertex& made = list.made[place - scene.vertices.size()];
+            piece.colors[i] = made.color;
+            piece.vertices[i] = made.side;
+        }
+    }
+    return piece;
+}
+Piece<Number> piece_of(const Scene& scene, const TypedVertices& typed, const ScreenPrimitive& one) {
+    auto piece = piece_without_corners<Number>(scene, one);
+    for (const std::size_t place : scene.primitives[one.primitive].corners()) {
+        const std::size_t i = piece.count++;
+        piece.positions[i] = {scene.vertices[place].x, scene.vertices[place].y};
+        piece.colors[i] = color_of_vertex(scene, typed, place, one.color);
+        piece.vertices[i] = place;
+    }
+    return piece;
+}
+
+PieceNames::PieceNames(const Scene& scene, const TypedVertices&, const ScreenPrimitive& one)
+    : piece(scene.primitives[one.primitive].name) {
+    const auto places = scene.primitives[one.primitive].corners();
+    std::transform(places.begin(), places.end(), corners.begin(),
+                   [&](std::size_t place) { return std::string_view(scene.vertices[place].name); });
+}
+template <typename Scalar>
+PieceNames::PieceNames(const Scene& scene, const ScreenList<Scalar>& list,
+                       const ScreenPrimitive& one)
+    : piece(scene.primitives[one.primitive].name) {
+    const std::string& name = scene.primitives[one.primitive].name;
+    std::size_t i = 0;
+    for (const std::size_t place : corners_of(scene, list, one)) {
+        if (place >= scene.vertices.size())
+            made_[i] = name_of_made(name, list.made[place - scene.vertices.size()].number);
+        corners[i] = place < scene.vertices.size() ? scene.vertices[place].name : made_[i];
+        ++i;
+    }
+    if (one.state == ScreenPrimitive::State::part)
+        piece = made_[3] = name + "/" + std::to_string(list.parts[one.index].number);
+}
+
+/// Tells what is found out about a primitive before it is on the screen, and calls `draw_next(face)` for
+/// each of its pieces in the list, when it is their turn. The face of a part has been told.
+template <typename Scalar>
+void tell_pieces(const Scene& scene, const ScreenList<Scalar>& list, std::size_t number,
+                 const Listener& listener, const TakeFace<Scalar>& draw_next) {
+    // In view, and without a face: there is nothing to tell.
+    const ScenePrimitive& primitive = scene.primitives[number];
+    if (is_whole(scene, list, number) && !has_face(scene, primitive))
+        return draw_next({});
+
+    const auto corners = primitive.corners();
+    std::array<Vec<Scalar, 3>, 3> world;
+    std::array<PlacedVertex<Scalar>, 3> vertices;
+    bool is_in_view = true;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        auto [in_world, placed] = vertex_in_space(scene, list.transforms, corners[i]);
+        world[i] = std::move(in_world);
+        vertices[i] = std::move(placed);
+        is_in_view = is_in_view && vertices[i].is_in_view;
+    }
+    Face<Scalar> face;
+    if (has_face(scene, primitive))
+        face = face_of(scene, list.transforms, primitive, world);
+    if (is_in_view)
+        return draw_next(face);
+
+    // Cut. The sides of an outline are cut one by one.
     const ListenerSink sink(listener);
+    const Color color = color_of(scene, number, face);
     std::array<std::string_view, 3> names;
     for (std::size_t i = 0; i < corners.size(); ++i)
         names[i] = scene.vertices[corners[i]].name;
@@ -299,76 +487,56 @@ void visit_pieces(const Scene& scene, const Geometry<Scalar>& geometry, std::siz
     if (!report_face(face, sink))
         return;
     int made = 0;
-    int parts = 0;
-    std::optional<SkipReason> reason;
-    if (primitive.kind != PrimitiveKind::outline) {
-        reason = visit_parts(scene, geometry, number, color, corners, mixes_colors, made, parts,
-                             listener, visit);
-    } else {
-        for (std::size_t i = 0; i < 3; ++i) {
-            const std::array<std::size_t, 2> side{corners[i], corners[(i + 1) % 3]};
-            reason = visit_parts(scene, geometry, number, color, side, mixes_colors, made, parts,
-                                 listener, visit);
-        }
-    }
-    if (parts == 0)
+    const auto reason = clip_primitive(
+        scene, list, number, color, vertices, listener,
+        [&](std::size_t, const std::vector<ClipVertex<Scalar>>& polygon) {
+            for (const ClipVertex<Scalar>& vertex : polygon)
+                if (vertex.original < 0) {
+                    const std::string name = name_of_made(primitive.name, ++made);
+                    tell_place<Scalar>(name, Space::clip, vertex.position, 4, listener);
+                    tell_places_on_screen(name, vertex.position, list.transforms, listener);
+                }
+            for (std::size_t i = 0; i < part_count(polygon.size()); ++i)
+                draw_next({});
+        });
+    if (reason)
         listener(PrimitiveSkipped{.why = *reason});
 }
 
-/// Without a pipeline every primitive is one piece.
-void visit_pieces(const Scene& scene, const TypedGeometry&, std::size_t number, bool mixes_colors,
-                  const Listener&, const PieceVisitor<Number>& visit) {
-    visit(whole_piece<Number>(
-        scene, number, color_of(scene, number, Face<Number>{}), mixes_colors,
-        [&scene](std::size_t place) {
-            return Vec<Number, 2>{scene.vertices[place].x, scene.vertices[place].y};
-        }));
-}
+// What is asked for primitive by primitive is exact.
 
-/// Calls visit_pieces for every primitive in its turn.
-template <typename AGeometry, typename Visit>
-void visit_all_pieces(const Scene& scene, const AGeometry& geometry, const Visit& visit,
-                      const Listener& listener) {
-    const bool mixes_colors = scene.mixes_colors();
-    for (std::size_t turn = 0; turn < scene.primitives.size(); ++turn)
-        visit_pieces(scene, geometry, primitive_at(geometry, turn), mixes_colors, listener, visit);
-}
-
-template <typename Scalar>
-void for_each_piece(const Scene& scene, const Geometry<Scalar>& geometry,
-                    const std::type_identity_t<PieceVisitor<Scalar>>& visit,
-                    const Listener& listener) {
-    visit_all_pieces(scene, geometry, visit, listener);
-}
-void for_each_piece(const Scene& scene, const TypedGeometry& geometry,
-                    const PieceVisitor<Number>& visit, const Listener& listener) {
-    visit_all_pieces(scene, geometry, visit, listener);
-}
+template Face<Rational> face_of(const Scene&, const Transforms<Rational>&, const ScenePrimitive&,
+                                const std::array<Vec<Rational, 3>, 3>&);
+template ScreenList<Rational> empty_screen_list(const Scene&, const Transforms<Rational>&);
+template void add_primitive(const Scene&, const Geometry<Rational>&, std::size_t,
+                            ScreenList<Rational>&);
 
 // For every kind of number that vertices are moved in.
 
-template Face<float> face_of(const Scene&, const Geometry<float>&, const ScenePrimitive&);
-template void visit_pieces(const Scene&, const Geometry<float>&, std::size_t, bool, const Listener&,
-                           const PieceVisitor<float>&);
-template void for_each_piece(const Scene&, const Geometry<float>&, const PieceVisitor<float>&,
-                             const Listener&);
+template ScreenList<float> screen_list_of(const Scene&, Geometry<float>);
+template Piece<float> piece_of(const Scene&, const ScreenList<float>&, const ScreenPrimitive&);
+template PieceNames::PieceNames(const Scene&, const ScreenList<float>&, const ScreenPrimitive&);
+template void tell_pieces(const Scene&, const ScreenList<float>&, std::size_t, const Listener&,
+                          const TakeFace<float>&);
 
-template Face<double> face_of(const Scene&, const Geometry<double>&, const ScenePrimitive&);
-template void visit_pieces(const Scene&, const Geometry<double>&, std::size_t, bool,
-                           const Listener&, const PieceVisitor<double>&);
-template void for_each_piece(const Scene&, const Geometry<double>&, const PieceVisitor<double>&,
-                             const Listener&);
+template ScreenList<double> screen_list_of(const Scene&, Geometry<double>);
+template Piece<double> piece_of(const Scene&, const ScreenList<double>&, const ScreenPrimitive&);
+template PieceNames::PieceNames(const Scene&, const ScreenList<double>&, const ScreenPrimitive&);
+template void tell_pieces(const Scene&, const ScreenList<double>&, std::size_t, const Listener&,
+                          const TakeFace<double>&);
 
-template Face<Adaptive> face_of(const Scene&, const Geometry<Adaptive>&, const ScenePrimitive&);
-template void visit_pieces(const Scene&, const Geometry<Adaptive>&, std::size_t, bool,
-                           const Listener&, const PieceVisitor<Adaptive>&);
-template void for_each_piece(const Scene&, const Geometry<Adaptive>&, const PieceVisitor<Adaptive>&,
-                             const Listener&);
+template ScreenList<Adaptive> screen_list_of(const Scene&, Geometry<Adaptive>);
+template Piece<Adaptive> piece_of(const Scene&, const ScreenList<Adaptive>&,
+                                  const ScreenPrimitive&);
+template PieceNames::PieceNames(const Scene&, const ScreenList<Adaptive>&, const ScreenPrimitive&);
+template void tell_pieces(const Scene&, const ScreenList<Adaptive>&, std::size_t, const Listener&,
+                          const TakeFace<Adaptive>&);
 
-template Face<Rational> face_of(const Scene&, const Geometry<Rational>&, const ScenePrimitive&);
-template void visit_pieces(const Scene&, const Geometry<Rational>&, std::size_t, bool,
-                           const Listener&, const PieceVisitor<Rational>&);
-template void for_each_piece(const Scene&, const Geometry<Rational>&, const PieceVisitor<Rational>&,
-                             const Listener&);
+template ScreenList<Rational> screen_list_of(const Scene&, Geometry<Rational>);
+template Piece<Rational> piece_of(const Scene&, const ScreenList<Rational>&,
+                                  const ScreenPrimitive&);
+template PieceNames::PieceNames(const Scene&, const ScreenList<Rational>&, const ScreenPrimitive&);
+template void tell_pieces(const Scene&, const ScreenList<Rational>&, std::size_t, const Listener&,
+                          const TakeFace<Rational>&);
 
 } // namespace rastertrace

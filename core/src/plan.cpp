@@ -18,10 +18,14 @@
 
 namespace rastertrace {
 
+/// Where the vertices lie: as typed, or moved there.
+using AnyGeometry = std::variant<TypedVertices, Geometry<float>, Geometry<double>,
+                                 Geometry<Adaptive>, Geometry<Rational>>;
+
 /// Moves the vertices of a scene to the screen, in the numbers that its kind of scalar asks for.
 AnyGeometry geometry_for(const Scene& scene) {
     if (!scene.has_pipeline())
-        return TypedGeometry{};
+        return TypedVertices{scene.mixes_colors()};
     // Vertices that nothing moves stay as typed.
     if (!scene.needs_pipeline() && scene.method.scalar == ScalarKind::fixed)
         return geometry_of<Rational>(scene);
@@ -42,6 +46,13 @@ AnyGeometry geometry_for(const Scene& scene) {
         break;
     }
     return geometry_of<double>(scene);
+}
+
+/// Moves the primitives of a scene to the screen, in the numbers that its kind of scalar asks for.
+AnyScreenList screen_list_for(const Scene& scene) {
+    return std::visit(
+        [&](auto geometry) -> AnyScreenList { return screen_list_of(scene, std::move(geometry)); },
+        geometry_for(scene));
 }
 
 /// How many bits drawing needs, in fractions over a common denominator. With coordinates n/D, |n| <
@@ -65,25 +76,16 @@ int bits_of_drawing(const Scene& scene, int numerator_bits, int denominator_bits
 
 /// Calls `is_fine` with every coordinate until one is not; true if all are.
 template <typename IsFine>
-bool all_coordinates(const Scene& scene, const TypedGeometry&, IsFine&& is_fine) {
+bool all_coordinates(const Scene& scene, const TypedVertices&, IsFine&& is_fine) {
     return std::all_of(scene.vertices.begin(), scene.vertices.end(),
                        [&](const SceneVertex& one) { return is_fine(one.x) && is_fine(one.y); });
 }
 template <typename Coordinate, typename IsFine>
-bool all_coordinates(const Scene& scene, const Geometry<Coordinate>& geometry, IsFine&& is_fine) {
-    // Where nothing is cut, vertices are all there is.
-    if (geometry.transforms.planes.empty())
-        return std::all_of(geometry.vertices.begin(), geometry.vertices.end(),
-                           [&](const PlacedVertex<Coordinate>& one) {
-                               return !one.is_in_view ||
-                                      (is_fine(one.pixel.x) && is_fine(one.pixel.y));
-                           });
-    bool all = true;
-    for_each_piece(scene, geometry, [&](const Piece<Coordinate>& piece) {
-        for (std::size_t i = 0; i < piece.count; ++i)
-            all = all && is_fine(piece.positions[i].x) && is_fine(piece.positions[i].y);
-    });
-    return all;
+bool all_coordinates(const Scene&, const ScreenList<Coordinate>& list, IsFine&& is_fine) {
+    return std::all_of(list.vertices.begin(), list.vertices.end(),
+                       [&](const ScreenVertex<Coordinate>& one) {
+                           return is_fine(one.position.x) && is_fine(one.position.y);
+                       });
 }
 
 /// The type of numbers to draw with, and their denominator.
@@ -94,12 +96,11 @@ struct NumberChoice {
 };
 
 /// The narrowest type of fractions over `denominator` in which no step of drawing can overflow.
-template <typename AGeometry>
-NumberChoice choose_fractions(const Scene& scene, const AGeometry& geometry,
-                              std::int64_t denominator) {
+template <typename AList>
+NumberChoice choose_fractions(const Scene& scene, const AList& list, std::int64_t denominator) {
     std::uint64_t largest = 0;
     const bool all_fit =
-        all_coordinates(scene, geometry, [&largest, denominator](const auto& coordinate) {
+        all_coordinates(scene, list, [&largest, denominator](const auto& coordinate) {
             const auto numerator = nearest_numerator(coordinate, denominator);
             if (!numerator || *numerator == std::numeric_limits<std::int64_t>::min())
                 return false;
@@ -117,14 +118,13 @@ NumberChoice choose_fractions(const Scene& scene, const AGeometry& geometry,
 
 /// The narrowest exact type in which no step of the fill can overflow, for all of the scene. Depths,
 /// and colors in a perspective, are quotients of quotients: for them, any size.
-template <typename AGeometry>
-NumberChoice choose_exact_numbers(const Scene& scene, const AGeometry& geometry) {
+template <typename AList> NumberChoice choose_exact_numbers(const Scene& scene, const AList& list) {
     if (scene.has_depth_buffer() || scene.mixes_in_perspective())
         return {.number = NumberType::rational};
 
     // The least common multiple of the denominators as typed, and of the sample point's.
     std::int64_t common = sample_of(scene.method) == Sample::center ? 2 : 1;
-    const bool has_common = all_coordinates(scene, geometry, [&common](const auto& coordinate) {
+    const bool has_common = all_coordinates(scene, list, [&common](const auto& coordinate) {
         const auto denominator = denominator_of(coordinate);
         if (!denominator)
             return false;
@@ -134,7 +134,7 @@ NumberChoice choose_exact_numbers(const Scene& scene, const AGeometry& geometry)
     });
     if (!has_common)
         return {.number = NumberType::rational};
-    return choose_fractions(scene, geometry, common);
+    return choose_fractions(scene, list, common);
 }
 
 /// How many bytes a depth has.
@@ -155,18 +155,18 @@ std::size_t depth_size_of(NumberType number) {
 }
 
 /// The type of numbers for the scene's kind of scalar. `grid` is what `fixed` snaps to.
-template <typename AGeometry>
-NumberChoice choose_numbers(const Scene& scene, const AGeometry& geometry, std::int64_t grid) {
+template <typename AList>
+NumberChoice choose_numbers(const Scene& scene, const AList& list, std::int64_t grid) {
     switch (scene.method.scalar) {
     case ScalarKind::exact:
-        if constexpr (std::same_as<AGeometry, TypedGeometry> ||
-                      std::same_as<AGeometry, Geometry<Rational>>)
-            return choose_exact_numbers(scene, geometry);
+        if constexpr (std::same_as<AList, TypedVertices> ||
+                      std::same_as<AList, ScreenList<Rational>>)
+            return choose_exact_numbers(scene, list);
         break;
     case ScalarKind::adaptive:
         // Fractions that fit leave nothing open, and are as fast.
-        if constexpr (std::same_as<AGeometry, TypedGeometry>) {
-            const NumberChoice exact = choose_exact_numbers(scene, geometry);
+        if constexpr (std::same_as<AList, TypedVertices>) {
+            const NumberChoice exact = choose_exact_numbers(scene, list);
             if (exact.number != NumberType::rational)
                 return exact;
         }
@@ -174,10 +174,10 @@ NumberChoice choose_numbers(const Scene& scene, const AGeometry& geometry, std::
     case ScalarKind::fixed:
         // Rationals lie on the grid too. The centers of pixels, which are halves, are not snapped,
         // however coarse it is.
-        if constexpr (!std::same_as<AGeometry, Geometry<Adaptive>>) {
+        if constexpr (!std::same_as<AList, ScreenList<Adaptive>>) {
             const std::int64_t halves = sample_of(scene.method) == Sample::center ? 2 : 1;
             const std::int64_t denominator = std::lcm(grid, halves);
-            return {choose_fractions(scene, geometry, denominator).number, denominator,
+            return {choose_fractions(scene, list, denominator).number, denominator,
                     denominator / grid};
         }
         break;
@@ -299,7 +299,7 @@ std::optional<Unfit> unfit_vertex(const Scene& scene, const Geometry<Coordinate>
         }
     }
     // In a perspective, clipping leaves only what lies in front of the eye. Elsewhere nothing does.
-    if (geometry.depth == Depth::inverse_z && !is_perspective(scene.projection.type))
+    if (scene.depth() == Depth::inverse_z && !is_perspective(scene.projection.type))
         for (const ScenePrimitive& primitive : scene.primitives)
             if (primitive.kind == PrimitiveKind::triangle)
                 for (const std::size_t i : primitive.corners()) {
@@ -309,70 +309,64 @@ std::optional<Unfit> unfit_vertex(const Scene& scene, const Geometry<Coordinate>
                 }
     return std::nullopt;
 }
-std::optional<Unfit> unfit_vertex(const Scene&, const TypedGeometry&) {
+std::optional<Unfit> unfit_vertex(const Scene&, const TypedVertices&) {
     return std::nullopt;
 }
 
-/// The first triangle whose face would be told with an infinity: a normal is a product of two lengths,
-/// and is multiplied by a third one.
-template <typename Coordinate>
-std::optional<Unfit> unfit_face(const Scene& scene, const Geometry<Coordinate>& geometry) {
-    if constexpr (std::floating_point<Coordinate>) {
-        const auto is_finite = [](const Vec<Coordinate, 3>& v) {
-            return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-        };
-        for (const ScenePrimitive& primitive : scene.primitives) {
-            const Face<Coordinate> face = face_of(scene, geometry, primitive);
-            const auto& tested = face.tested;
-            const auto& lit = face.lit;
-            if ((!tested ||
-                 (is_finite(tested->normal) && is_finite(tested->view) &&
-                  std::isfinite(tested->dot) && std::isfinite(tested->cosine.value_or(0)))) &&
-                (!lit || (is_finite(lit->normal) && is_finite(lit->light) &&
-                          std::isfinite(lit->dot) && std::isfinite(lit->intensity))))
-                continue;
-            const auto [a, b, c] = primitive.vertices;
-            const auto& at = geometry.world[a];
-            return Unfit{Unfit::What::face, a, c, {at.x, at.y}, {at.x, at.y}, 0};
+/// The first piece in the scene's order that would make an infinity or overflow.
+template <typename AList> std::optional<Unfit> unfit_piece(const Scene& scene, const AList& list) {
+    const bool is_single = scene.method.scalar == ScalarKind::single_precision;
+    std::optional<Unfit> first;
+    std::size_t primitive = scene.primitives.size();
+    for_each_piece(scene, list, [&](const auto& piece) {
+        if (piece.primitive >= primitive)
+            return;
+        const auto unfit = is_single ? unfit_of<float>(piece, scene.method, list.mixes_colors)
+                                     : unfit_of<double>(piece, scene.method, list.mixes_colors);
+        if (unfit) {
+            first = unfit;
+            primitive = piece.primitive;
         }
-    }
-    return std::nullopt;
+    });
+    return first;
 }
-std::optional<Unfit> unfit_face(const Scene&, const TypedGeometry&) {
+
+/// The first triangle whose face would be told with an infinity.
+template <typename Coordinate>
+std::optional<Unfit> unfit_face(const Scene& scene, const ScreenList<Coordinate>& list) {
+    if (!list.infinite_face)
+        return std::nullopt;
+    const auto [a, b, c] = scene.primitives[*list.infinite_face].vertices;
+    const auto& world = vertex_in_space(scene, list.transforms, a).world;
+    const std::array<double, 2> at{to_double(world.x), to_double(world.y)};
+    return Unfit{Unfit::What::face, a, c, at, at, 0};
+}
+std::optional<Unfit> unfit_face(const Scene&, const TypedVertices&) {
     return std::nullopt;
 }
 
 /// Decides how a scene is drawn, from the scene alone; or tells the first place where drawing it
 /// would make an infinity or overflow. `grid` is what `fixed` snaps to: so many places to a pixel.
 std::variant<Plan, Unfit> plan_or_unfit(const Scene& scene, std::int64_t grid) {
-    Plan plan{.geometry = geometry_for(scene), .mixes_colors = scene.mixes_colors()};
-    const auto decide = [&](const auto& geometry) {
-        // One look at each piece serves the check and the stages.
-        std::optional<Unfit> unfit = unfit_vertex(scene, geometry);
-        if (unfit)
-            return unfit;
-        const auto triangles = survey_of(scene, geometry, [&](const auto& piece) {
-            unfit = scene.method.scalar == ScalarKind::single_precision
-                        ? unfit_of<float>(piece, scene.method, plan.mixes_colors)
-                        : unfit_of<double>(piece, scene.method, plan.mixes_colors);
-            return !unfit;
-        });
-        if (unfit)
-            return unfit;
-        unfit = unfit_face(scene, geometry);
-        if (unfit)
-            return unfit;
+    const auto plan_with = [&](auto geometry) -> std::variant<Plan, Unfit> {
+        if (const auto unfit = unfit_vertex(scene, geometry))
+            return *unfit;
+        auto list = screen_list_of(scene, std::move(geometry));
+        if (const auto unfit = unfit_piece(scene, list))
+            return *unfit;
+        if (const auto unfit = unfit_face(scene, list))
+            return *unfit;
 
-        const NumberChoice choice = choose_numbers(scene, geometry, grid);
-        plan.number = choice.number;
-        plan.denominator = choice.denominator;
-        plan.coarseness = choice.coarseness;
-        plan.stages = stages_of(scene, geometry, triangles, depth_size_of(plan.number));
-        return unfit;
+        const NumberChoice choice = choose_numbers(scene, list, grid);
+        Plan plan{.number = choice.number,
+                  .denominator = choice.denominator,
+                  .coarseness = choice.coarseness,
+                  .stages = stages_of(scene, list, depth_size_of(choice.number)),
+                  .mixes_colors = list.mixes_colors};
+        plan.list = std::move(list);
+        return plan;
     };
-    if (const auto unfit = std::visit(decide, plan.geometry))
-        return *unfit;
-    return plan;
+    return std::visit(plan_with, geometry_for(scene));
 }
 
 /// The plan of a scene that can be drawn.

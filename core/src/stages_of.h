@@ -3,13 +3,11 @@
 
 // Which stages a scene needs: a survey of its triangles, and what follows from it. stages.h has the table.
 //
-//     const auto triangles = survey_of(scene, geometry, is_fit);
-//     Stages stages = stages_of(scene, geometry, triangles, sizeof(double));
+//     Stages stages = stages_of(scene, screen_list_of(scene, geometry), sizeof(double));
 
 #include <rastertrace/core/adaptive.h>
 #include <rastertrace/core/canvas.h>
 #include <rastertrace/core/depth.h>
-#include <rastertrace/core/geometry.h>
 #include <rastertrace/core/pieces.h>
 #include <rastertrace/core/scalar.h>
 #include <rastertrace/core/scene.h>
@@ -203,40 +201,31 @@ bool has_safe_depth(const Piece<Coordinate>& piece, const DepthRule<double>& rul
     return error < margin;
 }
 
-/// Looks at every triangle that is drawn once, with its parts. Without a pipeline there are no depths
-/// and no w. The first piece of which `is_fit(piece)` is false is the last one looked at.
-template <typename AGeometry, typename IsFit>
-std::vector<TriangleSurvey> survey_of(const Scene& scene, const AGeometry& geometry,
-                                      IsFit&& is_fit) {
+/// Looks at every triangle that is drawn, with its parts. Without a pipeline there are no depths and no w.
+template <typename AList>
+std::vector<TriangleSurvey> survey_of(const Scene& scene, const AList& list) {
     std::vector<TriangleSurvey> result(scene.primitives.size());
     const bool has_depth_buffer = scene.has_depth_buffer();
     const DepthRule<double> rule = depth_rule<double>(scene);
-    const bool mixes_colors = scene.mixes_colors();
-    bool all_fit = true;
-    const auto look_at = [&](const auto& piece) {
-        all_fit = all_fit && is_fit(piece);
-        if (!all_fit || piece.kind != PrimitiveKind::triangle)
+    for_each_primitive(scene, list, [&](const ScreenPrimitive& one) {
+        TriangleSurvey& triangle = result[one.primitive];
+        if (one.state == ScreenPrimitive::State::undecided) {
+            triangle = unknown_triangle;
             return;
-        if constexpr (!std::same_as<AGeometry, TypedGeometry>)
-            if (piece.face.skip)
-                return; // culled, or without a normal: it is not drawn
-        TriangleSurvey& triangle = result[piece.primitive];
+        }
+        const auto piece = piece_of(scene, list, one);
+        if (piece.kind != PrimitiveKind::triangle || piece.is_skipped)
+            return;
         ++triangle.pieces;
         triangle.box = triangle.box.join(box_of(piece, scene));
-        if constexpr (!std::same_as<AGeometry, TypedGeometry>) {
+        if constexpr (!std::same_as<AList, TypedVertices>) {
             triangle.has_safe_depth = has_depth_buffer && has_safe_depth(piece, rule, scene);
             const auto& [a, b, c] = piece.inverse_w;
             triangle.w_differs = triangle.w_differs || may_differ(a, b) || may_differ(a, c);
         }
         const auto& [a, b, c] = piece.colors;
         triangle.colors_differ = triangle.colors_differ || a != b || a != c;
-    };
-    for (std::size_t i = 0; i < scene.primitives.size(); ++i)
-        try {
-            visit_pieces(scene, geometry, i, mixes_colors, {}, look_at);
-        } catch (const Undecided&) {
-            result[i] = unknown_triangle;
-        }
+    });
     return result;
 }
 
@@ -316,11 +305,12 @@ inline std::vector<PixelStages> pixel_stages(const Scene& scene,
 
 /// Decides about the stages of vertices. Without a pipeline, vertices go through none.
 template <typename Coordinate>
-void decide_vertex_stages(const Scene& scene, const Geometry<Coordinate>& geometry,
+void decide_vertex_stages(const Scene& scene, const ScreenList<Coordinate>& list,
                           std::vector<StageDecision>& decisions) {
-    const auto& transforms = geometry.transforms;
-    const auto vertices = static_cast<std::uint64_t>(
-        std::count(geometry.is_used.begin(), geometry.is_used.end(), true));
+    const auto& transforms = list.transforms;
+    const auto is_used = used_vertices(scene);
+    const auto vertices =
+        static_cast<std::uint64_t>(std::count(is_used.begin(), is_used.end(), true));
     const StageSet& needed = transforms.needed;
     const bool moves = needed.has(Stage::model);
     decisions.push_back({Stage::model,
@@ -335,12 +325,12 @@ void decide_vertex_stages(const Scene& scene, const Geometry<Coordinate>& geomet
                          : scene.camera          ? "the camera looks from where the world begins"
                                                  : "there is no camera",
                          {.steps = vertices}});
-    for (const auto& [plane, outside] : geometry.outside)
+    for (const auto& [plane, outside] : list.outside)
         decisions.push_back({Stage::clip, plane, outside > 0 || scene.keep.has(Stage::clip),
                              outside == 1  ? "1 vertex lies outside it"
                              : outside > 0 ? std::to_string(outside) + " vertices lie outside it"
                                            : "no vertex lies outside it"});
-    if (geometry.outside.empty())
+    if (list.outside.empty())
         decisions.push_back({Stage::clip, "", false, "nothing bounds the view"});
     decisions.push_back(
         {Stage::divide,
@@ -351,13 +341,13 @@ void decide_vertex_stages(const Scene& scene, const Geometry<Coordinate>& geomet
     const bool paints = scene.depth() == Depth::painter;
     decisions.push_back({Stage::order,
                          "",
-                         geometry.order.has_value(),
+                         list.order.has_value(),
                          !paints                    ? "the method has no painter"
                          : needed.has(Stage::order) ? "the farthest triangles do not come first"
                                                     : "the farthest triangles come first already",
                          {.steps = paints ? 1U : 0U}});
 }
-inline void decide_vertex_stages(const Scene&, const TypedGeometry&,
+inline void decide_vertex_stages(const Scene&, const TypedVertices&,
                                  std::vector<StageDecision>& decisions) {
     decisions.push_back({Stage::model, "", false, "no model moves anything"});
     decisions.push_back({Stage::view, "", false, "there is no camera"});
@@ -461,12 +451,12 @@ inline void decide_pixel_stages(const Scene& scene, const std::vector<TriangleSu
 }
 
 /// Decides about every stage. `depth_size` is that of a number of the depth buffer, in bytes.
-template <typename AGeometry>
-Stages stages_of(const Scene& scene, const AGeometry& geometry,
-                 const std::vector<TriangleSurvey>& triangles, std::size_t depth_size) {
+template <typename AList>
+Stages stages_of(const Scene& scene, const AList& list, std::size_t depth_size) {
+    const std::vector<TriangleSurvey> triangles = survey_of(scene, list);
     Stages stages;
     stages.pixels = pixel_stages(scene, triangles);
-    decide_vertex_stages(scene, geometry, stages.decisions);
+    decide_vertex_stages(scene, list, stages.decisions);
     decide_face_stages(scene, stages.decisions);
     decide_pixel_stages(scene, triangles, depth_size, stages);
 

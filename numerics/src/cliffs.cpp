@@ -126,7 +126,10 @@ public:
 
     std::vector<CliffGroup> find() {
         look_at_vertices();
-        for_each_piece(scene_, geometry_, [this](const Piece<Rational>& piece) { look_at(piece); });
+        const auto list = screen_list_of(scene_, geometry_);
+        for_each_primitive(scene_, list, [&](const ScreenPrimitive& one) {
+            look_at(piece_of(scene_, list, one), PieceNames(scene_, list, one));
+        });
         look_at_depths();
         look_at_faces();
         look_at_junctions();
@@ -235,7 +238,12 @@ private:
         tested.method.cull = Cull::back;
         const auto geometry = geometry_of<Rational>(tested);
         for (const ScenePrimitive& primitive : tested.primitives) {
-            const auto face = face_of(tested, geometry, primitive);
+            if (primitive.kind != PrimitiveKind::triangle)
+                continue;
+            const auto [a, b, c] = primitive.vertices;
+            const auto face =
+                face_of<Rational>(tested, geometry.transforms, primitive,
+                                  {geometry.world[a], geometry.world[b], geometry.world[c]});
             if (!face.tested || !face.tested->cosine)
                 continue;
             const double cosine = std::abs(*face.tested->cosine);
@@ -251,15 +259,15 @@ private:
 
     // Pieces on the screen.
 
-    void look_at(const Piece<Rational>& piece) {
+    void look_at(const Piece<Rational>& piece, const PieceNames& names) {
         if (piece.kind == PrimitiveKind::triangle)
-            note_triangle(piece);
-        if (piece.face.skip)
+            note_triangle(piece, names);
+        if (piece.is_skipped)
             return;
-        const std::string owner = fmt::format("{} {}", name_of(piece.kind), piece.name);
+        const std::string owner = fmt::format("{} {}", name_of(piece.kind), names.piece);
         for (std::size_t i = 0; i < piece.count; ++i)
             if (piece.is_part || seen_vertices_.insert(piece.vertices[i]).second)
-                look_at_place(piece, i, owner);
+                look_at_place(piece, names, i, owner);
 
         const bool is_filled = piece.kind == PrimitiveKind::triangle;
         if (is_filled)
@@ -271,21 +279,23 @@ private:
             const auto ends = std::minmax(piece.vertices[i], piece.vertices[next]);
             if (!piece.is_part && !seen_edges_.insert({is_filled, ends.first, ends.second}).second)
                 continue;
-            const std::array<std::string_view, 2> names{piece.names[i], piece.names[next]};
-            const ScreenEdge edge{piece.positions[i], piece.positions[next],
-                                  piece.kind == PrimitiveKind::line
-                                      ? owner
-                                      : fmt::format("edge {} of {}", joined_names(names), owner)};
+            const std::array<std::string_view, 2> ends_named{names.corners[i], names.corners[next]};
+            const ScreenEdge edge{
+                piece.positions[i], piece.positions[next],
+                piece.kind == PrimitiveKind::line
+                    ? owner
+                    : fmt::format("edge {} of {}", joined_names(ends_named), owner)};
             look_at_slope(edge, is_filled);
             look_at_marks(edge, is_filled);
         }
     }
 
-    void look_at_place(const Piece<Rational>& piece, std::size_t i, const std::string& owner) {
+    void look_at_place(const Piece<Rational>& piece, const PieceNames& names, std::size_t i,
+                       const std::string& owner) {
         const auto& [x, y] = piece.positions[i];
         const std::string where = piece.is_part
-                                      ? fmt::format("vertex {} of {}", piece.names[i], owner)
-                                      : fmt::format("vertex {}", piece.names[i]);
+                                      ? fmt::format("vertex {} of {}", names.corners[i], owner)
+                                      : fmt::format("vertex {}", names.corners[i]);
         const double farthest = std::max(nearest_double(absolute(x)), nearest_double(absolute(y)));
         constexpr double float_pixels = 0x1p23;
         if (farthest > float_pixels)
@@ -488,21 +498,21 @@ private:
 
     // Vertices on edges that have no vertex there.
 
-    void note_triangle(const Piece<Rational>& piece) {
+    void note_triangle(const Piece<Rational>& piece, const PieceNames& names) {
         NamedTriangle triangle;
         for (std::size_t i = 0; i < 3; ++i) {
             const auto& [x, y] = piece.positions[i];
             triangle.at[i] = {x, y};
-            triangle.names[i] = piece.names[i];
+            triangle.names[i] = names.corners[i];
             const auto next = static_cast<std::uint32_t>(position_numbers_.size());
             triangle.corners[i] =
                 position_numbers_.emplace(x.get_str() + "," + y.get_str(), next).first->second;
         }
         const auto& [a, b, c] = triangle.at;
-        triangle.name = piece.name;
+        triangle.name = names.piece;
         triangle.primitive = piece.primitive;
         triangle.is_drawn =
-            !piece.face.skip && (b.x - a.x) * (c.y - a.y) != (c.x - a.x) * (b.y - a.y);
+            !piece.is_skipped && (b.x - a.x) * (c.y - a.y) != (c.x - a.x) * (b.y - a.y);
         triangles_.push_back(std::move(triangle));
     }
 

@@ -125,13 +125,12 @@ std::vector<SpansOfPiece> exact_spans(const Scene& scene) {
     std::vector<SpansOfPiece> pieces;
     with_scalar(plan, [&]<typename Scalar>() {
         const auto grid = sample_grid<Scalar>(exact, plan);
-        for_each_placed_triangle<Scalar>(
-            exact, plan, [&](const PlacedPrimitive<Scalar>& triangle, bool is_culled) {
-                auto& spans = pieces.emplace_back(SpansOfPiece{triangle.number, {}}).spans;
-                if (!is_culled)
-                    fill_top_left(Triangle<Scalar>{triangle.positions}, grid, exact.canvas,
-                                  SpanSink{exact.canvas, spans});
-            });
+        for_each_placed_triangle<Scalar>(exact, plan, [&](const Piece<Scalar>& triangle) {
+            auto& spans = pieces.emplace_back(SpansOfPiece{triangle.primitive, {}}).spans;
+            if (!triangle.is_skipped)
+                fill_top_left(Triangle<Scalar>{triangle.positions}, grid, exact.canvas,
+                              SpanSink{exact.canvas, spans});
+        });
     });
     return pieces;
 }

@@ -16,22 +16,19 @@
 
 namespace rastertrace {
 
-/// Calls `visit(triangle, is_culled)` with every triangle, and every part that clipping has left of
-/// one, as a PlacedPrimitive. Scalar must be the one of the plan.
+/// Calls `visit(triangle)` with every triangle, culled ones too, and every part that clipping has left
+/// of one. Scalar must be the one of the plan.
 template <typename Scalar, typename Visit>
 void for_each_placed_triangle(const Scene& scene, const Plan& plan, Visit&& visit) {
-    const auto visit_piece = [&]<typename Coordinate>(const Piece<Coordinate>& piece) {
-        if constexpr (draws<Scalar, Coordinate>) {
-            if (piece.kind != PrimitiveKind::triangle)
-                return;
-            bool is_culled = false;
-            if constexpr (!std::same_as<Coordinate, Number>)
-                is_culled = !report_face(piece.face, NullSink{});
-            visit(placed<Scalar>(piece, plan), is_culled);
-        }
-    };
-    std::visit([&](const auto& geometry) { for_each_piece(scene, geometry, visit_piece); },
-               plan.geometry);
+    std::visit(
+        [&]<typename AList>(const AList& list) {
+            if constexpr (draws<Scalar, AList>)
+                for_each_piece(scene, list, [&](const auto& piece) {
+                    if (piece.kind == PrimitiveKind::triangle)
+                        visit(placed<Scalar>(piece, plan));
+                });
+        },
+        plan.list);
 }
 
 /// True if these are the triangles, in order, whose pixels `spans` has. They are not if clipping, in

@@ -113,11 +113,10 @@ private:
         input->sample_offset =
             scalar_from<Scalar>(sample_offset_of(scene.method), plan.denominator);
         std::vector<std::size_t> primitives;
-        for_each_placed_triangle<Scalar>(
-            scene, plan, [&](const PlacedPrimitive<Scalar>& triangle, bool) {
-                input->pieces.push_back({triangle.positions, triangle.colors, triangle.inverse_w});
-                primitives.push_back(triangle.number);
-            });
+        for_each_placed_triangle<Scalar>(scene, plan, [&](const Piece<Scalar>& triangle) {
+            input->pieces.push_back({triangle.positions, triangle.colors, triangle.inverse_w});
+            primitives.push_back(triangle.primitive);
+        });
         if (!are_those_of(*pieces_, primitives))
             return nullptr;
         return input;

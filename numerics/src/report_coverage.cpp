@@ -53,23 +53,22 @@ void sort_sets(PixelSets& sets) {
 
 /// The triangles of a scene in the numbers of its plan, ready to be filled again and again.
 template <typename Scalar> struct PlacedTriangles {
-    std::vector<PlacedPrimitive<Scalar>> triangles;
+    std::vector<Piece<Scalar>> triangles;
     Image image;
     SampleGrid<Scalar> grid;
 
     PlacedTriangles(const Scene& scene, const Plan& plan)
         : image(scene.canvas), grid(sample_grid<Scalar>(scene, plan)) {
-        for_each_placed_triangle<Scalar>(
-            scene, plan, [this](const PlacedPrimitive<Scalar>& triangle, bool is_culled) {
-                if (!is_culled)
-                    triangles.push_back(triangle);
-            });
+        for_each_placed_triangle<Scalar>(scene, plan, [this](const Piece<Scalar>& triangle) {
+            if (!triangle.is_skipped)
+                triangles.push_back(triangle);
+        });
     }
 };
 
 /// A triangle in numbers that count.
 template <typename Number, typename Scalar>
-Triangle<Number> counting_copy_of(const PlacedPrimitive<Scalar>& triangle) {
+Triangle<Number> counting_copy_of(const Piece<Scalar>& triangle) {
     Triangle<Number> result;
     for (std::size_t i = 0; i < 3; ++i)
         result.vertices[i] = {as_counted(triangle.positions[i].x),
@@ -192,7 +191,7 @@ private:
         const SampleGrid<Number> grid(as_counted(placed.grid.sample_offset()), scene.canvas);
         PixelSets sets(scene.primitives.size());
         for (const auto& triangle : placed.triangles) {
-            auto& pixels = sets[triangle.number];
+            auto& pixels = sets[triangle.primitive];
             const std::size_t before = pixels.size();
             PixelSink sink{scene.canvas, pixels};
             const auto counting_triangle = counting_copy_of<Number>(triangle);
@@ -236,7 +235,7 @@ private:
                     {.name = {}, .x = number_of(position.x), .y = number_of(position.y)});
             snapped.primitives.push_back(
                 {.name = {}, .vertices = {first, first + 1, first + 2}, .color = {}});
-            numbers.push_back(triangle.number);
+            numbers.push_back(triangle.primitive);
         }
         const PixelSets pieces = pixels_of(snapped, plan_for(snapped));
         PixelSets sets(scene.primitives.size());

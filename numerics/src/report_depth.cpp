@@ -140,12 +140,11 @@ private:
         auto input = std::make_shared<DepthInput<D>>();
         input->rule = depth_rule<D>(scene);
         std::vector<std::size_t> primitives;
-        for_each_placed_triangle<Scalar>(
-            scene, plan, [&](const PlacedPrimitive<Scalar>& triangle, bool) {
-                input->pieces.push_back(
-                    {{depth_positions(Triangle<Scalar>{triangle.positions})}, triangle.depths});
-                primitives.push_back(triangle.number);
-            });
+        for_each_placed_triangle<Scalar>(scene, plan, [&](const Piece<Scalar>& triangle) {
+            input->pieces.push_back(
+                {{depth_positions(Triangle<Scalar>{triangle.positions})}, triangle.depths});
+            primitives.push_back(triangle.primitive);
+        });
         if (!are_those_of(shared_->pieces, primitives))
             return nullptr;
         return input;

@@ -168,11 +168,11 @@ private:
             if (piece.count == 3)
                 add(at[2], at[0]);
         };
-        const AnyGeometry geometry = geometry_for(exact);
-        if (const auto* typed = std::get_if<TypedGeometry>(&geometry))
+        const AnyScreenList list = screen_list_for(exact);
+        if (const auto* typed = std::get_if<TypedVertices>(&list))
             for_each_piece(exact, *typed, add_piece);
         else
-            for_each_piece(exact, std::get<Geometry<Rational>>(geometry), add_piece);
+            for_each_piece(exact, std::get<ScreenList<Rational>>(list), add_piece);
     }
 
     Rational x_at(const ExactEdge& edge, int row) const {

@@ -103,13 +103,13 @@ template <typename Use> auto with_numbers_of(const Scene& scene, Use&& use) {
 
 /// Calls `use.template operator()<Scalar>()` with the C++ type that vertices are moved in, and faces
 /// tested in.
-template <typename Scalar> Scalar coordinate_type_of(const Geometry<Scalar>&);
-Rational coordinate_type_of(const TypedGeometry&);
+template <typename Scalar> Scalar coordinate_type_of(const ScreenList<Scalar>&);
+Rational coordinate_type_of(const TypedVertices&);
 template <typename Use> auto with_coordinates_of(const Scene& scene, Use&& use) {
-    const AnyGeometry geometry = geometry_for(scene);
+    const AnyScreenList list = screen_list_for(scene);
     return std::visit(
         [&](const auto& one) { return decided_with<decltype(coordinate_type_of(one))>(use); },
-        geometry);
+        list);
 }
 
 /// A vertex of a scene where it is drawn.

@@ -59,10 +59,9 @@ template <typename Scalar> struct PlaceSink {
 
 template <typename Scalar> PlaceSink<Scalar> places_in(const Scene& scene) {
     PlaceSink<Scalar> sink;
-    const auto geometry = geometry_of<Scalar>(scene);
-    tell_geometry(scene, geometry, sink);
-    for_each_piece(
-        scene, geometry, [](const Piece<Scalar>&) {}, sink);
+    const auto list = screen_list_of(scene, geometry_of<Scalar>(scene));
+    tell_geometry(scene, list.transforms, list.order, sink);
+    tell_all_pieces(scene, list, sink, [](const ScreenPrimitive&, const auto&) {});
     return sink;
 }
 
@@ -255,7 +254,8 @@ std::size_t pixels_of_part_p(const std::vector<std::array<Number, 3>>& corners) 
     scene.primitives.push_back(
         {.kind = PrimitiveKind::triangle, .name = "T", .vertices = {0, 1, 2}, .color = {}});
     Image image(scene.canvas);
-    for_each_piece(scene, geometry_of<Rational>(scene), [&image](const Piece<Rational>& piece) {
+    const auto list = screen_list_of(scene, geometry_of<Rational>(scene));
+    for_each_piece(scene, list, [&image](const Piece<Rational>& piece) {
         Triangle<Rational> triangle;
         for (std::size_t i = 0; i < 3; ++i)
             triangle.vertices[i] = {(piece.positions[i].x + 1) * 32,
@@ -559,8 +559,8 @@ RC_GTEST_PROP(Pipeline, ClippingLeavesWhatIsInViewAlone, ()) {
         RC_ASSERT(!piece.is_part);
         pieces.push_back(piece.positions);
     };
-    for_each_piece(scene, with_planes, collect);
-    for_each_piece(scene, without_planes, collect);
+    for_each_piece(scene, screen_list_of(scene, with_planes), collect);
+    for_each_piece(scene, screen_list_of(scene, without_planes), collect);
     RC_ASSERT(pieces.size() == 2u);
     RC_ASSERT(pieces[0] == pieces[1]);
 }
@@ -581,7 +581,8 @@ RC_GTEST_PROP(Pipeline, WhatClippingLeavesStaysWithinTheGuardBand, ()) {
     scene.primitives.push_back(
         {.kind = PrimitiveKind::triangle, .name = "ABC", .vertices = {0, 1, 2}, .color = {}});
     int parts = 0;
-    for_each_piece(scene, geometry_of<Rational>(scene), [&parts](const Piece<Rational>& piece) {
+    const auto list = screen_list_of(scene, geometry_of<Rational>(scene));
+    for_each_piece(scene, list, [&parts](const Piece<Rational>& piece) {
         ++parts;
         for (const auto& position : piece.positions) {
             RC_ASSERT(abs(position.x) <= guard_band * 32);

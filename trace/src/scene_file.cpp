@@ -604,15 +604,15 @@ private:
             farthest[i] = std::max(farthest[i], is_centered ? std::abs(value) : value);
         };
         std::visit(
-            [&](const auto& geometry) {
-                for_each_piece(scene_, geometry, [&](const auto& piece) {
+            [&](const auto& list) {
+                for_each_piece(scene_, list, [&](const auto& piece) {
                     for (std::size_t i = 0; i < piece.count; ++i) {
                         reach(0, to_double(piece.positions[i].x));
                         reach(1, to_double(piece.positions[i].y));
                     }
                 });
             },
-            geometry_for(scene_));
+            screen_list_for(scene_));
         return farthest;
     }
 

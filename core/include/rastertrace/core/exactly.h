@@ -33,7 +33,6 @@
 #include <map>
 #include <optional>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace rastertrace {
@@ -46,65 +45,32 @@ struct PieceNumber {
     friend auto operator<=>(const PieceNumber&, const PieceNumber&) = default;
 };
 
-/// The pieces of a scene in exact numbers. Only what is asked for is worked out.
+/// The list of what is drawn, in exact numbers. Only what is asked for is worked out.
 class ExactPieces {
 public:
     ExactPieces(const Scene& scene, const Plan& plan) : scene_(scene), plan_(plan) {}
 
-    /// Visits the pieces of a primitive.
-    template <typename Visit>
-    void visit(std::size_t number, const Listener& listener, Visit&& visit) {
-        const bool mixes_colors = scene_.mixes_colors();
-        if (std::holds_alternative<TypedGeometry>(plan_.geometry))
-            visit_pieces(scene_, TypedGeometry{}, number, mixes_colors, listener, visit);
-        else
-            visit_pieces(scene_, geometry_with(number), number, mixes_colors, listener, visit);
-    }
+    /// What is drawn of a primitive of a scene with a pipeline.
+    std::vector<ScreenPrimitive> of(std::size_t primitive);
 
-    /// The corners of a piece, as they are drawn, without their names.
-    const PlacedPrimitive<Rational>& placed(const PieceNumber& piece) {
-        const auto known = placed_.find(piece);
-        if (known != placed_.end())
-            return known->second;
-        PieceNumber next{piece.primitive, 0};
-        visit(piece.primitive, {}, [&](const auto& one) {
-            auto exact = rastertrace::placed<Rational>(one, plan_);
-            exact.names = {}; // those of parts end with the visit
-            placed_.emplace(next, std::move(exact));
-            ++next.part;
-        });
-        return placed_.at(piece);
-    }
+    /// The list that has these.
+    const ScreenList<Rational>& list() const { return list_; }
+
+    /// The corners of a piece, as they are drawn.
+    Piece<Rational> placed(const PieceNumber& piece);
 
 private:
-    /// The geometry of the scene, in which a primitive's vertices have their places.
-    const Geometry<Rational>& geometry_with(std::size_t number) {
-        if (const auto* whole = std::get_if<Geometry<Rational>>(&plan_.geometry))
-            return *whole;
-        if (!geometry_) {
-            geometry_ = empty_geometry<Rational>(scene_);
-            geometry_->transforms.divides =
-                std::get<Geometry<Adaptive>>(plan_.geometry).transforms.divides;
-        }
-        for (const std::size_t place : scene_.primitives[number].corners()) {
-            if (geometry_->is_used[place])
-                continue;
-            geometry_->is_used[place] = true;
-            place_in_clip_space(scene_, model_of(scene_, *geometry_, place), place, *geometry_);
-            place_on_screen(place, *geometry_);
-        }
-        return *geometry_;
-    }
-
     const Scene& scene_;
     const Plan& plan_;
-    std::optional<Geometry<Rational>> geometry_;
-    std::map<PieceNumber, PlacedPrimitive<Rational>> placed_;
+    std::optional<Geometry<Rational>> geometry_; ///< in which some vertices have their places
+    ScreenList<Rational> list_;
+
+    /// Where the list has a primitive, from a place to another one.
+    std::map<std::size_t, std::pair<std::size_t, std::size_t>> ranges_;
 };
 
 /// The turned depth of a triangle in the pixel at (x, y), as the fill that the scene names finds it.
-Rational exact_depth_at(const Scene& scene, const PlacedPrimitive<Rational>& primitive, int x,
-                        int y);
+Rational exact_depth_at(const Scene& scene, const Piece<Rational>& primitive, int x, int y);
 
 /// The two vertices of the edge that gives a pixel its depth, which lies at an end of its row or beyond.
 /// `nullopt` if the pixel lies inside its row, or if doubles cannot decide that; so also of a triangle
@@ -132,7 +98,7 @@ Rational told_depth(const Scene& scene, Exactness& exactness, std::optional<std:
 /// Colors that are mixed with errors, pixel by pixel, and exactly where an error reaches over half a
 /// level.
 template <typename Scalar>
-MixedColors<Adaptive> mixed_colors(const PlacedPrimitive<Scalar>& primitive, ColorStage stage,
+MixedColors<Adaptive> mixed_colors(const Piece<Scalar>& primitive, ColorStage stage,
                                    Exactness& exactness) {
     Triangle<Adaptive> triangle;
     std::array<Adaptive, 3> inverse_w;
@@ -146,7 +112,7 @@ MixedColors<Adaptive> mixed_colors(const PlacedPrimitive<Scalar>& primitive, Col
         ++exactness.fallbacks.colors;
         auto& colors = exactness.colors;
         if (!colors) {
-            const auto& exact = exactness.pieces.placed(exactness.drawn.back());
+            const auto exact = exactness.pieces.placed(exactness.drawn.back());
             colors = {exact.colors, Barycentric<Rational>({exact.positions}),
                       exactness.sample_offset, exact.inverse_w};
         }

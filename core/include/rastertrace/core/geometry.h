@@ -46,6 +46,7 @@ template <typename Scalar> struct Transforms {
     StageSet needed; ///< of the stages of vertices: those that could change the picture
     Snap snap = Snap::none;
     Ties ties = Ties::up; ///< of Snap::nearest
+    Vec<Scalar, 3> eye{}; ///< if faces are tested; see eye_of
 };
 
 /// The last spaces of a vertex. `pixel` is where it is drawn: on the screen, snapped if it is to be.
@@ -59,54 +60,60 @@ template <typename Scalar> struct ScreenPlaces {
 template <typename Scalar> struct PlacedVertex {
     Vec<Scalar, 4> clip;
     Scalar distance;         ///< from the eye along the view
-    Vec<Scalar, 2> pixel;    ///< where it is drawn, if it
-    bool is_in_view = false; ///< lies outside no plane
+    bool is_in_view = false; ///< it lies outside of no plane
 };
 
-/// A scene without a pipeline: vertices are drawn where they were typed.
-struct TypedGeometry {};
+/// Where a vertex is drawn, and what is interpolated from it.
+template <typename Scalar> struct ScreenVertex {
+    Vec<Scalar, 2> position{};
+    Scalar depth{};     ///< if there is a depth buffer
+    Scalar inverse_w{}; ///< if colors are mixed
+};
+
+/// How many vertices that are used lie outside of a plane of the view.
+struct VerticesOutside {
+    std::string_view plane;
+    std::size_t vertices;
+};
 
 /// The places of all vertices that a primitive has.
 template <typename Scalar> struct Geometry {
     Transforms<Scalar> transforms;
     std::vector<PlacedVertex<Scalar>> vertices; ///< as in Scene::vertices
+    std::vector<ScreenVertex<Scalar>> screen;   ///< the same; only the positions of those in view
     std::vector<bool> is_used;                  ///< by a primitive; the others are not placed
     std::vector<Vec<Scalar, 3>> world;          ///< of all vertices, if faces are tested
-    Vec<Scalar, 3> eye{};                       ///< the same; see eye_of
     std::optional<PainterOrder<Scalar>> order;  ///< if the painter has sorted them
-    Depth depth = Depth::none;
-
-    /// How many vertices that are used lie outside of each plane of the view.
-    struct Outside {
-        std::string_view plane;
-        std::size_t vertices;
-    };
-    std::vector<Outside> outside;
+    std::vector<VerticesOutside> outside;       ///< of each plane
 };
 
 /// True if a matrix of the scene has irrational entries, which are the nearest doubles instead.
 bool has_rounded_matrix(const Scene& scene);
+
+/// Which of the scene's vertices a primitive has.
+std::vector<bool> used_vertices(const Scene& scene);
 
 // What follows is compiled in the library, for float, double, Adaptive and Rational.
 
 /// Takes every vertex that is used to clip space, and on to the screen if it can be seen.
 template <typename Scalar> Geometry<Scalar> geometry_of(const Scene& scene);
 
-/// A geometry whose vertices have no place yet.
+/// A geometry whose vertices have no place yet. Only for Rational.
 template <typename Scalar> Geometry<Scalar> empty_geometry(const Scene& scene);
 
-/// The matrix of the object that a vertex belongs to.
+/// A vertex in the world and in clip space.
+template <typename Scalar> struct VertexInSpace {
+    Vec<Scalar, 3> world;
+    PlacedVertex<Scalar> placed;
+};
 template <typename Scalar>
-const std::optional<Matrix<Scalar>>& model_of(const Scene& scene, const Geometry<Scalar>& geometry,
-                                              std::size_t place);
+VertexInSpace<Scalar> vertex_in_space(const Scene& scene, const Transforms<Scalar>& transforms,
+                                      std::size_t place);
 
-/// Takes a vertex to clip space.
+/// Takes a vertex to clip space, and on to the screen if it can be seen. Only for Rational.
 template <typename Scalar>
-void place_in_clip_space(const Scene& scene, const std::optional<Matrix<Scalar>>& model,
-                         std::size_t place, Geometry<Scalar>& geometry);
-
-/// Takes a vertex from there on to the screen, if it can be seen.
-template <typename Scalar> void place_on_screen(std::size_t place, Geometry<Scalar>& geometry);
+void place_vertex(const Scene& scene, std::size_t place, Geometry<Scalar>& geometry,
+                  ScreenVertex<Scalar>& on_screen);
 
 /// x/w, y/w and z/w, moved to the screen. w must not be 0.
 template <typename Scalar>
@@ -125,9 +132,7 @@ void tell_places_on_screen(std::string_view name, const Vec<Scalar, 4>& clip,
 
 /// Tells the matrices, then the vertices, then what the painter has sorted.
 template <typename Scalar>
-void tell_geometry(const Scene& scene, const Geometry<Scalar>& geometry, const Listener& listener);
-
-/// Without a pipeline there is nothing to tell.
-inline void tell_geometry(const Scene&, const TypedGeometry&, const Listener&) {}
+void tell_geometry(const Scene& scene, const Transforms<Scalar>& transforms,
+                   const std::optional<PainterOrder<Scalar>>& order, const Listener& listener);
 
 } // namespace rastertrace

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// From primitives whose vertices have their places to pieces that lie on the screen: faces are
-// tested and lit, what reaches out of view is clipped.
+// From primitives whose vertices have their places to a list of what is drawn on the screen: faces are
+// tested and lit, what reaches out of view is clipped, each once.
 //
-//     for_each_piece(scene, geometry, [](const Piece<double>& piece) { /* draw it */ });
+//     const auto list = screen_list_of(scene, geometry_of<double>(scene));
+//     for_each_piece(scene, list, [](const Piece<double>& piece) { /* draw it */ });
+//
+// What is found out on the way and is not drawn, like normals, is worked out again for who listens.
 
 #include <rastertrace/core/depth.h>
 #include <rastertrace/core/face.h>
@@ -16,12 +19,15 @@
 #include <rastertrace/core/steps.h>
 #include <rastertrace/core/vec.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
+#include <string>
 #include <string_view>
-#include <type_traits>
+#include <vector>
 
 namespace rastertrace {
 
@@ -32,7 +38,7 @@ template <typename Coordinate> struct Face {
     std::optional<SkipReason> skip = {}; ///< then it is not drawn
 };
 
-/// Reports what was found out about a face. True if it is to be drawn.
+/// Tells what was found out about a face. True if it is to be drawn.
 template <typename Coordinate, typename Sink>
 bool report_face(const Face<Coordinate>& face, Sink&& sink) {
     if (face.tested)
@@ -42,6 +48,12 @@ bool report_face(const Face<Coordinate>& face, Sink&& sink) {
     if (face.skip)
         sink(PrimitiveSkipped{.why = *face.skip});
     return !face.skip;
+}
+
+/// Without a pipeline, faces are not looked at.
+struct NoFace {};
+template <typename Sink> bool report_face(NoFace, Sink&&) {
+    return true;
 }
 
 /// Which depths pass, and what the buffer starts at.
@@ -75,59 +87,183 @@ template <typename Scalar> DepthRule<Scalar> depth_rule(const Scene& scene) {
     return rule;
 }
 
+/// What the list holds of a primitive: all of it, or one of the parts that clipping has left.
+struct ScreenPrimitive {
+    enum class State : std::uint8_t {
+        whole,
+        part,
+        skipped,   ///< whole, and not drawn: its face is culled, or has no normal
+        undecided, ///< doubles leave its face open, or what clipping leaves of it
+    };
+    std::uint32_t primitive; ///< its place in the scene
+    std::uint32_t index;     ///< of a part, in ScreenList::parts; in ScreenList::undecided
+    Color color;             ///< of the primitive, lit
+    State state = State::whole;
+};
+
+/// A vertex that clipping has made.
+struct MadeVertex {
+    Color color;
+    int number;       ///< in its primitive, from 1
+    std::size_t side; ///< place in the scene of the first vertex of what was clipped
+};
+
+/// The corners of a part.
+struct ScreenPart {
+    std::array<std::size_t, 3> corners; ///< places in ScreenList::vertices
+    int number;                         ///< in its primitive, from 1
+};
+
+/// All that is drawn of a scene, with its place on the screen.
+template <typename Coordinate> struct ScreenList {
+    Transforms<Coordinate> transforms;
+    std::optional<PainterOrder<Coordinate>> order; ///< if the painter has sorted them
+    std::vector<VerticesOutside> outside;          ///< of each plane of the view
+    bool mixes_colors = false;                     ///< of vertices
+    Depth depth = Depth::none;
+
+    std::vector<ScreenVertex<Coordinate>> vertices; ///< the scene's, then those that clipping made
+    std::vector<bool> is_placed;                    ///< of the scene's: those that are drawn
+    std::vector<MadeVertex> made;
+    std::vector<ScreenPart> parts;
+    std::vector<ScreenPrimitive> primitives; ///< in the order in which they are drawn
+    std::vector<Undecided> undecided;        ///< what left them open
+
+    /// The first primitive of the scene with a face that is told with an infinity.
+    std::optional<std::size_t> infinite_face;
+};
+
+/// A scene without a pipeline needs no list: vertices are drawn where they were typed.
+struct TypedVertices {
+    bool mixes_colors = false;
+};
+
 /// A primitive on the screen, or a part of one that clipping has cut: the first `count` of each.
 template <typename Coordinate> struct Piece {
-    PrimitiveKind kind;
-    std::string_view name;
+    PrimitiveKind kind;        ///< of a part of an outline: a line
     std::size_t primitive = 0; ///< its place in the scene
     Color color;               ///< of the primitive
+    bool is_part = false;
+    bool is_skipped = false; ///< its face is not drawn
     std::size_t count = 0;
-    std::array<std::string_view, 3> names;
     std::array<Vec<Coordinate, 2>, 3> positions{};
     std::array<DepthOf<Coordinate>, 3> depths{};    ///< if there is a depth buffer
-    std::array<DepthOf<Coordinate>, 3> inverse_w{}; ///< if colors mix in a perspective
+    std::array<DepthOf<Coordinate>, 3> inverse_w{}; ///< if colors are mixed
     std::array<Color, 3> colors;                    ///< the primitive's, where a vertex has none
     std::array<std::size_t, 3> vertices{}; ///< places in the scene of the vertices, or of the
-                                           ///< primitive's first one if clipping made them
-    bool is_part = false;
-    Face<Coordinate> face = {}; ///< of a triangle that is no part
+                                           ///< first one of what was clipped if clipping made them
+};
+
+/// What is called how: a part "ABC/1", and a vertex that clipping has made "ABC:1".
+class PieceNames {
+public:
+    PieceNames(const Scene& scene, const TypedVertices& typed, const ScreenPrimitive& one);
+    template <typename Coordinate>
+    PieceNames(const Scene& scene, const ScreenList<Coordinate>& list, const ScreenPrimitive& one);
+    PieceNames(const PieceNames&) = delete;
+    PieceNames& operator=(const PieceNames&) = delete;
+
+    std::string_view piece;
+    std::array<std::string_view, 3> corners;
+
+private:
+    std::array<std::string, 4> made_; ///< those that the scene does not have
 };
 
 /// The primitives in the order in which they are drawn: the scene's, or the painter's.
-template <typename Scalar>
-std::size_t primitive_at(const Geometry<Scalar>& geometry, std::size_t turn) {
-    return geometry.order ? geometry.order->primitives[turn] : turn;
-}
-inline std::size_t primitive_at(const TypedGeometry&, std::size_t turn) {
-    return turn;
-}
-
-/// What takes the pieces of primitives whose vertices lie at coordinates of this type.
 template <typename Coordinate>
-using PieceVisitor = std::function<void(const Piece<Coordinate>& piece)>;
+std::size_t primitive_at(const ScreenList<Coordinate>& list, std::size_t turn) {
+    return list.order ? list.order->primitives[turn] : turn;
+}
 
-// What follows is compiled in the library, for float, double, Adaptive and Rational.
+/// True if all of a primitive is in view, so that clipping leaves it alone.
+template <typename Coordinate>
+bool is_whole(const Scene& scene, const ScreenList<Coordinate>& list, std::size_t number) {
+    const auto corners = scene.primitives[number].corners();
+    return std::all_of(corners.begin(), corners.end(),
+                       [&list](std::size_t place) { return list.is_placed[place]; });
+}
 
-/// Tests which way a triangle is turned, and lights it. A triangle without area has no normal.
+// What follows is compiled in the library. What is asked for primitive by primitive: for Rational.
+
+/// Tests which way a triangle is turned, and lights it. `world` are its corners there. A triangle without
+/// area has no normal.
 template <typename Scalar>
-Face<Scalar> face_of(const Scene& scene, const Geometry<Scalar>& geometry,
-                     const ScenePrimitive& primitive);
+Face<Scalar> face_of(const Scene& scene, const Transforms<Scalar>& transforms,
+                     const ScenePrimitive& primitive, const std::array<Vec<Scalar, 3>, 3>& world);
 
-/// Visits the pieces of a primitive. In view it is one; what clips it is told. Without a pipeline every
-/// primitive is one piece.
+/// A list without primitives and vertices.
 template <typename Scalar>
-void visit_pieces(const Scene& scene, const Geometry<Scalar>& geometry, std::size_t number,
-                  bool mixes_colors, const Listener& listener,
-                  const std::type_identity_t<PieceVisitor<Scalar>>& visit);
-void visit_pieces(const Scene& scene, const TypedGeometry& geometry, std::size_t number,
-                  bool mixes_colors, const Listener& listener, const PieceVisitor<Number>& visit);
+ScreenList<Scalar> empty_screen_list(const Scene& scene, const Transforms<Scalar>& transforms);
 
-/// Visits the pieces of all primitives, in the order in which they are drawn.
+/// Tests and lights the face of a primitive, clips it, and adds what is left of it to a list.
 template <typename Scalar>
-void for_each_piece(const Scene& scene, const Geometry<Scalar>& geometry,
-                    const std::type_identity_t<PieceVisitor<Scalar>>& visit,
-                    const Listener& listener = {});
-void for_each_piece(const Scene& scene, const TypedGeometry& geometry,
-                    const PieceVisitor<Number>& visit, const Listener& listener = {});
+void add_primitive(const Scene& scene, const Geometry<Scalar>& geometry, std::size_t number,
+                   ScreenList<Scalar>& list);
+
+// For float, double, Adaptive and Rational:
+
+/// What is drawn of all primitives, in the order in which they are drawn.
+template <typename Scalar>
+ScreenList<Scalar> screen_list_of(const Scene& scene, Geometry<Scalar> geometry);
+inline TypedVertices screen_list_of(const Scene&, TypedVertices typed) {
+    return typed;
+}
+
+/// One of the list with its corners.
+template <typename Scalar>
+Piece<Scalar> piece_of(const Scene& scene, const ScreenList<Scalar>& list,
+                       const ScreenPrimitive& one);
+Piece<Number> piece_of(const Scene& scene, const TypedVertices& typed, const ScreenPrimitive& one);
+
+/// What takes the face of each piece.
+template <typename Scalar> using TakeFace = std::function<void(const Face<Scalar>& face)>;
+
+/// Tells what is found out about a primitive before it is on the screen, and calls `draw_next(face)` for
+/// each of its pieces in the list, when it is their turn. The face of a part has been told.
+template <typename Scalar>
+void tell_pieces(const Scene& scene, const ScreenList<Scalar>& list, std::size_t number,
+                 const Listener& listener, const TakeFace<Scalar>& draw_next);
+
+// Without a list, what it would hold is made as it is asked for.
+
+/// What the list would hold of a primitive.
+ScreenPrimitive typed_primitive(const Scene& scene, std::size_t number);
+
+/// Calls `visit(one)` with each of the list.
+template <typename Scalar, typename Visit>
+void for_each_primitive(const Scene&, const ScreenList<Scalar>& list, Visit&& visit) {
+    for (const ScreenPrimitive& one : list.primitives)
+        visit(one);
+}
+template <typename Visit>
+void for_each_primitive(const Scene& scene, const TypedVertices&, Visit&& visit) {
+    for (std::size_t number = 0; number < scene.primitives.size(); ++number)
+        visit(typed_primitive(scene, number));
+}
+
+/// The same, telling what is found out about each primitive before: `visit(one, face)`.
+template <typename Scalar, typename Visit>
+void tell_all_pieces(const Scene& scene, const ScreenList<Scalar>& list, const Listener& listener,
+                     Visit&& visit) {
+    auto next = list.primitives.begin();
+    for (std::size_t turn = 0; turn < scene.primitives.size(); ++turn)
+        tell_pieces<Scalar>(scene, list, primitive_at(list, turn), listener,
+                            [&](const Face<Scalar>& face) { visit(*next++, face); });
+}
+template <typename Visit>
+void tell_all_pieces(const Scene& scene, const TypedVertices& typed, const Listener&,
+                     Visit&& visit) {
+    for_each_primitive(scene, typed, [&](const ScreenPrimitive& one) { visit(one, NoFace()); });
+}
+
+/// Calls `visit(piece)` with each of the list that is decided.
+template <typename AList, typename Visit>
+void for_each_piece(const Scene& scene, const AList& list, Visit&& visit) {
+    for_each_primitive(scene, list, [&](const ScreenPrimitive& one) {
+        if (one.state != ScreenPrimitive::State::undecided)
+            visit(piece_of(scene, list, one));
+    });
+}
 
 } // namespace rastertrace

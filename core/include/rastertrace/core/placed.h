@@ -3,7 +3,7 @@
 
 // A piece on the screen with its coordinates turned into the numbers that it is drawn with.
 //
-//     const PlacedPrimitive<double> triangle = placed<double>(piece, plan);
+//     const Piece<double> triangle = placed<double>(piece, plan);
 
 #include <rastertrace/core/canvas.h>
 #include <rastertrace/core/image.h>
@@ -16,30 +16,19 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
-#include <string_view>
 
 namespace rastertrace {
 
-/// A piece with its numbers ready to draw: the first `count` of each.
-template <typename Scalar> struct PlacedPrimitive {
-    std::size_t number = 0; ///< its place in the scene
-    std::size_t count = 0;
-    std::array<std::string_view, 3> names;
-    std::array<Vec<Scalar, 2>, 3> positions{};
-    std::array<Color, 3> colors; ///< of the vertices; the primitive's where they have none
-    std::array<DepthOf<Scalar>, 3> depths{};
-    std::array<DepthOf<Scalar>, 3> inverse_w{};
-};
-
-/// True if vertices that lie at coordinates of this type are drawn with Scalar.
+/// True if a list of this type is drawn with Scalar.
+template <typename Scalar, typename AList>
+inline constexpr bool draws = std::same_as<AList, TypedVertices>;
 template <typename Scalar, typename Coordinate>
-inline constexpr bool draws = std::same_as<Coordinate, Number> ||
-                              std::same_as<Scalar, Coordinate> ||
-                              (std::same_as<Scalar, Adaptive>
-                                   ? std::same_as<Coordinate, Rational>
-                                   : !std::floating_point<Scalar> &&
-                                         !std::same_as<Coordinate, float> &&
-                                         !std::same_as<Coordinate, Adaptive>);
+inline constexpr bool draws<Scalar, ScreenList<Coordinate>> =
+    std::same_as<Scalar, Coordinate> ||
+    (std::same_as<Scalar, Adaptive> ? std::same_as<Coordinate, Rational>
+                                    : !std::floating_point<Scalar> &&
+                                          !std::same_as<Coordinate, float> &&
+                                          !std::same_as<Coordinate, Adaptive>);
 
 /// A coordinate of a vertex as a Scalar, over the plan's denominator if that is a fraction.
 template <typename Scalar, typename Coordinate>
@@ -50,11 +39,15 @@ Scalar on_grid(const Coordinate& coordinate, const Plan& plan) {
 
 /// Coordinates become numbers to calculate with.
 template <typename Scalar, typename Coordinate>
-PlacedPrimitive<Scalar> placed(const Piece<Coordinate>& piece, const Plan& plan) {
-    PlacedPrimitive<Scalar> result{.number = piece.primitive,
-                                   .count = piece.count,
-                                   .names = piece.names,
-                                   .colors = piece.colors};
+Piece<Scalar> placed(const Piece<Coordinate>& piece, const Plan& plan) {
+    Piece<Scalar> result{.kind = piece.kind,
+                         .primitive = piece.primitive,
+                         .color = piece.color,
+                         .is_part = piece.is_part,
+                         .is_skipped = piece.is_skipped,
+                         .count = piece.count,
+                         .colors = piece.colors,
+                         .vertices = piece.vertices};
     for (std::size_t i = 0; i < piece.count; ++i) {
         result.positions[i].x = on_grid<Scalar>(piece.positions[i].x, plan);
         result.positions[i].y = on_grid<Scalar>(piece.positions[i].y, plan);

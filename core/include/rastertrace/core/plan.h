@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What is decided about a scene before the first pixel: where its vertices lie on the screen, and the
-// type of number that it is drawn with.
+// What is decided about a scene before the first pixel: what is drawn where on the screen, and the type
+// of number that it is drawn with.
 //
 //     const Plan plan = plan_for(scene);
 //     const Image picture = draw(scene, plan);
 
-#include <rastertrace/core/geometry.h>
+#include <rastertrace/core/pieces.h>
 #include <rastertrace/core/scalar.h>
 #include <rastertrace/core/scene.h>
 #include <rastertrace/core/stages.h>
@@ -23,20 +23,20 @@ namespace rastertrace {
 /// The C++ type that stands for the scene's kind of scalar.
 enum class NumberType { binary32, binary64, adaptive, fraction64, fraction128, rational };
 
-/// Where the vertices lie: as typed, or moved there. `fixed` moves them in double and snaps them on
-/// the screen.
-using AnyGeometry = std::variant<TypedGeometry, Geometry<float>, Geometry<double>,
-                                 Geometry<Adaptive>, Geometry<Rational>>;
+/// What is drawn: the vertices as typed, or a list of what lies on the screen. `fixed` moves vertices in
+/// double and snaps them when they are drawn.
+using AnyScreenList = std::variant<TypedVertices, ScreenList<float>, ScreenList<double>,
+                                   ScreenList<Adaptive>, ScreenList<Rational>>;
 
-/// Moves the vertices of a scene to the screen, in the numbers that its kind of scalar asks for.
-AnyGeometry geometry_for(const Scene& scene);
+/// Moves the primitives of a scene to the screen, in the numbers that its kind of scalar asks for.
+AnyScreenList screen_list_for(const Scene& scene);
 
 /// The decisions taken before drawing.
 struct Plan {
     NumberType number = NumberType::binary64;
     std::int64_t denominator = 1; ///< common to all coordinates, when they are fractions
     std::int64_t coarseness = 1;  ///< vertices lie on multiples of this many of its units
-    AnyGeometry geometry = {};
+    AnyScreenList list = {};
     Stages stages = {};        ///< which of them run
     bool mixes_colors = false; ///< vertices have colors that count
 };
