@@ -10,6 +10,7 @@
 
 #include <rastertrace/core/adaptive.h>
 #include <rastertrace/core/adaptive_depth.h>
+#include <rastertrace/core/adaptive_edge.h>
 #include <rastertrace/core/depth.h>
 #include <rastertrace/core/exactly.h>
 #include <rastertrace/core/fill.h>
@@ -231,7 +232,7 @@ void tell_and_draw(const AList& list, const ScreenPrimitive& one, const AFace& f
         tell_beginning(piece, names,
                        target.exactness->pieces.placed(target.exactness->drawn.back()), has_depths,
                        plan, sink);
-    report_face(face, sink);
+    tell_face(face, sink);
     if (!piece.is_skipped)
         draw_piece(piece, scene, plan, target, sink);
 }

@@ -231,7 +231,7 @@ private:
     std::optional<Undecided> certified(const Piece<Adaptive>& piece, const AFace& face) {
         const ListenerSink sink(certifying_);
         return left_open_by([&] {
-            if (!report_face(face, sink))
+            if (!tell_face(face, sink))
                 return;
             if (piece.kind == PrimitiveKind::triangle)
                 TrianglePaint<Adaptive, Adaptive>(piece, scene_, plan_, target_);

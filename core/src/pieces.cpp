@@ -484,7 +484,7 @@ void tell_pieces(const Scene& scene, const ScreenList<Scalar>& list, std::size_t
                                 .positions = {},
                                 .color = color,
                                 .colors = {}});
-    if (!report_face(face, sink))
+    if (!tell_face(face, sink))
         return;
     int made = 0;
     const auto reason = clip_primitive(

@@ -13,8 +13,6 @@
 #include <rastertrace/core/vec.h>
 
 #include <array>
-#include <cmath>
-#include <concepts>
 #include <cstdint>
 #include <utility>
 
@@ -26,30 +24,11 @@ enum class LerpForm {
     incremental, ///< d = d1 + a (i - i1) on the first row that is drawn, then d += a
 };
 
-/// A vertex of a triangle, with its place in the order in which the scene names the vertices.
+/// A vertex of a triangle, with its index in the order in which the scene names the vertices.
 template <typename Scalar> struct Vertex {
     Vec<Scalar, 2> position;
-    std::uint8_t place = 0;
+    std::uint8_t index = 0;
 };
-
-/// How far x may be off, as it is calculated anywhere between two vertices: worked out once for an edge
-/// whose numbers know their errors, so that no row has to. Other numbers know none.
-template <typename Scalar> struct ErrorOfX {};
-template <> struct ErrorOfX<Adaptive> { double of_x = 0; };
-
-inline ErrorOfX<Adaptive> error_of_x(const Vec<Adaptive, 2>& start, Adaptive dx_dy, Adaptive dy) {
-    // x = x1 + a (y - y1): what x1, a and y1 are off by, and half a unit in the last place of each of
-    // the three results, at the other end, where they are largest.
-    constexpr double half_ulp = Adaptive::half_ulp;
-    const double steepest = std::abs(dx_dy.value()) + dx_dy.error();
-    const double height = std::abs(dy.value()) + dy.error();
-    const double rise = steepest * height;
-    const double error = start.x.error() + dx_dy.error() * height +
-                         steepest * (start.y.error() + height * half_ulp) +
-                         (std::abs(start.x.value()) + 2 * rise) * half_ulp +
-                         Adaptive::smallest_error;
-    return {error * Adaptive::widening};
-}
 
 /// A line from one vertex to another: x as a function of y.
 template <typename Scalar> struct Edge {
@@ -57,20 +36,9 @@ template <typename Scalar> struct Edge {
     Vec<Scalar, 2> start;
     bool is_horizontal = false; ///< then its only value is start.x, and dx_dy is 0
     Scalar dx_dy{};             ///< (x2 - x1)/(y2 - y1)
-    [[no_unique_address]] ErrorOfX<Scalar> error = {};
 
     /// x at height y, which must lie between those of the vertices.
-    Scalar x_at(const Scalar& y) const {
-        if constexpr (std::same_as<Scalar, Adaptive>) {
-            const double x = start.x.value() + dx_dy.value() * (y.value() - start.y.value());
-            if (y.error() == 0)
-                return Adaptive(x, error.of_x);
-            const double steepest = std::abs(dx_dy.value()) + dx_dy.error();
-            return Adaptive(x, (error.of_x + steepest * y.error()) * Adaptive::widening);
-        } else {
-            return linear(start.x, dx_dy, y, start.y);
-        }
-    }
+    Scalar x_at(const Scalar& y) const { return linear(start.x, dx_dy, y, start.y); }
 };
 
 /// The edge between two vertices. A horizontal one is not divided by its height of 0: that is the
@@ -81,14 +49,15 @@ Edge<Scalar> edge_between(const Vertex<Scalar>& from, const Vertex<Scalar>& to) 
     const Scalar dy = to.position.y - from.position.y;
     const Scalar zero = scalar_from<Scalar>(0);
     const bool is_horizontal = dy == zero;
-    Edge<Scalar> edge{.name = {from.place, to.place},
-                      .start = from.position,
-                      .is_horizontal = is_horizontal,
-                      .dx_dy = is_horizontal ? zero : Scalar(dx / dy)};
-    if constexpr (std::same_as<Scalar, Adaptive>)
-        edge.error = error_of_x(edge.start, edge.dx_dy, dy);
-    return edge;
+    return {.name = {from.index, to.index},
+            .start = from.position,
+            .is_horizontal = is_horizontal,
+            .dx_dy = is_horizontal ? zero : Scalar(dx / dy)};
 }
+
+/// Doubles that know their error have a form of their own: adaptive_edge.h.
+template <> struct Edge<Adaptive>;
+template <> Edge<Adaptive> edge_between(const Vertex<Adaptive>& from, const Vertex<Adaptive>& to);
 
 /// The vertices from the top of the picture to its bottom; on one height, from left to right. The
 /// order in which the scene names them makes no difference to the edges, nor to any pixel. Always
@@ -103,7 +72,7 @@ sorted_from_top(const Triangle<Scalar>& triangle, int down) {
         const auto& q = b.position;
         if (p.y != q.y)
             return down > 0 ? p.y < q.y : q.y < p.y;
-        return p.x != q.x ? p.x < q.x : a.place < b.place;
+        return p.x != q.x ? p.x < q.x : a.index < b.index;
     };
     // Three exchanges sort three.
     const auto sort_pair = [&is_before](Vertex<Scalar>& a, Vertex<Scalar>& b) {

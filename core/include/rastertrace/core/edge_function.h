@@ -36,7 +36,7 @@ template <typename Scalar> struct EdgeFunction {
     }
 
     /// The function of the triangle on the other side, but for the tie rule.
-    EdgeFunction turned() const { return {start, Scalar(-a), Scalar(-b), is_top_left}; }
+    EdgeFunction negated() const { return {start, Scalar(-a), Scalar(-b), is_top_left}; }
 };
 
 /// The function of an edge from its upper vertex to its lower one. It is positive where (x, y) lies
@@ -55,7 +55,7 @@ template <typename Scalar>
 EdgeFunction<Scalar> function_of_left_edge(const Vertex<Scalar>& upper, const Vertex<Scalar>& lower,
                                            int down) {
     const auto function = edge_function(upper, lower, true);
-    return down > 0 ? function.turned() : function;
+    return down > 0 ? function.negated() : function;
 }
 
 /// Where the vertex between `top` and `bottom` lies: -1 left of the edge from one to the other, as seen

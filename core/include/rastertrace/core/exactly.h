@@ -10,6 +10,7 @@
 #include <rastertrace/core/adaptive.h>
 #include <rastertrace/core/adaptive_color.h>
 #include <rastertrace/core/adaptive_depth.h>
+#include <rastertrace/core/adaptive_edge.h>
 #include <rastertrace/core/barycentric.h>
 #include <rastertrace/core/depth.h>
 #include <rastertrace/core/draw.h>

@@ -46,10 +46,10 @@ template <typename Scalar> Index first_lower_y(const JoinedEdges<Scalar>& edges,
                                  : first_row_below(edges.middle.position.y, down);
 }
 
-/// Reports that the edges are known.
+/// Tells that the edges are known.
 template <typename Scalar, typename Sink>
 requires SinkFor<Sink, EdgeSetUp<Scalar>>
-void report_edges(const JoinedEdges<Scalar>& edges, Sink&& sink) {
+void tell_edges(const JoinedEdges<Scalar>& edges, Sink&& sink) {
     if (!takes<EdgeSetUp<Scalar>>(sink))
         return;
     for (const Edge<Scalar>* edge : {&edges.upper, &edges.lower, &edges.long_edge})
@@ -96,7 +96,7 @@ void fill_scanline(const Triangle<Scalar>& triangle, const ScanlineRules& rules,
 
     // Sort the vertices by height; join the two short edges against the long one.
     const JoinedEdges<Scalar> edges = joined_edges(triangle, down);
-    report_edges(edges, sink);
+    tell_edges(edges, sink);
 
     // The rows between top and bottom, as far as the canvas has them.
     const Index first_row = canvas.row_of(first_row_below(edges.top.position.y, down));

@@ -62,15 +62,15 @@ std::array<EdgeFunction<Scalar>, 3> edge_functions(const Triangle<Scalar>& trian
     const auto lower = edge_function(middle, bottom, !has_bottom_edge && !is_left);
     const auto long_edge = edge_function(top, bottom, is_left);
     if (is_left == (down > 0))
-        return {upper, lower, long_edge.turned()};
-    return {upper.turned(), lower.turned(), long_edge};
+        return {upper, lower, long_edge.negated()};
+    return {upper.negated(), lower.negated(), long_edge};
 }
 
-/// Reports the edge functions.
+/// Tells the edge functions.
 template <typename Scalar, typename Sink>
 requires SinkFor<Sink, EdgeFunctionSetUp<Scalar>>
-void report_edge_functions(const Triangle<Scalar>& triangle, const TriangleOrder& order, int down,
-                           Sink&& sink) {
+void tell_edge_functions(const Triangle<Scalar>& triangle, const TriangleOrder& order, int down,
+                         Sink&& sink) {
     if (!takes<EdgeFunctionSetUp<Scalar>>(sink))
         return;
     const std::array<EdgeName, 3> names{
@@ -135,8 +135,8 @@ void fill_top_left(const Triangle<Scalar>& triangle, const SampleGrid<Scalar>& g
         return;
     }
     const bool long_edge_is_left = middle_side > 0;
-    const TriangleOrder order{top.place, middle.place, bottom.place, long_edge_is_left};
-    report_edge_functions(triangle, order, canvas.down(), sink);
+    const TriangleOrder order{top.index, middle.index, bottom.index, long_edge_is_left};
+    tell_edge_functions(triangle, order, canvas.down(), sink);
 
     // The rows of samples from the top vertex, included, to the bottom vertex, not included, as far as
     // the canvas has them. The row of the middle vertex belongs to the lower short edge.

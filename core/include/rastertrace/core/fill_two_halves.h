@@ -46,7 +46,7 @@ void fill_two_halves(const Triangle<Scalar>& triangle, const ScanlineRules& rule
 
     // Sort the vertices by height; the long edge is boundary A.
     const JoinedEdges<Scalar> edges = joined_edges(triangle, down);
-    report_edges(edges, sink);
+    tell_edges(edges, sink);
 
     const Index top_row = canvas.row_of(first_row_below(edges.top.position.y, down));
     const Index bottom_row = canvas.row_of(last_row_above(edges.bottom.position.y, down));

@@ -40,7 +40,7 @@ template <typename Coordinate> struct Face {
 
 /// Tells what was found out about a face. True if it is to be drawn.
 template <typename Coordinate, typename Sink>
-bool report_face(const Face<Coordinate>& face, Sink&& sink) {
+bool tell_face(const Face<Coordinate>& face, Sink&& sink) {
     if (face.tested)
         sink(*face.tested);
     if (face.lit)
@@ -52,7 +52,7 @@ bool report_face(const Face<Coordinate>& face, Sink&& sink) {
 
 /// Without a pipeline, faces are not looked at.
 struct NoFace {};
-template <typename Sink> bool report_face(NoFace, Sink&&) {
+template <typename Sink> bool tell_face(NoFace, Sink&&) {
     return true;
 }
 
