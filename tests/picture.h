@@ -106,6 +106,29 @@ inline Scene small_first_triangle(Method method = {.scalar = ScalarKind::exact})
     return scene;
 }
 
+/// T0's cube, +-1 moved by (0, 0, 4): corners by one letter of A to H, triangles by three, faces turned
+/// away culled.
+inline Scene cube_of_t0(const std::vector<std::string>& primitives) {
+    Scene scene;
+    scene.canvas = {.width = 10, .height = 10};
+    scene.projection = {.type = ProjectionType::pinhole, .distance = 1};
+    scene.viewport = {.type = ViewportType::pixels_per_unit, .pixels_per_unit = 10};
+    scene.objects = {{"", 8, {Translate{{0, 0, 4}}}}};
+    scene.method = {.scalar = ScalarKind::exact, .cull = Cull::back};
+    scene.vertices = {{"A", -1, 1, {}, -1},  {"B", 1, 1, {}, -1}, {"C", 1, -1, {}, -1},
+                      {"D", -1, -1, {}, -1}, {"E", -1, 1, {}, 1}, {"F", 1, 1, {}, 1},
+                      {"G", 1, -1, {}, 1},   {"H", -1, -1, {}, 1}};
+    for (const std::string& letters : primitives) {
+        ScenePrimitive primitive{.kind = letters.size() == 1 ? PrimitiveKind::point
+                                                             : PrimitiveKind::triangle,
+                                 .name = letters};
+        for (std::size_t i = 0; i < letters.size(); ++i)
+            primitive.vertices[i] = static_cast<std::size_t>(letters[i] - 'A');
+        scene.primitives.push_back(primitive);
+    }
+    return scene;
+}
+
 /// A told number as a Scalar.
 template <typename Scalar> Scalar as(const Quantity& told) {
     if constexpr (std::same_as<Scalar, Rational>)

@@ -50,6 +50,7 @@ inline std::string json_of(const ModelStep& step) {
            json_of(shear.zx) + R"(,"zy":)" + json_of(shear.zy) + "}}";
 }
 
+/// Without the `far` of a pinhole or a view plane, for which a file has no key.
 inline std::string json_of(const Projection& projection) {
     std::string text = R"({"type":")" + std::string(name_of(projection.type)) + '"';
     const auto put = [&text](std::string_view key, const Number& number) {

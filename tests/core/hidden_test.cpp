@@ -86,37 +86,9 @@ struct FaceSink {
     }
 };
 
-/// T0's cube, +-1 moved by (0, 0, 4), as twelve triangles; AED as the text names it, wound inward.
-Scene cube(const std::vector<std::string>& faces) {
-    Scene scene;
-    scene.canvas = {.width = 10, .height = 10};
-    scene.projection = {.type = ProjectionType::pinhole, .distance = 1};
-    scene.viewport = {.type = ViewportType::pixels_per_unit, .pixels_per_unit = 10};
-    scene.objects = {{"", 8, {Translate{{0, 0, 4}}}}};
-    scene.method = {.scalar = ScalarKind::exact, .cull = Cull::back};
-    for (const auto& [name, x, y, z] :
-         std::vector<std::tuple<std::string, int, int, int>>{{"A", -1, 1, -1},
-                                                             {"B", 1, 1, -1},
-                                                             {"C", 1, -1, -1},
-                                                             {"D", -1, -1, -1},
-                                                             {"E", -1, 1, 1},
-                                                             {"F", 1, 1, 1},
-                                                             {"G", 1, -1, 1},
-                                                             {"H", -1, -1, 1}})
-        scene.vertices.push_back({name, x, y, {}, z});
-    for (const std::string& face : faces) {
-        ScenePrimitive primitive{
-            .kind = PrimitiveKind::triangle, .name = face, .vertices = {}, .color = {}};
-        for (std::size_t i = 0; i < 3; ++i)
-            primitive.vertices[i] = static_cast<std::size_t>(face[i] - 'A');
-        scene.primitives.push_back(primitive);
-    }
-    return scene;
-}
-
 TEST(Culling, TableOfT0sCube) {
-    const Scene scene =
-        cube({"ABC", "ACD", "EHG", "EGF", "ADE", "DHE", "BFG", "BGC", "AEF", "AFB", "DCG", "DGH"});
+    const Scene scene = cube_of_t0(
+        {"ABC", "ACD", "EHG", "EGF", "ADE", "DHE", "BFG", "BGC", "AEF", "AFB", "DCG", "DGH"});
     FaceSink sink;
     draw_as_planned(scene, sink);
     ASSERT_EQ(sink.faces.size(), 12u);
@@ -135,16 +107,16 @@ TEST(Culling, TableOfT0sCube) {
     }
     EXPECT_EQ(drawn, 2u);
     // The front, from -10/3 to 10/3: of its two halves the first one named keeps the diagonal.
-    EXPECT_EQ(plots_in(cube({"ABC", "CDA", "EHG", "EGF"})).owners, "..........\n"
-                                                                   "..........\n"
-                                                                   ".CAAAAAAA.\n"
-                                                                   ".CCAAAAAA.\n"
-                                                                   ".CCCAAAAA.\n"
-                                                                   ".CCCCAAAA.\n"
-                                                                   ".CCCCCAAA.\n"
-                                                                   ".CCCCCCAA.\n"
-                                                                   ".CCCCCCCA.\n"
-                                                                   "..........\n");
+    EXPECT_EQ(plots_in(cube_of_t0({"ABC", "CDA", "EHG", "EGF"})).owners, "..........\n"
+                                                                         "..........\n"
+                                                                         ".CAAAAAAA.\n"
+                                                                         ".CCAAAAAA.\n"
+                                                                         ".CCCAAAAA.\n"
+                                                                         ".CCCCAAAA.\n"
+                                                                         ".CCCCCAAA.\n"
+                                                                         ".CCCCCCAA.\n"
+                                                                         ".CCCCCCCA.\n"
+                                                                         "..........\n");
     const auto& front = sink.faces.at("ABC");
     EXPECT_EQ(std::tuple(front.normal.x, front.normal.y, front.normal.z),
               std::tuple(Rational(0), Rational(0), Rational(-4)));
@@ -159,7 +131,7 @@ TEST(Culling, TableOfT0sCube) {
 
 TEST(Culling, TheTextsAedIsWoundInwardAndSurvives) {
     FaceSink sink;
-    draw_as_planned(cube({"AED", "ADE"}), sink);
+    draw_as_planned(cube_of_t0({"AED", "ADE"}), sink);
     EXPECT_EQ(sink.faces.at("AED").dot, 4);
     EXPECT_FALSE(sink.faces.at("AED").is_culled);
     EXPECT_EQ(sink.faces.at("ADE").dot, -4);
