@@ -6,10 +6,11 @@
 //
 //     RandomScene(17).text();  // JSON
 
+#include "random_choice.h"
+
 #include <cstdint>
 #include <initializer_list>
 #include <iomanip>
-#include <random>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -22,10 +23,10 @@ public:
     explicit RandomScene(std::uint64_t seed) : random_(seed) {}
 
     std::string text() {
-        const int size = pick({8, 16, 24, 40});
+        const int size = random_.pick({8, 16, 24, 40});
         const std::string_view origin =
-            pick<std::string_view>({"center", "top-left", "bottom-left"});
-        is_in_space_ = chance(2);
+            random_.pick<std::string_view>({"center", "top-left", "bottom-left"});
+        is_in_space_ = random_.chance(2);
         out_ << R"({"canvas":{"width":)" << size << R"(,"height":)" << size << R"(,"origin":")"
              << origin << R"("})";
         put_vertices(origin == "center" ? -size / 2 : 0, size);
@@ -33,55 +34,49 @@ public:
         if (is_in_space_)
             put_view();
         put_method();
-        if (chance(8))
+        if (random_.chance(8))
             out_ << R"(,"keep":["model","view","clip","divide","canvas","depth","colors"])";
         out_ << "}\n";
         return out_.str();
     }
 
 private:
-    int whole(int low, int high) {
-        return low + static_cast<int>(random_() % static_cast<std::uint64_t>(high - low + 1));
-    }
-    bool chance(int of) { return whole(1, of) == 1; }
-    template <typename T> T pick(std::initializer_list<T> values) {
-        return values.begin()[whole(0, static_cast<int>(values.size()) - 1)];
-    }
-
     /// A number between two whole ones: whole, a decimal, a fraction, or far away.
     std::string number(int low, int high) {
-        const std::string base = std::to_string(whole(low, high));
+        const std::string base = std::to_string(random_.whole(low, high));
         switch (style_) {
         case 0:
             return base;
         case 1:
-            return base + pick<const char*>({"", ".5", ".25", ".75"});
+            return base + random_.pick<const char*>({"", ".5", ".25", ".75"});
         case 2:
-            return base + "." + std::to_string(whole(0, 999999));
+            return base + "." + std::to_string(random_.whole(0, 999999));
         case 3:
-            return '"' + std::to_string(whole(low * 7, high * 7)) +
-                   pick<const char*>({"/3", "/7", "/11"}) + '"';
+            return '"' + std::to_string(random_.whole(low * 7, high * 7)) +
+                   random_.pick<const char*>({"/3", "/7", "/11"}) + '"';
         default:
-            return chance(4) ? base + pick<const char*>({"e3", "e6", "e9"}) : base + ".5";
+            return random_.chance(4) ? base + random_.pick<const char*>({"e3", "e6", "e9"})
+                                     : base + ".5";
         }
     }
 
     std::string color() {
         std::ostringstream text;
-        text << "\"#" << std::hex << std::setfill('0') << std::setw(6) << whole(0, 0xFFFFFF) << '"';
+        text << "\"#" << std::hex << std::setfill('0') << std::setw(6) << random_.whole(0, 0xFFFFFF)
+             << '"';
         return text.str();
     }
 
     void put_vertices(int low, int size) {
-        count_ = whole(3, 7);
-        style_ = whole(0, 4);
+        count_ = random_.whole(3, 7);
+        style_ = random_.whole(0, 4);
         // Some vertices stand on others, or on their rows and columns.
         std::vector<std::string> xs;
         std::vector<std::string> ys;
         const auto among = [this](std::vector<std::string>& known, std::string fresh) {
-            if (!known.empty() && chance(5))
+            if (!known.empty() && random_.chance(5))
                 return known[static_cast<std::size_t>(
-                    whole(0, static_cast<int>(known.size()) - 1))];
+                    random_.whole(0, static_cast<int>(known.size()) - 1))];
             known.push_back(fresh);
             return fresh;
         };
@@ -92,12 +87,12 @@ private:
             const std::string x = among(xs, number(from, to));
             const std::string y = among(ys, number(from, to));
             out_ << (i == 0 ? "" : ",") << '"' << name(i) << R"(":[)" << x << ',' << y;
-            if (is_in_space_ || chance(2))
+            if (is_in_space_ || random_.chance(2))
                 out_ << ',' << number(is_in_space_ ? -3 : 1, is_in_space_ ? 3 : 9);
             out_ << ']';
         }
         out_ << '}';
-        if (chance(3)) {
+        if (random_.chance(3)) {
             out_ << R"(,"colors":{)";
             for (int i = 0; i < count_; ++i)
                 out_ << (i == 0 ? "" : ",") << '"' << name(i) << R"(":)" << color();
@@ -111,7 +106,7 @@ private:
     std::string corners(int count) {
         std::string text;
         while (static_cast<int>(text.size()) < count) {
-            const char corner = name(whole(0, count_ - 1));
+            const char corner = name(random_.whole(0, count_ - 1));
             if (text.find(corner) == std::string::npos)
                 text += corner;
         }
@@ -127,54 +122,57 @@ private:
     }
 
     void put_primitives() {
-        put_list("triangles", 3, whole(1, 4));
-        if (chance(3))
+        put_list("triangles", 3, random_.whole(1, 4));
+        if (random_.chance(3))
             put_list("outlines", 3, 1);
-        if (chance(3))
-            put_list("lines", 2, whole(1, 3));
-        if (chance(6))
+        if (random_.chance(3))
+            put_list("lines", 2, random_.whole(1, 3));
+        if (random_.chance(6))
             put_list("points", 1, 2);
     }
 
     void put_view() {
-        const std::string_view type =
-            pick<std::string_view>({"frustum", "frustum", "pinhole", "view-plane", "orthographic"});
+        const std::string_view type = random_.pick<std::string_view>(
+            {"frustum", "frustum", "pinhole", "view-plane", "orthographic"});
         const bool looks_up = type == "pinhole";
-        if (chance(2))
+        if (random_.chance(2))
             out_ << R"(,"model":[{"rotate":{"axis":)"
-                 << pick<const char*>({R"("x")", R"("y")", R"("z")", "[1,2,3]"}) << R"(,"degrees":)"
-                 << pick({30, 90, 45, 37}) << R"(}},{"translate":[0,0,)" << (looks_up ? 5 : -1)
-                 << R"(]}])";
-        if (!looks_up && !chance(4))
-            out_ << R"(,"camera":{"position":[)" << whole(-1, 1) << ',' << whole(-1, 1) << ','
-                 << pick({4, 6, 9}) << R"(],"look_at":[0,0,0],"up":[0,1,0]})";
+                 << random_.pick<const char*>({R"("x")", R"("y")", R"("z")", "[1,2,3]"})
+                 << R"(,"degrees":)" << random_.pick({30, 90, 45, 37}) << R"(}},{"translate":[0,0,)"
+                 << (looks_up ? 5 : -1) << R"(]}])";
+        if (!looks_up && !random_.chance(4))
+            out_ << R"(,"camera":{"position":[)" << random_.whole(-1, 1) << ','
+                 << random_.whole(-1, 1) << ',' << random_.pick({4, 6, 9})
+                 << R"(],"look_at":[0,0,0],"up":[0,1,0]})";
         out_ << R"(,"projection":{"type":")" << type << '"';
         if (type == "frustum")
-            out_ << R"(,"fov_y":)" << pick({40, 90}) << R"(,"near":1,"far":)"
-                 << pick<const char*>({"17", "9", "\"infinity\""});
+            out_ << R"(,"fov_y":)" << random_.pick({40, 90}) << R"(,"near":1,"far":)"
+                 << random_.pick<const char*>({"17", "9", "\"infinity\""});
         else if (type == "orthographic")
             out_ << R"(,"left":-4,"right":4,"bottom":-4,"top":4,"near":1,"far":20)";
         else
-            out_ << R"(,"distance":)" << pick({1, 2});
+            out_ << R"(,"distance":)" << random_.pick({1, 2});
         out_ << '}';
-        if (chance(2))
+        if (random_.chance(2))
             out_ << R"(,"viewport":)"
-                 << pick<const char*>({R"("fit")", R"({"pixels_per_unit":4})"});
-        has_light_ = chance(4);
+                 << random_.pick<const char*>({R"("fit")", R"({"pixels_per_unit":4})"});
+        has_light_ = random_.chance(4);
         if (has_light_)
             out_ << R"(,"light":)"
-                 << pick<const char*>({R"({"direction":[1,2,3]})", R"({"position":[3,4,8]})"});
+                 << random_.pick<const char*>(
+                        {R"({"direction":[1,2,3]})", R"({"position":[3,4,8]})"});
     }
 
     void put_choice(std::string_view key, std::initializer_list<std::string_view> values,
                     int of = 1) {
-        if (chance(of))
-            out_ << ",\"" << key << R"(":")" << pick(values) << '"';
+        if (random_.chance(of))
+            out_ << ",\"" << key << R"(":")" << random_.pick(values) << '"';
     }
 
     void put_method() {
         out_ << R"(,"method":{"scalar":")"
-             << pick<std::string_view>({"float", "double", "fixed", "adaptive", "exact"}) << '"';
+             << random_.pick<std::string_view>({"float", "double", "fixed", "adaptive", "exact"})
+             << '"';
         put_choice("fill", {"scanline", "two-halves", "barycentric", "top-left", "fan"});
         put_choice("line", {"naive", "dda", "bresenham"}, 2);
         put_choice("from", {"first", "low"}, 4);
@@ -194,7 +192,7 @@ private:
         out_ << '}';
     }
 
-    std::mt19937_64 random_;
+    Random random_;
     std::ostringstream out_;
     bool is_in_space_ = false;
     bool has_light_ = false;

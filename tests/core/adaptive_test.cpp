@@ -3,6 +3,8 @@
 
 #include "edge_scenes.h"
 #include "picture.h"
+#include "random_choice.h"
+#include "scene_text.h"
 
 #include <rastertrace/core/adaptive.h>
 #include <rastertrace/core/exactly.h>
@@ -128,14 +130,14 @@ TEST(Adaptive, DecidesAsExact) {
         std::vector<Color> exact_picture, adaptive_picture;
         const Decisions exact = decisions_of(scene, ScalarKind::exact, exact_picture);
         const Decisions adaptive = decisions_of(scene, ScalarKind::adaptive, adaptive_picture);
-        ASSERT_EQ(exact.all, adaptive.all) << "scene " << drawn;
-        ASSERT_TRUE(exact_picture == adaptive_picture) << "scene " << drawn;
+        ASSERT_EQ(exact.all, adaptive.all) << scene_text(scene);
+        ASSERT_TRUE(exact_picture == adaptive_picture) << scene_text(scene);
         fallen_back += adaptive.undecided > 0;
 
         // Planned, and with the sink that keeps nothing, it draws the same.
         scene.keep = needed;
         scene.method.scalar = ScalarKind::adaptive;
-        ASSERT_TRUE(draw_as_planned(scene).colors() == exact_picture) << "scene " << drawn;
+        ASSERT_TRUE(draw_as_planned(scene).colors() == exact_picture) << scene_text(scene);
     }
     EXPECT_GT(fallen_back, drawn / 4) << "these scenes are made to be undecided";
 }
@@ -169,8 +171,8 @@ TEST(Adaptive, DecidesWithinAnUlpOfAnEdge) {
             std::vector<Color> exact_picture, adaptive_picture;
             const Decisions exact = decisions_of(scene, ScalarKind::exact, exact_picture);
             const Decisions adaptive = decisions_of(scene, ScalarKind::adaptive, adaptive_picture);
-            ASSERT_EQ(exact.all, adaptive.all) << "triangle " << i;
-            ASSERT_TRUE(exact_picture == adaptive_picture) << "triangle " << i;
+            ASSERT_EQ(exact.all, adaptive.all) << scene_text(scene);
+            ASSERT_TRUE(exact_picture == adaptive_picture) << scene_text(scene);
             undecided += adaptive.undecided;
         }
     }
@@ -431,7 +433,7 @@ TEST(Adaptive, FacesThatMeetInAnEdgeTieThere) {
                 ++ties;
                 ASSERT_EQ(exact_depth_at(scene, exact.placed({0, 0}), x, y),
                           exact_depth_at(scene, exact.placed({1, 0}), x, y))
-                    << "scene " << i << " at " << x << ", " << y;
+                    << scene_text(scene) << "at " << x << ", " << y;
             }
     }
     EXPECT_GT(ties, 1000);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "picture.h"
+#include "random_triangle.h"
 
 #include <gtest/gtest.h>
 
@@ -40,21 +41,6 @@ struct RowRecorder {
     }
 };
 
-const std::string textbook_picture = ".................\n"
-                                     ".................\n"
-                                     "..........#......\n"
-                                     ".........##......\n"
-                                     "........###......\n"
-                                     ".......#####.....\n"
-                                     ".......#####.....\n"
-                                     "......######.....\n"
-                                     ".....########....\n"
-                                     "....#########....\n"
-                                     "....##########...\n"
-                                     ".................\n"
-                                     ".................\n"
-                                     ".................\n";
-
 TEST(FirstTriangle, HasTheRowsOfTheTextbook) {
     RowRecorder recorder;
     draw_as_planned(first_triangle(), recorder);
@@ -70,18 +56,28 @@ TEST(FirstTriangle, IsThePictureOfTheTextbook) {
     EXPECT_EQ(picture_of(draw_as_planned(first_triangle({}))), textbook_picture) << "in double";
 }
 
-TEST(FirstTriangle, HasAsManyPixelsAsEachRoundingGives) {
-    const auto pixels = [](Rounding rounding, Ties ties) {
-        return draw_as_planned(
-                   first_triangle(
-                       {.scalar = ScalarKind::exact, .rounding = rounding, .ties = ties}))
-            .drawn();
+TEST(FirstTriangle, HasThePixelsThatEachRoundingGives) {
+    // 49, 45, 49, 50 and 43 pixels. Those of `inside` are the lattice points of the closed triangle: by
+    // Pick's theorem 31 inside and 12 on edges.
+    const auto picture = [](Rounding rounding, Ties ties) {
+        return picture_of(draw_as_planned(small_first_triangle(
+            {.scalar = ScalarKind::exact, .rounding = rounding, .ties = ties})));
     };
-    EXPECT_EQ(pixels(Rounding::floor, Ties::up), 49u);
-    EXPECT_EQ(pixels(Rounding::truncate, Ties::up), 45u);
-    EXPECT_EQ(pixels(Rounding::nearest, Ties::up), 49u);
-    EXPECT_EQ(pixels(Rounding::nearest, Ties::even), 50u);
-    EXPECT_EQ(pixels(Rounding::inside, Ties::up), 43u) << "Pick's theorem: 31 inside, 12 on edges";
+    // floor, truncate, nearest (a half up), nearest (a half to even), inside
+    EXPECT_EQ(
+        side_by_side({picture(Rounding::floor, Ties::up), picture(Rounding::truncate, Ties::up),
+                      picture(Rounding::nearest, Ties::up), picture(Rounding::nearest, Ties::even),
+                      picture(Rounding::inside, Ties::up)}),
+        ".......#...  .......#...  .......#...  .......#...  .......#...\n"
+        "......##...  ......##...  ......##...  ......##...  .......#...\n"
+        ".....###...  .....###...  ......###..  .....####..  ......##...\n"
+        "....#####..  .....####..  .....####..  .....####..  .....####..\n"
+        "....#####..  ....#####..  ....######.  ....######.  ....#####..\n"
+        "...######..  ....#####..  ...#######.  ...#######.  ....#####..\n"
+        "..########.  ...#######.  ...#######.  ...#######.  ...#######.\n"
+        ".#########.  ..########.  ..#########  ..#########  ..########.\n"
+        ".##########  .##########  .##########  .##########  .##########\n"
+        "...........  ...........  ...........  ...........  ...........\n");
 }
 
 TEST(FirstTriangle, LooksTheSameFromEveryOrigin) {
@@ -126,17 +122,24 @@ TEST(Shapes, LongEdgeOnTheLeftAndOnTheRight) {
 }
 
 TEST(Shapes, WithoutArea) {
-    // numerics.md, S9: a flat triangle of 11 pixels, a point, a sloped line of 17.
-    const Canvas canvas{.width = 20, .height = 20, .origin = Origin::bottom_left};
-    const auto pixels = [&canvas](const std::vector<std::string>& coordinates, ScalarKind scalar) {
-        return draw_as_planned(triangle_scene(coordinates, canvas, {.scalar = scalar})).drawn();
-    };
-    for (const ScalarKind scalar : {ScalarKind::exact, ScalarKind::double_precision}) {
-        EXPECT_EQ(pixels({"0", "5", "10", "5", "4", "5"}, scalar), 11u);
-        EXPECT_EQ(pixels({"5", "5", "5", "5", "5", "5"}, scalar), 1u);
-        EXPECT_EQ(pixels({"0", "0", "8", "8", "16", "16"}, scalar), 17u);
-        EXPECT_EQ(pixels({"3", "1", "3", "9", "3", "4"}, scalar), 9u) << "vertical";
-    }
+    // numerics.md, S9: a flat triangle of 11 pixels, a point, a sloped line; and a vertical one.
+    for (const ScalarKind scalar : {ScalarKind::exact, ScalarKind::double_precision})
+        EXPECT_EQ(
+            plots_in(lettered_triangles({{'F', {"1", "0", "11", "0", "5", "0"}},
+                                         {'P', {"3", "6", "3", "6", "3", "6"}},
+                                         {'S', {"0", "0", "3", "3", "7", "7"}},
+                                         {'V', {"10", "2", "10", "7", "10", "4"}}},
+                                        {.width = 12, .height = 8, .origin = Origin::bottom_left},
+                                        {.scalar = scalar}))
+                .owners,
+            ".......S..V.\n"
+            "...P..S...V.\n"
+            ".....S....V.\n"
+            "....S.....V.\n"
+            "...S......V.\n"
+            "..S.......V.\n"
+            ".S..........\n"
+            "SFFFFFFFFFFF\n");
 }
 
 TEST(Shapes, BetweenTwoRowsThereIsNothing) {
@@ -155,15 +158,18 @@ TEST(Shapes, BetweenTwoRowsThereIsNothing) {
 
 TEST(Shapes, SharedEdgeIsDrawnTwiceByTheInclusiveRule) {
     // numerics.md, S10: a square split on its diagonal. 45 + 45 pixels, 9 of them twice.
-    const Canvas canvas{.width = 9, .height = 9, .origin = Origin::bottom_left};
-    const Image one = draw_as_planned(triangle_scene({"0", "0", "8", "0", "8", "8"}, canvas));
-    const Image other = draw_as_planned(triangle_scene({"0", "0", "8", "8", "0", "8"}, canvas));
-    std::size_t twice = 0;
-    for (std::size_t i = 0; i < one.colors().size(); ++i)
-        twice += one.colors()[i] != no_color && other.colors()[i] != no_color ? 1 : 0;
-    EXPECT_EQ(one.drawn(), 45u);
-    EXPECT_EQ(other.drawn(), 45u);
-    EXPECT_EQ(twice, 9u);
+    const Plots plots = plots_in(lettered_triangles(
+        {{'R', {"0", "0", "8", "0", "8", "8"}}, {'U', {"0", "0", "8", "8", "0", "8"}}},
+        {.width = 9, .height = 9, .origin = Origin::bottom_left}));
+    EXPECT_EQ(side_by_side({plots.owners, plots.counts}), "UUUUUUUUU  111111112\n"
+                                                          "UUUUUUUUR  111111121\n"
+                                                          "UUUUUUURR  111111211\n"
+                                                          "UUUUUURRR  111112111\n"
+                                                          "UUUUURRRR  111121111\n"
+                                                          "UUUURRRRR  111211111\n"
+                                                          "UUURRRRRR  112111111\n"
+                                                          "UURRRRRRR  121111111\n"
+                                                          "URRRRRRRR  211111111\n");
 }
 
 // ---- Stiff and extreme (numerics.md, S) -------------------------------------------------------
@@ -276,15 +282,9 @@ TEST(Extreme, WhatMissesTheCanvasIsSkipped) {
 
 // ---- Properties -------------------------------------------------------------------------------
 
-/// A coordinate on a grid of 1/12 of a pixel (halves, thirds, quarters), a little beyond the
-/// canvas.
-rc::Gen<std::string> coordinate() {
-    return rc::gen::map(rc::gen::inRange(-150, 151),
-                        [](int twelfths) { return std::to_string(twelfths) + "/12"; });
-}
-
-rc::Gen<std::vector<std::string>> triangle_coordinates() {
-    return rc::gen::container<std::vector<std::string>>(6, coordinate());
+/// Corners on a grid of 1/12 of a pixel (halves, thirds, quarters), a little beyond the canvas.
+std::vector<std::string> triangle_coordinates() {
+    return any_triangle(150, 12);
 }
 
 rc::Gen<Canvas> small_canvas() {
@@ -388,12 +388,14 @@ std::string picture_by_the_rule(const Scene& scene) {
 }
 
 RC_GTEST_PROP(ScanlineFill, DrawsWhatTheRuleSays, ()) {
-    const Scene scene = triangle_scene(*triangle_coordinates(), *small_canvas(), *exact_method());
+    const Scene scene = triangle_scene(triangle_coordinates(), *small_canvas(), *exact_method());
+    log_scene(scene);
     RC_ASSERT(picture_of(draw_as_planned(scene)) == picture_by_the_rule(scene));
 }
 
 RC_GTEST_PROP(ScanlineFill, DrawsTheSameWithEveryExactType, ()) {
-    const Scene scene = triangle_scene(*triangle_coordinates(), *small_canvas(), *exact_method());
+    const Scene scene = triangle_scene(triangle_coordinates(), *small_canvas(), *exact_method());
+    log_scene(scene);
     const Plan plan = plan_for(scene);
     RC_ASSERT(plan.number == NumberType::fraction64);
     const std::string picture = picture_of(draw(scene, plan));
@@ -404,7 +406,8 @@ RC_GTEST_PROP(ScanlineFill, DrawsTheSameWithEveryExactType, ()) {
 RC_GTEST_PROP(ScanlineFill, DrawsTheSamePixelsForEveryVertexOrder, ()) {
     Method method = *exact_method();
     method.scalar = *rc::gen::element(ScalarKind::exact, ScalarKind::double_precision);
-    Scene scene = triangle_scene(*triangle_coordinates(), *small_canvas(), method);
+    Scene scene = triangle_scene(triangle_coordinates(), *small_canvas(), method);
+    log_scene(scene);
     const std::string picture = picture_of(draw_as_planned(scene));
     auto& order = scene.primitives[0].vertices;
     while (std::next_permutation(order.begin(), order.end()))
@@ -416,9 +419,10 @@ RC_GTEST_PROP(ScanlineFill, InDoubleIsWrongOnlyWhereAnEndIsNextToAPixel, ()) {
     // generous bound. Where an exact end is farther than that from every pixel, double decides
     // alike.
     const mpq_class bound(1, std::int64_t{1} << 44);
-    Scene scene = triangle_scene(*triangle_coordinates(), {.width = 32, .height = 32});
+    Scene scene = triangle_scene(triangle_coordinates(), {.width = 32, .height = 32});
     scene.method.scalar = ScalarKind::double_precision;
     scene.method.rounding = Rounding::floor;
+    log_scene(scene);
     std::map<int, std::pair<Index, Index>> spans;
     const auto keep = [&spans]<typename Step>(const Step& step) {
         if constexpr (requires { step.left_edge; })
@@ -442,12 +446,14 @@ RC_GTEST_PROP(ScanlineFill, InDoubleIsWrongOnlyWhereAnEndIsNextToAPixel, ()) {
 }
 
 RC_GTEST_PROP(ScanlineFill, OnASmallCanvasIsACutOfTheLargePicture, ()) {
-    const auto coordinates = *triangle_coordinates();
+    const auto coordinates = triangle_coordinates();
     const Method method = *exact_method();
     const Image whole =
         draw_as_planned(triangle_scene(coordinates, {.width = 41, .height = 41}, method));
     const Canvas small{.width = *rc::gen::inRange(1, 20), .height = *rc::gen::inRange(1, 20)};
-    const Image part = draw_as_planned(triangle_scene(coordinates, small, method));
+    const Scene cut = triangle_scene(coordinates, small, method);
+    log_scene(cut);
+    const Image part = draw_as_planned(cut);
     for (int row = 0; row < small.height; ++row)
         for (int x = small.left(); x <= small.right(); ++x) {
             const Pixel pixel{x, small.y_of(row)};
@@ -457,7 +463,8 @@ RC_GTEST_PROP(ScanlineFill, OnASmallCanvasIsACutOfTheLargePicture, ()) {
 
 RC_GTEST_PROP(ScanlineFill, ReportsEveryPixelOfThePictureAndOfTheRest, ()) {
     // The pixel steps are the picture; with the rejected runs they are the whole spans.
-    const Scene scene = triangle_scene(*triangle_coordinates(), *small_canvas(), *exact_method());
+    const Scene scene = triangle_scene(triangle_coordinates(), *small_canvas(), *exact_method());
+    log_scene(scene);
     Image replayed(scene.canvas);
     Index in_spans = 0, plotted = 0, rejected = 0;
     const auto sink = [&]<typename Step>(const Step& step) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "picture.h"
+#include "random_triangle.h"
 
 #include <rastertrace/core/fill_top_left.h>
 #include <rastertrace/core/flat_painter.h>
@@ -155,55 +156,89 @@ TEST(Barycentric, HasTheWeightsOfTheTable) {
     }
 }
 
-TEST(Fills, DrawAsManyPixelsOfTheFirstTriangleAsTheTextsSay) {
+TEST(Fills, DrawTheFirstTriangleAsTheTextsSay) {
     for (const ScalarKind scalar : every_scalar) {
-        const auto count = [scalar](Method method) {
+        const auto picture = [scalar](Method method) {
             method.scalar = scalar;
-            Counter counter;
-            const Image image = draw_as_planned(first_triangle(method), counter);
-            return std::pair(image.drawn(), counter);
+            return picture_of(draw_as_planned(small_first_triangle(method)));
         };
-        const auto [closed, box] = count({.fill = Fill::barycentric});
-        EXPECT_EQ(closed, 43u);
+        // barycentric on whole numbers (43) and on centers (36); top-left on centers (36, for none lies
+        // on an edge) and on whole numbers (32: without BC and AC); a fan of three passes (50)
+        EXPECT_EQ(side_by_side({picture({.fill = Fill::barycentric}),
+                                picture({.fill = Fill::barycentric, .sample = Sample::center}),
+                                picture({.fill = Fill::top_left}),
+                                picture({.fill = Fill::top_left, .sample = Sample::integer}),
+                                picture({.fill = Fill::fan, .fan_passes = 3})}),
+                  ".......#...  ...........  ...........  ...........  .......#...\n"
+                  ".......#...  ...........  ...........  .......#...  ......##...\n"
+                  "......##...  ......##...  ......##...  ......##...  .....####..\n"
+                  ".....####..  .....###...  .....###...  .....####..  .....####..\n"
+                  "....#####..  ....####...  ....####...  ....#####..  ....#####..\n"
+                  "....#####..  ....#####..  ....#####..  ....#####..  ...#######.\n"
+                  "...#######.  ...######..  ...######..  ...#######.  ..########.\n"
+                  "..########.  ..#######..  ..#######..  ..########.  ..#########\n"
+                  ".##########  .#########.  .#########.  ...........  .##########\n"
+                  "...........  ...........  ...........  ...........  ...........\n");
+
+        Counter box, halves, fan;
+        draw_as_planned(first_triangle({.scalar = scalar, .fill = Fill::barycentric}), box);
         EXPECT_EQ(box.samples, 90u);
-        EXPECT_EQ(count({.fill = Fill::barycentric, .sample = Sample::center}).first, 36u);
-        EXPECT_EQ(count({.fill = Fill::top_left}).first, 36u);
-        EXPECT_EQ(count({.fill = Fill::top_left, .sample = Sample::integer}).first, 32u);
-        const auto [halves, half_steps] = count({.fill = Fill::two_halves});
-        EXPECT_EQ(halves, 49u);
-        EXPECT_EQ(half_steps.upper_halves, (std::vector{false, true})) << "lower, then upper";
-        const auto [fan, fan_steps] = count({.fill = Fill::fan, .fan_passes = 3});
-        EXPECT_EQ(fan, 50u);
-        EXPECT_EQ(fan_steps.pixels, 242u);
+        EXPECT_EQ(picture_of(draw_as_planned(
+                      first_triangle({.scalar = scalar, .fill = Fill::two_halves}), halves)),
+                  textbook_picture);
+        EXPECT_EQ(halves.upper_halves, (std::vector{false, true})) << "lower, then upper";
+        draw_as_planned(first_triangle({.scalar = scalar, .fill = Fill::fan, .fan_passes = 3}),
+                        fan);
+        EXPECT_EQ(fan.pixels, 242u);
     }
 }
 
-/// How many pixels of the closed triangle, as the barycentric fill draws it, a fan misses.
-std::size_t holes(const std::vector<std::string>& coordinates, int passes) {
-    const Canvas canvas{.width = 512, .height = 512, .origin = Origin::top_left};
-    const Image closed = draw_as_planned(triangle_scene(
-        coordinates, canvas, {.scalar = ScalarKind::exact, .fill = Fill::barycentric}));
-    const Image fan = draw_as_planned(
-        triangle_scene(coordinates, canvas,
-                       {.scalar = ScalarKind::exact, .fill = Fill::fan, .fan_passes = passes}));
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < closed.colors().size(); ++i)
-        count += closed.colors()[i] != no_color && fan.colors()[i] == no_color ? 1 : 0;
-    return count;
+/// A triangle as a fan draws it; `o` marks a hole: a pixel of the closed triangle, as the barycentric
+/// fill draws it, that the fan misses.
+std::string fan_with_holes(const std::vector<std::string>& coordinates, int passes, Canvas canvas) {
+    const auto picture = [&](Method method) {
+        return picture_of(draw_as_planned(triangle_scene(coordinates, canvas, method)));
+    };
+    const std::string closed = picture({.scalar = ScalarKind::exact, .fill = Fill::barycentric});
+    std::string fan =
+        picture({.scalar = ScalarKind::exact, .fill = Fill::fan, .fan_passes = passes});
+    for (std::size_t i = 0; i < fan.size(); ++i)
+        if (closed[i] == '#' && fan[i] == '.')
+            fan[i] = 'o';
+    return fan;
 }
 
 TEST(Fan, HasTheHolesOfTheText) {
     // Three calls, one per edge: AB to C, CA to B, BC to A (sources.md, T4).
-    EXPECT_EQ(holes({"100", "100", "400", "150", "250", "400"}, 1), 256u);
-    EXPECT_EQ(holes({"250", "400", "100", "100", "400", "150"}, 1), 2789u);
-    EXPECT_EQ(holes({"400", "150", "250", "400", "100", "100"}, 1), 4341u);
-    EXPECT_EQ(holes({"100", "100", "400", "150", "250", "400"}, 3), 0u);
+    const auto holes = [](const std::vector<std::string>& coordinates, int passes) {
+        const std::string fan = fan_with_holes(
+            coordinates, passes, {.width = 512, .height = 512, .origin = Origin::top_left});
+        return std::count(fan.begin(), fan.end(), 'o');
+    };
+    EXPECT_EQ(holes({"100", "100", "400", "150", "250", "400"}, 1), 256);
+    EXPECT_EQ(holes({"250", "400", "100", "100", "400", "150"}, 1), 2789);
+    EXPECT_EQ(holes({"400", "150", "250", "400", "100", "100"}, 1), 4341);
+    EXPECT_EQ(holes({"100", "100", "400", "150", "250", "400"}, 3), 0);
 
-    // The worked triangle, moved by (8, 6) onto this canvas.
-    EXPECT_EQ(holes({"10", "11", "4", "3", "13", "3"}, 1), 2u);
-    EXPECT_EQ(holes({"13", "3", "10", "11", "4", "3"}, 1), 3u);
-    EXPECT_EQ(holes({"4", "3", "13", "3", "10", "11"}, 1), 0u);
-    EXPECT_EQ(holes({"10", "11", "4", "3", "13", "3"}, 3), 0u);
+    // The worked triangle: 2, 3 and 0 holes, and none in all three together; those draw 7 pixels that
+    // the closed triangle does not have.
+    const auto first = [](const std::vector<std::string>& coordinates, int passes) {
+        return fan_with_holes(coordinates, passes, small_first_triangle().canvas);
+    };
+    EXPECT_EQ(side_by_side({first({"2", "5", "-4", "-3", "5", "-3"}, 1),
+                            first({"5", "-3", "2", "5", "-4", "-3"}, 1),
+                            first({"-4", "-3", "5", "-3", "2", "5"}, 1),
+                            first({"2", "5", "-4", "-3", "5", "-3"}, 3)}),
+              ".......#...  .......#...  .......#...  .......#...\n"
+              "......##...  ......##...  ......##...  ......##...\n"
+              ".....#o##..  .....##o#..  .....####..  .....####..\n"
+              ".....####..  .....#o##..  .....####..  .....####..\n"
+              "....#o###..  ....#o###..  ....#####..  ....#####..\n"
+              "...#######.  ...#######.  ...#######.  ...#######.\n"
+              "..########.  ..########.  ..########.  ..########.\n"
+              "..#########  ..#########  ..#########  ..#########\n"
+              ".##########  .##########  .##########  .##########\n"
+              "...........  ...........  ...........  ...........\n");
 }
 
 // ---- Edge functions on centers (numerics.md, C) -------------------------------------------------
@@ -229,12 +264,30 @@ TEST(TopLeft, SliversAndTinyTriangles) {
                               ScalarKind::double_precision),
               4096u)
         << "C10";
-    // C13, C14: snapping to 1/256 moves a diagonal off the centers, and a tiny triangle to a point.
-    EXPECT_EQ(top_left_pixels({"0", "0", "8", "0", "0", "8193/1024"}, ScalarKind::exact), 36u);
-    EXPECT_EQ(top_left_pixels({"0", "0", "8", "0", "0", "8193/1024"}, ScalarKind::fixed), 28u);
-    const std::vector<std::string> tiny{"1/2", "1/2", "513/1024", "1/2", "1/2", "513/1024"};
-    EXPECT_EQ(top_left_pixels(tiny, ScalarKind::exact), 1u);
-    EXPECT_EQ(top_left_pixels(tiny, ScalarKind::fixed), 0u);
+}
+
+TEST(TopLeft, SnappingMovesADiagonalAndLeavesNothingOfATinyTriangle) {
+    // C13 and C14, exact and snapped to 1/256: the diagonal moves from just beyond the centers onto
+    // them, where it is a right edge; the tiny triangle becomes a point.
+    const auto pictures = [](const std::vector<std::string>& coordinates, int size) {
+        const auto picture = [&](ScalarKind scalar) {
+            return picture_of(draw_as_planned(triangle_scene(
+                coordinates, {.width = size, .height = size, .origin = Origin::top_left},
+                {.scalar = scalar, .fill = Fill::top_left})));
+        };
+        return side_by_side({picture(ScalarKind::exact), picture(ScalarKind::fixed)});
+    };
+    EXPECT_EQ(pictures({"0", "0", "8", "0", "0", "8193/1024"}, 9), "########.  #######..\n"
+                                                                   "#######..  ######...\n"
+                                                                   "######...  #####....\n"
+                                                                   "#####....  ####.....\n"
+                                                                   "####.....  ###......\n"
+                                                                   "###......  ##.......\n"
+                                                                   "##.......  #........\n"
+                                                                   "#........  .........\n"
+                                                                   ".........  .........\n");
+    EXPECT_EQ(pictures({"1/2", "1/2", "513/1024", "1/2", "1/2", "513/1024"}, 2), "#.  ..\n"
+                                                                                 "..  ..\n");
 }
 
 TEST(TopLeft, CenterExactlyOnAnEdge) {
@@ -247,31 +300,46 @@ TEST(TopLeft, CenterExactlyOnAnEdge) {
 }
 
 TEST(TopLeft, HubOfAFanHasOneOwner) {
-    // C1: six triangles round (20.5, 20.5): 91 77 91 77 91 77 pixels, 504 together, none twice.
-    const std::vector<std::pair<std::string, std::string>> ring{{"34.5", "20.5"}, {"27.5", "32.5"},
-                                                                {"13.5", "32.5"}, {"6.5", "20.5"},
-                                                                {"13.5", "8.5"},  {"27.5", "8.5"}};
+    // C1: six triangles round (20.5, 20.5), here round (14.5, 12.5). The hub is the center of a pixel,
+    // which the first triangle has alone. 91 77 91 77 91 77 pixels, 504 together, none twice.
+    const std::string picture = ".......55555555555555........\n"
+                                ".......455555555555556.......\n"
+                                "......44455555555555666......\n"
+                                "......44455555555555666......\n"
+                                ".....4444455555555566666.....\n"
+                                ".....4444455555555566666.....\n"
+                                "....444444455555556666666....\n"
+                                "...44444444455555666666666...\n"
+                                "...44444444455555666666666...\n"
+                                "..4444444444455566666666666..\n"
+                                "..4444444444455566666666666..\n"
+                                ".444444444444456666666666666.\n"
+                                "3333333333333311111111111111.\n"
+                                ".333333333333321111111111111.\n"
+                                "..3333333333322211111111111..\n"
+                                "..3333333333322211111111111..\n"
+                                "...33333333322222111111111...\n"
+                                "...33333333322222111111111...\n"
+                                "....333333322222221111111....\n"
+                                ".....3333322222222211111.....\n"
+                                ".....3333322222222211111.....\n"
+                                "......33322222222222111......\n"
+                                "......33322222222222111......\n"
+                                ".......322222222222221.......\n"
+                                ".............................\n";
+    const Canvas canvas{.width = 29, .height = 25, .origin = Origin::top_left};
     for (const ScalarKind scalar : every_scalar) {
-        std::vector<std::size_t> counts;
-        std::map<std::size_t, int> owners;
-        for (std::size_t i = 0; i < 6; ++i) {
-            const auto& [x1, y1] = ring[i];
-            const auto& [x2, y2] = ring[(i + 1) % 6];
-            const Image image = draw_as_planned(
-                triangle_scene({"20.5", "20.5", x1, y1, x2, y2},
-                               {.width = 64, .height = 64, .origin = Origin::top_left},
-                               {.scalar = scalar, .fill = Fill::top_left}));
-            counts.push_back(image.drawn());
-            for (std::size_t k = 0; k < image.colors().size(); ++k)
-                owners[k] += image.colors()[k] != no_color ? 1 : 0;
-        }
-        std::size_t all = 0;
-        for (const auto& [pixel, count] : owners) {
-            EXPECT_LE(count, 1);
-            all += static_cast<std::size_t>(count);
-        }
-        EXPECT_EQ(counts, (std::vector<std::size_t>{91, 77, 91, 77, 91, 77}));
-        EXPECT_EQ(all, 504u);
+        const Plots plots =
+            plots_in(lettered_triangles({{'1', {"14.5", "12.5", "28.5", "12.5", "21.5", "24.5"}},
+                                         {'2', {"14.5", "12.5", "21.5", "24.5", "7.5", "24.5"}},
+                                         {'3', {"14.5", "12.5", "7.5", "24.5", "0.5", "12.5"}},
+                                         {'4', {"14.5", "12.5", "0.5", "12.5", "7.5", "0.5"}},
+                                         {'5', {"14.5", "12.5", "7.5", "0.5", "21.5", "0.5"}},
+                                         {'6', {"14.5", "12.5", "21.5", "0.5", "28.5", "12.5"}}},
+                                        canvas, {.scalar = scalar, .fill = Fill::top_left}));
+        EXPECT_EQ(plots.owners, picture);
+        EXPECT_EQ(std::count(plots.counts.begin(), plots.counts.end(), '1'), 504) << "once each:\n"
+                                                                                  << plots.counts;
     }
 }
 
@@ -294,19 +362,13 @@ std::string twelfths(int value) {
     return std::to_string(value) + "/12";
 }
 
-std::vector<std::string> any_triangle() {
-    std::vector<std::string> coordinates;
-    for (int i = 0; i < 6; ++i)
-        coordinates.push_back(twelfths(*rc::gen::inRange(-130, 131)));
-    return coordinates;
-}
-
 RC_GTEST_PROP(Fills, VertexOrderMakesNoDifference, ()) {
     const Method method{.scalar = *rc::gen::element(ScalarKind::double_precision, ScalarKind::fixed,
                                                     ScalarKind::exact),
                         .fill = *rc::gen::element(Fill::two_halves, Fill::top_left),
                         .sample = *rc::gen::element(Sample::integer, Sample::center)};
-    Scene scene = triangle_scene(any_triangle(), {.width = 20, .height = 20}, method);
+    Scene scene = triangle_scene(any_triangle(130, 12), {.width = 20, .height = 20}, method);
+    log_scene(scene);
     const std::string picture = picture_of(draw_as_planned(scene));
     auto& order = scene.primitives[0].vertices;
     while (std::next_permutation(order.begin(), order.end()))
@@ -319,7 +381,8 @@ RC_GTEST_PROP(Fills, TwoHalvesAreTheScanlineFillWhenExact, ()) {
                                                 Rounding::truncate, Rounding::inside),
                   .ties = *rc::gen::element(Ties::start, Ties::up, Ties::away, Ties::even),
                   .lerp = *rc::gen::element(LerpForm::direct, LerpForm::incremental)};
-    Scene scene = triangle_scene(any_triangle(), {.width = 20, .height = 20}, method);
+    Scene scene = triangle_scene(any_triangle(130, 12), {.width = 20, .height = 20}, method);
+    log_scene(scene);
     const std::string picture = picture_of(draw_as_planned(scene));
     scene.method.fill = Fill::two_halves;
     RC_ASSERT(picture_of(draw_as_planned(scene)) == picture);
@@ -346,7 +409,8 @@ RC_GTEST_PROP(Fills, CoverTheClosedOrTheOpenTriangle, ()) {
     Method method{.scalar = ScalarKind::exact,
                   .fill = *rc::gen::element(Fill::barycentric, Fill::top_left),
                   .sample = *rc::gen::element(Sample::integer, Sample::center)};
-    const Scene scene = triangle_scene(any_triangle(), {.width = 20, .height = 20}, method);
+    const Scene scene = triangle_scene(any_triangle(130, 12), {.width = 20, .height = 20}, method);
+    log_scene(scene);
     const mpq_class offset = method.sample == Sample::center ? mpq_class(1, 2) : mpq_class(0);
     const Image image = draw_as_planned(scene);
     RC_PRE(!(signs_at(scene, 0, 0).on_edge && signs_at(scene, 1, 7).on_edge &&
@@ -399,6 +463,7 @@ RC_GTEST_PROP(TopLeft, EachSampleOfAMeshHasExactlyOneOwner, ()) {
                 add(a, d, c);
             }
         }
+    log_scene(scene);
     Counter counter;
     const Image image = draw_as_planned(scene, counter);
     RC_ASSERT(image.drawn() == 27u * 27u);
@@ -506,6 +571,7 @@ RC_GTEST_PROP(Fills, NeverLetAFractionOverflow, ()) {
     scene.primitives = {{.kind = *rc::gen::element(PrimitiveKind::triangle, PrimitiveKind::outline),
                          .name = "ABC",
                          .vertices = {0, 1, 2}}};
+    log_scene(scene);
     RC_TAG(static_cast<int>(plan_for(scene).number));
     RC_ASSERT(draw_as_planned(scene).colors() == draw_with(NumberType::rational, scene).colors());
 }

@@ -2,6 +2,7 @@
 // Hidden surfaces and light: T0's and T1's numbers, numerics.md part Z, and an exact reference.
 
 #include "picture.h"
+#include "random_triangle.h"
 
 #include <rastertrace/core/face.h>
 
@@ -85,37 +86,9 @@ struct FaceSink {
     }
 };
 
-/// T0's cube, +-1 moved by (0, 0, 4), as twelve triangles; AED as the text names it, wound inward.
-Scene cube(const std::vector<std::string>& faces) {
-    Scene scene;
-    scene.canvas = {.width = 10, .height = 10};
-    scene.projection = {.type = ProjectionType::pinhole, .distance = 1};
-    scene.viewport = {.type = ViewportType::pixels_per_unit, .pixels_per_unit = 10};
-    scene.objects = {{"", 8, {Translate{{0, 0, 4}}}}};
-    scene.method = {.scalar = ScalarKind::exact, .cull = Cull::back};
-    for (const auto& [name, x, y, z] :
-         std::vector<std::tuple<std::string, int, int, int>>{{"A", -1, 1, -1},
-                                                             {"B", 1, 1, -1},
-                                                             {"C", 1, -1, -1},
-                                                             {"D", -1, -1, -1},
-                                                             {"E", -1, 1, 1},
-                                                             {"F", 1, 1, 1},
-                                                             {"G", 1, -1, 1},
-                                                             {"H", -1, -1, 1}})
-        scene.vertices.push_back({name, x, y, {}, z});
-    for (const std::string& face : faces) {
-        ScenePrimitive primitive{
-            .kind = PrimitiveKind::triangle, .name = face, .vertices = {}, .color = {}};
-        for (std::size_t i = 0; i < 3; ++i)
-            primitive.vertices[i] = static_cast<std::size_t>(face[i] - 'A');
-        scene.primitives.push_back(primitive);
-    }
-    return scene;
-}
-
 TEST(Culling, TableOfT0sCube) {
-    const Scene scene =
-        cube({"ABC", "ACD", "EHG", "EGF", "ADE", "DHE", "BFG", "BGC", "AEF", "AFB", "DCG", "DGH"});
+    const Scene scene = cube_of_t0(
+        {"ABC", "ACD", "EHG", "EGF", "ADE", "DHE", "BFG", "BGC", "AEF", "AFB", "DCG", "DGH"});
     FaceSink sink;
     draw_as_planned(scene, sink);
     ASSERT_EQ(sink.faces.size(), 12u);
@@ -133,6 +106,17 @@ TEST(Culling, TableOfT0sCube) {
         }
     }
     EXPECT_EQ(drawn, 2u);
+    // The front, from -10/3 to 10/3: of its two halves the first one named keeps the diagonal.
+    EXPECT_EQ(plots_in(cube_of_t0({"ABC", "CDA", "EHG", "EGF"})).owners, "..........\n"
+                                                                         "..........\n"
+                                                                         ".CAAAAAAA.\n"
+                                                                         ".CCAAAAAA.\n"
+                                                                         ".CCCAAAAA.\n"
+                                                                         ".CCCCAAAA.\n"
+                                                                         ".CCCCCAAA.\n"
+                                                                         ".CCCCCCAA.\n"
+                                                                         ".CCCCCCCA.\n"
+                                                                         "..........\n");
     const auto& front = sink.faces.at("ABC");
     EXPECT_EQ(std::tuple(front.normal.x, front.normal.y, front.normal.z),
               std::tuple(Rational(0), Rational(0), Rational(-4)));
@@ -147,7 +131,7 @@ TEST(Culling, TableOfT0sCube) {
 
 TEST(Culling, TheTextsAedIsWoundInwardAndSurvives) {
     FaceSink sink;
-    draw_as_planned(cube({"AED", "ADE"}), sink);
+    draw_as_planned(cube_of_t0({"AED", "ADE"}), sink);
     EXPECT_EQ(sink.faces.at("AED").dot, 4);
     EXPECT_FALSE(sink.faces.at("AED").is_culled);
     EXPECT_EQ(sink.faces.at("ADE").dot, -4);
@@ -290,48 +274,100 @@ TEST(Depth, MidpointOfCgfs) {
 }
 
 TEST(Depth, SteepTriangleOfZ2) {
-    const std::vector<Face3> faces{{"T1", {{{0, 0, 1}, {64, 0, 9}, {0, 64, 1}}}, red},
-                                   {"T2", {{{0, 0, 4}, {64, 0, 4}, {0, 64, 4}}}, blue}};
+    // 1, from z = 1 to z = 9, and 2 at z = 4 all over, meet at 3/4 of 9/8 of the side, or by linear z at
+    // 3/8 of it.
+    const auto scene = [](int side, ScalarKind scalar, Depth depth) {
+        return scene_of({{"1", {{{0, 0, 1}, {side, 0, 9}, {0, side, 1}}}, red},
+                         {"2", {{{0, 0, 4}, {side, 0, 4}, {0, side, 4}}}, blue}},
+                        {.scalar = scalar, .fill = Fill::top_left, .depth = depth}, side);
+    };
     for (const ScalarKind scalar : {ScalarKind::exact, ScalarKind::double_precision,
                                     ScalarKind::fixed, ScalarKind::single_precision}) {
-        Method method{.scalar = scalar, .fill = Fill::top_left, .depth = Depth::inverse_z};
-        const Image right = draw_as_planned(scene_of(faces, method));
+        EXPECT_EQ(side_by_side({plots_in(scene(18, scalar, Depth::inverse_z)).owners,
+                                plots_in(scene(18, scalar, Depth::linear_z)).owners}),
+                  "11111111111111122.  11111112222222222.\n"
+                  "1111111111111112..  1111111222222222..\n"
+                  "111111111111111...  111111122222222...\n"
+                  "11111111111111....  11111112222222....\n"
+                  "1111111111111.....  1111111222222.....\n"
+                  "111111111111......  111111122222......\n"
+                  "11111111111.......  11111112222.......\n"
+                  "1111111111........  1111111222........\n"
+                  "111111111.........  111111122.........\n"
+                  "11111111..........  11111112..........\n"
+                  "1111111...........  1111111...........\n"
+                  "111111............  111111............\n"
+                  "11111.............  11111.............\n"
+                  "1111..............  1111..............\n"
+                  "111...............  111...............\n"
+                  "11................  11................\n"
+                  "1.................  1.................\n"
+                  "..................  ..................\n");
+        const Image right = draw_as_planned(scene(64, scalar, Depth::inverse_z));
         EXPECT_EQ(right.drawn(), 2016u);
         EXPECT_EQ(count_of(right, red), 1971u);
-        method.depth = Depth::linear_z;
-        EXPECT_EQ(count_of(draw_as_planned(scene_of(faces, method)), red), 1236u);
+        EXPECT_EQ(count_of(draw_as_planned(scene(64, scalar, Depth::linear_z)), red), 1236u);
     }
 }
 
 TEST(Depth, EqualLayersOfZ7KeepTheFirst) {
-    std::vector<Face3> faces;
-    for (int i = 0; i < 100; ++i)
-        faces.push_back({"layer" + std::to_string(i),
-                         {{{0, 0, 5}, {8, 0, 5}, {0, 8, 5}}},
-                         i == 0 ? red : blue});
+    std::vector<Face3> faces{{"first", {{{0, 0, 5}, {8, 0, 5}, {0, 8, 5}}}, red}};
+    for (int i = 1; i < 100; ++i)
+        faces.push_back({"later" + std::to_string(i), faces.front().corners, blue});
+    // 28 pixels by the top-left rule, 45 with all edges.
+    const std::string half_open = "fffffff...\n"
+                                  "ffffff....\n"
+                                  "fffff.....\n"
+                                  "ffff......\n"
+                                  "fff.......\n"
+                                  "ff........\n"
+                                  "f.........\n"
+                                  "..........\n"
+                                  "..........\n"
+                                  "..........\n";
+    const std::string closed = "fffffffff.\n"
+                               "ffffffff..\n"
+                               "fffffff...\n"
+                               "ffffff....\n"
+                               "fffff.....\n"
+                               "ffff......\n"
+                               "fff.......\n"
+                               "ff........\n"
+                               "f.........\n"
+                               "..........\n";
     for (const Fill fill : {Fill::top_left, Fill::barycentric, Fill::scanline, Fill::two_halves}) {
+        const Scene scene = scene_of(faces, {.fill = fill, .depth = Depth::inverse_z}, 10);
+        EXPECT_EQ(plots_in(scene).owners, fill == Fill::top_left ? half_open : closed);
         DepthSink<double> sink;
-        const Image image =
-            draw_as_planned(scene_of(faces, {.fill = fill, .depth = Depth::inverse_z}, 16), sink);
-        EXPECT_EQ(count_of(image, red), image.drawn());
+        const Image image = draw_as_planned(scene, sink);
         EXPECT_EQ(sink.passes, image.drawn());
         EXPECT_EQ(sink.tests, 100 * image.drawn());
-        if (fill == Fill::top_left) {
-            EXPECT_EQ(image.drawn(), 28u);
-        }
     }
 }
 
 TEST(Depth, CrossingOnCentersOfZ9) {
+    // Two planes that cross on a column of centers, which the first one drawn keeps.
     const Number half = Number::decimal(5, -1);
-    const Number far_end = Number::decimal(645, -1);
-    const Face3 t1{"T1", {{{half, half, 1}, {far_end, half, 3}, {half, far_end, 1}}}, red};
-    const Face3 t2{"T2", {{{half, half, 3}, {far_end, half, 1}, {half, far_end, 3}}}, blue};
-    const auto red_of = [](const std::vector<Face3>& faces) {
-        return count_of(draw_as_planned(scene_of(faces, exact_method(Depth::linear_z), 65)), red);
+    const auto scene = [&half](const std::string& order, int side) {
+        const Number end = Number::decimal(10 * side - 5, -1);
+        std::vector<Face3> faces{{"1", {{{half, half, 1}, {end, half, 3}, {half, end, 1}}}, red},
+                                 {"2", {{{half, half, 3}, {end, half, 1}, {half, end, 3}}}, blue}};
+        if (order == "21")
+            std::swap(faces[0], faces[1]);
+        return scene_of(faces, exact_method(Depth::linear_z), side);
     };
-    EXPECT_EQ(red_of({t1, t2}), 1584u) << "32 ties, which the first one keeps";
-    EXPECT_EQ(red_of({t2, t1}), 1552u);
+    EXPECT_EQ(side_by_side({plots_in(scene("12", 9)).owners, plots_in(scene("21", 9)).owners}),
+              "11111222.  11112222.\n"
+              "1111122..  1111222..\n"
+              "111112...  111122...\n"
+              "11111....  11112....\n"
+              "1111.....  1111.....\n"
+              "111......  111......\n"
+              "11.......  11.......\n"
+              "1........  1........\n"
+              ".........  .........\n");
+    EXPECT_EQ(count_of(draw_as_planned(scene("12", 65)), red), 1584u) << "with the 32 ties";
+    EXPECT_EQ(count_of(draw_as_planned(scene("21", 65)), red), 1552u);
 }
 
 TEST(Depth, NothingIsNearerThanTheFarEnd) {
@@ -360,14 +396,45 @@ TEST(Depth, ZeroOrLessIsRefusedForInverseZ) {
 // The painter.
 
 TEST(Painter, CycleOfZ10HasNoRightOrder) {
-    const std::vector<Face3> faces{{"A", {{{4, 28, 2}, {60, 24, 6}, {60, 34, 6}}}, red},
-                                   {"B", {{{28, 60, 2}, {26, 4, 6}, {36, 4, 6}}}, green},
-                                   {"C", {{{58, 6, 2}, {10, 60, 6}, {4, 52, 6}}}, blue}};
-    const Image right = draw_as_planned(scene_of(faces, exact_method(Depth::inverse_z)));
+    const auto faces = [](int part) {
+        const auto at = [part](int x, int y, int z) {
+            return std::array<Number, 3>{Number::fraction(Rational(x) / part),
+                                         Number::fraction(Rational(y) / part), z};
+        };
+        return std::vector<Face3>{{"A", {{at(4, 28, 2), at(60, 24, 6), at(60, 34, 6)}}, red},
+                                  {"B", {{at(28, 60, 2), at(26, 4, 6), at(36, 4, 6)}}, green},
+                                  {"C", {{at(58, 6, 2), at(10, 60, 6), at(4, 52, 6)}}, blue}};
+    };
+    const Image right = draw_as_planned(scene_of(faces(1), exact_method(Depth::inverse_z)));
     EXPECT_EQ(right.drawn(), 817u);
+
+    // A quarter of its size: the head of A lies on B, that of B on C, that of C on A; drawn as ABC, C
+    // lies on both.
+    const auto small = [&faces](Depth depth) {
+        return plots_in(scene_of(faces(4), exact_method(depth), 16)).owners;
+    };
+    EXPECT_EQ(side_by_side({small(Depth::inverse_z), small(Depth::none)}),
+              "................  ................\n"
+              ".......BB.......  .......BB.......\n"
+              ".......BB....C..  .......BB....C..\n"
+              ".......BB...C...  .......BB...C...\n"
+              ".......B...C....  .......B...C....\n"
+              ".......B..C.....  .......B..C.....\n"
+              ".......BACAAAAA.  .......BACAAAAA.\n"
+              "......AACAAAAAA.  ......ACCAAAAAA.\n"
+              "......CB........  ......CC........\n"
+              ".....CCB........  .....CCB........\n"
+              "....CC.B........  ....CC.B........\n"
+              "...CCC..........  ...CCC..........\n"
+              "..CCC...........  ..CCC...........\n"
+              ".CCC............  .CCC............\n"
+              "..C.............  ..C.............\n"
+              "................  ................\n");
+
     std::array<std::size_t, 3> order{0, 1, 2};
     do {
-        const std::vector<Face3> ordered{faces[order[0]], faces[order[1]], faces[order[2]]};
+        const std::vector<Face3> ordered{faces(1)[order[0]], faces(1)[order[1]],
+                                         faces(1)[order[2]]};
         EXPECT_EQ(draw_as_planned(scene_of(ordered, exact_method(Depth::inverse_z))).colors(),
                   right.colors());
         EXPECT_NE(draw_as_planned(scene_of(ordered, exact_method(Depth::none))).colors(),
@@ -403,7 +470,7 @@ TEST(Painter, NoKeyIsRightForZ11) {
 std::vector<Face3> random_faces(std::size_t count) {
     std::vector<Face3> faces;
     for (std::size_t i = 0; i < count; ++i) {
-        Face3 face{"T" + std::to_string(i), {}, color_of_face(i)};
+        Face3 face{{static_cast<char>('A' + i)}, {}, color_of_face(i)};
         for (auto& corner : face.corners) {
             const int z = *rc::gen::inRange(1, 12);
             corner = {*rc::gen::inRange(-8, 9) * z, *rc::gen::inRange(-8, 9) * z, z};
@@ -422,13 +489,13 @@ Scene seen_by_pinhole(const std::vector<Face3>& faces, Method method) {
     return scene;
 }
 
-/// The color of the face that a ray through a pixel's integer point meets first, in closed
+/// The letter of the face that a ray through a pixel's integer point meets first, in closed
 /// triangles; of equals the first. Worked out in space: no projection, no interpolation.
-Color nearest_along_ray(const std::vector<Face3>& faces, int x, int y) {
+char nearest_along_ray(const std::vector<Face3>& faces, int x, int y) {
     using V = Vec<Rational, 3>;
     const V ray{Rational(x), Rational(y), Rational(1)};
     std::optional<Rational> nearest;
-    Color color = no_color;
+    char letter = '.';
     for (const Face3& face : faces) {
         const V a = exact(face.corners[0]);
         const V b = exact(face.corners[1]);
@@ -444,21 +511,23 @@ Color nearest_along_ray(const std::vector<Face3>& faces, int x, int y) {
         const bool is_inside = sides[0] >= 0 && sides[1] >= 0 && sides[2] >= 0;
         if (is_inside && (!nearest || z < *nearest)) {
             nearest = z;
-            color = face.color;
+            letter = face.name.front();
         }
     }
-    return color;
+    return letter;
 }
 
 // Every pixel of every picture, for the depths that are linear on the screen.
 RC_GTEST_PROP(Depth, FindsTheFaceThatARayMeetsFirst, ()) {
     const auto faces = random_faces(4);
+    std::string by_rays;
+    for (int y = 8; y >= -8; --y, by_rays += '\n')
+        for (int x = -8; x <= 8; ++x)
+            by_rays += nearest_along_ray(faces, x, y);
     for (const Depth depth : {Depth::inverse_z, Depth::ndc_z}) {
-        const Image image =
-            draw_as_planned(seen_by_pinhole(faces, exact_method(depth, Fill::barycentric)));
-        for (int y = -8; y <= 8; ++y)
-            for (int x = -8; x <= 8; ++x)
-                RC_ASSERT(image.at({x, y}) == nearest_along_ray(faces, x, y));
+        const Scene scene = seen_by_pinhole(faces, exact_method(depth, Fill::barycentric));
+        log_scene(scene);
+        RC_ASSERT(plots_in(scene).owners == by_rays);
     }
 }
 
@@ -472,6 +541,7 @@ RC_GTEST_PROP(Depth, RowsAndWeightsAgree, ()) {
         DepthSink<Rational> sink;
         Scene scene = seen_by_pinhole(faces, method);
         scene.keep.add(Stage::depth);
+        log_scene(scene);
         draw_as_planned(scene, sink);
         return sink.depths;
     };
@@ -494,7 +564,9 @@ RC_GTEST_PROP(Depth, OrderDoesNotMatterWithoutTies, ()) {
     auto faces = random_faces(4);
     const Method method = exact_method(Depth::inverse_z);
     TieSink ties;
-    const Image image = draw_as_planned(seen_by_pinhole(faces, method), ties);
+    const Scene scene = seen_by_pinhole(faces, method);
+    log_scene(scene);
+    const Image image = draw_as_planned(scene, ties);
     RC_PRE(!ties.has_tie);
     std::rotate(faces.begin(), faces.begin() + *rc::gen::inRange(1, 4), faces.end());
     std::swap(faces[0], faces[1]);
@@ -568,6 +640,7 @@ RC_GTEST_PROP(Shade, MixesWhatTheRayMeets, ()) {
         levels[i] = *rc::gen::inRange(0, 256);
         scene.vertices[i].color = Color{static_cast<std::uint8_t>(levels[i]), 0, 0};
     }
+    log_scene(scene);
     const Image image = draw_as_planned(scene);
 
     const V a = exact(face.corners[0]);

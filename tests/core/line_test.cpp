@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "picture.h"
+#include "random_triangle.h"
 
 #include <gtest/gtest.h>
 
@@ -64,11 +65,16 @@ LineRecorder line(const Scene& scene) {
     return recorder;
 }
 
+Scene line_scene(int x0, int y0, int x1, int y1, Method method = {},
+                 Canvas canvas = {.width = 41, .height = 41}) {
+    return line_scene(
+        {std::to_string(x0), std::to_string(y0), std::to_string(x1), std::to_string(y1)}, method,
+        canvas);
+}
+
 LineRecorder line(int x0, int y0, int x1, int y1, Method method = {},
                   Canvas canvas = {.width = 41, .height = 41}) {
-    return line(
-        line_scene({std::to_string(x0), std::to_string(y0), std::to_string(x1), std::to_string(y1)},
-                   method, canvas));
+    return line(line_scene(x0, y0, x1, y1, method, canvas));
 }
 
 // ---- The report's tables (sources.md, T2) -----------------------------------------------------
@@ -109,15 +115,37 @@ TEST(Bresenham, HasThePixelsAndDecisionsOfTheTables) {
               (std::vector<std::int64_t>{-4, 2, -12, -6}));
 }
 
+/// Lines by their letters, drawn in this order.
+Scene lettered_lines(const std::vector<std::pair<char, std::array<int, 4>>>& lines, Canvas canvas) {
+    Scene scene;
+    scene.canvas = canvas;
+    for (const auto& [letter, ends] : lines) {
+        const std::size_t first = scene.vertices.size();
+        scene.vertices.push_back({"", ends[0], ends[1]});
+        scene.vertices.push_back({"", ends[2], ends[3]});
+        scene.primitives.push_back(
+            {.kind = PrimitiveKind::line, .name = {letter}, .vertices = {first, first + 1}});
+    }
+    return scene;
+}
+
 TEST(Bresenham, NamesTheOctantsOfTheReport) {
-    EXPECT_EQ(line(0, 0, 5, 2).octant, 1);
-    EXPECT_EQ(line(0, 0, 2, 5).octant, 2);
-    EXPECT_EQ(line(0, 0, -2, 5).octant, 3);
-    EXPECT_EQ(line(0, 0, -5, 2).octant, 4);
-    EXPECT_EQ(line(0, 0, -5, -2).octant, 5);
-    EXPECT_EQ(line(0, 0, -2, -5).octant, 6);
-    EXPECT_EQ(line(0, 0, 2, -5).octant, 7);
-    EXPECT_EQ(line(0, 0, 5, -2).octant, 8);
+    const std::vector<std::pair<char, std::array<int, 4>>> star{
+        {'1', {0, 0, 5, 2}},   {'2', {0, 0, 2, 5}},   {'3', {0, 0, -2, 5}}, {'4', {0, 0, -5, 2}},
+        {'5', {0, 0, -5, -2}}, {'6', {0, 0, -2, -5}}, {'7', {0, 0, 2, -5}}, {'8', {0, 0, 5, -2}}};
+    for (const auto& [octant, ends] : star)
+        EXPECT_EQ(line(0, 0, ends[2], ends[3]).octant, octant - '0');
+    EXPECT_EQ(plots_in(lettered_lines(star, {.width = 11, .height = 11})).owners, "...3...2...\n"
+                                                                                  "...3...2...\n"
+                                                                                  "....3.2....\n"
+                                                                                  "44..3.2..11\n"
+                                                                                  "..44.3.11..\n"
+                                                                                  "....588....\n"
+                                                                                  "..55.7.88..\n"
+                                                                                  "55..6.7..88\n"
+                                                                                  "....6.7....\n"
+                                                                                  "...6...7...\n"
+                                                                                  "...6...7...\n");
     EXPECT_EQ(line(0, 0, 3, 3).octant, 1) << "the diagonal is x-major";
     EXPECT_EQ(line(0, 0, -3, 3).octant, 4);
 }
@@ -142,10 +170,23 @@ TEST(Bresenham, DiffersFromItsReverseAtTies) {
 
 TEST(Bresenham, SpecialLines) {
     EXPECT_EQ(line(3, 3, 3, 3).pixels, (Points{{3, 3}}));
-    EXPECT_EQ(line(4, 0, 4, 9).pixels.size(), 10u);
-    EXPECT_EQ(line(9, 4, 0, 4).pixels.size(), 10u);
-    EXPECT_EQ(line(0, 0, 3, 8).pixels.size(), 9u);
-    EXPECT_EQ(line(8, 3, 0, 0).pixels.size(), 9u);
+    // T2's errors: steep, to the left, vertical and horizontal. Where they meet the later one is seen.
+    EXPECT_EQ(plots_in(lettered_lines({{'s', {0, 0, 3, 8}},
+                                       {'l', {8, 3, 0, 0}},
+                                       {'v', {4, 0, 4, 9}},
+                                       {'h', {9, 4, 0, 4}}},
+                                      {.width = 10, .height = 10, .origin = Origin::bottom_left}))
+                  .owners,
+              "....v.....\n"
+              "...sv.....\n"
+              "...sv.....\n"
+              "..s.v.....\n"
+              "..s.v.....\n"
+              "hhhhhhhhhh\n"
+              ".s..v..ll.\n"
+              ".s..vll...\n"
+              "s.llv.....\n"
+              "ll..v.....\n");
     EXPECT_EQ(line(2, 1, 0, 0, {.from = LineStart::low}).pixels, line(0, 0, 2, 1).pixels);
     EXPECT_EQ(line(2, 9, 1, 0, {.from = LineStart::low}).pixels, line(1, 0, 2, 9).pixels);
 }
@@ -232,7 +273,9 @@ RC_GTEST_PROP(Bresenham, OnASmallCanvasIsACutOfTheWholeLine, ()) {
     Points expected;
     std::copy_if(whole.begin(), whole.end(), std::back_inserter(expected),
                  [&small](const auto& pixel) { return small.contains(pixel.first, pixel.second); });
-    const LineRecorder cut = line(x0, y0, x1, y1, method, small);
+    const Scene scene = line_scene(x0, y0, x1, y1, method, small);
+    log_scene(scene);
+    const LineRecorder cut = line(scene);
     RC_ASSERT(cut.pixels == expected);
     for (const PixelsRejected& run : cut.rejected) {
         RC_ASSERT(!small.contains(run.from_x, run.from_y));
@@ -248,9 +291,12 @@ RC_GTEST_PROP(NaiveAndDda, AreBresenhamWithItsTies, ()) {
     const int x0 = coordinate(), y0 = coordinate(), x1 = coordinate(), y1 = coordinate();
     const auto from = *rc::gen::element(LineStart::first, LineStart::low);
     const Points expected = line(x0, y0, x1, y1, {.from = from}).pixels;
-    for (const LineMethod method : {LineMethod::naive, LineMethod::dda})
-        RC_ASSERT(line(x0, y0, x1, y1, {.scalar = ScalarKind::exact, .line = method, .from = from})
-                      .pixels == expected);
+    for (const LineMethod method : {LineMethod::naive, LineMethod::dda}) {
+        const Scene scene =
+            line_scene(x0, y0, x1, y1, {.scalar = ScalarKind::exact, .line = method, .from = from});
+        log_scene(scene);
+        RC_ASSERT(line(scene).pixels == expected);
+    }
 }
 
 TEST(NaiveAndDda, SendTiesWhereTiesSays) {
@@ -366,20 +412,25 @@ TEST(Points, OffTheCanvasAreRejected) {
 }
 
 TEST(Outline, OfTheFirstTriangleHas28PlotsOn25Pixels) {
-    Scene scene = first_triangle();
+    // Left, how often the outline plots each pixel: its vertices twice. Right, with the fill drawn over
+    // it: four of its pixels lie outside.
+    Scene scene = small_first_triangle();
+    scene.primitives[0].name = "outline";
     scene.primitives[0].kind = PrimitiveKind::outline;
-    LineRecorder recorder;
-    const Image image = draw_as_planned(scene, recorder);
-    EXPECT_EQ(recorder.pixels.size(), 28u);
-    EXPECT_EQ(image.drawn(), 25u);
-
-    const Image filled = draw_as_planned(first_triangle());
-    Points outside;
-    for (const auto& [x, y] : recorder.pixels)
-        if (filled.at({x, y}) == no_color)
-            outside.emplace_back(x, y);
-    std::sort(outside.begin(), outside.end());
-    EXPECT_EQ(outside, (Points{{3, 3}, {4, 0}, {4, 1}, {5, -2}}));
+    Scene filled = scene;
+    filled.primitives.push_back(small_first_triangle().primitives[0]);
+    filled.primitives[1].name = "fill";
+    EXPECT_EQ(side_by_side({plots_in(scene).counts, plots_in(filled).owners}),
+              ".......2...  .......f...\n"
+              "......11...  ......ff...\n"
+              "......1.1..  .....fffo..\n"
+              ".....1..1..  ....fffff..\n"
+              "....1....1.  ....fffffo.\n"
+              "...1.....1.  ...ffffffo.\n"
+              "...1.....1.  ..ffffffff.\n"
+              "..1.......1  .fffffffffo\n"
+              ".2111111112  .ffffffffff\n"
+              "...........  ...........\n");
 }
 
 } // namespace

@@ -162,26 +162,10 @@ RC_GTEST_PROP(Pipeline, FitMeetsTheCornersOfEveryCanvas, ()) {
     RC_ASSERT(last.x == canvas.right() && last.y == canvas.bottom());
 }
 
-/// T0's cube, +-1 moved by (0, 0, 4), as its eight corners.
-Scene cube_of_t0() {
-    Scene scene = scene_of_points({{-1, 1, -1},
-                                   {1, 1, -1},
-                                   {1, -1, -1},
-                                   {-1, -1, -1},
-                                   {-1, 1, 1},
-                                   {1, 1, 1},
-                                   {1, -1, 1},
-                                   {-1, -1, 1}});
-    scene.canvas = {.width = 10, .height = 10};
-    scene.objects = {{"", 8, {Translate{{0, 0, 4}}}}};
-    scene.projection = {.type = ProjectionType::pinhole, .distance = 1};
-    scene.viewport = {.type = ViewportType::pixels_per_unit, .pixels_per_unit = 10};
-    return scene;
-}
-
 TEST(Pipeline, CubeOfT0ThroughThePinhole) {
     const auto q = [](const char* text) { return Rational(text); };
-    const auto placed = places_in<Rational>(cube_of_t0());
+    const std::vector<std::string> corners{"A", "B", "C", "D", "E", "F", "G", "H"};
+    const auto placed = places_in<Rational>(cube_of_t0(corners));
     const auto& a = placed.at("A", Space::canonical);
     EXPECT_EQ(std::pair(a[0], a[1]), std::pair(q("-1/3"), q("1/3")));
     const auto& e = placed.at("E", Space::canonical);
@@ -190,8 +174,8 @@ TEST(Pipeline, CubeOfT0ThroughThePinhole) {
     EXPECT_EQ(placed.at("E", Space::screen), (Rationals{-2, 2}));
 
     // The text's figures cut toward zero; its stated rule is the floor.
-    const auto snapped = [](Snap snap, const std::string& name) {
-        Scene scene = cube_of_t0();
+    const auto snapped = [&corners](Snap snap, const std::string& name) {
+        Scene scene = cube_of_t0(corners);
         scene.method.snap = snap;
         return places_in<Rational>(scene).snapped.at({name, Space::screen});
     };

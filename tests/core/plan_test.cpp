@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "picture.h"
+#include "random_triangle.h"
 
 #include <gtest/gtest.h>
 
@@ -40,14 +41,12 @@ RC_GTEST_PROP(Plan, NeverLetsAFractionOverflow, ()) {
     const int bits = *rc::gen::inRange(1, 62);
     const auto denominator = *rc::gen::inRange<std::int64_t>(1, 5000);
     const std::int64_t largest = std::int64_t{1} << bits;
-    std::vector<std::string> coordinates;
-    for (int i = 0; i < 6; ++i)
-        coordinates.push_back(std::to_string(*rc::gen::inRange<std::int64_t>(-largest, largest)) +
-                              "/" + std::to_string(denominator));
     const Method method{.scalar = ScalarKind::exact,
                         .rounding = *rc::gen::element(Rounding::floor, Rounding::nearest),
                         .lerp = *rc::gen::element(LerpForm::direct, LerpForm::incremental)};
-    const Scene scene = triangle_scene(coordinates, {.width = 32, .height = 32}, method);
+    const Scene scene =
+        triangle_scene(any_triangle(largest, denominator), {.width = 32, .height = 32}, method);
+    log_scene(scene);
     RC_TAG(static_cast<int>(plan_for(scene).number));
     RC_ASSERT(draw_as_planned(scene).colors() == draw_with(NumberType::rational, scene).colors());
 }

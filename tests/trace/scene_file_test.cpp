@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "edge_scenes.h"
 #include "picture.h"
-
-#include <rastertrace/trace/scene_file.h>
+#include "random_scene.h"
+#include "scene_text.h"
+#include "traces.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,12 +17,6 @@ namespace {
 std::string complaint(const std::string& text) {
     const auto scene = read_scene({"scene.json", text});
     return scene ? "no complaint" : to_text(scene.problem());
-}
-
-Scene scene_in(const std::string& text) {
-    const auto scene = read_scene({"folder/scene.json", text});
-    EXPECT_TRUE(scene) << to_text(scene.problem());
-    return scene.value().scene;
 }
 
 TEST(SceneFile, SmallestScene) {
@@ -194,11 +190,12 @@ TEST(SceneFile, ColorsThatAreNone) {
 }
 
 TEST(SceneFile, ValuesOfTheMethod) {
-    EXPECT_EQ(complaint(R"({"method": {"scalar": "exat"}})"),
-              "scene.json:1:23: expected one of float, double, fixed, adaptive, exact, found \"exat\"\n"
-              "{\"method\": {\"scalar\": \"exat\"}}\n"
-              "                      ^\n"
-              "hint: did you mean \"exact\"?");
+    EXPECT_EQ(
+        complaint(R"({"method": {"scalar": "exat"}})"),
+        "scene.json:1:23: expected one of float, double, fixed, adaptive, exact, found \"exat\"\n"
+        "{\"method\": {\"scalar\": \"exat\"}}\n"
+        "                      ^\n"
+        "hint: did you mean \"exact\"?");
 }
 
 /// A scene of one point on a canvas, and what else it says.
@@ -413,6 +410,29 @@ TEST(SceneFile, NestingIsRefusedByDepth) {
     EXPECT_EQ(text.substr(0, text.find('\n')),
               "scene.json:1:65: expected at most 64 arrays and objects in one another, found one "
               "more");
+}
+
+// What a test prints of a random scene that fails is that scene.
+TEST(SceneFile, OfASceneIsReadBackAsThatScene) {
+    const auto expect_same = [](const Scene& scene) {
+        const Scene back = scene_in(scene_text(scene));
+        EXPECT_EQ(scene_text(back), scene_text(scene));
+        EXPECT_TRUE(draw_as_planned(back).colors() == draw_as_planned(scene).colors())
+            << scene_text(scene);
+    };
+    EdgeScenes scenes(31);
+    int drawn = 0;
+    while (drawn < 300)
+        if (Scene scene = scenes.next(); !find_unfit(scene)) {
+            const ProjectionType type = scene.projection.type;
+            if (type == ProjectionType::pinhole || type == ProjectionType::view_plane)
+                scene.projection.far = {}; // which a file cannot say
+            expect_same(scene);
+            ++drawn;
+        }
+    for (std::uint64_t seed = 1; seed <= 300; ++seed)
+        if (const auto read = read_scene({"scene.json", RandomScene(seed).text()}))
+            expect_same(read.value().scene);
 }
 
 } // namespace

@@ -4,12 +4,10 @@
 
 #include "edge_scenes.h"
 #include "picture.h"
+#include "scene_text.h"
+#include "traces.h"
 
-#include <rastertrace/trace/output.h>
-#include <rastertrace/trace/scene_file.h>
 #include <rastertrace/trace/stage_name.h>
-#include <rastertrace/trace/trace.h>
-#include <rastertrace/trace/write_trace.h>
 
 #include <fmt/format.h>
 
@@ -33,13 +31,6 @@
 namespace rastertrace {
 namespace {
 
-Scene scene_in(const std::string& text) {
-    auto scene = read_scene({"scene.json", text});
-    if (!scene)
-        throw scene.problem();
-    return std::move(scene.value().scene);
-}
-
 bool runs(Stage stage, const Plan& plan, std::string_view plane = "") {
     for (const StageDecision& decision : plan.stages.decisions)
         if (decision.stage == stage && (plane.empty() || decision.plane == plane) &&
@@ -50,13 +41,6 @@ bool runs(Stage stage, const Plan& plan, std::string_view plane = "") {
 
 bool needs(Stage stage, const std::string& text, std::string_view plane = "") {
     return runs(stage, plan_for(scene_in(text)), plane);
-}
-
-Trace trace_of(const Scene& scene) {
-    Source source{.name = "trace", .text = {}};
-    StringOutput output(source.text);
-    write_trace(scene, {}, output);
-    return std::move(read_trace(std::move(source)).value());
 }
 
 /// Doubles may leave open what a stage asks that the other way leaves out: that is not compared.
@@ -188,7 +172,7 @@ TEST(Stages, LeavingThemOutChangesNothing) {
         ++drawn;
         for (const StageDecision& decision : plan_for(scene).stages.decisions)
             ++seen[{decision.stage, decision.is_kept}];
-        ASSERT_NO_FATAL_FAILURE(expect_same(scene, fmt::format("scene {}", drawn)));
+        ASSERT_NO_FATAL_FAILURE(expect_same(scene, scene_text(scene)));
     }
     // The scenes do sit on the edges: every stage is left out of many and kept in many.
     for (std::size_t i = 0; i < stage_count; ++i) {

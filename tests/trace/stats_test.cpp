@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "picture.h"
-
-#include <rastertrace/trace/stats.h>
-#include <rastertrace/trace/trace.h>
-#include <rastertrace/trace/write_trace.h>
+#include "random_triangle.h"
+#include "traces.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -25,27 +23,6 @@ namespace {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
-
-std::string trace_text(const Scene& scene, const StepFilter& filter = {}) {
-    std::string text;
-    StringOutput output(text);
-    write_trace(scene, {.layout = TraceLayout::json, .filter = filter}, output);
-    return text;
-}
-
-Stats stats_of_text(const std::string& text) {
-    const auto trace = read_trace({"trace.json", text});
-    if (!trace) {
-        ADD_FAILURE() << to_text(trace.problem());
-        return {};
-    }
-    return stats_of(trace.value());
-}
-
-/// What the trace of a scene amounts to.
-Stats stats_of_scene(const Scene& scene) {
-    return stats_of_text(trace_text(scene));
-}
 
 /// How many pixels of the closed triangle were not drawn.
 std::uint64_t missing(const Coverage& coverage) {
@@ -101,7 +78,7 @@ TEST(Stats, CountWritesAndOverdraw) {
 TEST(Stats, FindAnotherPictureThanTheEndRecordNames) {
     std::string text = trace_text(first_triangle());
     text.insert(text.find("\"frame\":\"") + 9, "0");
-    EXPECT_TRUE(stats_of_text(text).frame_differs);
+    EXPECT_TRUE(stats_of(readable_trace(text)).frame_differs);
 }
 
 TEST(Coverage, TheFloorRuleDrawsOutsideOnTheLeftAndMissesNothing) {
@@ -193,6 +170,7 @@ RC_GTEST_PROP(Coverage, AgreesWithEveryPixelTestedByItself, ()) {
     const auto fill = *rc::gen::element(Fill::fan, Fill::scanline, Fill::top_left);
     const Scene scene = triangle_scene(coordinates, {.width = 15, .height = 12, .origin = origin},
                                        {.scalar = ScalarKind::exact, .fill = fill});
+    log_scene(scene);
     std::array<std::array<mpq_class, 2>, 3> at;
     for (std::size_t i = 0; i < 6; ++i)
         at[i / 2][i % 2] = number(coordinates[i]).exact();
@@ -241,7 +219,7 @@ TEST(Coverage, IsOnlyOfTrianglesWithAreaAndNumbers) {
           R"("at":[["2","5"],["-4","-3"],["5","x"]],)", R"("at":7,)"}) {
         std::string foreign = text;
         foreign.replace(foreign.find(at), at.size(), other);
-        const Stats stats = stats_of_text(foreign);
+        const Stats stats = stats_of(readable_trace(foreign));
         EXPECT_EQ(stats.primitives[0].pixels, 49u) << other;
         EXPECT_FALSE(stats.primitives[0].coverage) << other;
     }
@@ -250,11 +228,13 @@ TEST(Coverage, IsOnlyOfTrianglesWithAreaAndNumbers) {
 TEST(Coverage, IsNotOfWhatWasLeftOutOrCutOff) {
     StepFilter filter;
     filter.only = std::vector{StepKind::primitive};
-    EXPECT_FALSE(stats_of_text(trace_text(first_triangle(), filter)).primitives[0].coverage);
+    EXPECT_FALSE(stats_of(readable_trace(trace_text(first_triangle(), {{}, filter})))
+                     .primitives[0]
+                     .coverage);
 
     // Cut within the second triangle: the first is whole.
     const std::string whole = trace_text(square({.scalar = ScalarKind::exact}));
-    const Stats stats = stats_of_text(whole.substr(0, whole.rfind("\"pixel\"")));
+    const Stats stats = stats_of(readable_trace(whole.substr(0, whole.rfind("\"pixel\""))));
     ASSERT_EQ(stats.primitives.size(), 2u);
     EXPECT_TRUE(stats.primitives[0].coverage);
     EXPECT_FALSE(stats.primitives[1].coverage);
@@ -299,7 +279,7 @@ TEST(SharedEdge, PixelsOnItAndNextToItMayBeDrawnByNeither) {
     };
     draw("upper", "[[0,0],[8.0,0],[8,8]]", [](int x, int y) { return x > y; });
     draw("lower", "[[\"16/2\",8e0],[0,0],[0,8]]", [](int x, int y) { return x < y; });
-    const Stats stats = stats_of_text(text + "{\"end\":{}}\n");
+    const Stats stats = stats_of(readable_trace(text + "{\"end\":{}}\n"));
     ASSERT_EQ(stats.edges.size(), 1u);
     EXPECT_EQ(stats.edges[0].name, "(0, 0)-(8, 8)");
     EXPECT_EQ(stats.edges[0].twice.count, 0u);
@@ -316,6 +296,7 @@ RC_GTEST_PROP(SharedEdge, AgreesWithEveryPixelTestedByItself, ()) {
         coordinates.push_back(*rc::gen::inRange(-2, 14));
     const Scene scene = mesh(coordinates, {{0, 1, 2}, {3, 1, 0}}, ten_by_ten,
                              {.scalar = ScalarKind::exact, .fill = Fill::fan});
+    log_scene(scene);
     const int ax = coordinates[0];
     const int ay = coordinates[1];
     const int bx = coordinates[2];

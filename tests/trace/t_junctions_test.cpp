@@ -2,11 +2,8 @@
 // Vertices on edges that have no vertex there: which are told of, with which pixels, and what is none.
 
 #include "picture.h"
-
-#include <rastertrace/trace/scene_file.h>
-#include <rastertrace/trace/stats.h>
-#include <rastertrace/trace/trace.h>
-#include <rastertrace/trace/write_trace.h>
+#include "random_triangle.h"
+#include "traces.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -29,23 +26,6 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-Stats stats_of_scene(const Scene& scene) {
-    std::string text;
-    StringOutput output(text);
-    write_trace(scene, {.layout = TraceLayout::json, .filter = {}}, output);
-    const auto trace = read_trace({"trace.json", text});
-    if (!trace)
-        throw trace.problem();
-    return stats_of(trace.value());
-}
-
-Scene scene_of(const std::string& json) {
-    const auto scene = read_scene({"scene.json", json});
-    if (!scene)
-        throw scene.problem();
-    return scene.value().scene;
-}
-
 /// What is told of a scene drawn by the top-left rule: "PQ of PQT: M 0.025; PMB MQB".
 std::vector<std::string> junctions_in(const std::string& vertices, const std::string& triangles,
                                       const std::string& method = "") {
@@ -53,7 +33,7 @@ std::vector<std::string> junctions_in(const std::string& vertices, const std::st
         R"({"canvas":{"width":64,"height":96,"origin":"top-left"},"vertices":{)" + vertices +
         R"(},"triangles":[)" + triangles + R"(],"method":{"fill":"top-left")" + method + "}}";
     std::vector<std::string> told;
-    for (const EdgeWithJunctions& edge : stats_of_scene(scene_of(json)).t_junctions) {
+    for (const EdgeWithJunctions& edge : stats_of_scene(scene_in(json)).t_junctions) {
         std::string text = edge.name + " of " + edge.triangle + ":";
         for (const VertexOnEdge& vertex : edge.vertices)
             text += fmt::format(" {} {}", vertex.name, vertex.distance);
@@ -67,7 +47,7 @@ std::vector<std::string> junctions_in(const std::string& vertices, const std::st
 
 /// Two triangles below an edge PQ, and PQT above it; the catalogue's C15.
 EdgeWithJunctions c15(const std::string& m, const std::string& scalar = "exact") {
-    const Stats stats = stats_of_scene(scene_of(
+    const Stats stats = stats_of_scene(scene_in(
         R"({"canvas":{"width":64,"height":96,"origin":"top-left"},"vertices":{"P":[0,20],)"
         R"("Q":[40,27],"T":[32,-20],"B":[32,90],"M":[)" +
         m + R"(]},"triangles":["PQT","PMB","MQB"],"method":{"fill":"top-left","scalar":")" +
@@ -301,6 +281,8 @@ RC_GTEST_PROP(TJunction, AgreesWithEveryPixelTestedByItself, ()) {
     add_triangle({0, row.size() - 1, t});
     for (std::size_t i = 1; i < row.size(); ++i)
         add_triangle({i - 1, i, b});
+
+    log_scene(scene);
 
     // Who draws which pixel.
     std::vector<Image> images;

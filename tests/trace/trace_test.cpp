@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "picture.h"
+#include "random_triangle.h"
+#include "traces.h"
 
 #include <rastertrace/trace/frame.h>
-#include <rastertrace/trace/trace.h>
-#include <rastertrace/trace/write_trace.h>
 
 #include <gtest/gtest.h>
 
@@ -16,24 +16,6 @@
 
 namespace rastertrace {
 namespace {
-
-std::string trace_text(const Scene& scene, TraceLayout layout = TraceLayout::json) {
-    std::string text;
-    StringOutput output(text);
-    write_trace(scene, {.layout = layout, .filter = {}}, output);
-    return text;
-}
-
-Trace sound_trace(const std::string& text) {
-    auto trace = read_trace({"trace.json", text});
-    if (!trace) {
-        ADD_FAILURE() << to_text(trace.problem());
-        return {};
-    }
-    for (const Problem& problem : trace.value().damage)
-        ADD_FAILURE() << to_text(problem);
-    return std::move(trace.value());
-}
 
 std::string complaint(const std::string& text) {
     const auto trace = read_trace({"trace.json", text});
@@ -59,7 +41,7 @@ std::string with(std::string text, const std::string& from, const std::string& t
 
 TEST(Trace, RoundTripInBothLayouts) {
     for (const TraceLayout layout : {TraceLayout::json, TraceLayout::jsonl}) {
-        const Trace trace = sound_trace(trace_text(first_triangle(), layout));
+        const Trace trace = sound_trace(trace_text(first_triangle(), {layout, {}}));
         EXPECT_EQ(trace.title, "A triangle");
         EXPECT_EQ(trace.canvas, first_triangle().canvas);
         EXPECT_EQ(trace.method_value("scalar"), "exact");
@@ -77,7 +59,7 @@ TEST(Trace, RoundTripInBothLayouts) {
 
 TEST(Trace, FrameIsThePictureAfterAnyStep) {
     // Step by step against pictures drawn from the steps themselves, going forward and back.
-    const Trace trace = sound_trace(trace_text(first_triangle()));
+    const Trace trace = trace_of(first_triangle());
     std::vector<Image> pictures{Image(trace.canvas)};
     for (std::size_t n = 1; n <= trace.size(); ++n) {
         pictures.push_back(pictures.back());
@@ -96,28 +78,26 @@ TEST(Trace, FrameIsThePictureAfterAnyStep) {
 }
 
 RC_GTEST_PROP(Trace, ReplaysToThePictureThatWasDrawn, ()) {
-    std::vector<std::string> coordinates;
-    for (int i = 0; i < 6; ++i)
-        coordinates.push_back(std::to_string(*rc::gen::inRange(-90, 91)) + "/8");
     const Method method{.scalar =
                             *rc::gen::element(ScalarKind::exact, ScalarKind::double_precision),
                         .lerp = *rc::gen::element(LerpForm::direct, LerpForm::incremental)};
-    const Scene scene = triangle_scene(coordinates, {.width = 15, .height = 12}, method);
+    const Scene scene = triangle_scene(any_triangle(90, 8), {.width = 15, .height = 12}, method);
+    log_scene(scene);
     const auto layout = *rc::gen::element(TraceLayout::json, TraceLayout::jsonl);
-    const auto trace = read_trace({"t", trace_text(scene, layout)});
+    const auto trace = read_trace({"t", trace_text(scene, {layout, {}})});
     RC_ASSERT(static_cast<bool>(trace));
     RC_ASSERT(trace.value().damage.empty());
     const Frame frame = frame_after(trace.value(), trace.value().size());
     RC_ASSERT(frame.image.colors() == draw_as_planned(scene).colors());
     RC_ASSERT(frame_name(frame.image) == trace.value().end->frame);
-    RC_ASSERT(trace_text(scene, layout) == trace_text(scene, layout));
+    RC_ASSERT(trace_text(scene, {layout, {}}) == trace_text(scene, {layout, {}}));
 }
 
 TEST(Trace, CutShortAfterEveryByte) {
     // Whatever is left, its whole steps are read, and it is said that the rest is missing.
     const Scene scene = triangle_scene({"0", "0", "2", "0", "0", "2"}, {.width = 5, .height = 5});
     for (const TraceLayout layout : {TraceLayout::json, TraceLayout::jsonl}) {
-        const std::string whole = trace_text(scene, layout);
+        const std::string whole = trace_text(scene, {layout, {}});
         const std::size_t end_of_header = whole.find('\n');
         for (std::size_t length = 0; length + 1 < whole.size(); ++length) {
             const std::string text = whole.substr(0, length);
@@ -320,7 +300,7 @@ TEST(Trace, NumbersBeyondDoublesAreRefusedInEveryLayout) {
             with(trace_text(first_triangle()), R"({"step":"pixel","x":2,"y":5})", step);
         std::string one_line = line;
         one_line.erase(std::remove(one_line.begin(), one_line.end(), '\n'), one_line.end());
-        const std::string lines = with(trace_text(first_triangle(), TraceLayout::jsonl),
+        const std::string lines = with(trace_text(first_triangle(), {TraceLayout::jsonl, {}}),
                                        R"({"step":"pixel","x":2,"y":5})", step);
         for (const std::string& text : {line, one_line, lines})
             EXPECT_NE(complaint(text).find("expected a number up to 1.797e308, found"),
@@ -344,8 +324,8 @@ TEST(Trace, AHeaderThatCannotBeUsed) {
 
 // A short fuzz: damaged traces are read or refused, never more. tests/fuzz has the long one.
 RC_GTEST_PROP(Trace, SurvivesAnyDamage, ()) {
-    std::string text =
-        trace_text(first_triangle(), *rc::gen::element(TraceLayout::json, TraceLayout::jsonl));
+    std::string text = trace_text(first_triangle(),
+                                  {*rc::gen::element(TraceLayout::json, TraceLayout::jsonl), {}});
     const int changes = *rc::gen::inRange(1, 6);
     for (int i = 0; i < changes && !text.empty(); ++i) {
         const auto at = *rc::gen::inRange<std::size_t>(0, text.size());

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "edge_scenes.h"
 #include "picture.h"
-
-#include <rastertrace/trace/scene_file.h>
-#include <rastertrace/trace/trace.h>
-#include <rastertrace/trace/write_trace.h>
+#include "scene_text.h"
+#include "traces.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -17,19 +15,12 @@
 namespace rastertrace {
 namespace {
 
-std::string trace_of(const Scene& scene, const TraceOptions& options = {}) {
-    std::string text;
-    StringOutput output(text);
-    write_trace(scene, options, output);
-    return text;
-}
-
 TEST(WriteTrace, AdaptiveTellsWhereDoublesLeaveADecisionOpen) {
     // No fractions of machine size hold A, and row 0 passes through the corners A and B.
     const Scene scene = triangle_scene({"1e-30", "0", "2", "0", "0", "2"},
                                        {.width = 3, .height = 3, .origin = Origin::bottom_left},
                                        {.scalar = ScalarKind::adaptive});
-    const std::string trace = trace_of(scene);
+    const std::string trace = trace_text(scene);
     EXPECT_THAT(trace,
                 testing::HasSubstr(
                     R"("numbers":"doubles with an error bound, and fractions of any size")"));
@@ -39,7 +30,7 @@ TEST(WriteTrace, AdaptiveTellsWhereDoublesLeaveADecisionOpen) {
     const Scene fits = triangle_scene({"0.5", "0", "2", "0", "0", "2"},
                                       {.width = 3, .height = 3, .origin = Origin::bottom_left},
                                       {.scalar = ScalarKind::adaptive});
-    const std::string fraction_trace = trace_of(fits);
+    const std::string fraction_trace = trace_text(fits);
     EXPECT_THAT(fraction_trace, testing::HasSubstr(R"("numbers":"fractions of 64 bits")"));
     EXPECT_THAT(fraction_trace, testing::HasSubstr(R"("at":[[0.5,0],[2,0],[0,2]])"));
     EXPECT_THAT(fraction_trace, testing::Not(testing::HasSubstr("undecided")));
@@ -56,7 +47,7 @@ TEST(WriteTrace, AdaptiveTellsDepthsWhoseDifferenceIsBeyondTheDoubles) {
                  "method":{"scalar":"adaptive","depth":"linear-z"}})"},
                        {{"fill", fill}});
         ASSERT_TRUE(read) << fill;
-        const auto trace = read_trace({"t.json", trace_of(read.value().scene)});
+        const auto trace = read_trace({"t.json", trace_text(read.value().scene)});
         ASSERT_TRUE(trace) << fill;
         EXPECT_GT(trace.value().size(), 60U) << fill;
     }
@@ -91,11 +82,12 @@ TEST(WriteTrace, WhatIsNotRefusedIsJson) {
             continue;
         ++drawn;
         std::string text;
-        ASSERT_NO_THROW(text = trace_of(scene)) << "scene " << i;
+        ASSERT_NO_THROW(text = trace_text(scene)) << scene_text(scene);
         const auto trace = read_trace({"trace", text});
-        ASSERT_TRUE(trace) << "scene " << i << ": " << to_text(trace.problem());
-        ASSERT_TRUE(trace.value().damage.empty()) << to_text(trace.value().damage.front());
-        ASSERT_TRUE(nlohmann::json::accept(text)) << "scene " << i;
+        ASSERT_TRUE(trace) << to_text(trace.problem()) << scene_text(scene);
+        ASSERT_TRUE(trace.value().damage.empty())
+            << to_text(trace.value().damage.front()) << scene_text(scene);
+        ASSERT_TRUE(nlohmann::json::accept(text)) << scene_text(scene);
     }
     EXPECT_GT(drawn, 1000);
 }
@@ -143,7 +135,7 @@ const std::string small_json =
 "end":{"steps":16,"count":{"primitive":1,"edge":3,"scanline":3,"pixel":6,"reject":3},"pixels":6,"frame":")";
 
 TEST(WriteTrace, OneDocumentOneStepPerLine) {
-    const std::string text = trace_of(small_scene());
+    const std::string text = trace_text(small_scene());
     EXPECT_EQ(text.substr(0, small_json.size()), small_json);
     EXPECT_EQ(text.size(), small_json.size() + 16 + 4) << "the frame's name, and \"}}";
     EXPECT_TRUE(text.ends_with("\"}}\n"));
@@ -189,26 +181,26 @@ TEST(WriteTrace, EveryMatrixAndEverySpace) {
 {"step":"skip","why":"behind the eye"}
 ],
 "end":{"steps":19,"count":{"matrix":4,"vertex":10,"primitive":2,"clip":1,"pixel":1,"skip":1},"pixels":1,"frame":")";
-    EXPECT_EQ(trace_of(small_pipeline()).substr(0, expected.size()), expected);
+    EXPECT_EQ(trace_text(small_pipeline()).substr(0, expected.size()), expected);
 
     // In float, numbers read back to the same float.
     Scene in_float = small_pipeline();
     in_float.method.scalar = ScalarKind::single_precision;
     EXPECT_NE(
-        trace_of(in_float).find(R"("space":"canonical","at":[0.33333334,0.33333334,-0.6666667])"),
+        trace_text(in_float).find(R"("space":"canonical","at":[0.33333334,0.33333334,-0.6666667])"),
         std::string::npos);
 }
 
 TEST(WriteTrace, HeaderSaysThatIrrationalEntriesAreDoubles) {
     Scene scene = small_pipeline();
-    EXPECT_EQ(trace_of(scene).find("matrices"), std::string::npos);
+    EXPECT_EQ(trace_text(scene).find("matrices"), std::string::npos);
     scene.objects[0].model = {Rotate{{0, 0, 1}, 45}};
-    EXPECT_NE(trace_of(scene).find(R"("matrices":"irrational entries are the nearest doubles")"),
+    EXPECT_NE(trace_text(scene).find(R"("matrices":"irrational entries are the nearest doubles")"),
               std::string::npos);
 }
 
 TEST(WriteTrace, JsonLinesHoldTheSameSteps) {
-    std::string expected = trace_of(small_scene());
+    std::string expected = trace_text(small_scene());
     const auto replace = [&expected](const std::string& from, const std::string& to) {
         for (auto at = expected.find(from); at != std::string::npos; at = expected.find(from))
             expected.replace(at, from.size(), to);
@@ -216,7 +208,7 @@ TEST(WriteTrace, JsonLinesHoldTheSameSteps) {
     replace(",\"steps\":[\n", "}\n");
     replace("\n],\n", "\n{");
     replace("},\n", "}\n");
-    EXPECT_EQ(trace_of(small_scene(), {.layout = TraceLayout::jsonl, .filter = {}}), expected);
+    EXPECT_EQ(trace_text(small_scene(), {.layout = TraceLayout::jsonl, .filter = {}}), expected);
 }
 
 TEST(WriteTrace, FrameIsNamedByFnv1aOfItsBytes) {
@@ -228,24 +220,24 @@ TEST(WriteTrace, FrameIsNamedByFnv1aOfItsBytes) {
 }
 
 TEST(WriteTrace, InDoubleQuantitiesAreNumbers) {
-    const std::string text = trace_of(small_scene({}));
+    const std::string text = trace_text(small_scene({}));
     EXPECT_NE(text.find(R"("dx_dy":0.16666666666666666})"), std::string::npos);
     EXPECT_NE(text.find(R"("left":-0.16666666666666666,"right":1,)"), std::string::npos) << text;
     EXPECT_NE(text.find(R"("at":[[-0.5,-1],[3,-1],[0,2]])"), std::string::npos);
 }
 
 TEST(WriteTrace, TiesAreSaidOnlyWhenTheyAreInForce) {
-    EXPECT_NE(trace_of(small_scene({.rounding = Rounding::nearest}))
+    EXPECT_NE(trace_text(small_scene({.rounding = Rounding::nearest}))
                   .find(R"("rounding":"nearest","ties":"up","lerp")"),
               std::string::npos);
-    EXPECT_EQ(trace_of(small_scene()).find("ties"), std::string::npos);
+    EXPECT_EQ(trace_text(small_scene()).find("ties"), std::string::npos);
 }
 
 TEST(WriteTrace, OnlySomeKinds) {
     const TraceOptions options{
         .layout = TraceLayout::jsonl,
         .filter = {.only = {{StepKind::scanline, StepKind::skip}}, .region = {}}};
-    const std::string text = trace_of(small_scene(), options);
+    const std::string text = trace_text(small_scene(), options);
     EXPECT_NE(text.find(R"("only":["scanline","skip"]})"), std::string::npos);
     EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1 + 3 + 1);
     EXPECT_NE(text.find(R"({"end":{"steps":3,"count":{"scanline":3},"pixels":6,)"),
@@ -271,7 +263,7 @@ TEST(WriteTrace, OnlyAPrimitiveAndItsParts) {
 TEST(WriteTrace, OnlyARegion) {
     const TraceOptions options{.layout = TraceLayout::jsonl,
                                .filter = {.only = {}, .region = Region{1, 0, 2, 0}}};
-    const std::string text = trace_of(small_scene(), options);
+    const std::string text = trace_text(small_scene(), options);
     EXPECT_NE(text.find(R"("region":[1,0,2,0]})"), std::string::npos);
     EXPECT_NE(text.find(R"("count":{"primitive":1,"edge":3,"scanline":1,"pixel":2})"),
               std::string::npos)
@@ -282,7 +274,7 @@ TEST(WriteTrace, NamesAreEscaped) {
     Scene scene = small_scene();
     scene.title = "a\"\x1b]0;x\x07\n";
     scene.vertices[0].name = "\xC2\x9B";
-    const std::string text = trace_of(scene);
+    const std::string text = trace_text(scene);
     for (const char c : text)
         EXPECT_TRUE(c == '\n' || static_cast<unsigned char>(c) >= 0x20);
     EXPECT_NE(text.find(R"("title":"a\"\u001b]0;x\u0007\n")"), std::string::npos);
@@ -304,7 +296,7 @@ private:
 };
 
 TEST(WriteTrace, AFullOutputStopsIt) {
-    const std::string whole = trace_of(small_scene());
+    const std::string whole = trace_text(small_scene());
     FullOutput enough(whole.size());
     EXPECT_NO_THROW(write_trace(small_scene(), {}, enough));
     FullOutput too_small(whole.size() - 1);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "frame_text.h"
 #include "picture.h"
+#include "traces.h"
 
 #include <rastertrace/trace/describe.h>
-#include <rastertrace/trace/write_trace.h>
 
 #include <gtest/gtest.h>
 
@@ -11,13 +11,6 @@
 
 namespace rastertrace {
 namespace {
-
-Trace trace_of(const Scene& scene) {
-    Source source{"t", {}};
-    StringOutput output(source.text);
-    write_trace(scene, {}, output);
-    return std::move(read_trace(std::move(source)).value());
-}
 
 /// The frame of steps `first` to `last`.
 std::string frame(const Trace& trace, std::size_t first, std::size_t last, TextSize size = {}) {
@@ -97,8 +90,7 @@ TEST(FrameText, TitleIsCutAndMadeSafe) {
 
 TEST(FrameText, Bare) {
     const Trace trace = trace_of(first_triangle());
-    EXPECT_EQ(bare_frame_text(frame_after(trace, 62)),
-              picture_of(draw_as_planned(first_triangle())));
+    EXPECT_EQ(bare_frame_text(frame_after(trace, 62)), textbook_picture);
 }
 
 } // namespace

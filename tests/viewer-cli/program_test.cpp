@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The program as a user meets it: what it prints, where, and with which exit status.
 
+#include "picture.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -493,20 +495,7 @@ TEST_F(ProgramTest, ShowsThePictureOfTheTextbook) {
         shell("$rastertrace show $examples/t0-fill/first-triangle.json --last --bare");
     EXPECT_EQ(outcome.status, 0);
     EXPECT_EQ(outcome.err, "");
-    EXPECT_EQ(outcome.out, ".................\n"
-                           ".................\n"
-                           "..........#......\n"
-                           ".........##......\n"
-                           "........###......\n"
-                           ".......#####.....\n"
-                           ".......#####.....\n"
-                           "......######.....\n"
-                           ".....########....\n"
-                           "....#########....\n"
-                           "....##########...\n"
-                           ".................\n"
-                           ".................\n"
-                           ".................\n");
+    EXPECT_EQ(outcome.out, textbook_picture);
 }
 
 TEST_F(ProgramTest, ShowsFramesOfEveryRow) {

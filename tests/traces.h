@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Scenes from text, their traces, and what these amount to.
+//
+//     const Trace trace = trace_of(scene_in(R"({"vertices":{"A":[1,2]},"points":["A"]})"));
+
+#include <rastertrace/trace/output.h>
+#include <rastertrace/trace/scene_file.h>
+#include <rastertrace/trace/stats.h>
+#include <rastertrace/trace/trace.h>
+#include <rastertrace/trace/write_trace.h>
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+
+namespace rastertrace {
+
+/// The scene that a file of this text describes.
+inline Scene scene_in(const std::string& text) {
+    auto read = read_scene({"folder/scene.json", text});
+    if (!read) {
+        ADD_FAILURE() << to_text(read.problem());
+        return {};
+    }
+    return std::move(read.value().scene);
+}
+
+inline std::string trace_text(const Scene& scene, const TraceOptions& options = {}) {
+    std::string text;
+    StringOutput output(text);
+    write_trace(scene, options, output);
+    return text;
+}
+
+/// A trace that can be read, with or without damage.
+inline Trace readable_trace(const std::string& text) {
+    auto trace = read_trace({"trace.json", text});
+    if (!trace) {
+        ADD_FAILURE() << to_text(trace.problem());
+        return {};
+    }
+    return std::move(trace.value());
+}
+
+/// A trace without damage.
+inline Trace sound_trace(const std::string& text) {
+    Trace trace = readable_trace(text);
+    for (const Problem& problem : trace.damage)
+        ADD_FAILURE() << to_text(problem);
+    return trace;
+}
+
+inline Trace trace_of(const Scene& scene) {
+    return sound_trace(trace_text(scene));
+}
+
+/// What the trace of a scene amounts to.
+inline Stats stats_of_scene(const Scene& scene) {
+    return stats_of(trace_of(scene));
+}
+
+} // namespace rastertrace
