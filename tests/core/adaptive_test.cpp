@@ -2,6 +2,7 @@
 // adaptive takes every decision that exact takes; its errors are never larger than their bounds.
 
 #include "edge_scenes.h"
+#include "effort.h"
 #include "picture.h"
 #include "random_choice.h"
 #include "scene_text.h"
@@ -109,7 +110,7 @@ Scene nudged(Scene scene, std::mt19937_64& random) {
 /// How many scenes are drawn; scripts/check-adaptive.sh asks for more.
 int scenes_to_draw() {
     const char* const asked = std::getenv("RASTERTRACE_ADAPTIVE_SCENES");
-    return asked ? std::atoi(asked) : 4000;
+    return asked ? std::atoi(asked) : random_cases(4000);
 }
 
 TEST(Adaptive, DecidesAsExact) {
@@ -150,7 +151,7 @@ TEST(Adaptive, DecidesWithinAnUlpOfAnEdge) {
         return static_cast<int>(random() % static_cast<std::uint64_t>(below));
     };
     int undecided = 0;
-    for (int i = 0; i < 3000; ++i) {
+    for (int i = 0; i < random_cases(3000); ++i) {
         std::array<double, 6> at{};
         for (double& coordinate : at)
             coordinate = whole(12 * 1024) / 1024.0 + whole(3) / 3.0;
@@ -261,13 +262,13 @@ double worst_use_of_bound(std::uint64_t seed, int exponents) {
 
 TEST(Adaptive, ErrorsStayBelowTheirBounds) {
     double worst = 0;
-    for (std::uint64_t seed = 0; seed < 20000; ++seed)
+    for (int seed = 0; seed < random_cases(20000); ++seed)
         worst = std::max(worst, worst_use_of_bound(seed, seed % 2 == 0 ? 3 : 200));
     EXPECT_GT(worst, 0.5) << "the bound should not be far larger than it has to be";
 }
 
 TEST(Adaptive, SubnormalAndHugeNumbersDecideNothingWrong) {
-    for (std::uint64_t seed = 0; seed < 5000; ++seed)
+    for (int seed = 0; seed < random_cases(5000); ++seed)
         worst_use_of_bound(seed, 1020);
 }
 
@@ -399,7 +400,7 @@ TEST(Adaptive, FacesThatMeetInAnEdgeTieThere) {
         return static_cast<int>(random() % static_cast<std::uint64_t>(below));
     };
     int ties = 0;
-    for (int i = 0; i < 4000; ++i) {
+    for (int i = 0; i < random_cases(4000); ++i) {
         Scene scene;
         scene.canvas = {.width = 8, .height = 8, .origin = Origin::top_left};
         scene.method = {.scalar = ScalarKind::adaptive,

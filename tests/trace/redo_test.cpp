@@ -3,6 +3,7 @@
 // in the scalar that its header names, gets the decision written there. docs/trace-format.md, "Doing it
 // again", says which numbers decide what, and in which order they are added and multiplied.
 
+#include "effort.h"
 #include "random_scene.h"
 
 #include <rastertrace/core/plan.h>
@@ -712,7 +713,7 @@ void redo(const std::string& json, std::map<std::string, int>& counts) {
 
 TEST(Redo, EveryDecisionOfRandomScenes) {
     std::map<std::string, int> counts;
-    for (std::uint64_t seed = 1; seed <= 1500 && !testing::Test::HasFailure(); ++seed)
+    for (int seed = 1; seed <= random_cases(1500) && !HasFailure(); ++seed)
         redo(RandomScene(seed).text(), counts);
     // None of the kinds was missed.
     for (const char* const kind : {"snap",
@@ -740,7 +741,7 @@ TEST(Redo, EveryDecisionOfRandomScenes) {
                                    "depth: stored",
                                    "pixel: color",
                                    "pixel: in its row"})
-        EXPECT_GT(counts[kind], 20) << kind;
+        EXPECT_GT(counts[kind], random_cases(20)) << kind;
 }
 
 /// Triangles and lines whose corners lie on samples and rows, or next to them: so near that no double, or
@@ -814,10 +815,10 @@ TEST(Redo, AdaptiveWritesTheFractionThatDecides) {
 
 TEST(Redo, EveryDecisionNextToATie) {
     std::map<std::string, int> counts;
-    for (std::uint64_t seed = 1; seed <= 1500 && !testing::Test::HasFailure(); ++seed)
+    for (int seed = 1; seed <= random_cases(1500) && !HasFailure(); ++seed)
         redo(scene_near_ties(seed), counts);
     for (const char* const kind : {"scanline: from", "scanline: left admits", "along", "sample"})
-        EXPECT_GT(counts[kind], 1000) << kind;
+        EXPECT_GT(counts[kind], random_cases(1000)) << kind;
 }
 
 } // namespace

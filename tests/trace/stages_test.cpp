@@ -3,6 +3,7 @@
 // needed in one scene and not in another that differs as little as possible.
 
 #include "edge_scenes.h"
+#include "effort.h"
 #include "picture.h"
 #include "scene_text.h"
 #include "traces.h"
@@ -165,7 +166,7 @@ TEST(Stages, LeavingThemOutChangesNothing) {
     EdgeScenes scenes(6);
     std::map<std::pair<Stage, bool>, int> seen;
     int drawn = 0;
-    while (drawn < 6000) {
+    while (drawn < random_cases(6000)) {
         const Scene scene = scenes.next();
         if (find_unfit(scene) || find_unfit(full(scene)))
             continue;
@@ -177,9 +178,9 @@ TEST(Stages, LeavingThemOutChangesNothing) {
     // The scenes do sit on the edges: every stage is left out of many and kept in many.
     for (std::size_t i = 0; i < stage_count; ++i) {
         const auto stage = static_cast<Stage>(i);
-        EXPECT_GT((seen[{stage, false}]), 100) << name_of(stage);
+        EXPECT_GT((seen[{stage, false}]), random_cases(100)) << name_of(stage);
         if (stage != Stage::light) {
-            EXPECT_GT((seen[{stage, true}]), 100) << name_of(stage);
+            EXPECT_GT((seen[{stage, true}]), random_cases(100)) << name_of(stage);
         }
     }
 }

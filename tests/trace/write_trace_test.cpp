@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "edge_scenes.h"
+#include "effort.h"
 #include "picture.h"
 #include "scene_text.h"
 #include "traces.h"
@@ -72,7 +73,7 @@ TEST(WriteTrace, WhatIsNotRefusedIsJson) {
     EdgeScenes scenes(23);
     std::mt19937_64 random(23);
     int drawn = 0;
-    for (int i = 0; i < 3000; ++i) {
+    for (int i = 0; i < random_cases(3000); ++i) {
         Scene scene = stretched(scenes.next(), random);
         if (random() % 2 == 0)
             scene.keep = StageSet::all();
