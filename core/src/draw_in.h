@@ -10,7 +10,6 @@
 
 #include <rastertrace/core/adaptive.h>
 #include <rastertrace/core/adaptive_depth.h>
-#include <rastertrace/core/adaptive_edge.h>
 #include <rastertrace/core/depth.h>
 #include <rastertrace/core/exactly.h>
 #include <rastertrace/core/fill.h>

@@ -4,6 +4,7 @@
 
 #include "stress_rows.h"
 
+#include <rastertrace/core/adaptive_edge.h>
 #include <rastertrace/core/edge.h>
 #include <rastertrace/numerics/knobs.h>
 #include <rastertrace/trace/output.h>

@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The edge of a triangle in doubles that know their error: the formula of edge.h, with one bound for all
-// rows. Who draws with Adaptive includes it.
+// The edge of a triangle in doubles that know their error, the formula of edge.h with one bound for all
+// rows; and where the samples lie. Who fills with Adaptive includes it.
 //
 //     edge_between(upper, lower).x_at(3.0);
 
 #include <rastertrace/core/adaptive.h>
+#include <rastertrace/core/canvas.h>
 #include <rastertrace/core/edge.h>
+#include <rastertrace/core/sample_walk.h>
+#include <rastertrace/core/scalar.h>
+#include <rastertrace/core/triangle.h>
 #include <rastertrace/core/vec.h>
 
 #include <cmath>
+#include <cstddef>
 
 namespace rastertrace {
 
@@ -59,5 +64,43 @@ inline Edge<Adaptive> edge_between(const Vertex<Adaptive>& from, const Vertex<Ad
             .dx_dy = dx_dy,
             .bound = bound_of_x(from.position, dx_dy, dy)};
 }
+
+/// Doubles that know their error may be moved by the offset: then samples have whole coordinates, as
+/// the pixels have.
+template <> class SampleGrid<Adaptive> {
+public:
+    using Length = Adaptive;
+
+    SampleGrid(Adaptive sample_offset, const Canvas& canvas)
+        : canvas_(canvas), offset_(sample_offset) {}
+
+    Adaptive sample_offset() const { return offset_; }
+
+    Triangle<Length> placed(const Triangle<Adaptive>& triangle) const {
+        Triangle<Length> result;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto& [x, y] = triangle.vertices[i];
+            result.vertices[i] = {x - offset_, y - offset_};
+        }
+        return result;
+    }
+
+    int down() const { return canvas_.down(); }
+
+    Index first_row_from(Length y) const {
+        return canvas_.row_of(down() > 0 ? ceil_index(y) : floor_index(y));
+    }
+
+    bool reaches(Index x, Length length) const { return length <= scalar_from<Length>(x); }
+
+    /// The first sample in a row that does not lie left of the edge.
+    Index first_sample_from(const Edge<Length>& edge, int row) const {
+        return ceil_index(edge.x_at(scalar_from<Length>(canvas_.y_of(row))));
+    }
+
+private:
+    Canvas canvas_;
+    Adaptive offset_;
+};
 
 } // namespace rastertrace

@@ -5,6 +5,7 @@
 //
 //     fill(triangle, colors, method, grid, canvas, FlatPainter(image, color));
 
+#include <rastertrace/core/adaptive_edge.h>
 #include <rastertrace/core/canvas.h>
 #include <rastertrace/core/fill_barycentric.h>
 #include <rastertrace/core/fill_fan.h>

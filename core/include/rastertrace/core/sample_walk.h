@@ -79,43 +79,8 @@ private:
     Scalar offset_;
 };
 
-/// Doubles that know their error may be moved by the offset: then samples have whole coordinates, as
-/// the pixels have.
-template <> class SampleGrid<Adaptive> {
-public:
-    using Length = Adaptive;
-
-    SampleGrid(Adaptive sample_offset, const Canvas& canvas)
-        : canvas_(canvas), offset_(sample_offset) {}
-
-    Adaptive sample_offset() const { return offset_; }
-
-    Triangle<Length> placed(const Triangle<Adaptive>& triangle) const {
-        Triangle<Length> result;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const auto& [x, y] = triangle.vertices[i];
-            result.vertices[i] = {x - offset_, y - offset_};
-        }
-        return result;
-    }
-
-    int down() const { return canvas_.down(); }
-
-    Index first_row_from(Length y) const {
-        return canvas_.row_of(down() > 0 ? ceil_index(y) : floor_index(y));
-    }
-
-    bool reaches(Index x, Length length) const { return length <= scalar_from<Length>(x); }
-
-    /// The first sample in a row that does not lie left of the edge.
-    Index first_sample_from(const Edge<Length>& edge, int row) const {
-        return ceil_index(edge.x_at(scalar_from<Length>(canvas_.y_of(row))));
-    }
-
-private:
-    Canvas canvas_;
-    Adaptive offset_;
-};
+/// Doubles that know their error have a form of their own: adaptive_edge.h.
+template <> class SampleGrid<Adaptive>;
 
 /// Fractions over one denominator D become whole numbers, in units of 1/D pixel: x to the right of
 /// the samples at x = 0, y down from the samples of the top row.
