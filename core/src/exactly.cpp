@@ -98,9 +98,6 @@ Rational exact_depth_at(const Scene& scene, const Piece<Rational>& primitive, in
         .at(x);
 }
 
-/// The two vertices of the edge that a pixel has its depth from: it lies at an end of its row or beyond.
-/// Nothing if it does not, or if that cannot be told in doubles; so it is never told of a triangle
-/// without area, whose rows have no width, and two depths: doubles do not know that it has none.
 std::optional<std::array<std::size_t, 2>> edge_of_depth(const Scene& scene, const Plan& plan,
                                                         const PieceNumber& number, int x, int y) {
     if (!finds_depths_along_edges(scene))

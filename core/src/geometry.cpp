@@ -254,6 +254,12 @@ template <typename Scalar> Geometry<Scalar> empty_geometry(const Scene& scene) {
     return result;
 }
 
+/// Throws Undecided if a number may be of either sign. Only Adaptive leaves that open.
+template <typename Scalar> void require_decided(const Scalar& number) {
+    if constexpr (std::same_as<Scalar, Adaptive>)
+        static_cast<void>(number < Adaptive(0));
+}
+
 /// Takes every vertex that is used to clip space, and on to the screen if it can be seen.
 template <typename Scalar> Geometry<Scalar> geometry_of(const Scene& scene) {
     Geometry<Scalar> result = empty_geometry<Scalar>(scene);
@@ -272,6 +278,11 @@ template <typename Scalar> Geometry<Scalar> geometry_of(const Scene& scene) {
         if (vertex.clip.w != scalar_from<Scalar>(1))
             transforms.needed.add(Stage::divide);
     });
+    // Behind the eye there is no 1/z: on that hangs whether the scene can be drawn (plan.cpp).
+    if (scene.depth() == Depth::inverse_z && !is_perspective(scene.projection.type))
+        for_each_used_vertex(scene, transforms, result.is_used, [&](std::size_t i, const auto&) {
+            require_decided(result.vertices[i].distance);
+        });
     transforms.divides = transforms.needed.has(Stage::divide) || scene.keep.has(Stage::divide);
     for (std::size_t plane = 0; plane < transforms.planes.size(); ++plane)
         result.outside.push_back({transforms.planes[plane].name, outside[plane]});

@@ -303,8 +303,9 @@ std::optional<Unfit> unfit_vertex(const Scene& scene, const Geometry<Coordinate>
         for (const ScenePrimitive& primitive : scene.primitives)
             if (primitive.kind == PrimitiveKind::triangle)
                 for (const std::size_t i : primitive.corners()) {
-                    const double distance = to_double(geometry.vertices[i].distance);
-                    if (!(distance > 0) || !std::isfinite(1 / distance))
+                    const Coordinate& exact = geometry.vertices[i].distance;
+                    const double distance = to_double(exact);
+                    if (!(scalar_from<Coordinate>(0) < exact) || !std::isfinite(1 / distance))
                         return Unfit{Unfit::What::depth, i, i, {distance, 0}, {distance, 0}, 0};
                 }
     return std::nullopt;

@@ -470,6 +470,17 @@ RC_GTEST_PROP(TopLeft, EachSampleOfAMeshHasExactlyOneOwner, ()) {
     RC_ASSERT(counter.pixels == 27u * 27u);
 }
 
+TEST(TopLeft, NoGapAtTheRightEdgeOfTheCanvas) {
+    // The shared edge PM passes the sample of (9, 5) by less than doubles tell; M lies right of it.
+    const Canvas canvas{.width = 10, .height = 10, .origin = Origin::top_left};
+    const SampleGrid<double> grid(0.5, canvas);
+    const Vec<double, 2> p{1000, -1000}, m{9.500000000000002, 5.500000000000001};
+    Image image(canvas);
+    for (const Vec<double, 2>& other : {Vec<double, 2>{-1000, 5.4}, Vec<double, 2>{1000, 5.6}})
+        fill_top_left(Triangle<double>{{p, m, other}}, grid, canvas, FlatPainter(image, Color{}));
+    EXPECT_NE(image.at({9, 5}), no_color);
+}
+
 /// How often each pixel of a canvas is plotted.
 template <typename Real>
 void count_pixels(const Triangle<Real>& triangle, const SampleGrid<Real>& grid,

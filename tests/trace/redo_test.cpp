@@ -740,7 +740,10 @@ TEST(Redo, EveryDecisionOfRandomScenes) {
                                    "depth: depth",
                                    "depth: stored",
                                    "pixel: color",
-                                   "pixel: in its row"})
+                                   "pixel: in its row",
+                                   "edge: horizontal",
+                                   "skip",
+                                   "light"})
         EXPECT_GT(counts[kind], random_cases(20)) << kind;
 }
 
@@ -772,7 +775,9 @@ std::string scene_near_ties(std::uint64_t seed) {
            R"(","fill":")" + pick("scanline", "two-halves", "barycentric", "top-left", "top-left") +
            R"(","line":")" + pick("naive", "dda") + R"(","depth":")" + pick("none", "linear-z") +
            R"(","rounding":")" + pick("floor", "nearest", "truncate", "inside") + R"(","lerp":")" +
-           pick("direct", "incremental") + R"(","sample":")" + pick("integer", "center") + R"("}})";
+           pick("direct", "incremental") + R"(","snap":")" +
+           pick("none", "none", "floor", "truncate", "nearest") + R"(","sample":")" +
+           pick("integer", "center") + R"("}})";
 }
 
 TEST(Redo, PixelsThatTheEdgeFunctionsOnceContradicted) {
@@ -783,6 +788,44 @@ TEST(Redo, PixelsThatTheEdgeFunctionsOnceContradicted) {
              "method":{"fill":"top-left","scalar":"double"}})",
          counts);
     EXPECT_GT(counts["scanline: left admits"], 20);
+}
+
+TEST(Redo, KeysOfThePainterThatRoundToOneDouble) {
+    // Two keys are one number, a third one is next to them.
+    std::map<std::string, int> counts;
+    redo(R"({"canvas":{"width":8,"height":8,"origin":"top-left"},"vertices":{
+             "A":[1,1,"3.00000000000000000001"],"B":[6,1,"3.00000000000000000001"],
+             "C":[6,5,"3.00000000000000000001"],"D":[1,1,3],"E":[6,1,3],"F":[6,5,3],
+             "G":[1,1,2],"H":[1,1,2],"I":[6,5,2]},"triangles":["GHI","ABC","BCA","DEF"],
+             "method":{"scalar":"adaptive","depth":"painter"}})",
+         counts);
+    EXPECT_EQ(counts["order"], 1);
+}
+
+TEST(Redo, ACrossingIsToldAsCertainAsItIsRounded) {
+    // The edge AC meets the row's samples half an ulp from one of them.
+    std::map<std::string, int> counts;
+    redo(R"({"canvas":{"width":8,"height":4,"origin":"top-left"},"vertices":{
+             "A":["9007199254740991/18014398509481984","9007199254740991/18014398509481984"],
+             "B":["4503599627370498/9007199254740992","4503599627370497/9007199254740992"],
+             "C":[7.25,"4503599627370497/9007199254740992"]},"triangles":["ABC"],
+             "method":{"scalar":"adaptive","fill":"top-left"}})",
+         counts);
+    EXPECT_GT(counts["scanline: from"], 0);
+}
+
+TEST(Redo, CornersOfManyDigitsSayHowNearTheyAre) {
+    const auto read = read_scene(
+        {"s.json",
+         R"({"canvas":{"width":8,"height":8,"origin":"top-left"},"vertices":{"A":[1,"0.)" +
+             std::string(322, '0') + "7" + std::string(250, '3') +
+             R"("],"B":[6,1],"C":[6,5]},"triangles":["ABC"],
+                       "method":{"scalar":"adaptive","fill":"top-left"}})"});
+    ASSERT_TRUE(read);
+    std::string text;
+    StringOutput output(text);
+    write_trace(read.value().scene, {}, output);
+    EXPECT_THAT(text, testing::HasSubstr(R"("within":)"));
 }
 
 TEST(Redo, AdaptiveWritesTheFractionThatDecides) {
@@ -817,7 +860,8 @@ TEST(Redo, EveryDecisionNextToATie) {
     std::map<std::string, int> counts;
     for (int seed = 1; seed <= random_cases(1500) && !HasFailure(); ++seed)
         redo(scene_near_ties(seed), counts);
-    for (const char* const kind : {"scanline: from", "scanline: left admits", "along", "sample"})
+    for (const char* const kind : {"scanline: from", "scanline: left admits",
+                                   "scanline: right admits", "along", "sample", "snap"})
         EXPECT_GT(counts[kind], random_cases(1000)) << kind;
 }
 

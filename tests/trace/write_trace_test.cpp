@@ -54,6 +54,40 @@ TEST(WriteTrace, AdaptiveTellsDepthsWhoseDifferenceIsBeyondTheDoubles) {
     }
 }
 
+// 1/z of a point or a line is not needed, and behind the eye a triangle has none.
+TEST(WriteTrace, NothingIsDividedByADistanceOfNothing) {
+    const auto scene_with = [](const std::string& rest, const std::string& scalar) {
+        return read_scene({"s.json", R"({"canvas":{"width":8,"height":8,"origin":"top-left"},)" +
+                                         rest + R"("method":{"depth":"inverse-z","scalar":")" +
+                                         scalar + "\"}}"});
+    };
+    for (const char* const scalar : {"double", "adaptive", "exact"}) {
+        const auto points = scene_with(
+            R"("vertices":{"A":[1,1,0],"B":[3,1,2]},"points":["A"],"lines":["AB"],)", scalar);
+        ASSERT_TRUE(points) << scalar;
+        EXPECT_THAT(trace_text(points.value().scene), testing::HasSubstr(R"("pixels":3)"))
+            << scalar;
+    }
+    // A's distance is 3 z and the way: 0, just above, just below; its double has either sign.
+    const auto can_be_drawn = [&](const std::string& z, const std::string& way,
+                                  const std::string& scalar) {
+        const auto scene = scene_with(
+            R"("vertices":{"A":[1,1,)" + z +
+                R"(],"B":[6,1,1],"C":[6,5,1]},"model":[{"scale":[3,3,3]},{"translate":[0,0,")" +
+                way + R"("]}],"triangles":["ABC"],)",
+            scalar);
+        if (scene)
+            trace_text(scene.value().scene);
+        return static_cast<bool>(scene);
+    };
+    for (const char* const scalar : {"adaptive", "exact"}) {
+        EXPECT_FALSE(can_be_drawn("-0.7", "2.1", scalar)) << scalar;
+        EXPECT_FALSE(can_be_drawn("-0.7", "2.0999999999999999999", scalar)) << scalar;
+        EXPECT_TRUE(can_be_drawn("-0.7", "2.1000000000000000001", scalar)) << scalar;
+        EXPECT_TRUE(can_be_drawn("0.7", "-2.0999999999999999999", scalar)) << scalar;
+    }
+}
+
 /// Multiplies some coordinates by powers of ten, up to the ends of the doubles.
 Scene stretched(Scene scene, std::mt19937_64& random) {
     const std::uint64_t reach = random() % 2 == 0 ? 20 : 300;

@@ -95,11 +95,11 @@ const std::array<StepRow, step_kinds> table{{
     {StepKind::reject, "reject", "pixels are dropped",
      "{@dropped}: dropped, {why}",
      {{"x", whole, key}, {"to_x", whole, key}, {"y", whole, key}, {"to_y", whole, key},
-      {"why", string, reason, true}}},
+      {"why", string, decision, true}}},
 
     {StepKind::skip, "skip", "a primitive draws nothing",
      "{@kind} {@primitive}: skipped, {why}",
-     {{"why", string, reason, true}}},
+     {{"why", string, decision, true}}},
 
     {StepKind::undecided, "undecided", "with `adaptive`: doubles leave a decision about the primitive open",
      "{@what_is_open}; drawn in exact numbers",

@@ -121,7 +121,10 @@ public:
         if (!wants(StepKind::vertex))
             return;
         begin_vertex_line(step.name, step.space);
-        put_numbers(R"(,"at":[)", step.at);
+        if (step.snapped.empty())
+            put_numbers(R"(,"at":[)", step.at);
+        else
+            put(R"(,"at":[)", Deciding{step.at[0]}, ",", Deciding{step.at[1]}, "]");
         if (!step.snapped.empty())
             put_numbers(R"(,"snapped":[)", step.snapped);
         put("}");
@@ -167,16 +170,21 @@ public:
             put(before, std::string_view(json_quoted(name)));
             before = ",";
         }
-        // Two that round to one double are both told as they are: their order hangs on it.
+        // Different ones that round to one double are told as they are: their order hangs on it.
         before = R"(],"distances":[)";
-        for (std::size_t i = 0; i < step.distances.size(); ++i) {
-            const Quantity& distance = step.distances[i];
-            if ((i > 0 && round_alike(step.distances[i - 1], distance)) ||
-                (i + 1 < step.distances.size() && round_alike(distance, step.distances[i + 1])))
-                put(before, Exactly{distance, true});
-            else
-                put(before, distance);
-            before = ",";
+        const auto& distances = step.distances;
+        for (std::size_t i = 0, end = 0; i < distances.size(); i = end) {
+            const double near = to_double(distances[i]);
+            bool differ = false;
+            for (end = i + 1; end < distances.size() && to_double(distances[end]) == near; ++end)
+                differ = differ || round_alike(distances[end - 1], distances[end]);
+            for (std::size_t k = i; k < end; ++k) {
+                if (differ)
+                    put(before, Exactly{distances[k], true});
+                else
+                    put(before, distances[k]);
+                before = ",";
+            }
         }
         put("]}");
     }
@@ -465,7 +473,8 @@ private:
             return 0;
         const double near = nearest_double(number);
         return std::isfinite(near) && Rational(near) != number
-                   ? std::abs(near) * std::numeric_limits<double>::epsilon()
+                   ? std::max(std::abs(near) * std::numeric_limits<double>::epsilon(),
+                              std::numeric_limits<double>::denorm_min())
                    : 0;
     }
 
