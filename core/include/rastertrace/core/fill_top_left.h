@@ -114,7 +114,7 @@ void add_crossings(const Triangle<Scalar>& triangle, const TriangleOrder& order,
 template <typename Scalar>
 [[gnu::noinline]] bool lies_right_of_canvas(const std::array<Vertex<Scalar>, 3>& from_top,
                                             bool long_edge_is_left, RowRange rows, int middle_row,
-                                            const SampleGrid<Scalar>& grid, const Canvas& canvas) {
+                                            const SampleGrid<Scalar>& grid, Canvas canvas) {
     const auto& [top, middle, bottom] = from_top;
     for (int row = rows.begin; row < rows.end; ++row) {
         const bool is_upper = row < middle_row;
@@ -168,7 +168,7 @@ void fill_top_left(const Triangle<Scalar>& triangle, const SampleGrid<Scalar>& g
     const Index first_row = grid.first_row_from(top.position.y);
     const Index first_lower_row = grid.first_row_from(middle.position.y);
     const Index end_row = grid.first_row_from(bottom.position.y);
-    const auto misses_sides = [&, a = top.position.x, b = middle.position.x,
+    const auto misses_sides = [=, &grid, &from_top, a = top.position.x, b = middle.position.x,
                                c = bottom.position.x] {
         if (grid.reaches(canvas.left(), std::max({a, b, c})))
             return true;
