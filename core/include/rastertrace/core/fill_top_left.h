@@ -109,20 +109,27 @@ void add_crossings(const Triangle<Scalar>& triangle, const TriangleOrder& order,
     }
 }
 
-/// True if the left edges admit no sample of the canvas's last column: all of the triangle lies right of the
-/// canvas. The corners alone do not say so of numbers that are rounded: an edge next to a sample may admit it.
+/// True if all of a triangle lies right of the canvas, as its corners do: its left edges admit no sample of the
+/// last column. Of numbers that are rounded the corners alone do not say so: an edge may admit a sample
+/// next to it.
 template <typename Scalar>
-[[gnu::noinline]] bool lies_right_of_canvas(const std::array<Vertex<Scalar>, 3>& from_top,
-                                            bool long_edge_is_left, RowRange rows, int middle_row,
+[[gnu::noinline]] bool lies_right_of_canvas(const Triangle<Scalar>& triangle,
                                             const SampleGrid<Scalar>& grid, Canvas canvas) {
-    const auto& [top, middle, bottom] = from_top;
-    for (int row = rows.begin; row < rows.end; ++row) {
-        const bool is_upper = row < middle_row;
-        const auto& upper = long_edge_is_left || is_upper ? top : middle;
-        const auto& lower = !long_edge_is_left && is_upper ? middle : bottom;
-        if (function_of_left_edge(upper, lower, grid.down())
-                .admits(grid.sample(canvas.right(), row)))
-            return false;
+    if constexpr (std::floating_point<Scalar>) {
+        const auto [top, middle, bottom] = sorted_from_top(triangle, grid.down());
+        const bool long_edge_is_left = side_of_edge(top, bottom, middle, grid.down()) > 0;
+        const Index first_lower_row = grid.first_row_from(middle.position.y);
+        const Index end_row =
+            std::min<Index>(grid.first_row_from(bottom.position.y), canvas.height);
+        for (Index row = std::max<Index>(grid.first_row_from(top.position.y), 0); row < end_row;
+             ++row) {
+            const bool is_upper = row < first_lower_row;
+            const auto& upper = long_edge_is_left || is_upper ? top : middle;
+            const auto& lower = !long_edge_is_left && is_upper ? middle : bottom;
+            if (function_of_left_edge(upper, lower, grid.down())
+                    .admits(grid.sample(canvas.right(), static_cast<int>(row))))
+                return false;
+        }
     }
     return true;
 }
@@ -152,8 +159,7 @@ void fill_top_left(const Triangle<Scalar>& triangle, const SampleGrid<Scalar>& g
                    Sink&& sink) {
     // Sort the vertices by height. The long edge runs from top to bottom, the two short ones meet
     // at the middle vertex, left or right of it.
-    const auto from_top = sorted_from_top(grid.placed(triangle), grid.down());
-    const auto& [top, middle, bottom] = from_top;
+    const auto [top, middle, bottom] = sorted_from_top(grid.placed(triangle), grid.down());
     const int middle_side = side_of_edge(top, bottom, middle, grid.down());
     if (middle_side == 0) {
         sink(PrimitiveSkipped{.why = SkipReason::zero_area});
@@ -168,20 +174,11 @@ void fill_top_left(const Triangle<Scalar>& triangle, const SampleGrid<Scalar>& g
     const Index first_row = grid.first_row_from(top.position.y);
     const Index first_lower_row = grid.first_row_from(middle.position.y);
     const Index end_row = grid.first_row_from(bottom.position.y);
-    const auto misses_sides = [=, &grid, &from_top, a = top.position.x, b = middle.position.x,
+    const auto misses_sides = [&triangle, &grid, canvas, a = top.position.x, b = middle.position.x,
                                c = bottom.position.x] {
-        if (grid.reaches(canvas.left(), std::max({a, b, c})))
-            return true;
-        if (grid.reaches(canvas.right(), std::min({a, b, c})))
-            return false;
-        if constexpr (std::floating_point<Scalar>)
-            return lies_right_of_canvas(
-                from_top, long_edge_is_left,
-                {static_cast<int>(std::max<Index>(first_row, 0)),
-                 static_cast<int>(std::min<Index>(end_row, canvas.height))},
-                static_cast<int>(std::clamp<Index>(first_lower_row, 0, canvas.height)), grid,
-                canvas);
-        return true;
+        return grid.reaches(canvas.left(), std::max({a, b, c})) ||
+               (!grid.reaches(canvas.right(), std::min({a, b, c})) &&
+                lies_right_of_canvas(triangle, grid, canvas));
     };
     const RowRange rows = rows_on_canvas(first_row, end_row - 1, misses_sides, canvas, sink);
     if (rows.is_empty())
