@@ -46,7 +46,7 @@ bool is_finite(const Vec<Quantity, 3>& at) {
 
 } // namespace
 
-std::vector<ScreenPrimitive> ExactPieces::of(std::size_t primitive) {
+ExactPieces::Range ExactPieces::range_of(std::size_t primitive) {
     if (!geometry_) {
         geometry_ = empty_geometry<Rational>(scene_);
         geometry_->transforms.divides = std::visit(
@@ -61,17 +61,21 @@ std::vector<ScreenPrimitive> ExactPieces::of(std::size_t primitive) {
         list_.vertices.resize(scene_.vertices.size());
     }
     const auto [known, is_new] = ranges_.try_emplace(primitive);
-    auto& [begin, end] = known->second;
     if (is_new) {
         for (const std::size_t place : scene_.primitives[primitive].corners())
             if (!geometry_->is_used[place]) {
                 geometry_->is_used[place] = true;
                 place_vertex(scene_, place, *geometry_, list_.vertices[place]);
             }
-        begin = list_.primitives.size();
+        known->second.begin = list_.primitives.size();
         add_primitive(scene_, *geometry_, primitive, list_);
-        end = list_.primitives.size();
+        known->second.end = list_.primitives.size();
     }
+    return known->second;
+}
+
+std::vector<ScreenPrimitive> ExactPieces::of(std::size_t primitive) {
+    const auto [begin, end] = range_of(primitive);
     const auto first = list_.primitives.begin();
     return {first + static_cast<std::ptrdiff_t>(begin), first + static_cast<std::ptrdiff_t>(end)};
 }
@@ -80,8 +84,9 @@ Piece<Rational> ExactPieces::placed(const PieceNumber& piece) {
     if (const auto* typed = std::get_if<TypedVertices>(&plan_.list))
         return rastertrace::placed<Rational>(
             piece_of(scene_, *typed, typed_primitive(scene_, piece.primitive)), plan_);
-    return rastertrace::placed<Rational>(piece_of(scene_, list_, of(piece.primitive)[piece.part]),
-                                         plan_);
+    const Range range = range_of(piece.primitive);
+    return rastertrace::placed<Rational>(
+        piece_of(scene_, list_, list_.primitives[range.begin + piece.part]), plan_);
 }
 
 /// The turned depth of a triangle in the pixel at (x, y), as the fill that the scene names finds it.

@@ -5,12 +5,12 @@
 
 #include "effort.h"
 #include "random_scene.h"
+#include "traces.h"
 
 #include <rastertrace/core/plan.h>
 #include <rastertrace/trace/color_text.h>
 #include <rastertrace/trace/scene_file.h>
 #include <rastertrace/trace/trace.h>
-#include <rastertrace/trace/write_trace.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -680,31 +680,27 @@ void redo(const std::string& json, std::map<std::string, int>& counts) {
     if (!read)
         return; // refused
     const Scene& scene = read.value().scene;
-    std::string text;
-    StringOutput output(text);
-    write_trace(scene, {}, output);
-    const auto trace = read_trace({"trace.json", std::move(text)});
-    ASSERT_TRUE(trace);
+    const Trace trace = trace_of(scene);
     std::map<std::string, int> more;
     switch (scene.method.scalar) {
     case ScalarKind::single_precision:
-        more = Redo<float, float, true>(scene, trace.value()).run();
+        more = Redo<float, float, true>(scene, trace).run();
         break;
     case ScalarKind::double_precision:
-        more = Redo<double, double, true>(scene, trace.value()).run();
+        more = Redo<double, double, true>(scene, trace).run();
         break;
     case ScalarKind::fixed:
         // Depths are doubles beside fractions of 64 or 128 bits.
         if (plan_for(scene).number == NumberType::rational)
-            more = Redo<Rational, Rational, true>(scene, trace.value()).run();
+            more = Redo<Rational, Rational, true>(scene, trace).run();
         else
-            more = Redo<Rational, double, true>(scene, trace.value()).run();
+            more = Redo<Rational, double, true>(scene, trace).run();
         break;
     case ScalarKind::exact:
-        more = Redo<Rational, Rational, true>(scene, trace.value()).run();
+        more = Redo<Rational, Rational, true>(scene, trace).run();
         break;
     case ScalarKind::adaptive:
-        more = Redo<Rational, Rational, false>(scene, trace.value()).run();
+        more = Redo<Rational, Rational, false>(scene, trace).run();
         break;
     }
     for (const auto& [what, count] : more)
@@ -822,10 +818,7 @@ TEST(Redo, CornersOfManyDigitsSayHowNearTheyAre) {
              R"("],"B":[6,1],"C":[6,5]},"triangles":["ABC"],
                        "method":{"scalar":"adaptive","fill":"top-left"}})"});
     ASSERT_TRUE(read);
-    std::string text;
-    StringOutput output(text);
-    write_trace(read.value().scene, {}, output);
-    EXPECT_THAT(text, testing::HasSubstr(R"("within":)"));
+    EXPECT_THAT(trace_text(read.value().scene), testing::HasSubstr(R"("within":)"));
 }
 
 TEST(Redo, AdaptiveWritesTheFractionThatDecides) {
@@ -835,9 +828,7 @@ TEST(Redo, AdaptiveWritesTheFractionThatDecides) {
                                       R"({"canvas":{"width":8,"height":4,"origin":"top-left"},
                 "vertices":{"A":[")" + x + R"(",0],"B":[6,0],"C":[6,3]},"triangles":["ABC"],
                 "method":{"scalar":"adaptive"}})"});
-        std::string text;
-        StringOutput output(text);
-        write_trace(read.value().scene, {}, output);
+        const std::string text = trace_text(read.value().scene);
         const std::size_t begin = text.find(R"({"step":")" + kind + '"');
         return text.substr(begin, text.find('\n', begin) - begin);
     };

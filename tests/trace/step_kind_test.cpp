@@ -2,12 +2,12 @@
 // The table of step kinds is what the writer writes, the describer says and the documentation tells.
 
 #include "random_scene.h"
+#include "traces.h"
 
 #include <rastertrace/trace/describe.h>
 #include <rastertrace/trace/scene_file.h>
 #include <rastertrace/trace/step_kind.h>
 #include <rastertrace/trace/trace.h>
-#include <rastertrace/trace/write_trace.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -62,14 +62,10 @@ TEST(StepKinds, AreWrittenAndDescribedAsTheTableSays) {
         const auto read = read_scene({"scene.json", RandomScene(seed).text()});
         if (!read)
             continue;
-        std::string text;
-        StringOutput output(text);
-        write_trace(read.value().scene, {}, output);
-        const auto trace = read_trace({"trace.json", std::move(text)});
-        ASSERT_TRUE(trace);
-        Replay replay(trace.value());
-        for (std::size_t n = 1; n <= trace.value().size(); ++n) {
-            const StepView step = trace.value().step(n);
+        const Trace trace = trace_of(read.value().scene);
+        Replay replay(trace);
+        for (std::size_t n = 1; n <= trace.size(); ++n) {
+            const StepView step = trace.step(n);
             expect_row(step);
             replay.go_to(n);
             EXPECT_THAT(

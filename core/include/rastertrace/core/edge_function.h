@@ -10,8 +10,8 @@
 // triangles that share an edge evaluate one expression, with its sign turned: what is rounded is rounded
 // alike, and a sample belongs to one of them.
 //
-// Source: Pineda 1988, E(x, y) = (x - X) dY - (y - Y) dX, here with its sign turned; Direct3D 11 specification, section 3.4.2.1 (the
-// top-left rule).
+// Source: Pineda 1988, E(x, y) = (x - X) dY - (y - Y) dX, here with its sign turned; Direct3D 11
+// specification, section 3.4.2.1 (the top-left rule).
 
 #include <rastertrace/core/edge.h>
 #include <rastertrace/core/scalar.h>

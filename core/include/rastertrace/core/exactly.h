@@ -33,7 +33,6 @@
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace rastertrace {
@@ -51,7 +50,7 @@ class ExactPieces {
 public:
     ExactPieces(const Scene& scene, const Plan& plan) : scene_(scene), plan_(plan) {}
 
-    /// What is drawn of a primitive of a scene with a pipeline.
+    /// What is drawn of a primitive of a scene with a pipeline. A copy: drawing it may add to the list.
     std::vector<ScreenPrimitive> of(std::size_t primitive);
 
     /// The list that has these.
@@ -61,13 +60,20 @@ public:
     Piece<Rational> placed(const PieceNumber& piece);
 
 private:
+    /// A part of the list, to before `end`.
+    struct Range {
+        std::size_t begin = 0;
+        std::size_t end = 0;
+    };
+
+    /// Where the list has a primitive; adds what is not there yet.
+    Range range_of(std::size_t primitive);
+
     const Scene& scene_;
     const Plan& plan_;
     std::optional<Geometry<Rational>> geometry_; ///< in which some vertices have their places
     ScreenList<Rational> list_;
-
-    /// Where the list has a primitive, from a place to another one.
-    std::map<std::size_t, std::pair<std::size_t, std::size_t>> ranges_;
+    std::map<std::size_t, Range> ranges_; ///< of primitives
 };
 
 /// The turned depth of a triangle in the pixel at (x, y), as the fill that the scene names finds it.

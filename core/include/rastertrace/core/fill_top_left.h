@@ -48,8 +48,8 @@ struct TriangleOrder {
 template <typename Scalar>
 std::array<EdgeFunction<Scalar>, 3> edge_functions(const Triangle<Scalar>& triangle,
                                                    const TriangleOrder& order, int down) {
-    const auto vertex = [&triangle](std::size_t place) {
-        return Vertex<Scalar>{triangle.vertices[place], static_cast<std::uint8_t>(place)};
+    const auto vertex = [&triangle](std::uint8_t index) {
+        return Vertex<Scalar>{triangle.vertices[index], index};
     };
     const auto top = vertex(order.top), middle = vertex(order.middle),
                bottom = vertex(order.bottom);
