@@ -7,7 +7,7 @@ namespace rastertrace {
 
 /// How many of a test's random cases are looked at: a tenth under the sanitizers, which look for other
 /// faults and take more than ten times as long.
-constexpr int random_cases(int all) {
+template <typename Count> constexpr Count random_cases(Count all) {
 #ifdef RASTERTRACE_SANITIZE
     return all / 10;
 #else

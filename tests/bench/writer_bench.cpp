@@ -91,8 +91,9 @@ void write_with_step_writer(benchmark::State& state, bool dyadic) {
         state.counters["bytes per step"] =
             static_cast<double>(output.total) / static_cast<double>(step_count);
     }
-    state.counters["steps"] = benchmark::Counter(
-        static_cast<double>(step_count * state.iterations()), benchmark::Counter::kIsRate);
+    state.counters["steps"] = benchmark::Counter(static_cast<double>(step_count) *
+                                                     static_cast<double>(state.iterations()),
+                                                 benchmark::Counter::kIsRate);
 }
 
 void write_with_nlohmann(benchmark::State& state, bool dyadic) {
@@ -128,8 +129,9 @@ void write_with_nlohmann(benchmark::State& state, bool dyadic) {
         state.counters["bytes per step"] =
             static_cast<double>(total) / static_cast<double>(step_count);
     }
-    state.counters["steps"] = benchmark::Counter(
-        static_cast<double>(step_count * state.iterations()), benchmark::Counter::kIsRate);
+    state.counters["steps"] = benchmark::Counter(static_cast<double>(step_count) *
+                                                     static_cast<double>(state.iterations()),
+                                                 benchmark::Counter::kIsRate);
 }
 
 BENCHMARK_CAPTURE(write_with_nlohmann, dyadic, true)->Unit(benchmark::kMillisecond)->Iterations(1);

@@ -262,13 +262,13 @@ double worst_use_of_bound(std::uint64_t seed, int exponents) {
 
 TEST(Adaptive, ErrorsStayBelowTheirBounds) {
     double worst = 0;
-    for (int seed = 0; seed < random_cases(20000); ++seed)
+    for (unsigned seed = 0; seed < random_cases(20000U); ++seed)
         worst = std::max(worst, worst_use_of_bound(seed, seed % 2 == 0 ? 3 : 200));
     EXPECT_GT(worst, 0.5) << "the bound should not be far larger than it has to be";
 }
 
 TEST(Adaptive, SubnormalAndHugeNumbersDecideNothingWrong) {
-    for (int seed = 0; seed < random_cases(5000); ++seed)
+    for (unsigned seed = 0; seed < random_cases(5000U); ++seed)
         worst_use_of_bound(seed, 1020);
 }
 

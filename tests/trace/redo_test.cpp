@@ -709,7 +709,7 @@ void redo(const std::string& json, std::map<std::string, int>& counts) {
 
 TEST(Redo, EveryDecisionOfRandomScenes) {
     std::map<std::string, int> counts;
-    for (int seed = 1; seed <= random_cases(1500) && !HasFailure(); ++seed)
+    for (unsigned seed = 1; seed <= random_cases(1500U) && !HasFailure(); ++seed)
         redo(RandomScene(seed).text(), counts);
     // None of the kinds was missed.
     for (const char* const kind : {"snap",
@@ -849,7 +849,7 @@ TEST(Redo, AdaptiveWritesTheFractionThatDecides) {
 
 TEST(Redo, EveryDecisionNextToATie) {
     std::map<std::string, int> counts;
-    for (int seed = 1; seed <= random_cases(1500) && !HasFailure(); ++seed)
+    for (unsigned seed = 1; seed <= random_cases(1500U) && !HasFailure(); ++seed)
         redo(scene_near_ties(seed), counts);
     for (const char* const kind : {"scanline: from", "scanline: left admits",
                                    "scanline: right admits", "along", "sample", "snap"})
