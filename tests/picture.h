@@ -3,7 +3,7 @@
 
 // Pictures as rows of text, and triangles to draw in tests.
 
-#include <rastertrace/core/draw.h>
+#include <rastertrace/core/draw/draw.h>
 
 #include <concepts>
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <rastertrace/core/draw.h>
+#include <rastertrace/core/draw/draw.h>
 
 #include "draw_scalar.h"
 

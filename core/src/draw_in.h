@@ -6,27 +6,27 @@
 
 #include "listener_sink.h"
 
-#include <rastertrace/core/draw.h>
+#include <rastertrace/core/draw/draw.h>
 
-#include <rastertrace/core/adaptive.h>
-#include <rastertrace/core/adaptive_depth.h>
-#include <rastertrace/core/depth.h>
-#include <rastertrace/core/exactly.h>
-#include <rastertrace/core/fill.h>
-#include <rastertrace/core/flat_painter.h>
-#include <rastertrace/core/image.h>
-#include <rastertrace/core/line_bresenham.h>
-#include <rastertrace/core/line_lerp.h>
-#include <rastertrace/core/mixed_colors.h>
-#include <rastertrace/core/pieces.h>
-#include <rastertrace/core/placed.h>
-#include <rastertrace/core/plan.h>
-#include <rastertrace/core/row_painter.h>
-#include <rastertrace/core/sample_walk.h>
-#include <rastertrace/core/scene.h>
-#include <rastertrace/core/sink.h>
-#include <rastertrace/core/steps.h>
-#include <rastertrace/core/triangle.h>
+#include <rastertrace/core/draw/adaptive_depth.h>
+#include <rastertrace/core/draw/exactly.h>
+#include <rastertrace/core/draw/fill.h>
+#include <rastertrace/core/draw/pieces.h>
+#include <rastertrace/core/draw/placed.h>
+#include <rastertrace/core/draw/plan.h>
+#include <rastertrace/core/draw/row_painter.h>
+#include <rastertrace/core/numbers/adaptive.h>
+#include <rastertrace/core/raster/depth.h>
+#include <rastertrace/core/raster/flat_painter.h>
+#include <rastertrace/core/raster/image.h>
+#include <rastertrace/core/raster/line_bresenham.h>
+#include <rastertrace/core/raster/line_lerp.h>
+#include <rastertrace/core/raster/mixed_colors.h>
+#include <rastertrace/core/raster/sample_walk.h>
+#include <rastertrace/core/raster/sink.h>
+#include <rastertrace/core/raster/steps.h>
+#include <rastertrace/core/raster/triangle.h>
+#include <rastertrace/core/scene/scene.h>
 
 #include <array>
 #include <cmath>

@@ -7,7 +7,7 @@
 #include "draw_in.h"
 #include "draw_scalar.h"
 
-#include <rastertrace/core/exactly.h>
+#include <rastertrace/core/draw/exactly.h>
 
 #include <concepts>
 #include <cstddef>

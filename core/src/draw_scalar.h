@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <rastertrace/core/draw.h>
+#include <rastertrace/core/draw/draw.h>
 
 namespace rastertrace {
 

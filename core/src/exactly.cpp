@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <rastertrace/core/exactly.h>
+#include <rastertrace/core/draw/exactly.h>
 
-#include <rastertrace/core/edge.h>
-#include <rastertrace/core/fill_scanline.h>
+#include <rastertrace/core/raster/edge.h>
+#include <rastertrace/core/raster/fill_scanline.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include <rastertrace/core/geometry.h>
+#include <rastertrace/core/draw/geometry.h>
 
 #include "listener_sink.h"
 
-#include <rastertrace/core/camera.h>
-#include <rastertrace/core/rounding.h>
-#include <rastertrace/core/transform.h>
+#include <rastertrace/core/raster/rounding.h>
+#include <rastertrace/core/transform/camera.h>
+#include <rastertrace/core/transform/transform.h>
 
 #include <algorithm>
 #include <array>

@@ -4,10 +4,10 @@
 // The sink with which algorithms tell a listener: a step over a Scalar becomes one over Quantity, if the
 // listener takes such.
 
-#include <rastertrace/core/listener.h>
-#include <rastertrace/core/quantity.h>
-#include <rastertrace/core/sink.h>
-#include <rastertrace/core/steps.h>
+#include <rastertrace/core/draw/listener.h>
+#include <rastertrace/core/numbers/quantity.h>
+#include <rastertrace/core/raster/sink.h>
+#include <rastertrace/core/raster/steps.h>
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <rastertrace/core/pieces.h>
+#include <rastertrace/core/draw/pieces.h>
 
 #include "listener_sink.h"
 
-#include <rastertrace/core/clip.h>
+#include <rastertrace/core/raster/clip.h>
 
 #include <algorithm>
 #include <cmath>

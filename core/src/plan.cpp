@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include <rastertrace/core/plan.h>
+#include <rastertrace/core/draw/plan.h>
 
 #include "stages_of.h"
 
-#include <rastertrace/core/barycentric.h>
-#include <rastertrace/core/fill_fan.h>
-#include <rastertrace/core/pieces.h>
+#include <rastertrace/core/draw/pieces.h>
+#include <rastertrace/core/raster/barycentric.h>
+#include <rastertrace/core/raster/fill_fan.h>
 
 #include <algorithm>
 #include <bit>

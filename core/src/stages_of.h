@@ -5,13 +5,13 @@
 //
 //     Stages stages = stages_of(scene, screen_list_of(scene, geometry), sizeof(double));
 
-#include <rastertrace/core/adaptive.h>
-#include <rastertrace/core/canvas.h>
-#include <rastertrace/core/depth.h>
-#include <rastertrace/core/pieces.h>
-#include <rastertrace/core/scalar.h>
-#include <rastertrace/core/scene.h>
-#include <rastertrace/core/stages.h>
+#include <rastertrace/core/draw/pieces.h>
+#include <rastertrace/core/numbers/adaptive.h>
+#include <rastertrace/core/numbers/scalar.h>
+#include <rastertrace/core/raster/canvas.h>
+#include <rastertrace/core/raster/depth.h>
+#include <rastertrace/core/scene/scene.h>
+#include <rastertrace/core/scene/stages.h>
 
 #include <algorithm>
 #include <array>

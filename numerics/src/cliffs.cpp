@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/numerics/cliffs.h>
 
-#include <rastertrace/core/geometry.h>
-#include <rastertrace/core/pieces.h>
-#include <rastertrace/core/plan.h>
-#include <rastertrace/core/rounding.h>
+#include <rastertrace/core/draw/geometry.h>
+#include <rastertrace/core/draw/pieces.h>
+#include <rastertrace/core/draw/plan.h>
+#include <rastertrace/core/raster/rounding.h>
 #include <rastertrace/numerics/drawing.h>
 #include <rastertrace/trace/primitive_name.h>
 #include <rastertrace/trace/scene_file.h>

@@ -5,10 +5,10 @@
 
 #include "job_builder.h"
 
-#include <rastertrace/core/pieces.h>
-#include <rastertrace/core/placed.h>
-#include <rastertrace/core/plan.h>
-#include <rastertrace/core/scene.h>
+#include <rastertrace/core/draw/pieces.h>
+#include <rastertrace/core/draw/placed.h>
+#include <rastertrace/core/draw/plan.h>
+#include <rastertrace/core/scene/scene.h>
 
 #include <algorithm>
 #include <concepts>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "report_adaptive.h"
 
-#include <rastertrace/core/draw.h>
+#include <rastertrace/core/draw/draw.h>
 #include <rastertrace/numerics/drawing.h>
 #include <rastertrace/numerics/timing.h>
 

@@ -9,10 +9,10 @@
 //     const AdaptiveSteps steps = steps_of(*drawing);
 //     builder.add(adaptive_setting(*drawing, steps.pixels_tested()), timed(drawing), units);
 
-#include <rastertrace/core/canvas.h>
-#include <rastertrace/core/image.h>
-#include <rastertrace/core/plan.h>
-#include <rastertrace/core/scene.h>
+#include <rastertrace/core/draw/plan.h>
+#include <rastertrace/core/raster/canvas.h>
+#include <rastertrace/core/raster/image.h>
+#include <rastertrace/core/scene/scene.h>
 #include <rastertrace/numerics/report.h>
 
 #include <cstddef>

@@ -5,8 +5,8 @@
 #include "placed_triangles.h"
 #include "report_adaptive.h"
 
-#include <rastertrace/core/fill.h>
-#include <rastertrace/core/flat_painter.h>
+#include <rastertrace/core/draw/fill.h>
+#include <rastertrace/core/raster/flat_painter.h>
 #include <rastertrace/trace/method_names.h>
 
 #include <fmt/format.h>

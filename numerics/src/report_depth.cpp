@@ -6,8 +6,8 @@
 #include "placed_triangles.h"
 #include "report_adaptive.h"
 
-#include <rastertrace/core/fill.h>
-#include <rastertrace/core/painter.h>
+#include <rastertrace/core/draw/fill.h>
+#include <rastertrace/core/raster/painter_order.h>
 #include <rastertrace/numerics/knobs.h>
 #include <rastertrace/trace/method_names.h>
 

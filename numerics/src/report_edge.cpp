@@ -4,8 +4,8 @@
 
 #include "job_builder.h"
 
-#include <rastertrace/core/fill_scanline.h>
-#include <rastertrace/core/pieces.h>
+#include <rastertrace/core/draw/pieces.h>
+#include <rastertrace/core/raster/fill_scanline.h>
 #include <rastertrace/numerics/knobs.h>
 
 #include <fmt/format.h>

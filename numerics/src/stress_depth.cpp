@@ -4,8 +4,8 @@
 
 #include "stress_rows.h"
 
-#include <rastertrace/core/adaptive_depth.h>
-#include <rastertrace/core/depth.h>
+#include <rastertrace/core/draw/adaptive_depth.h>
+#include <rastertrace/core/raster/depth.h>
 
 #include <fmt/format.h>
 

@@ -4,9 +4,9 @@
 
 #include "stress_rows.h"
 
-#include <rastertrace/core/barycentric.h>
-#include <rastertrace/core/face.h>
-#include <rastertrace/core/triangle.h>
+#include <rastertrace/core/raster/barycentric.h>
+#include <rastertrace/core/raster/face.h>
+#include <rastertrace/core/raster/triangle.h>
 
 #include <fmt/format.h>
 

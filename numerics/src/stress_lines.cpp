@@ -3,9 +3,9 @@
 
 #include "stress_rows.h"
 
-#include <rastertrace/core/line_bresenham.h>
-#include <rastertrace/core/line_lerp.h>
-#include <rastertrace/core/rounding.h>
+#include <rastertrace/core/raster/line_bresenham.h>
+#include <rastertrace/core/raster/line_lerp.h>
+#include <rastertrace/core/raster/rounding.h>
 
 #include <fmt/format.h>
 

@@ -4,8 +4,8 @@
 
 #include "stress_rows.h"
 
-#include <rastertrace/core/face.h>
-#include <rastertrace/core/matrix.h>
+#include <rastertrace/core/raster/face.h>
+#include <rastertrace/core/transform/matrix.h>
 
 #include <fmt/format.h>
 

@@ -5,10 +5,10 @@
 
 #include "reference.h"
 
-#include <rastertrace/core/image.h>
-#include <rastertrace/core/plan.h>
-#include <rastertrace/core/scalar.h>
-#include <rastertrace/core/scene.h>
+#include <rastertrace/core/draw/plan.h>
+#include <rastertrace/core/numbers/scalar.h>
+#include <rastertrace/core/raster/image.h>
+#include <rastertrace/core/scene/scene.h>
 #include <rastertrace/numerics/stress.h>
 #include <rastertrace/trace/method_names.h>
 #include <rastertrace/trace/problem.h>

@@ -4,8 +4,8 @@
 
 #include "stress_rows.h"
 
-#include <rastertrace/core/adaptive_edge.h>
-#include <rastertrace/core/edge.h>
+#include <rastertrace/core/draw/adaptive_edge.h>
+#include <rastertrace/core/raster/edge.h>
 #include <rastertrace/numerics/knobs.h>
 #include <rastertrace/trace/output.h>
 #include <rastertrace/trace/write_trace.h>

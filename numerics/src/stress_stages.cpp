@@ -3,8 +3,8 @@
 
 #include "stress_rows.h"
 
-#include <rastertrace/core/barycentric.h>
-#include <rastertrace/core/matrix.h>
+#include <rastertrace/core/raster/barycentric.h>
+#include <rastertrace/core/transform/matrix.h>
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 // The same scenes with each scalar: planning and drawing, with no sink. `adaptive` beside `double` on
 // scenes of every day, `exact` beside `double` where fractions of machine size fit.
 
-#include <rastertrace/core/draw.h>
+#include <rastertrace/core/draw/draw.h>
 
 #include <benchmark/benchmark.h>
 

@@ -3,7 +3,7 @@
 // plan, with one stage kept, and with all. scripts/stage-table.sh makes the tables of
 // docs/performance.md from it.
 
-#include <rastertrace/core/draw.h>
+#include <rastertrace/core/draw/draw.h>
 #include <rastertrace/trace/output.h>
 #include <rastertrace/trace/stage_name.h>
 #include <rastertrace/trace/write_trace.h>

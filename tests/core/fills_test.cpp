@@ -2,9 +2,9 @@
 #include "picture.h"
 #include "random_triangle.h"
 
-#include <rastertrace/core/fill_top_left.h>
-#include <rastertrace/core/flat_painter.h>
-#include <rastertrace/core/row_painter.h>
+#include <rastertrace/core/draw/row_painter.h>
+#include <rastertrace/core/raster/fill_top_left.h>
+#include <rastertrace/core/raster/flat_painter.h>
 
 #include <gtest/gtest.h>
 

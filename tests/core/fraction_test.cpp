@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <rastertrace/core/divisor.h>
-#include <rastertrace/core/scalar.h>
+#include <rastertrace/core/numbers/divisor.h>
+#include <rastertrace/core/numbers/scalar.h>
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include "picture.h"
 #include "random_triangle.h"
 
-#include <rastertrace/core/face.h>
+#include <rastertrace/core/raster/face.h>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -4,11 +4,11 @@
 
 #include "picture.h"
 
-#include <rastertrace/core/clip.h>
-#include <rastertrace/core/fill_top_left.h>
-#include <rastertrace/core/flat_painter.h>
-#include <rastertrace/core/geometry.h>
-#include <rastertrace/core/pieces.h>
+#include <rastertrace/core/draw/geometry.h>
+#include <rastertrace/core/draw/pieces.h>
+#include <rastertrace/core/raster/clip.h>
+#include <rastertrace/core/raster/fill_top_left.h>
+#include <rastertrace/core/raster/flat_painter.h>
 
 #include <glm/gtc/matrix_transform.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <rastertrace/core/rounding.h>
+#include <rastertrace/core/raster/rounding.h>
 
 #include <gtest/gtest.h>
 

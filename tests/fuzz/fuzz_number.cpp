@@ -4,7 +4,7 @@
 
 #include "check.h"
 
-#include <rastertrace/core/number.h>
+#include <rastertrace/core/numbers/number.h>
 
 #include <gmpxx.h>
 

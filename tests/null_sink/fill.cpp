@@ -6,14 +6,14 @@
 
 #include <gmpxx.h>
 
-#include <rastertrace/core/barycentric.h>
-#include <rastertrace/core/edge.h>
-#include <rastertrace/core/image.h>
-#include <rastertrace/core/rounding.h>
-#include <rastertrace/core/scalar.h>
-#include <rastertrace/core/sink.h>
-#include <rastertrace/core/steps.h>
-#include <rastertrace/core/triangle.h>
+#include <rastertrace/core/numbers/scalar.h>
+#include <rastertrace/core/raster/barycentric.h>
+#include <rastertrace/core/raster/edge.h>
+#include <rastertrace/core/raster/image.h>
+#include <rastertrace/core/raster/rounding.h>
+#include <rastertrace/core/raster/sink.h>
+#include <rastertrace/core/raster/steps.h>
+#include <rastertrace/core/raster/triangle.h>
 
 #include <algorithm>
 #include <array>
@@ -35,9 +35,9 @@ template <typename Scalar> constexpr bool is_painted<ScanlineSpanned<Scalar>> = 
     if constexpr (is_painted<std::remove_cvref_t<decltype(__VA_ARGS__)>>)                          \
     (sink)(__VA_ARGS__)
 #endif
-#include <rastertrace/core/fill_scanline.h>
-#include <rastertrace/core/fill_top_left.h>
-#include <rastertrace/core/flat_painter.h>
+#include <rastertrace/core/raster/fill_scanline.h>
+#include <rastertrace/core/raster/fill_top_left.h>
+#include <rastertrace/core/raster/flat_painter.h>
 
 namespace rastertrace {
 

@@ -4,12 +4,12 @@
 
 #include "hill_climb.h"
 
-#include <rastertrace/core/adaptive_color.h>
-#include <rastertrace/core/adaptive_depth.h>
-#include <rastertrace/core/barycentric.h>
-#include <rastertrace/core/depth.h>
-#include <rastertrace/core/mixed_colors.h>
-#include <rastertrace/core/triangle.h>
+#include <rastertrace/core/draw/adaptive_color.h>
+#include <rastertrace/core/draw/adaptive_depth.h>
+#include <rastertrace/core/raster/barycentric.h>
+#include <rastertrace/core/raster/depth.h>
+#include <rastertrace/core/raster/mixed_colors.h>
+#include <rastertrace/core/raster/triangle.h>
 
 #include <gtest/gtest.h>
 

@@ -5,9 +5,9 @@
 
 #include "hill_climb.h"
 
-#include <rastertrace/core/barycentric.h>
-#include <rastertrace/core/edge.h>
-#include <rastertrace/core/mixed_colors.h>
+#include <rastertrace/core/raster/barycentric.h>
+#include <rastertrace/core/raster/edge.h>
+#include <rastertrace/core/raster/mixed_colors.h>
 #include <rastertrace/numerics/bounds.h>
 #include <rastertrace/numerics/knobs.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "canvas_json.h"
 
-#include <rastertrace/core/number.h>
+#include <rastertrace/core/numbers/number.h>
 #include <rastertrace/trace/text.h>
 
 #include <fmt/format.h>

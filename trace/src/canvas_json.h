@@ -5,7 +5,7 @@
 
 #include "json_document.h"
 
-#include <rastertrace/core/canvas.h>
+#include <rastertrace/core/raster/canvas.h>
 #include <rastertrace/trace/problem.h>
 
 #include <optional>

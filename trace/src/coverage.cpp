@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "coverage.h"
 
-#include <rastertrace/core/number.h>
+#include <rastertrace/core/numbers/number.h>
 #include <rastertrace/trace/scene_file.h>
 #include <rastertrace/trace/t_junctions.h>
 

@@ -9,8 +9,8 @@
 
 #include "json_document.h"
 
-#include <rastertrace/core/number.h>
-#include <rastertrace/core/transform.h>
+#include <rastertrace/core/numbers/number.h>
+#include <rastertrace/core/transform/transform.h>
 #include <rastertrace/trace/problem.h>
 
 #include <cstddef>

@@ -7,11 +7,11 @@
 #include "json_document.h"
 #include "json_reader.h"
 
-#include <rastertrace/core/camera.h>
-#include <rastertrace/core/projection.h>
-#include <rastertrace/core/scene.h>
-#include <rastertrace/core/transform.h>
-#include <rastertrace/core/viewport.h>
+#include <rastertrace/core/scene/scene.h>
+#include <rastertrace/core/transform/camera.h>
+#include <rastertrace/core/transform/projection.h>
+#include <rastertrace/core/transform/transform.h>
+#include <rastertrace/core/transform/viewport.h>
 
 #include <vector>
 

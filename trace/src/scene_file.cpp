@@ -7,8 +7,8 @@
 #include "name_index.h"
 #include "pipeline_json.h"
 
-#include <rastertrace/core/pieces.h>
-#include <rastertrace/core/plan.h>
+#include <rastertrace/core/draw/pieces.h>
+#include <rastertrace/core/draw/plan.h>
 #include <rastertrace/trace/color_text.h>
 #include <rastertrace/trace/obj_file.h>
 #include <rastertrace/trace/refusal.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/trace/t_junctions.h>
 
-#include <rastertrace/core/scalar.h>
+#include <rastertrace/core/numbers/scalar.h>
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include "json_scanner.h"
 #include "zero_byte.h"
 
-#include <rastertrace/core/number.h>
+#include <rastertrace/core/numbers/number.h>
 #include <rastertrace/trace/frame.h>
 #include <rastertrace/trace/text.h>
 #include <rastertrace/trace/write_trace.h>

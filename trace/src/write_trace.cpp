@@ -3,8 +3,8 @@
 
 #include "canvas_json.h"
 
-#include <rastertrace/core/draw.h>
-#include <rastertrace/core/plan.h>
+#include <rastertrace/core/draw/draw.h>
+#include <rastertrace/core/draw/plan.h>
 #include <rastertrace/trace/method_names.h>
 #include <rastertrace/trace/pipeline_names.h>
 #include <rastertrace/trace/stage_name.h>

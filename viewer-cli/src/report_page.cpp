@@ -3,7 +3,7 @@
 
 #include "report_file.h"
 
-#include <rastertrace/core/stages.h>
+#include <rastertrace/core/scene/stages.h>
 #include <rastertrace/numerics/plot_svg.h>
 #include <rastertrace/trace/text.h>
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Uses both libraries as somebody else would: draws with the core, writes and reads a trace.
 
-#include <rastertrace/core/draw.h>
+#include <rastertrace/core.h>
+#include <rastertrace/core/draw/fill.h>
 #include <rastertrace/trace/frame.h>
 #include <rastertrace/trace/write_trace.h>
 

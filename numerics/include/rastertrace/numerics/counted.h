@@ -11,8 +11,8 @@
 //     }
 //     work.divides;  // 1
 
-#include <rastertrace/core/fraction.h>
-#include <rastertrace/core/scalar.h>
+#include <rastertrace/core/numbers/fraction.h>
+#include <rastertrace/core/numbers/scalar.h>
 
 #include <compare>
 #include <concepts>

@@ -8,10 +8,10 @@
 //     ReseededWalk<float> walk(edge, 1, 16);  // x from row to row, found anew in every 16th
 //     walk.x_on_row(0);
 
-#include <rastertrace/core/depth.h>
-#include <rastertrace/core/edge.h>
-#include <rastertrace/core/scalar.h>
-#include <rastertrace/core/vec.h>
+#include <rastertrace/core/numbers/scalar.h>
+#include <rastertrace/core/numbers/vec.h>
+#include <rastertrace/core/raster/depth.h>
+#include <rastertrace/core/raster/edge.h>
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 
 // Colors as scenes and traces write them: "#ff8000", "#ff800080", or a CSS basic name.
 
-#include <rastertrace/core/image.h>
+#include <rastertrace/core/raster/image.h>
 
 #include <optional>
 #include <string>

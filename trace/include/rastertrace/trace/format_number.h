@@ -7,7 +7,7 @@
 //     char buffer[32];
 //     char* const end = format_number(buffer, 0.25);   // 0.25
 
-#include <rastertrace/core/scalar.h>
+#include <rastertrace/core/numbers/scalar.h>
 
 #include <array>
 #include <charconv>

@@ -7,7 +7,7 @@
 //     replay.go_to(31);
 //     replay.frame().image.at({-1, 2});
 
-#include <rastertrace/core/image.h>
+#include <rastertrace/core/raster/image.h>
 #include <rastertrace/trace/trace.h>
 
 #include <cstddef>

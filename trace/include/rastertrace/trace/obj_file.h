@@ -12,7 +12,7 @@
 //
 //     const auto mesh = read_obj(source);  // an ObjMesh, or the Problem and its place
 
-#include <rastertrace/core/number.h>
+#include <rastertrace/core/numbers/number.h>
 #include <rastertrace/trace/problem.h>
 
 #include <array>

@@ -3,7 +3,7 @@
 
 // The kinds of primitive, as scenes, traces and people name them.
 
-#include <rastertrace/core/steps.h>
+#include <rastertrace/core/raster/steps.h>
 
 #include <string_view>
 

@@ -23,7 +23,7 @@
 // of the mesh. Nor does it lie within `on_edge_reach` of an end, along the edge: those would be two
 // vertices that were meant to be one.
 
-#include <rastertrace/core/canvas.h>
+#include <rastertrace/core/raster/canvas.h>
 
 #include <gmpxx.h>
 

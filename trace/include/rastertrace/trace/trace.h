@@ -10,7 +10,7 @@
 // Steps stay the text that they were; a step is looked into when someone asks. Steps and fields of
 // unknown names are kept.
 
-#include <rastertrace/core/canvas.h>
+#include <rastertrace/core/raster/canvas.h>
 #include <rastertrace/trace/problem.h>
 #include <rastertrace/trace/step_kind.h>
 

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The stages before anything is drawn: every vertex on its way from object space to the screen.
+//
+//     object --model--> world --view--> camera --projection--> clip --/w--> canonical
+//            --viewport--> screen
+//
+// What lies out of view stops in clip space, so that nothing is divided by a w of 0 or less.
+//
+//     const auto geometry = geometry_of<double>(scene);
+//     geometry.vertices[0].pixel;
+
+#include <rastertrace/core/draw/listener.h>
+#include <rastertrace/core/numbers/scalar.h>
+#include <rastertrace/core/numbers/vec.h>
+#include <rastertrace/core/raster/painter_order.h>
+#include <rastertrace/core/raster/steps.h>
+#include <rastertrace/core/scene/method.h>
+#include <rastertrace/core/scene/scene.h>
+#include <rastertrace/core/transform/matrix.h>
+#include <rastertrace/core/transform/projection.h>
+#include <rastertrace/core/transform/viewport.h>
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace rastertrace {
+
+/// The four sides of the space that is not clipped stand this many half canvases from the middle of
+/// the picture. Nearer than that, it is the fill that drops what the canvas does not have, at the
+/// cost of the canvas; every place on the screen stays below 2^26 pixels.
+inline constexpr int guard_band = 4096;
+
+/// The matrices of a scene; those that it does not have leave a vertex where it is.
+template <typename Scalar> struct Transforms {
+    std::vector<std::optional<Matrix<Scalar>>> models; ///< of the scene's objects
+    std::optional<Matrix<Scalar>> rest_model;          ///< of vertices that have no object
+    std::optional<Matrix<Scalar>> view;
+    std::optional<Matrix<Scalar>> projection;
+    std::optional<Matrix<Scalar>> viewport;
+    std::vector<ClipPlane<Scalar>> planes; ///< those that a vertex lies outside of
+    bool divides = true;                   ///< by w
+    StageSet needed; ///< of the stages of vertices: those that could change the picture
+    Snap snap = Snap::none;
+    Ties ties = Ties::up; ///< of Snap::nearest
+    Vec<Scalar, 3> eye{}; ///< if faces are tested; see eye_of
+};
+
+/// The last spaces of a vertex. `pixel` is where it is drawn: on the screen, snapped if it is to be.
+template <typename Scalar> struct ScreenPlaces {
+    Vec<Scalar, 4> canonical;
+    Vec<Scalar, 2> screen;
+    Vec<Scalar, 2> pixel;
+};
+
+/// A vertex before clipping.
+template <typename Scalar> struct PlacedVertex {
+    Vec<Scalar, 4> clip;
+    Scalar distance;         ///< from the eye along the view
+    bool is_in_view = false; ///< it lies outside of no plane
+};
+
+/// Where a vertex is drawn, and what is interpolated from it.
+template <typename Scalar> struct ScreenVertex {
+    Vec<Scalar, 2> position{};
+    Scalar depth{};     ///< if there is a depth buffer
+    Scalar inverse_w{}; ///< if colors are mixed
+};
+
+/// How many vertices that are used lie outside of a plane of the view.
+struct VerticesOutside {
+    std::string_view plane;
+    std::size_t vertices;
+};
+
+/// The places of all vertices that a primitive has.
+template <typename Scalar> struct Geometry {
+    Transforms<Scalar> transforms;
+    std::vector<PlacedVertex<Scalar>> vertices; ///< as in Scene::vertices
+    std::vector<ScreenVertex<Scalar>> screen;   ///< the same; only the positions of those in view
+    std::vector<bool> is_used;                  ///< by a primitive; the others are not placed
+    std::vector<Vec<Scalar, 3>> world;          ///< of all vertices, if faces are tested
+    std::optional<PainterOrder<Scalar>> order;  ///< if the painter has sorted them
+    std::vector<VerticesOutside> outside;       ///< of each plane
+};
+
+/// True if a matrix of the scene has irrational entries, which are the nearest doubles instead.
+bool has_rounded_matrix(const Scene& scene);
+
+/// Which of the scene's vertices a primitive has.
+std::vector<bool> used_vertices(const Scene& scene);
+
+// What follows is compiled in the library, for float, double, Adaptive and Rational.
+
+/// Takes every vertex that is used to clip space, and on to the screen if it can be seen.
+template <typename Scalar> Geometry<Scalar> geometry_of(const Scene& scene);
+
+/// A geometry whose vertices have no place yet. Only for Rational.
+template <typename Scalar> Geometry<Scalar> empty_geometry(const Scene& scene);
+
+/// A vertex in the world and in clip space.
+template <typename Scalar> struct VertexInSpace {
+    Vec<Scalar, 3> world;
+    PlacedVertex<Scalar> placed;
+};
+template <typename Scalar>
+VertexInSpace<Scalar> vertex_in_space(const Scene& scene, const Transforms<Scalar>& transforms,
+                                      std::size_t place);
+
+/// Takes a vertex to clip space, and on to the screen if it can be seen. Only for Rational.
+template <typename Scalar>
+void place_vertex(const Scene& scene, std::size_t place, Geometry<Scalar>& geometry,
+                  ScreenVertex<Scalar>& on_screen);
+
+/// x/w, y/w and z/w, moved to the screen. w must not be 0.
+template <typename Scalar>
+ScreenPlaces<Scalar> places_on_screen(const Vec<Scalar, 4>& clip,
+                                      const Transforms<Scalar>& transforms);
+
+/// Tells a place of a vertex: the first `count` coordinates.
+template <typename Scalar>
+void tell_place(std::string_view name, Space space, const Vec<Scalar, 4>& at, std::size_t count,
+                const Listener& listener);
+
+/// Tells the spaces of a vertex from clip space on.
+template <typename Scalar>
+void tell_places_on_screen(std::string_view name, const Vec<Scalar, 4>& clip,
+                           const Transforms<Scalar>& transforms, const Listener& listener);
+
+/// Tells the matrices, then the vertices, then what the painter has sorted.
+template <typename Scalar>
+void tell_geometry(const Scene& scene, const Transforms<Scalar>& transforms,
+                   const std::optional<PainterOrder<Scalar>>& order, const Listener& listener);
+
+} // namespace rastertrace

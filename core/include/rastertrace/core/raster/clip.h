@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Clipping in homogeneous coordinates, before anything is divided by w: what lies behind the eye is
+// cut off while it still is behind the eye. After the division it would stand mirrored in front.
+//
+// Source: Sutherland and Hodgman 1974, one plane after the other; Blinn and Newell 1978 for doing
+// so before the division.
+//
+//     clip(polygon, plane);  // the part on the plane's inner side
+
+#include <rastertrace/core/numbers/scalar.h>
+#include <rastertrace/core/numbers/vec.h>
+#include <rastertrace/core/raster/image.h>
+#include <rastertrace/core/raster/line.h>
+#include <rastertrace/core/transform/projection.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace rastertrace {
+
+/// A corner of a polygon in clip space.
+template <typename Scalar> struct ClipVertex {
+    Vec<Scalar, 4> position;
+    Scalar distance; ///< from the eye along the view
+    Color color;
+    int original = -1; ///< its place among the primitive's own vertices; -1 if clipping made it
+};
+
+/// The point where the way from a vertex inside to one outside meets the plane. Always computed
+/// from the inside: two triangles that share the edge get the same point. The color is rounded to
+/// the nearest level.
+template <typename Scalar>
+ClipVertex<Scalar> meeting_point(const ClipVertex<Scalar>& inside,
+                                 const ClipVertex<Scalar>& outside,
+                                 const ClipPlane<Scalar>& plane) {
+    // From the end nearer to the plane: from the other one, the difference would be rounded to the
+    // size of a far coordinate, and a w just above 0 could come out as 0 or below.
+    const Scalar value_inside = plane.value_at(inside.position);
+    const Scalar value_outside = -plane.value_at(outside.position);
+    const Scalar sum = value_inside + value_outside;
+    const bool is_from_inside = !(value_outside < value_inside);
+    const Scalar way = (is_from_inside ? value_inside : value_outside) / sum;
+    const auto between = [&way, is_from_inside](const Scalar& a, const Scalar& b) {
+        return is_from_inside ? Scalar(a + way * (b - a)) : Scalar(b + way * (a - b));
+    };
+    const auto level = [&between](std::uint8_t a, std::uint8_t b) {
+        return static_cast<std::uint8_t>(
+            nearest_index(between(scalar_from<Scalar>(a), scalar_from<Scalar>(b)), Ties::up));
+    };
+    const auto& p = inside.position;
+    const auto& q = outside.position;
+    // On a plane that w alone decides, near or far in a perspective, w and the distance are known.
+    const Scalar zero = scalar_from<Scalar>(0);
+    const auto& f = plane.factors;
+    const bool is_plane_of_w = f.x == zero && f.y == zero && f.z == zero;
+    const Scalar plane_distance =
+        plane.constant < zero ? Scalar(-plane.constant) : Scalar(plane.constant);
+    return {.position = {between(p.x, q.x), between(p.y, q.y), between(p.z, q.z),
+                         is_plane_of_w ? Scalar(-plane.constant / f.w) : between(p.w, q.w)},
+            .distance = is_plane_of_w ? plane_distance : between(inside.distance, outside.distance),
+            .color = {level(inside.color.red(), outside.color.red()),
+                      level(inside.color.green(), outside.color.green()),
+                      level(inside.color.blue(), outside.color.blue()),
+                      level(inside.color.alpha(), outside.color.alpha())},
+            .original = -1};
+}
+
+/// The part of a convex polygon on the inner side of a plane, the plane included; of a line, if it
+/// has two vertices; of a point, if it has one. Empty if all of it lies outside.
+template <typename Scalar>
+std::vector<ClipVertex<Scalar>> clip(const std::vector<ClipVertex<Scalar>>& polygon,
+                                     const ClipPlane<Scalar>& plane) {
+    // A vertex on the plane is kept, and is itself the point where a side leaves.
+    const Scalar zero = scalar_from<Scalar>(0);
+    const auto side_of = [&plane, &zero](const ClipVertex<Scalar>& vertex) {
+        const Scalar value = plane.value_at(vertex.position);
+        return value < zero ? -1 : zero < value ? 1 : 0;
+    };
+    const bool is_closed = polygon.size() > 2;
+    std::vector<ClipVertex<Scalar>> left;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const ClipVertex<Scalar>& vertex = polygon[i];
+        const int side = side_of(vertex);
+        if (side >= 0)
+            left.push_back(vertex);
+
+        // The point where the way to the next vertex crosses the plane, if it does.
+        if (!is_closed && i + 1 == polygon.size())
+            break;
+        const ClipVertex<Scalar>& next = polygon[(i + 1) % polygon.size()];
+        if (side * side_of(next) < 0)
+            left.push_back(side > 0 ? meeting_point(vertex, next, plane)
+                                    : meeting_point(next, vertex, plane));
+    }
+    return left;
+}
+
+} // namespace rastertrace

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The edge of a triangle as graphics hardware sees it: a function that is 0 on the edge, positive on
+// the triangle's side of it and negative on the other.
+//
+//     E(x, y) = a (x - x1) + b (y - y1),   a = y1 - y2,  b = x2 - x1,  both turned if need be
+//
+// (x1, y1) is the upper end of the edge, as seen in the picture, and (x2, y2) the lower one. So the two
+// triangles that share an edge evaluate one expression, with its sign turned: what is rounded is rounded
+// alike, and a sample belongs to one of them.
+//
+// Source: Pineda 1988, E(x, y) = (x - X) dY - (y - Y) dX, here with its sign turned; Direct3D 11
+// specification, section 3.4.2.1 (the top-left rule).
+
+#include <rastertrace/core/numbers/scalar.h>
+#include <rastertrace/core/numbers/vec.h>
+#include <rastertrace/core/raster/edge.h>
+
+namespace rastertrace {
+
+/// An edge of a triangle as a function, in square pixels.
+template <typename Scalar> struct EdgeFunction {
+    Vec<Scalar, 2> start; ///< the upper end
+    Scalar a;
+    Scalar b;
+    bool is_top_left; ///< a sample on the edge belongs to the triangle
+
+    Scalar at(const Vec<Scalar, 2>& p) const { return a * (p.x - start.x) + b * (p.y - start.y); }
+
+    /// The tie rule: true if the edge lets the triangle have this sample.
+    bool admits(const Vec<Scalar, 2>& sample) const {
+        const Scalar value = at(sample);
+        const Scalar zero = scalar_from<Scalar>(0);
+        return is_top_left ? !(value < zero) : zero < value;
+    }
+
+    /// The function of the triangle on the other side, but for the tie rule.
+    EdgeFunction negated() const { return {start, Scalar(-a), Scalar(-b), is_top_left}; }
+};
+
+/// The function of an edge from its upper vertex to its lower one. It is positive where (x, y) lies
+/// counter-clockwise of the edge with y up: to the right in the picture, or with y down to the left.
+template <typename Scalar>
+EdgeFunction<Scalar> edge_function(const Vertex<Scalar>& upper, const Vertex<Scalar>& lower,
+                                   bool is_top_left = false) {
+    const auto& p = upper.position;
+    const auto& q = lower.position;
+    return {p, Scalar(p.y - q.y), Scalar(q.x - p.x), is_top_left};
+}
+
+/// The function of an edge that is not horizontal, for the triangle on its right in the picture: a sample
+/// on the edge is that one's.
+template <typename Scalar>
+EdgeFunction<Scalar> function_of_left_edge(const Vertex<Scalar>& upper, const Vertex<Scalar>& lower,
+                                           int down) {
+    const auto function = edge_function(upper, lower, true);
+    return down > 0 ? function.negated() : function;
+}
+
+/// Where the vertex between `top` and `bottom` lies: -1 left of the edge from one to the other, as seen
+/// in the picture, +1 right of it, 0 on it.
+template <typename Scalar>
+int side_of_edge(const Vertex<Scalar>& top, const Vertex<Scalar>& bottom,
+                 const Vertex<Scalar>& middle, int down) {
+    const Scalar value = edge_function(top, bottom).at(middle.position);
+    const Scalar zero = scalar_from<Scalar>(0);
+    const int turn = value < zero ? -1 : zero < value ? 1 : 0;
+    return -down * turn;
+}
+
+} // namespace rastertrace

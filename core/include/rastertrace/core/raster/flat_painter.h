@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The simplest painter: every pixel of a primitive in one color. A painter is the sink of a fill. It
+// paints the pixels of the rows that the fill yields, and tells every step on.
+//
+//     fill_scanline(triangle, rules, canvas, FlatPainter(image, Color{255, 0, 0}));
+//     fill_scanline(triangle, rules, canvas, FlatPainter(image, Color{255, 0, 0}, listening_sink));
+//
+// Inline, with all that a row of a small triangle needs: calling it would cost as much as the row.
+
+#include <rastertrace/core/raster/image.h>
+#include <rastertrace/core/raster/sink.h>
+#include <rastertrace/core/raster/span.h>
+#include <rastertrace/core/raster/steps.h>
+
+namespace rastertrace {
+
+template <typename Sink = NullSink> class FlatPainter {
+public:
+    /// `tests_canvas` is false if every row is known to lie on the canvas. A sink without a name must be
+    /// callable as a constant; one with a name is referred to.
+    FlatPainter(Image& image, Color color, Sink sink = {}, bool tests_canvas = true)
+        : image_(image), color_(color), tests_canvas_(tests_canvas), sink_{sink} {}
+
+    /// Whom it tells may want the numbers of such a step.
+    template <typename Step> bool takes() const { return rastertrace::takes<Step>(sink_); }
+
+    /// What paints nothing is told on.
+    template <typename Step> [[gnu::always_inline]] void operator()(const Step& step) const {
+        sink_(step);
+    }
+
+    /// A row from one edge to another.
+    template <typename Scalar>
+    [[gnu::always_inline]] void operator()(const ScanlineSpanned<Scalar>& span) const {
+        sink_(span);
+        const ImageRow row = image_.row(span.y);
+        const Color color = color_; // a copy: no pixel that is written can be part of it
+        PixelSpan pixels{static_cast<int>(span.from), static_cast<int>(span.to)};
+        if (tests_canvas_)
+            pixels = span_on_canvas(row, span.from, span.to);
+        tell_rejected_left(row, span.from, span.to, sink_);
+        Color* const colors = row.colors - row.left;
+        for (int x = pixels.first; x <= pixels.last; ++x) {
+            colors[x] = color;
+            sink_(PixelPlotted{.pixel = {x, row.y}, .color = color});
+        }
+        tell_rejected_right(row, span.from, span.to, sink_);
+    }
+
+    /// A sample that lies in the triangle is one pixel.
+    template <typename Scalar>
+    [[gnu::always_inline]] void operator()(const SampleTested<Scalar>& sample) const {
+        sink_(sample);
+        if (sample.is_inside)
+            (*this)(PixelPlotted{.pixel = sample.pixel, .color = color_});
+    }
+
+    /// A pixel of a line, or of the fan, brings its color.
+    [[gnu::always_inline]] void operator()(const PixelPlotted& plotted) const {
+        image_.at(plotted.pixel) = plotted.color;
+        sink_(plotted);
+    }
+
+private:
+    Image& image_;
+    Color color_;
+    bool tests_canvas_;
+    [[no_unique_address]] Sink sink_;
+};
+
+template <typename Sink>
+FlatPainter(Image&, Color, Sink&&, bool tests_canvas = true) -> FlatPainter<Sink>;
+
+} // namespace rastertrace

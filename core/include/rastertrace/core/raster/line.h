@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Points, and what all lines share: which octant they lie in, where they start, and their colors.
+
+#include <rastertrace/core/numbers/fraction.h>
+#include <rastertrace/core/numbers/vec.h>
+#include <rastertrace/core/raster/canvas.h>
+#include <rastertrace/core/raster/image.h>
+#include <rastertrace/core/raster/rounding.h>
+#include <rastertrace/core/raster/sink.h>
+#include <rastertrace/core/raster/steps.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+
+namespace rastertrace {
+
+/// The end at which a line starts to be drawn.
+enum class LineStart {
+    first, ///< the one that the scene names first
+    low,   ///< the one with the lower coordinate along the major axis
+};
+
+/// What the color along a line goes by.
+enum class ColorLerp {
+    axis,     ///< the step along the major axis
+    distance, ///< the distance from the end, over the length of the line
+};
+
+/// A point of the grid, anywhere.
+struct GridPoint {
+    Index x = 0;
+    Index y = 0;
+
+    friend bool operator==(const GridPoint&, const GridPoint&) = default;
+};
+
+/// The pixel nearest to a point; a half goes up, in x and in y.
+template <typename Scalar> GridPoint nearest_pixel(const Scalar& x, const Scalar& y) {
+    return {nearest_index(x, Ties::up), nearest_index(y, Ties::up)};
+}
+
+/// A line between two points of the grid, with the colors of its ends.
+struct GridLine {
+    GridPoint from;
+    GridPoint to;
+    Color from_color;
+    Color to_color;
+};
+
+/// Draws a point: one pixel.
+template <typename Sink>
+requires SinkFor<Sink, PixelPlotted, PixelsRejected>
+void draw_point(GridPoint point, Color color, const Canvas& canvas, Sink&& sink) {
+    if (canvas.contains(point.x, point.y))
+        sink(PixelPlotted{.pixel = {static_cast<int>(point.x), static_cast<int>(point.y)},
+                          .color = color});
+    else
+        sink(PixelsRejected{point.x, point.y, point.x, point.y});
+}
+
+/// The octant of a direction, 1 to 8, by the signs of dx and dy and whether |dx| >= |dy|: 1
+/// (+,+,yes), 2 (+,+,no), 3 (-,+,no), 4 (-,+,yes), 5 (-,-,yes), 6 (-,-,no), 7 (+,-,no), 8
+/// (+,-,yes). A 0 counts as +. Octants run counter-clockwise where y points up.
+inline int octant_of(bool dx_is_negative, bool dy_is_negative, bool is_x_major) {
+    if (!dy_is_negative)
+        return dx_is_negative ? (is_x_major ? 4 : 3) : (is_x_major ? 1 : 2);
+    return dx_is_negative ? (is_x_major ? 5 : 6) : (is_x_major ? 8 : 7);
+}
+
+inline int octant_of(GridPoint from, GridPoint to) {
+    const Index dx = to.x - from.x;
+    const Index dy = to.y - from.y;
+    return octant_of(dx < 0, dy < 0, std::abs(dx) >= std::abs(dy));
+}
+
+/// The same line from its other end.
+inline GridLine reversed(const GridLine& line) {
+    return {line.to, line.from, line.to_color, line.from_color};
+}
+
+/// `part` of the way from one color to another out of `whole`; each channel rounded, a half up.
+inline Color color_between(Color from, Color to, Index part, Index whole) {
+    const auto channel = [part, whole](std::uint8_t a, std::uint8_t b) {
+        const Int128 weighted = Int128{a} * (whole - part) + Int128{b} * part;
+        return static_cast<std::uint8_t>((2 * weighted + whole) / (2 * Int128{whole}));
+    };
+    return {channel(from.red(), to.red()), channel(from.green(), to.green()),
+            channel(from.blue(), to.blue()), channel(from.alpha(), to.alpha())};
+}
+
+/// The color of a line's pixel by its distance from the end: the part of the start's color is that
+/// distance over the line's length. Each channel is rounded to the nearest level.
+inline Color color_by_distance(const GridLine& line, GridPoint pixel) {
+    const auto distance = [](GridPoint a, GridPoint b) {
+        const auto dx = static_cast<double>(b.x - a.x);
+        const auto dy = static_cast<double>(b.y - a.y);
+        return std::sqrt(dx * dx + dy * dy);
+    };
+    const double share = distance(pixel, line.to) / distance(line.from, line.to);
+    const auto channel = [share](std::uint8_t a, std::uint8_t b) {
+        const double level = share * a + (1 - share) * b;
+        return static_cast<std::uint8_t>(std::clamp(std::floor(level + 0.5), 0.0, 255.0));
+    };
+    return {channel(line.from_color.red(), line.to_color.red()),
+            channel(line.from_color.green(), line.to_color.green()),
+            channel(line.from_color.blue(), line.to_color.blue()),
+            channel(line.from_color.alpha(), line.to_color.alpha())};
+}
+
+/// The color of step `step` of `steps` along a line. The first and the last pixel have exactly the
+/// colors of the ends.
+inline Color color_on_line(const GridLine& line, ColorLerp lerp, GridPoint pixel, Index step,
+                           Index steps) {
+    if (line.from_color == line.to_color || step == 0)
+        return line.from_color;
+    if (step == steps)
+        return line.to_color;
+    return lerp == ColorLerp::axis ? color_between(line.from_color, line.to_color, step, steps)
+                                   : color_by_distance(line, pixel);
+}
+
+} // namespace rastertrace

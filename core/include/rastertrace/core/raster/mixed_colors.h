@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The colors of a triangle's pixels, mixed from those of its vertices.
+//
+//     MixedColors<double> colors{corners, barycentric, 0.5};
+//     colors.at<false>({3, 4});
+
+#include <rastertrace/core/numbers/scalar.h>
+#include <rastertrace/core/raster/barycentric.h>
+#include <rastertrace/core/raster/canvas.h>
+#include <rastertrace/core/raster/image.h>
+#include <rastertrace/core/raster/rounding.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace rastertrace {
+
+/// The colors of the vertices, mixed by the weights that they have in a pixel's sample point.
+template <typename Scalar> struct MixedColors {
+    using D = DepthOf<Scalar>;
+
+    std::array<Color, 3> corners;
+    Barycentric<Scalar> barycentric;
+    Scalar sample_offset; ///< from the pixel's integer point to its sample point, in x and in y
+    std::array<D, 3> inverse_w{}; ///< of the vertices, in a perspective
+
+    /// Each channel is rounded to the nearest level, a half up. Where a pixel lies outside the
+    /// triangle (the floor rule draws some) the mixture may leave 0..255, and is held there.
+    template <bool in_perspective> Color at(Pixel pixel) const {
+        const auto nearest = [](const auto& level) { return nearest_index(level, Ties::up); };
+        const auto weights = on_screen(pixel);
+        // Where w is the same all over, so are the weights.
+        if constexpr (in_perspective)
+            if (inverse_w[0] != inverse_w[1] || inverse_w[0] != inverse_w[2])
+                return mixed(in_space(weights), nearest);
+        return mixed(weights, nearest);
+    }
+
+    /// The weights of the vertices on the screen.
+    std::array<Scalar, 3> on_screen(Pixel pixel) const {
+        return barycentric.weights_at({Scalar(scalar_from<Scalar>(pixel.x) + sample_offset),
+                                       Scalar(scalar_from<Scalar>(pixel.y) + sample_offset)});
+    }
+
+    /// The weights in space of a point that has these weights on the screen: each is divided by the
+    /// w of its vertex, and all are divided by their sum. A point so far outside the triangle that
+    /// it has none keeps what it has.
+    std::array<D, 3> in_space(const std::array<Scalar, 3>& on_screen) const {
+        const std::array<D, 3> weights{depth_scalar(on_screen[0]), depth_scalar(on_screen[1]),
+                                       depth_scalar(on_screen[2])};
+        const auto [shares, sum] = shares_of(weights);
+        if (!(scalar_from<D>(0) < sum))
+            return weights;
+        return {D(shares[0] / sum), D(shares[1] / sum), D(shares[2] / sum)};
+    }
+
+    /// Weights divided by w, and their sum.
+    struct Shares {
+        std::array<D, 3> shares;
+        D sum;
+    };
+    Shares shares_of(const std::array<D, 3>& weights) const {
+        const std::array<D, 3> shares{D(weights[0] * inverse_w[0]), D(weights[1] * inverse_w[1]),
+                                      D(weights[2] * inverse_w[2])};
+        return {shares, D(shares[0] + shares[1] + shares[2])};
+    }
+
+    /// Not inlined: pixels of mixed colors are slow anyway, and the rows that call it stay small.
+    template <typename Weight, typename Nearest>
+    [[gnu::noinline]] Color mixed(const std::array<Weight, 3>& weights, Nearest nearest) const {
+        const auto mix = [&](std::uint8_t (Color::*channel)() const) {
+            // What is the same everywhere is not rounded.
+            const std::uint8_t first = (corners[0].*channel)();
+            if (first == (corners[1].*channel)() && first == (corners[2].*channel)())
+                return first;
+            Weight level = scalar_from<Weight>(0);
+            for (std::size_t i = 0; i < 3; ++i)
+                level += weights[i] * scalar_from<Weight>((corners[i].*channel)());
+            return static_cast<std::uint8_t>(std::clamp<Index>(nearest(level), 0, 255));
+        };
+        return {mix(&Color::red), mix(&Color::green), mix(&Color::blue),
+                std::max<std::uint8_t>(mix(&Color::alpha), 1)};
+    }
+};
+
+/// Doubles that know their error have a form of their own: adaptive_color.h.
+template <> struct MixedColors<Adaptive>;
+
+} // namespace rastertrace

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What a fill yields: the rows of a triangle, as far as the canvas has them, and in each row the pixels
+// from one edge to another. What is done with these is a painter's business.
+//
+//     const auto rows = rows_on_canvas(first_row, last_row, misses_sides, canvas, sink);
+
+#include <rastertrace/core/raster/canvas.h>
+#include <rastertrace/core/raster/image.h>
+#include <rastertrace/core/raster/sink.h>
+#include <rastertrace/core/raster/steps.h>
+
+#include <algorithm>
+
+namespace rastertrace {
+
+/// Rows of a canvas, counted from the top of the picture.
+struct RowRange {
+    int begin = 0;
+    int end = 0; ///< behind the last one
+
+    bool is_empty() const { return begin == end; }
+};
+
+/// Tells those above and below the canvas.
+template <typename Sink>
+requires SinkFor<Sink, RowsRejected>
+void tell_rejected_rows(Index first_row, Index last_row, Canvas canvas, Sink&& sink) {
+    if (!takes<RowsRejected>(sink))
+        return;
+    if (first_row < 0)
+        sink(RowsRejected{.from_y = canvas.y_of(first_row), .to_y = canvas.y_of(Index{-1})});
+    if (last_row >= canvas.height)
+        sink(RowsRejected{.from_y = canvas.y_of(Index{canvas.height}),
+                          .to_y = canvas.y_of(last_row)});
+}
+
+/// The rows of a triangle that the canvas has, out of those from `first_row` to `last_row`; the others
+/// are told. None if it lies between two rows, or misses the canvas: then that is told.
+/// `misses_sides()` says whether all of it lies left of the canvas, or all of it right.
+template <typename MissesSides, typename Sink>
+requires SinkFor<Sink, RowsRejected, PrimitiveSkipped>
+[[gnu::always_inline]] inline RowRange rows_on_canvas(Index first_row, Index last_row,
+                                                      MissesSides&& misses_sides, Canvas canvas,
+                                                      Sink&& sink) {
+    if (last_row < first_row) {
+        sink(PrimitiveSkipped{.why = SkipReason::between_rows});
+        return {};
+    }
+    if (last_row < 0 || first_row >= canvas.height || misses_sides()) {
+        sink(PrimitiveSkipped{.why = SkipReason::off_canvas});
+        return {};
+    }
+    tell_rejected_rows(first_row, last_row, canvas, sink);
+    return {static_cast<int>(std::max<Index>(first_row, 0)),
+            static_cast<int>(std::min<Index>(last_row + 1, canvas.height))};
+}
+
+/// Pixels of a row, from x = `first` to x = `last`; none if last < first.
+struct PixelSpan {
+    int first;
+    int last;
+};
+
+/// Those of a row from x = `from` to x = `to` that the canvas has.
+[[gnu::always_inline]] inline PixelSpan span_on_canvas(const ImageRow& row, Index from, Index to) {
+    const Index left = row.left;
+    const Index right = row.right;
+    return {static_cast<int>(std::clamp(from, left, right + 1)),
+            static_cast<int>(std::clamp(to, left - 1, right))};
+}
+
+/// Tells those left of the canvas: before the pixels that are plotted.
+template <typename Sink>
+requires SinkFor<Sink, PixelsRejected>
+[[gnu::always_inline]] inline void tell_rejected_left(const ImageRow& row, Index from, Index to,
+                                                      Sink&& sink) {
+    if (from <= to && from < row.left)
+        sink(PixelsRejected{.from_x = from,
+                            .from_y = row.y,
+                            .to_x = std::min<Index>(to, row.left - 1),
+                            .to_y = row.y});
+}
+
+/// Tells those right of it: after them.
+template <typename Sink>
+requires SinkFor<Sink, PixelsRejected>
+[[gnu::always_inline]] inline void tell_rejected_right(const ImageRow& row, Index from, Index to,
+                                                       Sink&& sink) {
+    if (from <= to && to > row.right)
+        sink(PixelsRejected{.from_x = std::max<Index>(from, row.right + 1),
+                            .from_y = row.y,
+                            .to_x = to,
+                            .to_y = row.y});
+}
+
+} // namespace rastertrace

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// From canonical space to the screen: the scene's own coordinates of pixels (canvas.h).
+//
+//     fit:              x = left + (x + 1) (W - 1)/2     y = 1 is the top row, y = -1 the bottom row
+//     pixels-per-unit:  x = x s                          y = y s, on a canvas with the origin in its
+//                                                        center
+//
+// Sources: fit, T4 (flip y, shift by 1, scale by (W - 1)/2 and (H - 1)/2); pixels-per-unit, T0.
+
+#include <rastertrace/core/numbers/number.h>
+#include <rastertrace/core/numbers/scalar.h>
+#include <rastertrace/core/raster/canvas.h>
+#include <rastertrace/core/transform/matrix.h>
+
+namespace rastertrace {
+
+enum class ViewportType {
+    none, ///< canonical coordinates are pixels
+    fit,
+    pixels_per_unit,
+};
+
+struct Viewport {
+    ViewportType type = ViewportType::none;
+    Number pixels_per_unit = 1;
+};
+
+/// Where screen vertices go before anything is drawn.
+enum class Snap {
+    none,
+    floor,
+    truncate, ///< toward zero
+    nearest,  ///< a half goes as `ties` says, up if it says nothing
+};
+
+inline Matrix<Rational> viewport_matrix(const Viewport& viewport, const Canvas& canvas) {
+    Matrix<Rational> matrix = identity<Rational>();
+    const Rational half_width = Rational(canvas.width - 1) / 2;
+    const Rational half_height = Rational(canvas.height - 1) / 2;
+    switch (viewport.type) {
+    case ViewportType::fit:
+        matrix.rows[0] = {half_width, 0, 0, canvas.left() + half_width};
+        matrix.rows[1] = {0, -canvas.down() * half_height, 0,
+                          canvas.top() + canvas.down() * half_height};
+        break;
+    case ViewportType::pixels_per_unit:
+        matrix.rows[0][0] = matrix.rows[1][1] = viewport.pixels_per_unit.exact();
+        break;
+    case ViewportType::none:
+        break;
+    }
+    return matrix;
+}
+
+/// Half the canvas in canonical units (all of it without a viewport): `extent` is its width or height.
+inline Rational half_extent(const Viewport& viewport, int extent) {
+    switch (viewport.type) {
+    case ViewportType::fit:
+        return 1;
+    case ViewportType::pixels_per_unit:
+        return Rational(extent) / (2 * abs(viewport.pixels_per_unit.exact()));
+    case ViewportType::none:
+        break;
+    }
+    return extent;
+}
+
+} // namespace rastertrace
