@@ -270,7 +270,7 @@ Image draw_with(const Scene& scene, const Plan& plan, const Listener& listener, 
             // All vertices on their way to the screen, then what is drawn between them.
             if constexpr (draws<Scalar, AList>) {
                 if constexpr (!std::same_as<AList, TypedVertices>)
-                    tell_geometry(scene, list.transforms, list.order, listener);
+                    tell_geometry(scene, list, listener);
                 draw_list(scene, plan, list, target, listener, sink);
             }
         },

@@ -49,7 +49,7 @@ bool is_finite(const Vec<Quantity, 3>& at) {
 ExactPieces::Range ExactPieces::range_of(std::size_t primitive) {
     if (!geometry_) {
         geometry_ = empty_geometry<Rational>(scene_);
-        geometry_->transforms.divides = std::visit(
+        geometry_->list.transforms.divides = std::visit(
             []<typename AList>(const AList& list) {
                 if constexpr (std::same_as<AList, TypedVertices>)
                     return true;
@@ -57,26 +57,25 @@ ExactPieces::Range ExactPieces::range_of(std::size_t primitive) {
                     return list.transforms.divides;
             },
             plan_.list);
-        list_ = empty_screen_list(scene_, geometry_->transforms);
-        list_.vertices.resize(scene_.vertices.size());
     }
+    const auto& drawn = geometry_->list.primitives;
     const auto [known, is_new] = ranges_.try_emplace(primitive);
     if (is_new) {
         for (const std::size_t place : scene_.primitives[primitive].corners())
             if (!geometry_->is_used[place]) {
                 geometry_->is_used[place] = true;
-                place_vertex(scene_, place, *geometry_, list_.vertices[place]);
+                place_vertex(scene_, place, *geometry_);
             }
-        known->second.begin = list_.primitives.size();
-        add_primitive(scene_, *geometry_, primitive, list_);
-        known->second.end = list_.primitives.size();
+        known->second.begin = drawn.size();
+        add_primitive(scene_, *geometry_, primitive);
+        known->second.end = drawn.size();
     }
     return known->second;
 }
 
 std::vector<ScreenPrimitive> ExactPieces::of(std::size_t primitive) {
     const auto [begin, end] = range_of(primitive);
-    const auto first = list_.primitives.begin();
+    const auto first = list().primitives.begin();
     return {first + static_cast<std::ptrdiff_t>(begin), first + static_cast<std::ptrdiff_t>(end)};
 }
 
@@ -86,7 +85,7 @@ Piece<Rational> ExactPieces::placed(const PieceNumber& piece) {
             piece_of(scene_, *typed, typed_primitive(scene_, piece.primitive)), plan_);
     const Range range = range_of(piece.primitive);
     return rastertrace::placed<Rational>(
-        piece_of(scene_, list_, list_.primitives[range.begin + piece.part]), plan_);
+        piece_of(scene_, list(), list().primitives[range.begin + piece.part]), plan_);
 }
 
 /// The turned depth of a triangle in the pixel at (x, y), as the fill that the scene names finds it.

@@ -218,7 +218,7 @@ VertexInSpace<Scalar> vertex_in_space(const Scene& scene, const Transforms<Scala
 template <typename Scalar>
 void place_in_clip_space(const Scene& scene, const std::optional<Matrix<Scalar>>& model,
                          std::size_t place, Geometry<Scalar>& geometry) {
-    auto [world, placed] = vertex_in_space(scene, geometry.transforms, model, place);
+    auto [world, placed] = vertex_in_space(scene, geometry.list.transforms, model, place);
     geometry.vertices[place] = std::move(placed);
     if (!geometry.world.empty())
         geometry.world[place] = std::move(world);
@@ -234,22 +234,27 @@ void place_on_screen(const PlacedVertex<Scalar>& vertex, const Transforms<Scalar
 
 /// Takes a vertex to clip space, and on to the screen if it can be seen.
 template <typename Scalar>
-void place_vertex(const Scene& scene, std::size_t place, Geometry<Scalar>& geometry,
-                  ScreenVertex<Scalar>& on_screen) {
-    const auto& transforms = geometry.transforms;
+void place_vertex(const Scene& scene, std::size_t place, Geometry<Scalar>& geometry) {
+    const auto& transforms = geometry.list.transforms;
     place_in_clip_space(scene, model_of(scene, transforms, place), place, geometry);
-    place_on_screen(geometry.vertices[place], transforms, on_screen);
+    place_on_screen(geometry.vertices[place], transforms, geometry.list.vertices[place]);
 }
 
-/// A geometry whose vertices have no place yet.
+/// A geometry whose vertices have no place yet. What stays is allocated first, so that what goes leaves no
+/// hole behind.
 template <typename Scalar> Geometry<Scalar> empty_geometry(const Scene& scene) {
     Geometry<Scalar> result;
-    result.transforms = transforms_of<Scalar>(scene);
+    result.list.transforms = transforms_of<Scalar>(scene);
+    result.list.mixes_colors = scene.mixes_colors();
+    result.list.depth = scene.depth();
+    result.list.vertices.resize(scene.vertices.size());
+    result.list.is_placed.resize(scene.vertices.size());
+    result.list.primitives.reserve(scene.primitives.size());
     result.vertices.resize(scene.vertices.size());
     result.is_used.resize(scene.vertices.size());
     if (scene.tests_faces()) {
         result.world.resize(scene.vertices.size());
-        result.transforms.eye = eye_of<Scalar>(scene);
+        result.list.transforms.eye = eye_of<Scalar>(scene);
     }
     return result;
 }
@@ -266,7 +271,7 @@ template <typename Scalar> Geometry<Scalar> geometry_of(const Scene& scene) {
     result.is_used = used_vertices(scene);
 
     // To clip space. A plane that no vertex lies outside of cannot cut anything.
-    Transforms<Scalar>& transforms = result.transforms;
+    Transforms<Scalar>& transforms = result.list.transforms;
     std::vector<std::size_t> outside(transforms.planes.size());
     for_each_used_vertex(scene, transforms, result.is_used, [&](std::size_t i, const auto& model) {
         place_in_clip_space(scene, model, i, result);
@@ -285,7 +290,7 @@ template <typename Scalar> Geometry<Scalar> geometry_of(const Scene& scene) {
         });
     transforms.divides = transforms.needed.has(Stage::divide) || scene.keep.has(Stage::divide);
     for (std::size_t plane = 0; plane < transforms.planes.size(); ++plane)
-        result.outside.push_back({transforms.planes[plane].name, outside[plane]});
+        result.list.outside.push_back({transforms.planes[plane].name, outside[plane]});
     if (!scene.keep.has(Stage::clip)) {
         std::vector<ClipPlane<Scalar>> crossed;
         for (std::size_t plane = 0; plane < transforms.planes.size(); ++plane)
@@ -295,9 +300,8 @@ template <typename Scalar> Geometry<Scalar> geometry_of(const Scene& scene) {
     }
 
     // On to the screen, what can be seen.
-    result.screen.resize(result.vertices.size());
     for (std::size_t i = 0; i < result.vertices.size(); ++i)
-        place_on_screen(result.vertices[i], transforms, result.screen[i]);
+        place_on_screen(result.vertices[i], transforms, result.list.vertices[i]);
 
     if (scene.depth() == Depth::painter) {
         const auto distance_of = [&result](std::size_t place) -> const Scalar& {
@@ -306,7 +310,7 @@ template <typename Scalar> Geometry<Scalar> geometry_of(const Scene& scene) {
         if (!comes_farthest_first<Scalar>(scene, distance_of))
             transforms.needed.add(Stage::order);
         if (transforms.needed.has(Stage::order) || scene.keep.has(Stage::order))
-            result.order = painter_order<Scalar>(scene, distance_of);
+            result.list.order = painter_order<Scalar>(scene, distance_of);
     }
     return result;
 }
@@ -364,9 +368,9 @@ void tell_vertices(const Scene& scene, const Transforms<Scalar>& transforms,
 
 /// Tells the matrices, then the vertices, then what the painter has sorted.
 template <typename Scalar>
-void tell_geometry(const Scene& scene, const Transforms<Scalar>& transforms,
-                   const std::optional<PainterOrder<Scalar>>& order, const Listener& listener) {
+void tell_geometry(const Scene& scene, const ScreenList<Scalar>& list, const Listener& listener) {
     const ListenerSink sink(listener);
+    const Transforms<Scalar>& transforms = list.transforms;
     for (std::size_t i = 0; i < transforms.models.size(); ++i)
         if (transforms.models[i])
             sink(MatrixSetUp<Scalar>{
@@ -383,12 +387,12 @@ void tell_geometry(const Scene& scene, const Transforms<Scalar>& transforms,
 
     if (scene.has_transforms() || scene.keeps_transforms())
         tell_vertices(scene, transforms, listener);
-    if (order) {
+    if (list.order) {
         std::vector<std::string_view> names;
-        for (const std::size_t i : order->primitives)
+        for (const std::size_t i : list.order->primitives)
             if (scene.primitives[i].kind == PrimitiveKind::triangle)
                 names.push_back(scene.primitives[i].name);
-        sink(PrimitivesOrdered<Scalar>{.names = names, .distances = order->keys});
+        sink(PrimitivesOrdered<Scalar>{.names = names, .distances = list.order->keys});
     }
 }
 
@@ -401,8 +405,7 @@ template void tell_place<float>(std::string_view, Space, const Vec<float, 4>&, s
                                 const Listener&);
 template void tell_places_on_screen<float>(std::string_view, const Vec<float, 4>&,
                                            const Transforms<float>&, const Listener&);
-template void tell_geometry(const Scene&, const Transforms<float>&,
-                            const std::optional<PainterOrder<float>>&, const Listener&);
+template void tell_geometry(const Scene&, const ScreenList<float>&, const Listener&);
 
 template Geometry<double> geometry_of(const Scene&);
 template VertexInSpace<double> vertex_in_space(const Scene&, const Transforms<double>&,
@@ -412,8 +415,7 @@ template void tell_place<double>(std::string_view, Space, const Vec<double, 4>&,
                                  const Listener&);
 template void tell_places_on_screen<double>(std::string_view, const Vec<double, 4>&,
                                             const Transforms<double>&, const Listener&);
-template void tell_geometry(const Scene&, const Transforms<double>&,
-                            const std::optional<PainterOrder<double>>&, const Listener&);
+template void tell_geometry(const Scene&, const ScreenList<double>&, const Listener&);
 
 template Geometry<Adaptive> geometry_of(const Scene&);
 template VertexInSpace<Adaptive> vertex_in_space(const Scene&, const Transforms<Adaptive>&,
@@ -424,21 +426,19 @@ template void tell_place<Adaptive>(std::string_view, Space, const Vec<Adaptive, 
                                    const Listener&);
 template void tell_places_on_screen<Adaptive>(std::string_view, const Vec<Adaptive, 4>&,
                                               const Transforms<Adaptive>&, const Listener&);
-template void tell_geometry(const Scene&, const Transforms<Adaptive>&,
-                            const std::optional<PainterOrder<Adaptive>>&, const Listener&);
+template void tell_geometry(const Scene&, const ScreenList<Adaptive>&, const Listener&);
 
 template Geometry<Rational> geometry_of(const Scene&);
 template Geometry<Rational> empty_geometry(const Scene&);
 template VertexInSpace<Rational> vertex_in_space(const Scene&, const Transforms<Rational>&,
                                                  std::size_t);
-template void place_vertex(const Scene&, std::size_t, Geometry<Rational>&, ScreenVertex<Rational>&);
+template void place_vertex(const Scene&, std::size_t, Geometry<Rational>&);
 template ScreenPlaces<Rational> places_on_screen(const Vec<Rational, 4>&,
                                                  const Transforms<Rational>&);
 template void tell_place<Rational>(std::string_view, Space, const Vec<Rational, 4>&, std::size_t,
                                    const Listener&);
 template void tell_places_on_screen<Rational>(std::string_view, const Vec<Rational, 4>&,
                                               const Transforms<Rational>&, const Listener&);
-template void tell_geometry(const Scene&, const Transforms<Rational>&,
-                            const std::optional<PainterOrder<Rational>>&, const Listener&);
+template void tell_geometry(const Scene&, const ScreenList<Rational>&, const Listener&);
 
 } // namespace rastertrace

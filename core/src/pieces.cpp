@@ -252,8 +252,8 @@ void find_depth(const Vec<Scalar, 4>& clip, const Scalar& distance, const Screen
 }
 
 /// The same for a vertex of the scene, once.
-template <typename Scalar>
-void find_depth(const Geometry<Scalar>& geometry, std::size_t place, ScreenList<Scalar>& list) {
+template <typename Scalar> void find_depth(Geometry<Scalar>& geometry, std::size_t place) {
+    ScreenList<Scalar>& list = geometry.list;
     if (list.is_placed[place])
         return;
     const PlacedVertex<Scalar>& vertex = geometry.vertices[place];
@@ -261,21 +261,10 @@ void find_depth(const Geometry<Scalar>& geometry, std::size_t place, ScreenList<
     list.is_placed[place] = true;
 }
 
-/// A list without primitives and vertices.
+/// Tests and lights the face of a primitive, clips it, and adds what is left of it to the list.
 template <typename Scalar>
-ScreenList<Scalar> empty_screen_list(const Scene& scene, const Transforms<Scalar>& transforms) {
-    ScreenList<Scalar> list;
-    list.transforms = transforms;
-    list.mixes_colors = scene.mixes_colors();
-    list.depth = scene.depth();
-    list.is_placed.resize(scene.vertices.size());
-    return list;
-}
-
-/// Tests and lights the face of a primitive, clips it, and adds what is left of it to a list.
-template <typename Scalar>
-void add_primitive(const Scene& scene, const Geometry<Scalar>& geometry, std::size_t number,
-                   ScreenList<Scalar>& list) {
+void add_primitive(const Scene& scene, Geometry<Scalar>& geometry, std::size_t number) {
+    ScreenList<Scalar>& list = geometry.list;
     using State = ScreenPrimitive::State;
     const ScenePrimitive& primitive = scene.primitives[number];
     Face<Scalar> face;
@@ -305,7 +294,7 @@ void add_primitive(const Scene& scene, const Geometry<Scalar>& geometry, std::si
         if (scene.keep.has(Stage::clip))
             clip_it([](auto&&...) {});
         for (const std::size_t place : corners)
-            find_depth(geometry, place, list);
+            find_depth(geometry, place);
         return add(face.skip ? State::skipped : State::whole, 0);
     }
     if (face.skip)
@@ -319,7 +308,7 @@ void add_primitive(const Scene& scene, const Geometry<Scalar>& geometry, std::si
         for (const ClipVertex<Scalar>& vertex : polygon) {
             if (vertex.original >= 0) {
                 places.push_back(corners[static_cast<std::size_t>(vertex.original)]);
-                find_depth(geometry, places.back(), list);
+                find_depth(geometry, places.back());
                 continue;
             }
             places.push_back(list.vertices.size());
@@ -341,16 +330,12 @@ void add_primitive(const Scene& scene, const Geometry<Scalar>& geometry, std::si
 /// What is drawn of all primitives, in the order in which they are drawn.
 template <typename Scalar>
 ScreenList<Scalar> screen_list_of(const Scene& scene, Geometry<Scalar> geometry) {
-    ScreenList<Scalar> list = empty_screen_list(scene, geometry.transforms);
-    list.vertices = std::move(geometry.screen);
-    list.order = std::move(geometry.order);
-    list.outside = std::move(geometry.outside);
-    list.primitives.reserve(scene.primitives.size());
+    ScreenList<Scalar>& list = geometry.list;
     for (std::size_t turn = 0; turn < scene.primitives.size(); ++turn) {
         const std::size_t number = primitive_at(list, turn);
         const std::size_t count = list.primitives.size();
         try {
-            add_primitive(scene, geometry, number, list);
+            add_primitive(scene, geometry, number);
         } catch (const Undecided& undecided) {
             list.primitives.resize(count);
             list.primitives.push_back({.primitive = static_cast<std::uint32_t>(number),
@@ -360,7 +345,7 @@ ScreenList<Scalar> screen_list_of(const Scene& scene, Geometry<Scalar> geometry)
             list.undecided.push_back(undecided);
         }
     }
-    return list;
+    return std::move(list);
 }
 
 /// What the list would hold of a primitive.
@@ -511,9 +496,7 @@ void tell_pieces(const Scene& scene, const ScreenList<Scalar>& list, std::size_t
 
 template Face<Rational> face_of(const Scene&, const Transforms<Rational>&, const ScenePrimitive&,
                                 const std::array<Vec<Rational, 3>, 3>&);
-template ScreenList<Rational> empty_screen_list(const Scene&, const Transforms<Rational>&);
-template void add_primitive(const Scene&, const Geometry<Rational>&, std::size_t,
-                            ScreenList<Rational>&);
+template void add_primitive(const Scene&, Geometry<Rational>&, std::size_t);
 
 // For every kind of number that vertices are moved in.
 

@@ -286,7 +286,7 @@ std::optional<Unfit> unfit_vertex(const Scene& scene, const Geometry<Coordinate>
                                            [](Coordinate entry) { return std::isfinite(entry); });
                    });
         };
-        const auto& transforms = geometry.transforms;
+        const auto& transforms = geometry.list.transforms;
         if (is_infinite(transforms.view) || is_infinite(transforms.projection) ||
             is_infinite(transforms.viewport) ||
             std::any_of(transforms.models.begin(), transforms.models.end(), is_infinite))

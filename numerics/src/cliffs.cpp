@@ -242,7 +242,7 @@ private:
                 continue;
             const auto [a, b, c] = primitive.vertices;
             const auto face =
-                face_of<Rational>(tested, geometry.transforms, primitive,
+                face_of<Rational>(tested, geometry.list.transforms, primitive,
                                   {geometry.world[a], geometry.world[b], geometry.world[c]});
             if (!face.tested || !face.tested->cosine)
                 continue;

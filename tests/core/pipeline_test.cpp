@@ -60,7 +60,7 @@ template <typename Scalar> struct PlaceSink {
 template <typename Scalar> PlaceSink<Scalar> places_in(const Scene& scene) {
     PlaceSink<Scalar> sink;
     const auto list = screen_list_of(scene, geometry_of<Scalar>(scene));
-    tell_geometry(scene, list.transforms, list.order, sink);
+    tell_geometry(scene, list, sink);
     tell_all_pieces(scene, list, sink, [](const ScreenPrimitive&, const auto&) {});
     return sink;
 }
@@ -537,7 +537,7 @@ RC_GTEST_PROP(Pipeline, ClippingLeavesWhatIsInViewAlone, ()) {
         {.kind = PrimitiveKind::triangle, .name = "ABC", .vertices = {0, 1, 2}, .color = {}});
     const auto with_planes = geometry_of<double>(scene);
     auto without_planes = with_planes;
-    without_planes.transforms.planes.clear();
+    without_planes.list.transforms.planes.clear();
     std::vector<std::array<Vec<double, 2>, 3>> pieces;
     const auto collect = [&pieces](const Piece<double>& piece) {
         RC_ASSERT(!piece.is_part);

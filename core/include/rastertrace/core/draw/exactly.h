@@ -54,7 +54,7 @@ public:
     std::vector<ScreenPrimitive> of(std::size_t primitive);
 
     /// The list that has these.
-    const ScreenList<Rational>& list() const { return list_; }
+    const ScreenList<Rational>& list() const { return geometry_->list; }
 
     /// The corners of a piece, as they are drawn.
     Piece<Rational> placed(const PieceNumber& piece);
@@ -72,8 +72,7 @@ private:
     const Scene& scene_;
     const Plan& plan_;
     std::optional<Geometry<Rational>> geometry_; ///< in which some vertices have their places
-    ScreenList<Rational> list_;
-    std::map<std::size_t, Range> ranges_; ///< of primitives
+    std::map<std::size_t, Range> ranges_;        ///< of primitives
 };
 
 /// The turned depth of a triangle in the pixel at (x, y), as the fill that the scene names finds it.

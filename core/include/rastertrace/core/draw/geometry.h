@@ -9,21 +9,16 @@
 // What lies out of view stops in clip space, so that nothing is divided by a w of 0 or less.
 //
 //     const auto geometry = geometry_of<double>(scene);
-//     geometry.vertices[0].pixel;
+//     geometry.list.vertices[0].position;
 
 #include <rastertrace/core/draw/listener.h>
+#include <rastertrace/core/draw/screen_list.h>
 #include <rastertrace/core/numbers/scalar.h>
 #include <rastertrace/core/numbers/vec.h>
-#include <rastertrace/core/raster/painter_order.h>
 #include <rastertrace/core/raster/steps.h>
-#include <rastertrace/core/scene/method.h>
 #include <rastertrace/core/scene/scene.h>
-#include <rastertrace/core/transform/matrix.h>
-#include <rastertrace/core/transform/projection.h>
-#include <rastertrace/core/transform/viewport.h>
 
 #include <cstddef>
-#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -33,21 +28,6 @@ namespace rastertrace {
 /// the picture. Nearer than that, it is the fill that drops what the canvas does not have, at the
 /// cost of the canvas; every place on the screen stays below 2^26 pixels.
 inline constexpr int guard_band = 4096;
-
-/// The matrices of a scene; those that it does not have leave a vertex where it is.
-template <typename Scalar> struct Transforms {
-    std::vector<std::optional<Matrix<Scalar>>> models; ///< of the scene's objects
-    std::optional<Matrix<Scalar>> rest_model;          ///< of vertices that have no object
-    std::optional<Matrix<Scalar>> view;
-    std::optional<Matrix<Scalar>> projection;
-    std::optional<Matrix<Scalar>> viewport;
-    std::vector<ClipPlane<Scalar>> planes; ///< those that a vertex lies outside of
-    bool divides = true;                   ///< by w
-    StageSet needed; ///< of the stages of vertices: those that could change the picture
-    Snap snap = Snap::none;
-    Ties ties = Ties::up; ///< of Snap::nearest
-    Vec<Scalar, 3> eye{}; ///< if faces are tested; see eye_of
-};
 
 /// The last spaces of a vertex. `pixel` is where it is drawn: on the screen, snapped if it is to be.
 template <typename Scalar> struct ScreenPlaces {
@@ -63,28 +43,12 @@ template <typename Scalar> struct PlacedVertex {
     bool is_in_view = false; ///< it lies outside of no plane
 };
 
-/// Where a vertex is drawn, and what is interpolated from it.
-template <typename Scalar> struct ScreenVertex {
-    Vec<Scalar, 2> position{};
-    Scalar depth{};     ///< if there is a depth buffer
-    Scalar inverse_w{}; ///< if colors are mixed
-};
-
-/// How many vertices that are used lie outside of a plane of the view.
-struct VerticesOutside {
-    std::string_view plane;
-    std::size_t vertices;
-};
-
 /// The places of all vertices that a primitive has.
 template <typename Scalar> struct Geometry {
-    Transforms<Scalar> transforms;
+    ScreenList<Scalar> list; ///< begun: matrices and vertices, no primitives, no depths
     std::vector<PlacedVertex<Scalar>> vertices; ///< as in Scene::vertices
-    std::vector<ScreenVertex<Scalar>> screen;   ///< the same; only the positions of those in view
     std::vector<bool> is_used;                  ///< by a primitive; the others are not placed
     std::vector<Vec<Scalar, 3>> world;          ///< of all vertices, if faces are tested
-    std::optional<PainterOrder<Scalar>> order;  ///< if the painter has sorted them
-    std::vector<VerticesOutside> outside;       ///< of each plane
 };
 
 /// True if a matrix of the scene has irrational entries, which are the nearest doubles instead.
@@ -112,8 +76,7 @@ VertexInSpace<Scalar> vertex_in_space(const Scene& scene, const Transforms<Scala
 
 /// Takes a vertex to clip space, and on to the screen if it can be seen. Only for Rational.
 template <typename Scalar>
-void place_vertex(const Scene& scene, std::size_t place, Geometry<Scalar>& geometry,
-                  ScreenVertex<Scalar>& on_screen);
+void place_vertex(const Scene& scene, std::size_t place, Geometry<Scalar>& geometry);
 
 /// x/w, y/w and z/w, moved to the screen. w must not be 0.
 template <typename Scalar>
@@ -132,7 +95,6 @@ void tell_places_on_screen(std::string_view name, const Vec<Scalar, 4>& clip,
 
 /// Tells the matrices, then the vertices, then what the painter has sorted.
 template <typename Scalar>
-void tell_geometry(const Scene& scene, const Transforms<Scalar>& transforms,
-                   const std::optional<PainterOrder<Scalar>>& order, const Listener& listener);
+void tell_geometry(const Scene& scene, const ScreenList<Scalar>& list, const Listener& listener);
 
 } // namespace rastertrace

@@ -11,6 +11,7 @@
 
 #include <rastertrace/core/draw/geometry.h>
 #include <rastertrace/core/draw/listener.h>
+#include <rastertrace/core/draw/screen_list.h>
 #include <rastertrace/core/numbers/scalar.h>
 #include <rastertrace/core/numbers/vec.h>
 #include <rastertrace/core/raster/depth.h>
@@ -22,12 +23,10 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace rastertrace {
 
@@ -87,57 +86,6 @@ template <typename Scalar> DepthRule<Scalar> depth_rule(const Scene& scene) {
     return rule;
 }
 
-/// What the list holds of a primitive: all of it, or one of the parts that clipping has left.
-struct ScreenPrimitive {
-    enum class State : std::uint8_t {
-        whole,
-        part,
-        skipped,   ///< whole, and not drawn: its face is culled, or has no normal
-        undecided, ///< doubles leave its face open, or what clipping leaves of it
-    };
-    std::uint32_t primitive; ///< its place in the scene
-    std::uint32_t index;     ///< of a part, in ScreenList::parts; in ScreenList::undecided
-    Color color;             ///< of the primitive, lit
-    State state = State::whole;
-};
-
-/// A vertex that clipping has made.
-struct MadeVertex {
-    Color color;
-    int number;       ///< in its primitive, from 1
-    std::size_t side; ///< place in the scene of the first vertex of what was clipped
-};
-
-/// The corners of a part.
-struct ScreenPart {
-    std::array<std::size_t, 3> corners; ///< places in ScreenList::vertices
-    int number;                         ///< in its primitive, from 1
-};
-
-/// All that is drawn of a scene, with its place on the screen.
-template <typename Coordinate> struct ScreenList {
-    Transforms<Coordinate> transforms;
-    std::optional<PainterOrder<Coordinate>> order; ///< if the painter has sorted them
-    std::vector<VerticesOutside> outside;          ///< of each plane of the view
-    bool mixes_colors = false;                     ///< of vertices
-    Depth depth = Depth::none;
-
-    std::vector<ScreenVertex<Coordinate>> vertices; ///< the scene's, then those that clipping made
-    std::vector<bool> is_placed;                    ///< of the scene's: those that are drawn
-    std::vector<MadeVertex> made;
-    std::vector<ScreenPart> parts;
-    std::vector<ScreenPrimitive> primitives; ///< in the order in which they are drawn
-    std::vector<Undecided> undecided;        ///< what left them open
-
-    /// The first primitive of the scene with a face that is told with an infinity.
-    std::optional<std::size_t> infinite_face;
-};
-
-/// A scene without a pipeline needs no list: vertices are drawn where they were typed.
-struct TypedVertices {
-    bool mixes_colors = false;
-};
-
 /// A primitive on the screen, or a part of one that clipping has cut: the first `count` of each.
 template <typename Coordinate> struct Piece {
     PrimitiveKind kind;        ///< of a part of an outline: a line
@@ -170,20 +118,6 @@ private:
     std::array<std::string, 4> made_; ///< those that the scene does not have
 };
 
-/// The primitives in the order in which they are drawn: the scene's, or the painter's.
-template <typename Coordinate>
-std::size_t primitive_at(const ScreenList<Coordinate>& list, std::size_t turn) {
-    return list.order ? list.order->primitives[turn] : turn;
-}
-
-/// True if all of a primitive is in view, so that clipping leaves it alone.
-template <typename Coordinate>
-bool is_whole(const Scene& scene, const ScreenList<Coordinate>& list, std::size_t number) {
-    const auto corners = scene.primitives[number].corners();
-    return std::all_of(corners.begin(), corners.end(),
-                       [&list](std::size_t place) { return list.is_placed[place]; });
-}
-
 // What follows is compiled in the library. What is asked for primitive by primitive: for Rational.
 
 /// Tests which way a triangle is turned, and lights it. `world` are its corners there. A triangle without
@@ -192,14 +126,9 @@ template <typename Scalar>
 Face<Scalar> face_of(const Scene& scene, const Transforms<Scalar>& transforms,
                      const ScenePrimitive& primitive, const std::array<Vec<Scalar, 3>, 3>& world);
 
-/// A list without primitives and vertices.
+/// Tests and lights the face of a primitive, clips it, and adds what is left of it to the list.
 template <typename Scalar>
-ScreenList<Scalar> empty_screen_list(const Scene& scene, const Transforms<Scalar>& transforms);
-
-/// Tests and lights the face of a primitive, clips it, and adds what is left of it to a list.
-template <typename Scalar>
-void add_primitive(const Scene& scene, const Geometry<Scalar>& geometry, std::size_t number,
-                   ScreenList<Scalar>& list);
+void add_primitive(const Scene& scene, Geometry<Scalar>& geometry, std::size_t number);
 
 // For float, double, Adaptive and Rational:
 
