@@ -11,8 +11,8 @@
 #include <rastertrace/core/draw/adaptive_depth.h>
 #include <rastertrace/core/draw/exactly.h>
 #include <rastertrace/core/draw/fill.h>
+#include <rastertrace/core/draw/piece_in.h>
 #include <rastertrace/core/draw/pieces.h>
-#include <rastertrace/core/draw/placed.h>
 #include <rastertrace/core/draw/plan.h>
 #include <rastertrace/core/draw/row_painter.h>
 #include <rastertrace/core/numbers/adaptive.h>
@@ -228,9 +228,8 @@ void tell_and_draw(const AList& list, const ScreenPrimitive& one, const AFace& f
     if constexpr (!std::same_as<Scalar, Adaptive>)
         tell_beginning(piece, names, piece, has_depths, plan, sink);
     else if (takes<PrimitiveBegan<Adaptive>>(sink))
-        tell_beginning(piece, names,
-                       target.exactness->pieces.placed(target.exactness->drawn.back()), has_depths,
-                       plan, sink);
+        tell_beginning(piece, names, target.exactness->pieces.piece(target.exactness->drawn.back()),
+                       has_depths, plan, sink);
     tell_face(face, sink);
     if (!piece.is_skipped)
         draw_piece(piece, scene, plan, target, sink);
@@ -242,13 +241,13 @@ void draw_list(const Scene& scene, const Plan& plan, const AList& list, Target<S
                const Listener& listener, const Sink& sink) {
     if constexpr (keeps_steps<Sink>)
         tell_all_pieces(scene, list, listener, [&](const ScreenPrimitive& one, const auto& face) {
-            const auto piece = placed<Scalar>(piece_of(scene, list, one), plan);
+            const auto piece = piece_in<Scalar>(piece_of(scene, list, one), plan);
             tell_and_draw(list, one, face, piece, scene, plan, target, sink);
         });
     else
         for_each_piece(scene, list, [&](const auto& piece) {
             if (!piece.is_skipped)
-                draw_piece(placed<Scalar>(piece, plan), scene, plan, target, sink);
+                draw_piece(piece_in<Scalar>(piece, plan), scene, plan, target, sink);
         });
 }
 

@@ -133,46 +133,46 @@ public:
     template <typename Coordinate> void draw(const ScreenList<Coordinate>& list) {
         auto next = list.primitives.begin();
         for (std::size_t turn = 0; turn < scene_.primitives.size(); ++turn) {
-            const std::size_t number = primitive_at(list, turn);
+            const std::size_t index = primitive_at(list, turn);
             const auto first = next;
-            while (next != list.primitives.end() && next->primitive == number)
+            while (next != list.primitives.end() && next->primitive == index)
                 ++next;
-            draw(list, number, {first, next});
+            draw(list, index, {first, next});
         }
     }
 
 private:
     /// Draws a primitive, of which the list has these pieces.
     template <typename Coordinate>
-    void draw(const ScreenList<Coordinate>& list, std::size_t number,
+    void draw(const ScreenList<Coordinate>& list, std::size_t index,
               std::span<const ScreenPrimitive> pieces) {
         parts_ = 0;
-        const auto open = left_open_in(list, number, pieces);
+        const auto open = left_open_in(list, index, pieces);
         if (!open)
-            return draw_in_turn(list, number, pieces, listener_,
+            return draw_in_turn(list, index, pieces, listener_,
                                 [&](auto&&... one) { draw_one(list, one..., listener_); });
         TellingUndecided telling(listener_, *open);
         const Listener told(telling);
-        const auto exact = exactness_.pieces.of(number);
+        const auto exact = exactness_.pieces.of(index);
         const auto& exact_list = exactness_.pieces.list();
-        draw_in_turn(exact_list, number, exact, told,
+        draw_in_turn(exact_list, index, exact, told,
                      [&](const ScreenPrimitive& one, const auto& face) {
                          if (one.state == ScreenPrimitive::State::part)
                              return draw_one(exact_list, one, face, told);
-                         begin(number);
+                         begin(index);
                          draw_exactly(exact_list, one, face, told);
                      });
     }
 
     /// What doubles leave open about a primitive before its pieces are drawn: its face, or what clips it.
     template <typename Coordinate>
-    std::optional<Undecided> left_open_in(const ScreenList<Coordinate>& list, std::size_t number,
+    std::optional<Undecided> left_open_in(const ScreenList<Coordinate>& list, std::size_t index,
                                           std::span<const ScreenPrimitive> pieces) {
         if constexpr (!std::same_as<Coordinate, Adaptive>)
             return std::nullopt;
         else if constexpr (keeps_steps<Sink>)
             if (const auto open = left_open_by([&] {
-                    tell_pieces<Adaptive>(scene_, list, number, certifying_, [](const auto&) {});
+                    tell_pieces<Adaptive>(scene_, list, index, certifying_, [](const auto&) {});
                 }))
                 return open;
         const bool is_open =
@@ -182,12 +182,12 @@ private:
 
     /// Tells of a primitive, and calls `draw_piece(one, face)` with its pieces.
     template <typename Coordinate, typename DrawPiece>
-    void draw_in_turn(const ScreenList<Coordinate>& list, std::size_t number,
+    void draw_in_turn(const ScreenList<Coordinate>& list, std::size_t index,
                       std::span<const ScreenPrimitive> pieces, const Listener& listener,
                       DrawPiece&& draw_piece) {
         auto next = pieces.begin();
         if constexpr (keeps_steps<Sink>)
-            tell_pieces<Coordinate>(scene_, list, number, listener,
+            tell_pieces<Coordinate>(scene_, list, index, listener,
                                     [&](const auto& face) { draw_piece(*next++, face); });
         else
             for (const ScreenPrimitive& one : pieces)
@@ -195,8 +195,8 @@ private:
     }
 
     /// What follows is about the next piece of a primitive.
-    void begin(std::size_t number) {
-        exactness_.drawn.push_back({number, parts_++});
+    void begin(std::size_t index) {
+        exactness_.drawn.push_back({index, parts_++});
         if (target_.depth)
             target_.depth->begin(static_cast<std::uint32_t>(exactness_.drawn.size() - 1));
     }
@@ -206,8 +206,8 @@ private:
     void draw_one(const AList& list, const ScreenPrimitive& one, const AFace& face,
                   const Listener& listener) {
         begin(one.primitive);
-        const auto piece = placed<Adaptive>(piece_of(scene_, list, one), plan_);
-        const auto open = keeps_steps<Sink> ? certified(piece, face) : certified_and_painted(piece);
+        const auto piece = piece_in<Adaptive>(piece_of(scene_, list, one), plan_);
+        const auto open = keeps_steps<Sink> ? undecided_in(piece, face) : paint_if_decided(piece);
         if (open) {
             TellingUndecided telling(listener, *open);
             draw_exactly(list, one, face, Listener(telling));
@@ -221,14 +221,14 @@ private:
     void draw_exactly(const AList& list, const ScreenPrimitive& one, const AFace& face,
                       const Listener& listener) {
         ++exactness_.fallbacks.primitives;
-        const auto exact = exactness_.pieces.placed(exactness_.drawn.back());
+        const auto exact = exactness_.pieces.piece(exactness_.drawn.back());
         tell_and_draw(list, one, face, exact, scene_, plan_, exact_target_,
                       sink_to<Sink>(listener));
     }
 
     /// Takes all decisions about a piece, and looks at every step that the listener would be told.
     template <typename AFace>
-    std::optional<Undecided> certified(const Piece<Adaptive>& piece, const AFace& face) {
+    std::optional<Undecided> undecided_in(const Piece<Adaptive>& piece, const AFace& face) {
         const ListenerSink sink(certifying_);
         return left_open_by([&] {
             if (!tell_face(face, sink))
@@ -240,7 +240,7 @@ private:
     }
 
     /// The same for nobody. What is certain is painted at once.
-    std::optional<Undecided> certified_and_painted(const Piece<Adaptive>& piece) {
+    std::optional<Undecided> paint_if_decided(const Piece<Adaptive>& piece) {
         if (piece.is_skipped)
             return std::nullopt;
         rows_.clear();

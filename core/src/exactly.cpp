@@ -61,10 +61,10 @@ ExactPieces::Range ExactPieces::range_of(std::size_t primitive) {
     const auto& drawn = geometry_->list.primitives;
     const auto [known, is_new] = ranges_.try_emplace(primitive);
     if (is_new) {
-        for (const std::size_t place : scene_.primitives[primitive].corners())
-            if (!geometry_->is_used[place]) {
-                geometry_->is_used[place] = true;
-                place_vertex(scene_, place, *geometry_);
+        for (const std::size_t index : scene_.primitives[primitive].corners())
+            if (!geometry_->is_used[index]) {
+                geometry_->is_used[index] = true;
+                move_vertex(scene_, index, *geometry_);
             }
         known->second.begin = drawn.size();
         add_primitive(scene_, *geometry_, primitive);
@@ -79,13 +79,13 @@ std::vector<ScreenPrimitive> ExactPieces::of(std::size_t primitive) {
     return {first + static_cast<std::ptrdiff_t>(begin), first + static_cast<std::ptrdiff_t>(end)};
 }
 
-Piece<Rational> ExactPieces::placed(const PieceNumber& piece) {
+Piece<Rational> ExactPieces::piece(const PieceIndex& piece) {
     if (const auto* typed = std::get_if<TypedVertices>(&plan_.list))
-        return rastertrace::placed<Rational>(
+        return piece_in<Rational>(
             piece_of(scene_, *typed, typed_primitive(scene_, piece.primitive)), plan_);
     const Range range = range_of(piece.primitive);
-    return rastertrace::placed<Rational>(
-        piece_of(scene_, list(), list().primitives[range.begin + piece.part]), plan_);
+    return piece_in<Rational>(piece_of(scene_, list(), list().primitives[range.begin + piece.part]),
+                              plan_);
 }
 
 /// The turned depth of a triangle in the pixel at (x, y), as the fill that the scene names finds it.
@@ -103,20 +103,20 @@ Rational exact_depth_at(const Scene& scene, const Piece<Rational>& primitive, in
 }
 
 std::optional<std::array<std::size_t, 2>> edge_of_depth(const Scene& scene, const Plan& plan,
-                                                        const PieceNumber& number, int x, int y) {
+                                                        const PieceIndex& index, int x, int y) {
     if (!finds_depths_along_edges(scene))
         return std::nullopt;
     std::optional<std::array<std::size_t, 2>> vertices;
     const auto find_in = [&]<typename AList>(const AList& list) {
         // Vertices as typed have no depths.
         if constexpr (draws<Adaptive, AList> && !std::same_as<AList, TypedVertices>) {
-            if (!is_whole(scene, list, number.primitive))
+            if (!is_whole(scene, list, index.primitive))
                 return;
             const auto piece = piece_of(scene, list,
-                                        {.primitive = static_cast<std::uint32_t>(number.primitive),
+                                        {.primitive = static_cast<std::uint32_t>(index.primitive),
                                          .index = 0,
                                          .color = {}});
-            const Triangle<Adaptive> triangle{placed<Adaptive>(piece, plan).positions};
+            const Triangle<Adaptive> triangle{piece_in<Adaptive>(piece, plan).positions};
             const auto [left, right] = edges_of_row(triangle, y, scene.canvas.down());
             const auto height = scalar_from<Adaptive>(y);
             const auto column = scalar_from<Adaptive>(x);
@@ -145,7 +145,7 @@ bool is_nearer(const Scene& scene, const Plan& plan, Exactness& exactness, std::
                std::optional<std::uint32_t> stored, int x, int row) {
     const int y = scene.canvas.y_of(row);
     const auto depth_of = [&](std::uint32_t number) {
-        return exact_depth_at(scene, exactness.pieces.placed(exactness.drawn[number]), x, y);
+        return exact_depth_at(scene, exactness.pieces.piece(exactness.drawn[number]), x, y);
     };
     if (stored) {
         // Two faces that meet in an edge seen from aside have one depth there: no need to work it out.
@@ -169,8 +169,8 @@ Rational told_depth(const Scene& scene, Exactness& exactness, std::optional<std:
     const DepthRule<Rational> rule = depth_rule<Rational>(scene);
     if (!piece)
         return *rule.cleared;
-    const Piece<Rational>& placed = exactness.pieces.placed(exactness.drawn[*piece]);
-    return turned(exact_depth_at(scene, placed, x, scene.canvas.y_of(row)), rule.larger_passes);
+    const Piece<Rational>& asked = exactness.pieces.piece(exactness.drawn[*piece]);
+    return turned(exact_depth_at(scene, asked, x, scene.canvas.y_of(row)), rule.larger_passes);
 }
 
 bool is_told_by_doubles(const VertexPlaced<Quantity>& step) {

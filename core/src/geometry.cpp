@@ -77,7 +77,7 @@ Vec<Scalar, 4> moved(const std::optional<Matrix<Scalar>>& matrix, const Vec<Scal
 }
 
 /// The first spaces of a vertex, in homogeneous coordinates.
-template <typename Scalar> struct VertexPlaces {
+template <typename Scalar> struct VertexPositions {
     Vec<Scalar, 4> object;
     Vec<Scalar, 4> world;
     Vec<Scalar, 4> camera;
@@ -85,22 +85,22 @@ template <typename Scalar> struct VertexPlaces {
 };
 
 template <typename Scalar>
-VertexPlaces<Scalar> places_of(const SceneVertex& vertex,
-                               const std::optional<Matrix<Scalar>>& model,
-                               const Transforms<Scalar>& transforms) {
-    VertexPlaces<Scalar> places;
-    places.object = {scalar_from<Scalar>(vertex.x), scalar_from<Scalar>(vertex.y),
-                     scalar_from<Scalar>(vertex.z), scalar_from<Scalar>(1)};
-    places.world = moved(model, places.object);
-    places.camera = moved(transforms.view, places.world);
-    places.clip = moved(transforms.projection, places.camera);
-    return places;
+VertexPositions<Scalar> positions_of(const SceneVertex& vertex,
+                                     const std::optional<Matrix<Scalar>>& model,
+                                     const Transforms<Scalar>& transforms) {
+    VertexPositions<Scalar> positions;
+    positions.object = {scalar_from<Scalar>(vertex.x), scalar_from<Scalar>(vertex.y),
+                        scalar_from<Scalar>(vertex.z), scalar_from<Scalar>(1)};
+    positions.world = moved(model, positions.object);
+    positions.camera = moved(transforms.view, positions.world);
+    positions.clip = moved(transforms.projection, positions.camera);
+    return positions;
 }
 
 /// x/w, y/w and z/w, moved to the screen. w must not be 0.
 template <typename Scalar>
-ScreenPlaces<Scalar> places_on_screen(const Vec<Scalar, 4>& clip,
-                                      const Transforms<Scalar>& transforms) {
+ScreenPositions<Scalar> positions_on_screen(const Vec<Scalar, 4>& clip,
+                                            const Transforms<Scalar>& transforms) {
     const Vec<Scalar, 4> canonical =
         transforms.divides ? Vec<Scalar, 4>{Scalar(clip.x / clip.w), Scalar(clip.y / clip.w),
                                             Scalar(clip.z / clip.w), scalar_from<Scalar>(1)}
@@ -133,12 +133,12 @@ ScreenPlaces<Scalar> places_on_screen(const Vec<Scalar, 4>& clip,
 std::vector<bool> used_vertices(const Scene& scene) {
     std::vector<bool> is_used(scene.vertices.size());
     for (const ScenePrimitive& primitive : scene.primitives)
-        for (const std::size_t place : primitive.corners())
-            is_used[place] = true;
+        for (const std::size_t index : primitive.corners())
+            is_used[index] = true;
     return is_used;
 }
 
-/// Calls `visit(place, model)` with each vertex that is used, and the matrix of its object.
+/// Calls `visit(index, model)` with each vertex that is used, and the matrix of its object.
 template <typename Scalar, typename Visit>
 void for_each_used_vertex(const Scene& scene, const Transforms<Scalar>& transforms,
                           const std::vector<bool>& is_used, Visit&& visit) {
@@ -155,9 +155,9 @@ void for_each_used_vertex(const Scene& scene, const Transforms<Scalar>& transfor
 /// The matrix of the object that a vertex belongs to.
 template <typename Scalar>
 const std::optional<Matrix<Scalar>>&
-model_of(const Scene& scene, const Transforms<Scalar>& transforms, std::size_t place) {
+model_of(const Scene& scene, const Transforms<Scalar>& transforms, std::size_t index) {
     const auto object =
-        std::upper_bound(scene.objects.begin(), scene.objects.end(), place,
+        std::upper_bound(scene.objects.begin(), scene.objects.end(), index,
                          [](std::size_t i, const SceneObject& one) { return i < one.end_vertex; });
     return object == scene.objects.end()
                ? transforms.rest_model
@@ -198,46 +198,47 @@ bool is_in_view(const Vec<Scalar, 4>& clip, const Transforms<Scalar>& transforms
 template <typename Scalar>
 VertexInSpace<Scalar> vertex_in_space(const Scene& scene, const Transforms<Scalar>& transforms,
                                       const std::optional<Matrix<Scalar>>& model,
-                                      std::size_t place) {
-    const VertexPlaces<Scalar> places = places_of(scene.vertices[place], model, transforms);
+                                      std::size_t index) {
+    const VertexPositions<Scalar> positions =
+        positions_of(scene.vertices[index], model, transforms);
     for (const Scalar* coordinate :
-         {&places.clip.x, &places.clip.y, &places.clip.z, &places.clip.w})
+         {&positions.clip.x, &positions.clip.y, &positions.clip.z, &positions.clip.w})
         require_finite(*coordinate);
-    return {.world = {places.world.x, places.world.y, places.world.z},
-            .placed = {.clip = places.clip,
-                       .distance = distance_along_view<Scalar>(scene, places.camera),
-                       .is_in_view = is_in_view(places.clip, transforms)}};
+    return {.world = {positions.world.x, positions.world.y, positions.world.z},
+            .in_clip_space = {.clip = positions.clip,
+                              .distance = distance_along_view<Scalar>(scene, positions.camera),
+                              .is_in_view = is_in_view(positions.clip, transforms)}};
 }
 template <typename Scalar>
 VertexInSpace<Scalar> vertex_in_space(const Scene& scene, const Transforms<Scalar>& transforms,
-                                      std::size_t place) {
-    return vertex_in_space(scene, transforms, model_of(scene, transforms, place), place);
+                                      std::size_t index) {
+    return vertex_in_space(scene, transforms, model_of(scene, transforms, index), index);
 }
 
 /// Takes a vertex to clip space.
 template <typename Scalar>
-void place_in_clip_space(const Scene& scene, const std::optional<Matrix<Scalar>>& model,
-                         std::size_t place, Geometry<Scalar>& geometry) {
-    auto [world, placed] = vertex_in_space(scene, geometry.list.transforms, model, place);
-    geometry.vertices[place] = std::move(placed);
+void move_to_clip_space(const Scene& scene, const std::optional<Matrix<Scalar>>& model,
+                        std::size_t index, Geometry<Scalar>& geometry) {
+    auto [world, in_clip_space] = vertex_in_space(scene, geometry.list.transforms, model, index);
+    geometry.vertices[index] = std::move(in_clip_space);
     if (!geometry.world.empty())
-        geometry.world[place] = std::move(world);
+        geometry.world[index] = std::move(world);
 }
 
 /// Takes a vertex from there on to the screen, if it can be seen.
 template <typename Scalar>
-void place_on_screen(const PlacedVertex<Scalar>& vertex, const Transforms<Scalar>& transforms,
-                     ScreenVertex<Scalar>& on_screen) {
+void move_to_screen(const ClipSpaceVertex<Scalar>& vertex, const Transforms<Scalar>& transforms,
+                    ScreenVertex<Scalar>& on_screen) {
     if (vertex.is_in_view)
-        on_screen.position = places_on_screen(vertex.clip, transforms).pixel;
+        on_screen.position = positions_on_screen(vertex.clip, transforms).pixel;
 }
 
 /// Takes a vertex to clip space, and on to the screen if it can be seen.
 template <typename Scalar>
-void place_vertex(const Scene& scene, std::size_t place, Geometry<Scalar>& geometry) {
+void move_vertex(const Scene& scene, std::size_t index, Geometry<Scalar>& geometry) {
     const auto& transforms = geometry.list.transforms;
-    place_in_clip_space(scene, model_of(scene, transforms, place), place, geometry);
-    place_on_screen(geometry.vertices[place], transforms, geometry.list.vertices[place]);
+    move_to_clip_space(scene, model_of(scene, transforms, index), index, geometry);
+    move_to_screen(geometry.vertices[index], transforms, geometry.list.vertices[index]);
 }
 
 /// A geometry whose vertices have no place yet. What stays is allocated first, so that what goes leaves no
@@ -248,7 +249,7 @@ template <typename Scalar> Geometry<Scalar> empty_geometry(const Scene& scene) {
     result.list.mixes_colors = scene.mixes_colors();
     result.list.depth = scene.depth();
     result.list.vertices.resize(scene.vertices.size());
-    result.list.is_placed.resize(scene.vertices.size());
+    result.list.is_drawn.resize(scene.vertices.size());
     result.list.primitives.reserve(scene.primitives.size());
     result.vertices.resize(scene.vertices.size());
     result.is_used.resize(scene.vertices.size());
@@ -274,8 +275,8 @@ template <typename Scalar> Geometry<Scalar> geometry_of(const Scene& scene) {
     Transforms<Scalar>& transforms = result.list.transforms;
     std::vector<std::size_t> outside(transforms.planes.size());
     for_each_used_vertex(scene, transforms, result.is_used, [&](std::size_t i, const auto& model) {
-        place_in_clip_space(scene, model, i, result);
-        const PlacedVertex<Scalar>& vertex = result.vertices[i];
+        move_to_clip_space(scene, model, i, result);
+        const ClipSpaceVertex<Scalar>& vertex = result.vertices[i];
         if (!vertex.is_in_view)
             for (std::size_t plane = 0; plane < transforms.planes.size(); ++plane)
                 if (!transforms.planes[plane].has_inside(vertex.clip))
@@ -301,11 +302,11 @@ template <typename Scalar> Geometry<Scalar> geometry_of(const Scene& scene) {
 
     // On to the screen, what can be seen.
     for (std::size_t i = 0; i < result.vertices.size(); ++i)
-        place_on_screen(result.vertices[i], transforms, result.list.vertices[i]);
+        move_to_screen(result.vertices[i], transforms, result.list.vertices[i]);
 
     if (scene.depth() == Depth::painter) {
-        const auto distance_of = [&result](std::size_t place) -> const Scalar& {
-            return result.vertices[place].distance;
+        const auto distance_of = [&result](std::size_t index) -> const Scalar& {
+            return result.vertices[index].distance;
         };
         if (!comes_farthest_first<Scalar>(scene, distance_of))
             transforms.needed.add(Stage::order);
@@ -317,8 +318,8 @@ template <typename Scalar> Geometry<Scalar> geometry_of(const Scene& scene) {
 
 /// Tells a place of a vertex: the first `count` coordinates.
 template <typename Scalar>
-void tell_place(std::string_view name, Space space, const Vec<Scalar, 4>& at, std::size_t count,
-                const Listener& listener) {
+void tell_position(std::string_view name, Space space, const Vec<Scalar, 4>& at, std::size_t count,
+                   const Listener& listener) {
     const ListenerSink sink(listener);
     const std::array<Scalar, 4> coordinates{at.x, at.y, at.z, at.w};
     sink(VertexPlaced<Scalar>{
@@ -327,14 +328,14 @@ void tell_place(std::string_view name, Space space, const Vec<Scalar, 4>& at, st
 
 /// Tells the spaces of a vertex from clip space on.
 template <typename Scalar>
-void tell_places_on_screen(std::string_view name, const Vec<Scalar, 4>& clip,
-                           const Transforms<Scalar>& transforms, const Listener& listener) {
+void tell_positions_on_screen(std::string_view name, const Vec<Scalar, 4>& clip,
+                              const Transforms<Scalar>& transforms, const Listener& listener) {
     const ListenerSink sink(listener);
-    const ScreenPlaces<Scalar> places = places_on_screen(clip, transforms);
+    const ScreenPositions<Scalar> positions = positions_on_screen(clip, transforms);
     if (transforms.projection && transforms.divides)
-        tell_place<Scalar>(name, Space::canonical, places.canonical, 3, listener);
-    const std::array<Scalar, 2> screen{places.screen.x, places.screen.y};
-    const std::array<Scalar, 2> pixel{places.pixel.x, places.pixel.y};
+        tell_position<Scalar>(name, Space::canonical, positions.canonical, 3, listener);
+    const std::array<Scalar, 2> screen{positions.screen.x, positions.screen.y};
+    const std::array<Scalar, 2> pixel{positions.pixel.x, positions.pixel.y};
     sink(VertexPlaced<Scalar>{.name = name,
                               .space = Space::screen,
                               .at = screen,
@@ -353,16 +354,16 @@ void tell_vertices(const Scene& scene, const Transforms<Scalar>& transforms,
     for_each_used_vertex(
         scene, transforms, used_vertices(scene), [&](std::size_t i, const auto& model) {
             const std::string_view name = scene.vertices[i].name;
-            const auto places = places_of(scene.vertices[i], model, transforms);
+            const auto positions = positions_of(scene.vertices[i], model, transforms);
             if (model)
-                tell_place<Scalar>(name, Space::object, places.object, 3, listener);
-            tell_place<Scalar>(name, Space::world, places.world, 3, listener);
+                tell_position<Scalar>(name, Space::object, positions.object, 3, listener);
+            tell_position<Scalar>(name, Space::world, positions.world, 3, listener);
             if (transforms.view)
-                tell_place<Scalar>(name, Space::camera, places.camera, 3, listener);
+                tell_position<Scalar>(name, Space::camera, positions.camera, 3, listener);
             if (transforms.projection)
-                tell_place<Scalar>(name, Space::clip, places.clip, 4, listener);
-            if (is_in_view(places.clip, transforms))
-                tell_places_on_screen(name, places.clip, transforms, listener);
+                tell_position<Scalar>(name, Space::clip, positions.clip, 4, listener);
+            if (is_in_view(positions.clip, transforms))
+                tell_positions_on_screen(name, positions.clip, transforms, listener);
         });
 }
 
@@ -400,45 +401,46 @@ void tell_geometry(const Scene& scene, const ScreenList<Scalar>& list, const Lis
 
 template Geometry<float> geometry_of(const Scene&);
 template VertexInSpace<float> vertex_in_space(const Scene&, const Transforms<float>&, std::size_t);
-template ScreenPlaces<float> places_on_screen(const Vec<float, 4>&, const Transforms<float>&);
-template void tell_place<float>(std::string_view, Space, const Vec<float, 4>&, std::size_t,
-                                const Listener&);
-template void tell_places_on_screen<float>(std::string_view, const Vec<float, 4>&,
-                                           const Transforms<float>&, const Listener&);
+template ScreenPositions<float> positions_on_screen(const Vec<float, 4>&, const Transforms<float>&);
+template void tell_position<float>(std::string_view, Space, const Vec<float, 4>&, std::size_t,
+                                   const Listener&);
+template void tell_positions_on_screen<float>(std::string_view, const Vec<float, 4>&,
+                                              const Transforms<float>&, const Listener&);
 template void tell_geometry(const Scene&, const ScreenList<float>&, const Listener&);
 
 template Geometry<double> geometry_of(const Scene&);
 template VertexInSpace<double> vertex_in_space(const Scene&, const Transforms<double>&,
                                                std::size_t);
-template ScreenPlaces<double> places_on_screen(const Vec<double, 4>&, const Transforms<double>&);
-template void tell_place<double>(std::string_view, Space, const Vec<double, 4>&, std::size_t,
-                                 const Listener&);
-template void tell_places_on_screen<double>(std::string_view, const Vec<double, 4>&,
-                                            const Transforms<double>&, const Listener&);
+template ScreenPositions<double> positions_on_screen(const Vec<double, 4>&,
+                                                     const Transforms<double>&);
+template void tell_position<double>(std::string_view, Space, const Vec<double, 4>&, std::size_t,
+                                    const Listener&);
+template void tell_positions_on_screen<double>(std::string_view, const Vec<double, 4>&,
+                                               const Transforms<double>&, const Listener&);
 template void tell_geometry(const Scene&, const ScreenList<double>&, const Listener&);
 
 template Geometry<Adaptive> geometry_of(const Scene&);
 template VertexInSpace<Adaptive> vertex_in_space(const Scene&, const Transforms<Adaptive>&,
                                                  std::size_t);
-template ScreenPlaces<Adaptive> places_on_screen(const Vec<Adaptive, 4>&,
-                                                 const Transforms<Adaptive>&);
-template void tell_place<Adaptive>(std::string_view, Space, const Vec<Adaptive, 4>&, std::size_t,
-                                   const Listener&);
-template void tell_places_on_screen<Adaptive>(std::string_view, const Vec<Adaptive, 4>&,
-                                              const Transforms<Adaptive>&, const Listener&);
+template ScreenPositions<Adaptive> positions_on_screen(const Vec<Adaptive, 4>&,
+                                                       const Transforms<Adaptive>&);
+template void tell_position<Adaptive>(std::string_view, Space, const Vec<Adaptive, 4>&, std::size_t,
+                                      const Listener&);
+template void tell_positions_on_screen<Adaptive>(std::string_view, const Vec<Adaptive, 4>&,
+                                                 const Transforms<Adaptive>&, const Listener&);
 template void tell_geometry(const Scene&, const ScreenList<Adaptive>&, const Listener&);
 
 template Geometry<Rational> geometry_of(const Scene&);
 template Geometry<Rational> empty_geometry(const Scene&);
 template VertexInSpace<Rational> vertex_in_space(const Scene&, const Transforms<Rational>&,
                                                  std::size_t);
-template void place_vertex(const Scene&, std::size_t, Geometry<Rational>&);
-template ScreenPlaces<Rational> places_on_screen(const Vec<Rational, 4>&,
-                                                 const Transforms<Rational>&);
-template void tell_place<Rational>(std::string_view, Space, const Vec<Rational, 4>&, std::size_t,
-                                   const Listener&);
-template void tell_places_on_screen<Rational>(std::string_view, const Vec<Rational, 4>&,
-                                              const Transforms<Rational>&, const Listener&);
+template void move_vertex(const Scene&, std::size_t, Geometry<Rational>&);
+template ScreenPositions<Rational> positions_on_screen(const Vec<Rational, 4>&,
+                                                       const Transforms<Rational>&);
+template void tell_position<Rational>(std::string_view, Space, const Vec<Rational, 4>&, std::size_t,
+                                      const Listener&);
+template void tell_positions_on_screen<Rational>(std::string_view, const Vec<Rational, 4>&,
+                                                 const Transforms<Rational>&, const Listener&);
 template void tell_geometry(const Scene&, const ScreenList<Rational>&, const Listener&);
 
 } // namespace rastertrace

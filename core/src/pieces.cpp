@@ -103,8 +103,8 @@ template <typename Scalar> bool is_finite(const Face<Scalar>& face) {
 }
 
 /// What a vertex is called that clipping has made.
-std::string name_of_made(const std::string& primitive, int number) {
-    return primitive + ":" + std::to_string(number);
+std::string name_of_made(const std::string& primitive, int ordinal) {
+    return primitive + ":" + std::to_string(ordinal);
 }
 
 /// What the depth buffer holds of a vertex.
@@ -138,8 +138,8 @@ Color color_of(const Scene& scene, std::size_t primitive, const Face<Coordinate>
 
 /// The color of a vertex of the scene, or of its primitive if it has none that counts.
 template <typename AList>
-Color color_of_vertex(const Scene& scene, const AList& list, std::size_t place, Color color) {
-    return list.mixes_colors ? scene.vertices[place].color.value_or(color) : color;
+Color color_of_vertex(const Scene& scene, const AList& list, std::size_t index, Color color) {
+    return list.mixes_colors ? scene.vertices[index].color.value_or(color) : color;
 }
 
 /// Why clipping at a plane has left nothing of a polygon.
@@ -213,10 +213,10 @@ template <typename PlaceOf> auto corners_of(const ScenePrimitive& primitive, Pla
 /// line or a polygon, whose vertices know which of the corners they are. If nothing is left: why.
 template <typename Scalar, typename Take>
 std::optional<SkipReason> clip_primitive(const Scene& scene, const ScreenList<Scalar>& list,
-                                         std::size_t number, Color color,
-                                         const std::array<PlacedVertex<Scalar>, 3>& vertices,
+                                         std::size_t index, Color color,
+                                         const std::array<ClipSpaceVertex<Scalar>, 3>& vertices,
                                          const Listener& listener, Take&& take) {
-    const ScenePrimitive& primitive = scene.primitives[number];
+    const ScenePrimitive& primitive = scene.primitives[index];
     const std::size_t count = primitive.corners().size();
     const bool is_outline = primitive.kind == PrimitiveKind::outline;
     std::optional<SkipReason> reason;
@@ -252,49 +252,49 @@ void find_depth(const Vec<Scalar, 4>& clip, const Scalar& distance, const Screen
 }
 
 /// The same for a vertex of the scene, once.
-template <typename Scalar> void find_depth(Geometry<Scalar>& geometry, std::size_t place) {
+template <typename Scalar> void find_depth(Geometry<Scalar>& geometry, std::size_t index) {
     ScreenList<Scalar>& list = geometry.list;
-    if (list.is_placed[place])
+    if (list.is_drawn[index])
         return;
-    const PlacedVertex<Scalar>& vertex = geometry.vertices[place];
-    find_depth(vertex.clip, vertex.distance, list, list.vertices[place]);
-    list.is_placed[place] = true;
+    const ClipSpaceVertex<Scalar>& vertex = geometry.vertices[index];
+    find_depth(vertex.clip, vertex.distance, list, list.vertices[index]);
+    list.is_drawn[index] = true;
 }
 
 /// Tests and lights the face of a primitive, clips it, and adds what is left of it to the list.
 template <typename Scalar>
-void add_primitive(const Scene& scene, Geometry<Scalar>& geometry, std::size_t number) {
+void add_primitive(const Scene& scene, Geometry<Scalar>& geometry, std::size_t index) {
     ScreenList<Scalar>& list = geometry.list;
     using State = ScreenPrimitive::State;
-    const ScenePrimitive& primitive = scene.primitives[number];
+    const ScenePrimitive& primitive = scene.primitives[index];
     Face<Scalar> face;
     if (has_face(scene, primitive))
         face = face_of(
             scene, list.transforms, primitive,
-            corners_of(primitive, [&](std::size_t place) { return geometry.world[place]; }));
+            corners_of(primitive, [&](std::size_t corner) { return geometry.world[corner]; }));
     if (!is_finite(face))
-        list.infinite_face = std::min(number, list.infinite_face.value_or(number));
-    const Color color = color_of(scene, number, face);
-    const auto add = [&](State state, std::size_t index) {
-        list.primitives.push_back({.primitive = static_cast<std::uint32_t>(number),
-                                   .index = static_cast<std::uint32_t>(index),
+        list.infinite_face = std::min(index, list.infinite_face.value_or(index));
+    const Color color = color_of(scene, index, face);
+    const auto add = [&](State state, std::size_t part) {
+        list.primitives.push_back({.primitive = static_cast<std::uint32_t>(index),
+                                   .index = static_cast<std::uint32_t>(part),
                                    .color = color,
                                    .state = state});
     };
     const auto clip_it = [&](auto&& take) {
         const auto vertices =
-            corners_of(primitive, [&](std::size_t place) { return geometry.vertices[place]; });
-        clip_primitive(scene, list, number, color, vertices, {}, take);
+            corners_of(primitive, [&](std::size_t corner) { return geometry.vertices[corner]; });
+        clip_primitive(scene, list, index, color, vertices, {}, take);
     };
 
     // In view: all of it. Clipping it would leave it as it is.
     const auto corners = primitive.corners();
     if (std::all_of(corners.begin(), corners.end(),
-                    [&](std::size_t place) { return geometry.vertices[place].is_in_view; })) {
+                    [&](std::size_t corner) { return geometry.vertices[corner].is_in_view; })) {
         if (scene.keep.has(Stage::clip))
             clip_it([](auto&&...) {});
-        for (const std::size_t place : corners)
-            find_depth(geometry, place);
+        for (const std::size_t corner : corners)
+            find_depth(geometry, corner);
         return add(face.skip ? State::skipped : State::whole, 0);
     }
     if (face.skip)
@@ -304,23 +304,24 @@ void add_primitive(const Scene& scene, Geometry<Scalar>& geometry, std::size_t n
     int made = 0;
     int parts = 0;
     clip_it([&](std::size_t side, const std::vector<ClipVertex<Scalar>>& polygon) {
-        std::vector<std::size_t> places;
+        std::vector<std::size_t> indices;
         for (const ClipVertex<Scalar>& vertex : polygon) {
             if (vertex.original >= 0) {
-                places.push_back(corners[static_cast<std::size_t>(vertex.original)]);
-                find_depth(geometry, places.back());
+                indices.push_back(corners[static_cast<std::size_t>(vertex.original)]);
+                find_depth(geometry, indices.back());
                 continue;
             }
-            places.push_back(list.vertices.size());
+            indices.push_back(list.vertices.size());
             list.made.push_back({vertex.color, ++made, corners[side]});
             auto& on_screen = list.vertices.emplace_back();
-            on_screen.position = places_on_screen(vertex.position, list.transforms).pixel;
+            on_screen.position = positions_on_screen(vertex.position, list.transforms).pixel;
             find_depth(vertex.position, vertex.distance, list, on_screen);
         }
-        for (std::size_t i = 0; i < part_count(places.size()); ++i) {
-            ScreenPart part{{places[0], 0, 0}, ++parts};
-            for (std::size_t corner = 1; corner < std::min<std::size_t>(places.size(), 3); ++corner)
-                part.corners[corner] = places[i + corner];
+        for (std::size_t i = 0; i < part_count(indices.size()); ++i) {
+            ScreenPart part{{indices[0], 0, 0}, ++parts};
+            for (std::size_t corner = 1; corner < std::min<std::size_t>(indices.size(), 3);
+                 ++corner)
+                part.corners[corner] = indices[i + corner];
             add(State::part, list.parts.size());
             list.parts.push_back(part);
         }
@@ -332,13 +333,13 @@ template <typename Scalar>
 ScreenList<Scalar> screen_list_of(const Scene& scene, Geometry<Scalar> geometry) {
     ScreenList<Scalar>& list = geometry.list;
     for (std::size_t turn = 0; turn < scene.primitives.size(); ++turn) {
-        const std::size_t number = primitive_at(list, turn);
+        const std::size_t index = primitive_at(list, turn);
         const std::size_t count = list.primitives.size();
         try {
-            add_primitive(scene, geometry, number);
+            add_primitive(scene, geometry, index);
         } catch (const Undecided& undecided) {
             list.primitives.resize(count);
-            list.primitives.push_back({.primitive = static_cast<std::uint32_t>(number),
+            list.primitives.push_back({.primitive = static_cast<std::uint32_t>(index),
                                        .index = static_cast<std::uint32_t>(list.undecided.size()),
                                        .color = {},
                                        .state = ScreenPrimitive::State::undecided});
@@ -349,10 +350,10 @@ ScreenList<Scalar> screen_list_of(const Scene& scene, Geometry<Scalar> geometry)
 }
 
 /// What the list would hold of a primitive.
-ScreenPrimitive typed_primitive(const Scene& scene, std::size_t number) {
-    return {.primitive = static_cast<std::uint32_t>(number),
+ScreenPrimitive typed_primitive(const Scene& scene, std::size_t index) {
+    return {.primitive = static_cast<std::uint32_t>(index),
             .index = 0,
-            .color = color_of(scene, number, Face<Number>{})};
+            .color = color_of(scene, index, Face<Number>{})};
 }
 
 /// Places in the list of the corners of a primitive, or of a part of one.
@@ -385,17 +386,17 @@ template <typename Scalar>
 Piece<Scalar> piece_of(const Scene& scene, const ScreenList<Scalar>& list,
                        const ScreenPrimitive& one) {
     auto piece = piece_without_corners<Scalar>(scene, one);
-    for (const std::size_t place : corners_of(scene, list, one)) {
+    for (const std::size_t index : corners_of(scene, list, one)) {
         const std::size_t i = piece.count++;
-        const ScreenVertex<Scalar>& vertex = list.vertices[place];
+        const ScreenVertex<Scalar>& vertex = list.vertices[index];
         piece.positions[i] = vertex.position;
         piece.depths[i] = vertex.depth;
         piece.inverse_w[i] = vertex.inverse_w;
-        if (place < scene.vertices.size()) {
-            piece.colors[i] = color_of_vertex(scene, list, place, one.color);
-            piece.vertices[i] = place;
+        if (index < scene.vertices.size()) {
+            piece.colors[i] = color_of_vertex(scene, list, index, one.color);
+            piece.vertices[i] = index;
         } else {
-            const MadeVertex& made = list.made[place - scene.vertices.size()];
+            const MadeVertex& made = list.made[index - scene.vertices.size()];
             piece.colors[i] = made.color;
             piece.vertices[i] = made.side;
         }
@@ -404,20 +405,20 @@ Piece<Scalar> piece_of(const Scene& scene, const ScreenList<Scalar>& list,
 }
 Piece<Number> piece_of(const Scene& scene, const TypedVertices& typed, const ScreenPrimitive& one) {
     auto piece = piece_without_corners<Number>(scene, one);
-    for (const std::size_t place : scene.primitives[one.primitive].corners()) {
+    for (const std::size_t index : scene.primitives[one.primitive].corners()) {
         const std::size_t i = piece.count++;
-        piece.positions[i] = {scene.vertices[place].x, scene.vertices[place].y};
-        piece.colors[i] = color_of_vertex(scene, typed, place, one.color);
-        piece.vertices[i] = place;
+        piece.positions[i] = {scene.vertices[index].x, scene.vertices[index].y};
+        piece.colors[i] = color_of_vertex(scene, typed, index, one.color);
+        piece.vertices[i] = index;
     }
     return piece;
 }
 
 PieceNames::PieceNames(const Scene& scene, const TypedVertices&, const ScreenPrimitive& one)
     : piece(scene.primitives[one.primitive].name) {
-    const auto places = scene.primitives[one.primitive].corners();
-    std::transform(places.begin(), places.end(), corners.begin(),
-                   [&](std::size_t place) { return std::string_view(scene.vertices[place].name); });
+    const auto indices = scene.primitives[one.primitive].corners();
+    std::transform(indices.begin(), indices.end(), corners.begin(),
+                   [&](std::size_t index) { return std::string_view(scene.vertices[index].name); });
 }
 template <typename Scalar>
 PieceNames::PieceNames(const Scene& scene, const ScreenList<Scalar>& list,
@@ -425,34 +426,34 @@ PieceNames::PieceNames(const Scene& scene, const ScreenList<Scalar>& list,
     : piece(scene.primitives[one.primitive].name) {
     const std::string& name = scene.primitives[one.primitive].name;
     std::size_t i = 0;
-    for (const std::size_t place : corners_of(scene, list, one)) {
-        if (place >= scene.vertices.size())
-            made_[i] = name_of_made(name, list.made[place - scene.vertices.size()].number);
-        corners[i] = place < scene.vertices.size() ? scene.vertices[place].name : made_[i];
+    for (const std::size_t index : corners_of(scene, list, one)) {
+        if (index >= scene.vertices.size())
+            made_[i] = name_of_made(name, list.made[index - scene.vertices.size()].ordinal);
+        corners[i] = index < scene.vertices.size() ? scene.vertices[index].name : made_[i];
         ++i;
     }
     if (one.state == ScreenPrimitive::State::part)
-        piece = made_[3] = name + "/" + std::to_string(list.parts[one.index].number);
+        piece = made_[3] = name + "/" + std::to_string(list.parts[one.index].ordinal);
 }
 
 /// Tells what is found out about a primitive before it is on the screen, and calls `draw_next(face)` for
 /// each of its pieces in the list, when it is their turn. The face of a part has been told.
 template <typename Scalar>
-void tell_pieces(const Scene& scene, const ScreenList<Scalar>& list, std::size_t number,
+void tell_pieces(const Scene& scene, const ScreenList<Scalar>& list, std::size_t index,
                  const Listener& listener, const TakeFace<Scalar>& draw_next) {
     // In view, and without a face: there is nothing to tell.
-    const ScenePrimitive& primitive = scene.primitives[number];
-    if (is_whole(scene, list, number) && !has_face(scene, primitive))
+    const ScenePrimitive& primitive = scene.primitives[index];
+    if (is_whole(scene, list, index) && !has_face(scene, primitive))
         return draw_next({});
 
     const auto corners = primitive.corners();
     std::array<Vec<Scalar, 3>, 3> world;
-    std::array<PlacedVertex<Scalar>, 3> vertices;
+    std::array<ClipSpaceVertex<Scalar>, 3> vertices;
     bool is_in_view = true;
     for (std::size_t i = 0; i < corners.size(); ++i) {
-        auto [in_world, placed] = vertex_in_space(scene, list.transforms, corners[i]);
+        auto [in_world, in_clip_space] = vertex_in_space(scene, list.transforms, corners[i]);
         world[i] = std::move(in_world);
-        vertices[i] = std::move(placed);
+        vertices[i] = std::move(in_clip_space);
         is_in_view = is_in_view && vertices[i].is_in_view;
     }
     Face<Scalar> face;
@@ -463,7 +464,7 @@ void tell_pieces(const Scene& scene, const ScreenList<Scalar>& list, std::size_t
 
     // Cut. The sides of an outline are cut one by one.
     const ListenerSink sink(listener);
-    const Color color = color_of(scene, number, face);
+    const Color color = color_of(scene, index, face);
     std::array<std::string_view, 3> names;
     for (std::size_t i = 0; i < corners.size(); ++i)
         names[i] = scene.vertices[corners[i]].name;
@@ -477,13 +478,13 @@ void tell_pieces(const Scene& scene, const ScreenList<Scalar>& list, std::size_t
         return;
     int made = 0;
     const auto reason = clip_primitive(
-        scene, list, number, color, vertices, listener,
+        scene, list, index, color, vertices, listener,
         [&](std::size_t, const std::vector<ClipVertex<Scalar>>& polygon) {
             for (const ClipVertex<Scalar>& vertex : polygon)
                 if (vertex.original < 0) {
                     const std::string name = name_of_made(primitive.name, ++made);
-                    tell_place<Scalar>(name, Space::clip, vertex.position, 4, listener);
-                    tell_places_on_screen(name, vertex.position, list.transforms, listener);
+                    tell_position<Scalar>(name, Space::clip, vertex.position, 4, listener);
+                    tell_positions_on_screen(name, vertex.position, list.transforms, listener);
                 }
             for (std::size_t i = 0; i < part_count(polygon.size()); ++i)
                 draw_next({});

@@ -230,7 +230,7 @@ std::optional<Unfit> unfit_of(const Piece<Coordinate>& piece, const Method& meth
     for (std::size_t i = 0; i < piece.count; ++i) {
         const double farthest = std::max(std::abs(at[i][0]), std::abs(at[i][1]));
         if (!std::isfinite(at[i][0]) || !std::isfinite(at[i][1]))
-            return unfit(What::place, i, i);
+            return unfit(What::position, i, i);
         const auto largest_index = static_cast<double>(farthest_index);
         if (method.snap != Snap::none && farthest >= largest_index)
             return unfit(What::coordinate_of_snap, i, i, largest_index);
@@ -295,7 +295,7 @@ std::optional<Unfit> unfit_vertex(const Scene& scene, const Geometry<Coordinate>
             const auto& at = geometry.vertices[i].clip;
             if (geometry.is_used[i] && !(std::isfinite(at.x) && std::isfinite(at.y) &&
                                          std::isfinite(at.z) && std::isfinite(at.w)))
-                return Unfit{Unfit::What::place, i, i, {at.x, at.y}, {at.x, at.y}, 0};
+                return Unfit{Unfit::What::position, i, i, {at.x, at.y}, {at.x, at.y}, 0};
         }
     }
     // In a perspective, clipping leaves only what lies in front of the eye. Elsewhere nothing does.

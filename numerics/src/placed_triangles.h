@@ -5,8 +5,8 @@
 
 #include "job_builder.h"
 
+#include <rastertrace/core/draw/piece_in.h>
 #include <rastertrace/core/draw/pieces.h>
-#include <rastertrace/core/draw/placed.h>
 #include <rastertrace/core/draw/plan.h>
 #include <rastertrace/core/scene/scene.h>
 
@@ -25,7 +25,7 @@ void for_each_placed_triangle(const Scene& scene, const Plan& plan, Visit&& visi
             if constexpr (draws<Scalar, AList>)
                 for_each_piece(scene, list, [&](const auto& piece) {
                     if (piece.kind == PrimitiveKind::triangle)
-                        visit(placed<Scalar>(piece, plan));
+                        visit(piece_in<Scalar>(piece, plan));
                 });
         },
         plan.list);

@@ -422,7 +422,7 @@ TEST(Adaptive, FacesThatMeetInAnEdgeTieThere) {
         const Plan plan = plan_for(scene);
         ExactPieces exact(scene, plan);
         const auto has_row = [&exact](std::size_t face, int y) {
-            const auto& [a, b, c] = exact.placed({face, 0}).positions;
+            const auto& [a, b, c] = exact.piece({face, 0}).positions;
             const auto [low, high] = std::minmax({a.y, b.y, c.y});
             return low <= y && y <= high;
         };
@@ -432,8 +432,8 @@ TEST(Adaptive, FacesThatMeetInAnEdgeTieThere) {
                 if (!first || first != edge_of_depth(scene, plan, {1, 0}, x, y))
                     continue;
                 ++ties;
-                ASSERT_EQ(exact_depth_at(scene, exact.placed({0, 0}), x, y),
-                          exact_depth_at(scene, exact.placed({1, 0}), x, y))
+                ASSERT_EQ(exact_depth_at(scene, exact.piece({0, 0}), x, y),
+                          exact_depth_at(scene, exact.piece({1, 0}), x, y))
                     << scene_text(scene) << "at " << x << ", " << y;
             }
     }

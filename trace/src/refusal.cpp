@@ -31,7 +31,7 @@ Refusal refusal_of(const Scene& scene, const Unfit& unfit) {
                             "fit in {}, found an entry beyond the largest number",
                             scalar),
                 hint};
-    case What::place:
+    case What::position:
         return {fmt::format("expected a vertex that has a place on the screen in {}, found "
                             "{}: beyond the largest number",
                             scalar, to),

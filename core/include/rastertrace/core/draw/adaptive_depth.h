@@ -79,13 +79,13 @@ public:
     [[gnu::always_inline]] bool keep_if_nearer(double& cell, Adaptive depth) {
         const double difference = cell - depth.value();
         const double error = (depth.error() + largest_error_) * Adaptive::widening;
-        const auto place = static_cast<std::size_t>(&cell - cells_.data());
+        const auto index = static_cast<std::size_t>(&cell - cells_.data());
         bool passes = difference > error;
         if (!passes && !(-difference > error)) [[unlikely]]
-            passes = passes_when_near(place, error == 0);
+            passes = passes_when_near(index, error == 0);
         if (passes) {
             cell = depth.value();
-            pieces_[place] = piece_;
+            pieces_[index] = piece_;
             if (!(depth.error() <= largest_error_)) [[unlikely]]
                 largest_error_ = std::isfinite(depth.error())
                                      ? depth.error()
@@ -100,8 +100,8 @@ public:
     void keep_nearer(int row, int first, int last, const DepthRow<Adaptive>& depths, Keep&& keep);
 
     std::optional<Adaptive> stored(const double& cell) const {
-        const auto place = static_cast<std::size_t>(&cell - cells_.data());
-        if (!rule_.cleared && pieces_[place] == no_piece)
+        const auto index = static_cast<std::size_t>(&cell - cells_.data());
+        if (!rule_.cleared && pieces_[index] == no_piece)
             return std::nullopt;
         return Adaptive(rule_.larger_passes ? -cell : cell, largest_error_);
     }
@@ -140,15 +140,15 @@ public:
 private:
     static constexpr std::uint32_t no_piece = std::numeric_limits<std::uint32_t>::max();
 
-    [[gnu::noinline]] bool passes_when_near(std::size_t place, bool is_equal) {
-        const std::uint32_t stored = pieces_[place];
+    [[gnu::noinline]] bool passes_when_near(std::size_t index, bool is_equal) {
+        const std::uint32_t stored = pieces_[index];
         if (is_equal)
             return false;
         ++exact_tests_;
         const auto width = static_cast<std::size_t>(region_.width);
         return is_nearer_(piece_, stored == no_piece ? std::nullopt : std::optional(stored),
-                          region_.left + static_cast<int>(place % width),
-                          region_.top_row + static_cast<int>(place / width));
+                          region_.left + static_cast<int>(index % width),
+                          region_.top_row + static_cast<int>(index / width));
     }
 
     DepthRegion region_;

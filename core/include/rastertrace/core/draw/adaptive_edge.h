@@ -76,7 +76,7 @@ public:
 
     Adaptive sample_offset() const { return offset_; }
 
-    Triangle<Length> placed(const Triangle<Adaptive>& triangle) const {
+    Triangle<Length> in_lengths(const Triangle<Adaptive>& triangle) const {
         Triangle<Length> result;
         for (std::size_t i = 0; i < 3; ++i) {
             const auto& [x, y] = triangle.vertices[i];

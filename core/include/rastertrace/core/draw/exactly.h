@@ -5,7 +5,7 @@
 // primitives with exact numbers, worked out one by one when they are asked for.
 //
 //     ExactPieces exact(scene, plan);
-//     exact.placed({.primitive = 3, .part = 0});  // its corners as fractions
+//     exact.piece({.primitive = 3, .part = 0});  // its corners as fractions
 
 #include <rastertrace/core/draw/adaptive_color.h>
 #include <rastertrace/core/draw/adaptive_depth.h>
@@ -13,8 +13,8 @@
 #include <rastertrace/core/draw/draw.h>
 #include <rastertrace/core/draw/geometry.h>
 #include <rastertrace/core/draw/listener.h>
+#include <rastertrace/core/draw/piece_in.h>
 #include <rastertrace/core/draw/pieces.h>
-#include <rastertrace/core/draw/placed.h>
 #include <rastertrace/core/draw/plan.h>
 #include <rastertrace/core/numbers/adaptive.h>
 #include <rastertrace/core/numbers/quantity.h>
@@ -38,11 +38,11 @@
 namespace rastertrace {
 
 /// A piece: which part of which primitive.
-struct PieceNumber {
+struct PieceIndex {
     std::size_t primitive = 0;
     std::size_t part = 0;
 
-    friend auto operator<=>(const PieceNumber&, const PieceNumber&) = default;
+    friend auto operator<=>(const PieceIndex&, const PieceIndex&) = default;
 };
 
 /// The list of what is drawn, in exact numbers. Only what is asked for is worked out.
@@ -57,7 +57,7 @@ public:
     const ScreenList<Rational>& list() const { return geometry_->list; }
 
     /// The corners of a piece, as they are drawn.
-    Piece<Rational> placed(const PieceNumber& piece);
+    Piece<Rational> piece(const PieceIndex& piece);
 
 private:
     /// A part of the list, to before `end`.
@@ -82,13 +82,13 @@ Rational exact_depth_at(const Scene& scene, const Piece<Rational>& primitive, in
 /// `nullopt` if the pixel lies inside its row, or if doubles cannot decide that; so also of a triangle
 /// without area, whose rows have no width, and two depths.
 std::optional<std::array<std::size_t, 2>> edge_of_depth(const Scene& scene, const Plan& plan,
-                                                        const PieceNumber& number, int x, int y);
+                                                        const PieceIndex& index, int x, int y);
 
 /// What `adaptive` needs to decide exactly what its numbers leave open.
 struct Exactness {
     ExactPieces pieces;
     Rational sample_offset;
-    std::vector<PieceNumber> drawn = {}; ///< the pieces so far; the last one is being drawn
+    std::vector<PieceIndex> drawn = {}; ///< the pieces so far; the last one is being drawn
     std::optional<MixedColors<Rational>> colors = {}; ///< of that, if one has been asked for
     Fallbacks fallbacks = {};
 };
@@ -118,7 +118,7 @@ MixedColors<Adaptive> mixed_colors(const Piece<Scalar>& primitive, ColorStage st
         ++exactness.fallbacks.colors;
         auto& colors = exactness.colors;
         if (!colors) {
-            const auto exact = exactness.pieces.placed(exactness.drawn.back());
+            const auto exact = exactness.pieces.piece(exactness.drawn.back());
             colors = {exact.colors, Barycentric<Rational>({exact.positions}),
                       exactness.sample_offset, exact.inverse_w};
         }

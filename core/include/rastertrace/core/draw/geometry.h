@@ -30,14 +30,14 @@ namespace rastertrace {
 inline constexpr int guard_band = 4096;
 
 /// The last spaces of a vertex. `pixel` is where it is drawn: on the screen, snapped if it is to be.
-template <typename Scalar> struct ScreenPlaces {
+template <typename Scalar> struct ScreenPositions {
     Vec<Scalar, 4> canonical;
     Vec<Scalar, 2> screen;
     Vec<Scalar, 2> pixel;
 };
 
 /// A vertex before clipping.
-template <typename Scalar> struct PlacedVertex {
+template <typename Scalar> struct ClipSpaceVertex {
     Vec<Scalar, 4> clip;
     Scalar distance;         ///< from the eye along the view
     bool is_in_view = false; ///< it lies outside of no plane
@@ -46,9 +46,9 @@ template <typename Scalar> struct PlacedVertex {
 /// The places of all vertices that a primitive has.
 template <typename Scalar> struct Geometry {
     ScreenList<Scalar> list; ///< begun: matrices and vertices, no primitives, no depths
-    std::vector<PlacedVertex<Scalar>> vertices; ///< as in Scene::vertices
-    std::vector<bool> is_used;                  ///< by a primitive; the others are not placed
-    std::vector<Vec<Scalar, 3>> world;          ///< of all vertices, if faces are tested
+    std::vector<ClipSpaceVertex<Scalar>> vertices; ///< as in Scene::vertices
+    std::vector<bool> is_used;                     ///< by a primitive; the others are not placed
+    std::vector<Vec<Scalar, 3>> world;             ///< of all vertices, if faces are tested
 };
 
 /// True if a matrix of the scene has irrational entries, which are the nearest doubles instead.
@@ -68,30 +68,30 @@ template <typename Scalar> Geometry<Scalar> empty_geometry(const Scene& scene);
 /// A vertex in the world and in clip space.
 template <typename Scalar> struct VertexInSpace {
     Vec<Scalar, 3> world;
-    PlacedVertex<Scalar> placed;
+    ClipSpaceVertex<Scalar> in_clip_space;
 };
 template <typename Scalar>
 VertexInSpace<Scalar> vertex_in_space(const Scene& scene, const Transforms<Scalar>& transforms,
-                                      std::size_t place);
+                                      std::size_t index);
 
 /// Takes a vertex to clip space, and on to the screen if it can be seen. Only for Rational.
 template <typename Scalar>
-void place_vertex(const Scene& scene, std::size_t place, Geometry<Scalar>& geometry);
+void move_vertex(const Scene& scene, std::size_t index, Geometry<Scalar>& geometry);
 
 /// x/w, y/w and z/w, moved to the screen. w must not be 0.
 template <typename Scalar>
-ScreenPlaces<Scalar> places_on_screen(const Vec<Scalar, 4>& clip,
-                                      const Transforms<Scalar>& transforms);
+ScreenPositions<Scalar> positions_on_screen(const Vec<Scalar, 4>& clip,
+                                            const Transforms<Scalar>& transforms);
 
 /// Tells a place of a vertex: the first `count` coordinates.
 template <typename Scalar>
-void tell_place(std::string_view name, Space space, const Vec<Scalar, 4>& at, std::size_t count,
-                const Listener& listener);
+void tell_position(std::string_view name, Space space, const Vec<Scalar, 4>& at, std::size_t count,
+                   const Listener& listener);
 
 /// Tells the spaces of a vertex from clip space on.
 template <typename Scalar>
-void tell_places_on_screen(std::string_view name, const Vec<Scalar, 4>& clip,
-                           const Transforms<Scalar>& transforms, const Listener& listener);
+void tell_positions_on_screen(std::string_view name, const Vec<Scalar, 4>& clip,
+                              const Transforms<Scalar>& transforms, const Listener& listener);
 
 /// Tells the matrices, then the vertices, then what the painter has sorted.
 template <typename Scalar>

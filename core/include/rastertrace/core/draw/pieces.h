@@ -89,7 +89,7 @@ template <typename Scalar> DepthRule<Scalar> depth_rule(const Scene& scene) {
 /// A primitive on the screen, or a part of one that clipping has cut: the first `count` of each.
 template <typename Coordinate> struct Piece {
     PrimitiveKind kind;        ///< of a part of an outline: a line
-    std::size_t primitive = 0; ///< its place in the scene
+    std::size_t primitive = 0; ///< its index in the scene
     Color color;               ///< of the primitive
     bool is_part = false;
     bool is_skipped = false; ///< its face is not drawn
@@ -98,7 +98,7 @@ template <typename Coordinate> struct Piece {
     std::array<DepthOf<Coordinate>, 3> depths{};    ///< if there is a depth buffer
     std::array<DepthOf<Coordinate>, 3> inverse_w{}; ///< if colors are mixed
     std::array<Color, 3> colors;                    ///< the primitive's, where a vertex has none
-    std::array<std::size_t, 3> vertices{}; ///< places in the scene of the vertices, or of the
+    std::array<std::size_t, 3> vertices{}; ///< indices in the scene of the vertices, or of the
                                            ///< first one of what was clipped if clipping made them
 };
 
@@ -128,7 +128,7 @@ Face<Scalar> face_of(const Scene& scene, const Transforms<Scalar>& transforms,
 
 /// Tests and lights the face of a primitive, clips it, and adds what is left of it to the list.
 template <typename Scalar>
-void add_primitive(const Scene& scene, Geometry<Scalar>& geometry, std::size_t number);
+void add_primitive(const Scene& scene, Geometry<Scalar>& geometry, std::size_t index);
 
 // For float, double, Adaptive and Rational:
 
@@ -151,13 +151,13 @@ template <typename Scalar> using TakeFace = std::function<void(const Face<Scalar
 /// Tells what is found out about a primitive before it is on the screen, and calls `draw_next(face)` for
 /// each of its pieces in the list, when it is their turn. The face of a part has been told.
 template <typename Scalar>
-void tell_pieces(const Scene& scene, const ScreenList<Scalar>& list, std::size_t number,
+void tell_pieces(const Scene& scene, const ScreenList<Scalar>& list, std::size_t index,
                  const Listener& listener, const TakeFace<Scalar>& draw_next);
 
 // Without a list, what it would hold is made as it is asked for.
 
 /// What the list would hold of a primitive.
-ScreenPrimitive typed_primitive(const Scene& scene, std::size_t number);
+ScreenPrimitive typed_primitive(const Scene& scene, std::size_t index);
 
 /// Calls `visit(one)` with each of the list.
 template <typename Scalar, typename Visit>
@@ -167,8 +167,8 @@ void for_each_primitive(const Scene&, const ScreenList<Scalar>& list, Visit&& vi
 }
 template <typename Visit>
 void for_each_primitive(const Scene& scene, const TypedVertices&, Visit&& visit) {
-    for (std::size_t number = 0; number < scene.primitives.size(); ++number)
-        visit(typed_primitive(scene, number));
+    for (std::size_t index = 0; index < scene.primitives.size(); ++index)
+        visit(typed_primitive(scene, index));
 }
 
 /// The same, telling what is found out about each primitive before: `visit(one, face)`.

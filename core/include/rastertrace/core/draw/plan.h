@@ -64,7 +64,7 @@ template <typename DrawWith> decltype(auto) with_scalar(const Plan& plan, DrawWi
 struct Unfit {
     enum class What {
         matrix,     ///< a matrix has an entry beyond the largest number
-        place,      ///< a vertex has no finite place on its way to the screen
+        position,   ///< a vertex has no finite place on its way to the screen
         coordinate, ///< beyond the limit: the difference of two such numbers may be infinite
         slope,      ///< dx/dy or dy/dx is beyond the largest number
         coordinate_of_weights, ///< beyond the limit: a product of two such numbers may be infinite
@@ -78,7 +78,7 @@ struct Unfit {
         depth_times_size,      ///< so large that its product with a coordinate may be infinite
     };
     What what;
-    std::size_t from; ///< place in Scene::vertices
+    std::size_t from; ///< index in Scene::vertices
     std::size_t to;
     std::array<double, 2> from_at; ///< where they are to be drawn
     std::array<double, 2> to_at;

@@ -58,7 +58,7 @@ struct ScreenPrimitive {
         skipped,   ///< whole, and not drawn: its face is culled, or has no normal
         undecided, ///< doubles leave its face open, or what clipping leaves of it
     };
-    std::uint32_t primitive; ///< its place in the scene
+    std::uint32_t primitive; ///< its index in the scene
     std::uint32_t index;     ///< of a part, in ScreenList::parts; in ScreenList::undecided
     Color color;             ///< of the primitive, lit
     State state = State::whole;
@@ -67,14 +67,14 @@ struct ScreenPrimitive {
 /// A vertex that clipping has made.
 struct MadeVertex {
     Color color;
-    int number;       ///< in its primitive, from 1
-    std::size_t side; ///< place in the scene of the first vertex of what was clipped
+    int ordinal;      ///< in its primitive, from 1
+    std::size_t side; ///< index in the scene of the first vertex of what was clipped
 };
 
 /// The corners of a part.
 struct ScreenPart {
-    std::array<std::size_t, 3> corners; ///< places in ScreenList::vertices
-    int number;                         ///< in its primitive, from 1
+    std::array<std::size_t, 3> corners; ///< indices in ScreenList::vertices
+    int ordinal;                        ///< in its primitive, from 1
 };
 
 /// All that is drawn of a scene, with its place on the screen.
@@ -87,7 +87,7 @@ template <typename Coordinate> struct ScreenList {
 
     /// The scene's, of which those out of view have no position; then those that clipping made.
     std::vector<ScreenVertex<Coordinate>> vertices;
-    std::vector<bool> is_placed; ///< of the scene's: those that are drawn
+    std::vector<bool> is_drawn; ///< of the scene's: those that are drawn
     std::vector<MadeVertex> made;
     std::vector<ScreenPart> parts;
     std::vector<ScreenPrimitive> primitives; ///< in the order in which they are drawn
@@ -110,10 +110,10 @@ std::size_t primitive_at(const ScreenList<Coordinate>& list, std::size_t turn) {
 
 /// True if all of a primitive is in view, so that clipping leaves it alone.
 template <typename Coordinate>
-bool is_whole(const Scene& scene, const ScreenList<Coordinate>& list, std::size_t number) {
-    const auto corners = scene.primitives[number].corners();
+bool is_whole(const Scene& scene, const ScreenList<Coordinate>& list, std::size_t index) {
+    const auto corners = scene.primitives[index].corners();
     return std::all_of(corners.begin(), corners.end(),
-                       [&list](std::size_t place) { return list.is_placed[place]; });
+                       [&list](std::size_t corner) { return list.is_drawn[corner]; });
 }
 
 } // namespace rastertrace

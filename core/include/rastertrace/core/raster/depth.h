@@ -87,9 +87,9 @@ public:
     bool keep_if_nearer(Scalar& cell, const Scalar& depth) {
         if constexpr (!std::floating_point<Scalar>)
             if (has_clear_cells()) {
-                const auto place = static_cast<std::size_t>(&cell - cells_.data());
-                if (is_clear_[place]) {
-                    is_clear_[place] = false;
+                const auto index = static_cast<std::size_t>(&cell - cells_.data());
+                if (is_clear_[index]) {
+                    is_clear_[index] = false;
                     cell = depth;
                     return true;
                 }

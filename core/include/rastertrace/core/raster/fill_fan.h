@@ -39,8 +39,8 @@ void fill_fan(const Triangle<Scalar>& triangle, const std::array<Color, 3>& colo
     const auto from_lower_x = [](const GridLine& line) {
         return line.to.x < line.from.x ? reversed(line) : line;
     };
-    const auto vertex = [&triangle](std::uint8_t place) {
-        return nearest_pixel(triangle.vertices[place].x, triangle.vertices[place].y);
+    const auto vertex = [&triangle](std::uint8_t index) {
+        return nearest_pixel(triangle.vertices[index].x, triangle.vertices[index].y);
     };
 
     // The edge that the lines of each pass start from, and the vertex that they go to.

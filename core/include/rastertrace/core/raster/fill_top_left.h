@@ -159,7 +159,7 @@ void fill_top_left(const Triangle<Scalar>& triangle, const SampleGrid<Scalar>& g
                    Sink&& sink) {
     // Sort the vertices by height. The long edge runs from top to bottom, the two short ones meet
     // at the middle vertex, left or right of it.
-    const auto [top, middle, bottom] = sorted_from_top(grid.placed(triangle), grid.down());
+    const auto [top, middle, bottom] = sorted_from_top(grid.in_lengths(triangle), grid.down());
     const int middle_side = side_of_edge(top, bottom, middle, grid.down());
     if (middle_side == 0) {
         sink(PrimitiveSkipped{.why = SkipReason::zero_area});

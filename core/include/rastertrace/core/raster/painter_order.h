@@ -22,7 +22,7 @@ namespace rastertrace {
 /// no triangle keeps its turn. Of equals, the first stays first. Source: T0, with every triangle
 /// drawn, not only the nearest.
 template <typename Scalar> struct PainterOrder {
-    std::vector<std::size_t> primitives; ///< places in Scene::primitives
+    std::vector<std::size_t> primitives; ///< indices in Scene::primitives
     std::vector<Scalar> keys;            ///< of the triangles, in the order drawn
 };
 

@@ -39,12 +39,12 @@ public:
     Scalar sample_offset() const { return offset_; }
 
     /// The triangle in the coordinates of the grid.
-    const Triangle<Length>& placed(const Triangle<Scalar>& triangle) const { return triangle; }
+    const Triangle<Length>& in_lengths(const Triangle<Scalar>& triangle) const { return triangle; }
 
-    /// +1 if a placed vertex with a larger y lies lower in the picture, else -1.
+    /// +1 if a vertex (`in_lengths`) with a larger y lies lower in the picture, else -1.
     int down() const { return canvas_.down(); }
 
-    /// The first row whose samples do not lie above the placed height `y`; row 0 is the top of the
+    /// The first row whose samples do not lie above the height `y`; row 0 is the top of the
     /// canvas.
     Index first_row_from(const Length& y) const {
         // A sample's height on the canvas is exact; y less the offset may be rounded to another row.
@@ -55,7 +55,7 @@ public:
         return canvas_.row_of(y < sample ? near - 1 : near);
     }
 
-    /// True if the sample at column `x` does not lie left of the placed `length`.
+    /// True if the sample at column `x` does not lie left of `length`.
     bool reaches(Index x, const Length& length) const {
         return !(scalar_from<Scalar>(x) + offset_ < length);
     }
@@ -94,7 +94,7 @@ public:
 
     Fraction<Integer> sample_offset() const { return {offset_, pixel_.value()}; }
 
-    Triangle<Length> placed(const Triangle<Fraction<Integer>>& triangle) const {
+    Triangle<Length> in_lengths(const Triangle<Fraction<Integer>>& triangle) const {
         Triangle<Length> result;
         for (std::size_t i = 0; i < 3; ++i) {
             const auto& [x, y] = triangle.vertices[i];

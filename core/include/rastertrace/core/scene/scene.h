@@ -49,7 +49,7 @@ struct SceneObject {
 struct ScenePrimitive {
     PrimitiveKind kind = PrimitiveKind::triangle;
     std::string name;
-    std::array<std::size_t, 3> vertices{}; ///< places in Scene::vertices, in the author's order
+    std::array<std::size_t, 3> vertices{}; ///< indices in Scene::vertices, in the author's order
     Color color = {};
 
     /// Its vertices: the first one, two or three of `vertices`.

@@ -3,7 +3,7 @@
 
 // A piece on the screen with its coordinates turned into the numbers that it is drawn with.
 //
-//     const Piece<double> triangle = placed<double>(piece, plan);
+//     const Piece<double> triangle = piece_in<double>(piece, plan);
 
 #include <rastertrace/core/draw/pieces.h>
 #include <rastertrace/core/draw/plan.h>
@@ -39,7 +39,7 @@ Scalar on_grid(const Coordinate& coordinate, const Plan& plan) {
 
 /// Coordinates become numbers to calculate with.
 template <typename Scalar, typename Coordinate>
-Piece<Scalar> placed(const Piece<Coordinate>& piece, const Plan& plan) {
+Piece<Scalar> piece_in(const Piece<Coordinate>& piece, const Plan& plan) {
     Piece<Scalar> result{.kind = piece.kind,
                          .primitive = piece.primitive,
                          .color = piece.color,
