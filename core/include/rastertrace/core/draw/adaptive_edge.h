@@ -93,9 +93,9 @@ public:
 
     bool reaches(Index x, Length length) const { return length <= scalar_from<Length>(x); }
 
-    /// The first sample in a row that does not lie left of the edge.
-    Index first_sample_from(const Edge<Length>& edge, int row) const {
-        return ceil_index(edge.x_at(scalar_from<Length>(canvas_.y_of(row))));
+    /// Where an edge crosses a row of samples, in columns.
+    Length crossing(const Edge<Length>& edge, int row) const {
+        return edge.x_at(scalar_from<Length>(canvas_.y_of(row)));
     }
 
 private:

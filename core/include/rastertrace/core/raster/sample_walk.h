@@ -23,6 +23,7 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <limits>
 
 namespace rastertrace {
 
@@ -66,10 +67,11 @@ public:
                 Length(scalar_from<Scalar>(canvas_.y_of(row)) + offset_)};
     }
 
-    /// The first sample in a row that does not lie left of where x on the edge is.
-    Index first_sample_from(const Edge<Length>& edge, int row) const {
+    /// Where an edge crosses a row of samples, in columns: the first sample that does not lie left of the
+    /// edge is this, rounded up.
+    Length crossing(const Edge<Length>& edge, int row) const {
         const Length height = scalar_from<Scalar>(canvas_.y_of(row)) + offset_;
-        return ceil_index(Length(edge.x_at(height) - offset_));
+        return Length(edge.x_at(height) - offset_);
     }
 
     const Canvas& canvas() const { return canvas_; }
@@ -140,7 +142,7 @@ public:
                const SampleGrid<Scalar>& grid, int row)
         : edge_(edge_between(upper, lower)), grid_(grid), row_(row) {}
 
-    Index first_sample() const { return grid_.first_sample_from(edge_, row_); }
+    Index first_sample() const { return ceil_index(grid_.crossing(edge_, row_)); }
 
     void step() { ++row_; }
 
@@ -150,48 +152,67 @@ private:
     int row_;
 };
 
-/// The same in numbers that are rounded: x on the edge is a guess, and the edge function settles it.
+/// The first sample that the edge function lets a triangle on the right of the edge have, and one on its
+/// left not; beyond the canvas nobody asks it. Where x on the edge has been rounded, it says `guess`.
+template <std::floating_point Real>
+[[gnu::noinline]] Index first_admitted_sample(Vec<Real, 2> upper, Vec<Real, 2> lower,
+                                              const SampleGrid<Real>& grid, int row, Index guess) {
+    const auto function = function_of_left_edge<Real>({upper, 0}, {lower, 0}, grid.down());
+    const auto admits = [&](Index x) { return function.admits(grid.sample(x, row)); };
+    Index left = grid.canvas().left();
+    Index end = grid.canvas().right() + Index{1};
+    const Index near = std::clamp(guess, left, end);
+    if ((near == end || admits(near)) && (near == left || !admits(near - 1)))
+        return guess;
+    // To the right of the first one, all are admitted: rounding keeps the order of numbers.
+    while (left < end) {
+        const Index middle = left + (end - left) / 2;
+        if (admits(middle))
+            end = middle;
+        else
+            left = middle + 1;
+    }
+    return left;
+}
+
+/// The same in numbers that are rounded: x on the edge is a guess, and the edge function has the last word.
+/// If the guess lies farther from the samples than rounding reaches, the function would say the same, and
+/// is not asked.
 template <std::floating_point Real> class SampleWalk<Real> {
 public:
     SampleWalk(const Vertex<Real>& upper, const Vertex<Real>& lower, const SampleGrid<Real>& grid,
                int row)
-        : edge_(edge_between(upper, lower)),
-          function_(function_of_left_edge(upper, lower, grid.down())), grid_(grid), row_(row) {}
+        : edge_(edge_between(upper, lower)), lower_(lower.position), grid_(grid), row_(row),
+          margin_(margin_of(upper.position, lower.position)) {}
 
-    /// The first sample that a triangle on the right of the edge may have, and one on its left may not.
-    /// Beyond the canvas nobody asks the function.
     Index first_sample() const {
-        const Index guess = grid_.first_sample_from(edge_, row_);
-        const Index left = grid_.canvas().left();
-        const Index end = grid_.canvas().right() + Index{1};
-        const Index near = std::clamp(guess, left, end);
-        const bool is_settled =
-            (near == end || admits(near)) && (near == left || !admits(near - 1));
-        return is_settled ? guess : first_admitted(left, end);
+        const Real crossing = grid_.crossing(edge_, row_);
+        const Index guess = ceil_index(crossing);
+        const Real distance = static_cast<Real>(guess) - crossing;
+        return margin_ < distance && distance < 1 - margin_
+                   ? guess
+                   : first_admitted_sample(edge_.start, lower_, grid_, row_, guess);
     }
 
     void step() { ++row_; }
 
 private:
-    bool admits(Index x) const { return function_.admits(grid_.sample(x, row_)); }
-
-    /// The first one from `left` on that is admitted, `end` if none is. To the right of it, all are:
-    /// rounding keeps the order of numbers.
-    Index first_admitted(Index left, Index end) const {
-        while (left < end) {
-            const Index middle = left + (end - left) / 2;
-            if (admits(middle))
-                end = middle;
-            else
-                left = middle + 1;
-        }
-        return left;
+    /// How far rounding moves the crossing, and the zero of the function, in columns: with u the unit
+    /// roundoff and X the larger |x|, 5 u |dx| + 2 u (X + 1) and 8 u (|dx| + 1), so less than 64 u (X + 1).
+    /// Of an edge so low that products underflow nothing is known.
+    static Real margin_of(const Vec<Real, 2>& upper, const Vec<Real, 2>& lower) {
+        using Limits = std::numeric_limits<Real>;
+        const Real least_height = Limits::min() / Limits::epsilon();
+        if (!(std::abs(lower.y - upper.y) > least_height))
+            return 1;
+        return 32 * Limits::epsilon() * (std::max(std::abs(upper.x), std::abs(lower.x)) + 1);
     }
 
     Edge<Real> edge_;
-    EdgeFunction<Real> function_;
+    Vec<Real, 2> lower_;
     const SampleGrid<Real>& grid_;
     int row_;
+    Real margin_;
 };
 
 /// The same on a grid of whole numbers, without dividing in every row. In row r, the sample with
