@@ -35,6 +35,20 @@ template <typename Scalar>
                        [=](int x) { colors[x] = color; });
 }
 
+/// The same where the depths lie on one line, from `depth` at `x0`. All of it is handed over in registers: a
+/// row of a small triangle is soon painted.
+template <std::floating_point Scalar>
+[[gnu::noinline]] void paint_nearer(Color* colors, Scalar* cells, PixelSpan pixels, Scalar x0,
+                                    Scalar depth, Scalar slope, Color color) {
+    for (int x = pixels.first; x <= pixels.last; ++x) {
+        const Scalar here = depth + slope * (static_cast<Scalar>(x) - x0);
+        if (here < cells[x]) {
+            cells[x] = here;
+            colors[x] = color;
+        }
+    }
+}
+
 /// What is done with the pixels of a triangle: a depth test, a color. `Scalar` is what colors are mixed
 /// in; depths are compared in DepthOf<Scalar>.
 template <typename Scalar, typename Sink = NullSink> struct PixelPainter {
@@ -194,6 +208,10 @@ private:
                                       const DepthRow<D>& depths) const {
         auto& buffer = *pixels_.buffer;
         const auto& compared = buffer.compared(depths, pixels.first, pixels.last);
+        if constexpr (!keeps_steps<Sink> && std::floating_point<DepthOf<OfPixels>>)
+            if (pixels_.stages.colors == ColorStage::flat && !compared.end)
+                return paint_nearer(row.colors - row.left, buffer.row_from(0, row.index), pixels,
+                                    compared.x, compared.depth, compared.slope, pixels_.flat);
         if (!keeps_steps<Sink> && pixels_.stages.colors == ColorStage::flat)
             paint_nearer(row, pixels, compared, buffer, pixels_.flat);
         else

@@ -187,11 +187,14 @@ public:
 
     Index first_sample() const {
         const Real crossing = grid_.crossing(edge_, row_);
-        const Index guess = ceil_index(crossing);
-        const Real distance = static_cast<Real>(guess) - crossing;
-        return margin_ < distance && distance < 1 - margin_
-                   ? guess
-                   : first_admitted_sample(edge_.start, lower_, grid_, row_, guess);
+        if (margin_ <
+            Real(0.5)) { // then |x| is far below the largest index, and the slope is finite
+            const auto toward_zero = static_cast<Index>(crossing);
+            const Real rest = crossing - static_cast<Real>(toward_zero);
+            if (margin_ < std::abs(rest) && std::abs(rest) < 1 - margin_)
+                return toward_zero + (rest > 0 ? 1 : 0);
+        }
+        return first_admitted_sample(edge_.start, lower_, grid_, row_, ceil_index(crossing));
     }
 
     void step() { ++row_; }
