@@ -155,8 +155,9 @@ private:
 /// The first sample that the edge function lets a triangle on the right of the edge have, and one on its
 /// left not; beyond the canvas nobody asks it. Where x on the edge has been rounded, it says `guess`.
 template <std::floating_point Real>
-[[gnu::noinline]] Index first_admitted_sample(Vec<Real, 2> upper, Vec<Real, 2> lower,
-                                              const SampleGrid<Real>& grid, int row, Index guess) {
+[[gnu::cold, gnu::noinline]] Index first_admitted_sample(Vec<Real, 2> upper, Vec<Real, 2> lower,
+                                                         const SampleGrid<Real>& grid, int row,
+                                                         Index guess) {
     const auto function = function_of_left_edge<Real>({upper, 0}, {lower, 0}, grid.down());
     const auto admits = [&](Index x) { return function.admits(grid.sample(x, row)); };
     Index left = grid.canvas().left();
@@ -187,14 +188,11 @@ public:
 
     Index first_sample() const {
         const Real crossing = grid_.crossing(edge_, row_);
-        if (margin_ <
-            Real(0.5)) { // then |x| is far below the largest index, and the slope is finite
-            const auto toward_zero = static_cast<Index>(crossing);
-            const Real rest = crossing - static_cast<Real>(toward_zero);
-            if (margin_ < std::abs(rest) && std::abs(rest) < 1 - margin_)
-                return toward_zero + (rest > 0 ? 1 : 0);
-        }
-        return first_admitted_sample(edge_.start, lower_, grid_, row_, ceil_index(crossing));
+        const Index guess = ceil_index(crossing);
+        const Real distance = static_cast<Real>(guess) - crossing;
+        return margin_ < distance && distance < 1 - margin_
+                   ? guess
+                   : first_admitted_sample(edge_.start, lower_, grid_, row_, guess);
     }
 
     void step() { ++row_; }
