@@ -19,6 +19,12 @@
 
 namespace rastertrace {
 
+// What is drawn with rationals is compiled in draw_in_adaptive_exactly.cpp.
+extern template void draw_piece(const Piece<Rational>&, const Scene&, const Plan&,
+                                Target<Rational, Adaptive>&, const NullSink&);
+extern template void draw_piece(const Piece<Rational>&, const Scene&, const Plan&,
+                                Target<Rational, Adaptive>&, const ListenerSink&);
+
 namespace {
 
 /// The rows that a fill yields, kept until all of them are certain. What comes pixel by pixel is too much
