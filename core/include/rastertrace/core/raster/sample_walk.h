@@ -186,7 +186,7 @@ public:
         : edge_(edge_between(upper, lower)), lower_(lower.position), grid_(grid), row_(row),
           margin_(margin_of(upper.position, lower.position)) {}
 
-    Index first_sample() const {
+    [[gnu::always_inline]] Index first_sample() const {
         const Real crossing = grid_.crossing(edge_, row_);
         const Index guess = ceil_index(crossing);
         const Real distance = static_cast<Real>(guess) - crossing;
