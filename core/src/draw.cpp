@@ -5,10 +5,6 @@
 
 namespace rastertrace {
 
-Image draw(const Scene& scene, const Plan& plan, Fallbacks* fallbacks) {
-    return draw(scene, plan, Listener(), fallbacks);
-}
-
 Image draw(const Scene& scene, const Plan& plan, const Listener& listener, Fallbacks* fallbacks) {
     return with_scalar(
         plan, [&]<typename Scalar>() { return draw_in<Scalar>(scene, plan, listener, fallbacks); });

@@ -152,13 +152,6 @@ private:
     std::optional<DepthPlane<DepthOf<Scalar>>> plane_;
 };
 
-/// Fills a triangle; `painter` takes the rows.
-template <typename Scalar, typename Painter>
-void fill(const Piece<Scalar>& primitive, const Method& method, const SampleGrid<Scalar>& grid,
-          const Canvas& canvas, Painter&& painter) {
-    fill(Triangle<Scalar>{primitive.positions}, primitive.colors, method, grid, canvas, painter);
-}
-
 /// The pixel that a vertex is nearest to.
 template <typename Scalar> GridPoint pixel_of(const Piece<Scalar>& primitive, std::size_t corner) {
     return nearest_pixel(primitive.positions[corner].x, primitive.positions[corner].y);
@@ -211,7 +204,8 @@ void draw_piece(const Piece<Scalar>& piece, const Scene& scene, const Plan& plan
     if (piece.kind == PrimitiveKind::triangle)
         TrianglePaint<Scalar, OfPixels>(piece, scene, plan, target)
             .with_painter(target, sink, [&](const auto& painter) {
-                fill(piece, scene.method, target.grid, canvas, painter);
+                fill(Triangle<Scalar>{piece.positions}, piece.colors, scene.method, target.grid,
+                     canvas, painter);
             });
     else
         draw_lines(piece, scene.method, canvas, FlatPainter(target.image, piece.color, sink));

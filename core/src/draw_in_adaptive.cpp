@@ -271,7 +271,8 @@ private:
     template <typename Decisions> void decide(const Piece<Adaptive>& piece, Decisions&& decisions) {
         const Canvas& canvas = target_.image.canvas();
         if (piece.kind == PrimitiveKind::triangle)
-            fill(piece, scene_.method, target_.grid, canvas, decisions);
+            fill(Triangle<Adaptive>{piece.positions}, piece.colors, scene_.method, target_.grid,
+                 canvas, decisions);
         else
             draw_lines(piece, scene_.method, canvas, decisions);
     }

@@ -6,7 +6,7 @@
 namespace rastertrace {
 
 Image drawn(const Scene& scene, const Plan& plan, Fallbacks* fallbacks) {
-    return draw(scene, plan, fallbacks);
+    return draw(scene, plan, {}, fallbacks);
 }
 
 } // namespace rastertrace

@@ -95,7 +95,7 @@ void picture(benchmark::State& state, Scene scene, ScalarKind scalar) {
     Fallbacks fallbacks;
     for (auto _ : state) {
         const Plan plan = plan_for(scene);
-        const Image image = draw(scene, plan, &fallbacks);
+        const Image image = draw(scene, plan, {}, &fallbacks);
         benchmark::DoNotOptimize(image.colors().data());
     }
     if (scalar == ScalarKind::adaptive) {

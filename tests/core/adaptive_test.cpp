@@ -387,7 +387,7 @@ TEST(Adaptive, SaysHowOftenItFellBack) {
                                  {.scalar = ScalarKind::adaptive});
     Fallbacks fallbacks;
     const Plan plan = plan_for(scene);
-    draw(scene, plan, &fallbacks);
+    draw(scene, plan, {}, &fallbacks);
     EXPECT_EQ(fallbacks.primitives, 1u);
     EXPECT_EQ(fallbacks.depths, 0u);
 }
@@ -454,7 +454,7 @@ TEST(Adaptive, VerticesAtOneDistanceLeaveNoColorOpen) {
     const Plan plan = plan_for(scene);
     ASSERT_EQ(plan.stages.pixels[0].colors, ColorStage::perspective);
     Fallbacks fallbacks;
-    const Image picture = draw(scene, plan, &fallbacks);
+    const Image picture = draw(scene, plan, {}, &fallbacks);
     EXPECT_GT(picture.drawn(), 100u);
     EXPECT_EQ(fallbacks.colors, 0u);
 }

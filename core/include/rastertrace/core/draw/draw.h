@@ -22,12 +22,10 @@ struct Fallbacks {
     std::uint64_t colors = 0;     ///< of pixels
 };
 
-/// Draws a scene in which find_unfit has found nothing, and returns its picture. Who wants to know is
-/// told how often `adaptive` fell back on exact numbers.
-Image draw(const Scene& scene, const Plan& plan, Fallbacks* fallbacks = nullptr);
-
-/// The same, telling every step that `listener` takes. The picture is the same whoever listens.
-Image draw(const Scene& scene, const Plan& plan, const Listener& listener,
+/// Draws a scene in which find_unfit has found nothing, and returns its picture. `listener` is told every
+/// step that it takes; the picture is the same whoever listens. Who wants to know is told how often
+/// `adaptive` fell back on exact numbers.
+Image draw(const Scene& scene, const Plan& plan, const Listener& listener = {},
            Fallbacks* fallbacks = nullptr);
 
 } // namespace rastertrace
