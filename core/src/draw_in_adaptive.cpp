@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Drawing with doubles that know their error: first certify, then draw. All decisions about a piece are
+// Drawing with filtered doubles: first certify, then draw. All decisions about a piece are
 // taken before its first pixel is painted and its first step is told. If doubles leave one open, the
 // piece is drawn with rationals instead. What hangs on a single pixel, a depth test or a color, is
 // decided for that pixel (exactly.h).

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The pieces that doubles leave open: drawn with rationals, into a picture whose depths and colors are
-// doubles that know their error.
+// filtered doubles.
 
 #include "draw_in.h"
 

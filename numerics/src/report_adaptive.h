@@ -30,8 +30,8 @@ struct AdaptiveDrawing {
     std::vector<std::size_t> numbers; ///< of its triangles in the scene that they come from
 };
 
-/// Plans the drawing of the triangles of a scene in which find_unfit has found nothing, in numbers
-/// that know their error even where fractions would fit.
+/// Plans the drawing of the triangles of a scene in which find_unfit has found nothing, in filtered doubles
+/// even where fractions would fit.
 std::shared_ptr<AdaptiveDrawing> adaptive_drawing(const Scene& scene);
 
 /// What was told by drawing, in order.

@@ -119,7 +119,7 @@ Vec<Scalar, 2> place_of(const Scene& scene, std::size_t vertex, const Plan& plan
             scalar_from<Scalar>(scene.vertices[vertex].y, plan.denominator)};
 }
 
-/// A number as it is, without rounding; of a double that knows its error, the double.
+/// A number as it is, without rounding; of a filtered double, its value.
 template <std::floating_point Real> Rational exact_value(Real value) {
     return Rational(value);
 }
@@ -133,7 +133,7 @@ inline Rational exact_value(const Adaptive& value) {
     return Rational(value.value());
 }
 
-/// How far a number lies from the exact one, rounded to a double. One that knows its error is as good
+/// How far a number lies from the exact one, rounded to a double. A filtered double is as good
 /// as exact within it.
 template <typename Scalar> double distance_from(const Rational& exact, const Scalar& value) {
     return nearest_double(abs(exact_value(value) - exact));

@@ -237,7 +237,7 @@ template <typename Integer> char* format_deciding(char* out, const Fraction<Inte
     return format_deciding(out, exact(value));
 }
 
-/// A double that knows its error; the error is not written.
+/// A filtered double; its bound is not written.
 inline char* format_number(char* out, const Adaptive& value) {
     return format_number(out, value.value());
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Colors mixed in doubles that know their error: the formulas of mixed_colors.h, with one error for all pixels
+// Colors mixed in filtered doubles: the formulas of mixed_colors.h, with one error for all pixels
 // of a triangle. Where it leaves a level open, the color is worked out in exact numbers. u is 2^-53,
 // what a result may be rounded by, relative to it.
 //

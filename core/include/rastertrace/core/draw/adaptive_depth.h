@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Depths in doubles that know their error, and the buffer that they are tested against. The formulas
+// Depths in filtered doubles, and the buffer that they are tested against. The formulas
 // are those of depth.h, in an order in which nothing gets larger or smaller than the depths are; in place
 // of an error for every operation there is one for a whole row, edge or triangle. u is 2^-53, what a
 // result may be rounded by, relative to it.

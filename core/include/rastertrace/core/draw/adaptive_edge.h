@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The edge of a triangle in doubles that know their error, the formula of edge.h with one bound for all
+// The edge of a triangle in filtered doubles, the formula of edge.h with one bound for all
 // rows; and where the samples lie. Who fills with Adaptive includes it.
 //
 //     edge_between(upper, lower).x_at(3.0);
@@ -65,7 +65,7 @@ inline Edge<Adaptive> edge_between(const Vertex<Adaptive>& from, const Vertex<Ad
             .bound = bound_of_x(from.position, dx_dy, dy)};
 }
 
-/// Doubles that know their error may be moved by the offset: then samples have whole coordinates, as
+/// Filtered doubles may be moved by the offset: then samples have whole coordinates, as
 /// the pixels have.
 template <> class SampleGrid<Adaptive> {
 public:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A double that knows how far it may be off. As long as that decides every comparison, drawing costs
+// A filtered double: it has a bound on its error. As long as that decides every comparison, drawing costs
 // little more than with doubles; where it does not, Undecided is thrown, and what could not be
 // decided is done again with exact numbers (exactly.h). So every decision is the one that exact
 // arithmetic takes.

@@ -2,7 +2,7 @@
 #pragma once
 
 // What the algorithms ask of a number, for each kind of number they run on: float, double, fractions
-// on 64 and on 128 bits, GMP rationals, and doubles that know their error. An algorithm that needs
+// on 64 and on 128 bits, GMP rationals, and filtered doubles. An algorithm that needs
 // more than + - * / and < finds it here.
 //
 //     floor_index(2.75)                              // 2

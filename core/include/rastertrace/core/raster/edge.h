@@ -55,7 +55,7 @@ Edge<Scalar> edge_between(const Vertex<Scalar>& from, const Vertex<Scalar>& to) 
             .dx_dy = is_horizontal ? zero : Scalar(dx / dy)};
 }
 
-/// Doubles that know their error have a form of their own: adaptive_edge.h.
+/// Filtered doubles have a form of their own: adaptive_edge.h.
 template <> struct Edge<Adaptive>;
 template <> Edge<Adaptive> edge_between(const Vertex<Adaptive>& from, const Vertex<Adaptive>& to);
 

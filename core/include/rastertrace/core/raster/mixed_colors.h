@@ -87,7 +87,7 @@ template <typename Scalar> struct MixedColors {
     }
 };
 
-/// Doubles that know their error have a form of their own: adaptive_color.h.
+/// Filtered doubles have a form of their own: adaptive_color.h.
 template <> struct MixedColors<Adaptive>;
 
 } // namespace rastertrace

@@ -81,7 +81,7 @@ private:
     Scalar offset_;
 };
 
-/// Doubles that know their error have a form of their own: adaptive_edge.h.
+/// Filtered doubles have a form of their own: adaptive_edge.h.
 template <> class SampleGrid<Adaptive>;
 
 /// Fractions over one denominator D become whole numbers, in units of 1/D pixel: x to the right of

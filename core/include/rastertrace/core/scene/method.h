@@ -20,7 +20,7 @@ enum class ScalarKind {
     single_precision, ///< IEEE 754 binary32
     double_precision, ///< IEEE 754 binary64
     fixed,            ///< vertices snapped to 1/256 pixel, then exact whole numbers of that size
-    adaptive, ///< doubles that know their error; where that decides nothing, exact. Decides as exact
+    adaptive, ///< filtered doubles, and exact numbers where the bound decides nothing: as exact
     exact,    ///< fractions of whole numbers; nothing is ever rounded but to a pixel
 };
 
