@@ -100,6 +100,32 @@ protected:
     fs::path folder_;
 };
 
+TEST_F(ProgramTest, ShowLooksAtAFrameInManyWays) {
+    const Outcome faces =
+        shell("$rastertrace show $examples/t2-lines/points.json --bare --view faces");
+    EXPECT_EQ(faces.out, "ab...\n"
+                         "c....\n"
+                         "....d\n");
+    const Outcome colored =
+        shell("TERM=xterm COLORTERM= $rastertrace show $examples/t2-lines/points.json --view shade "
+              "--color always | tail -3 | head -1");
+    EXPECT_EQ(colored.out.substr(0, 12), "\ndark -~:+=*");
+    const Outcome plain = shell("$rastertrace show $examples/t2-lines/points.json --view shade");
+    EXPECT_EQ(plain.out.find('\x1b'), std::string::npos);
+
+    const Outcome view = shell("$rastertrace show $examples/t2-lines/points.json --view face");
+    EXPECT_EQ(view.status, 2);
+    EXPECT_EQ(view.err,
+              "rastertrace: --view: expected one of plotted, faces, shade, depth, writes, "
+              "coverage, found \"face\"\nhint: did you mean faces?\n");
+    const Outcome region =
+        shell("$rastertrace show $examples/t2-lines/points.json --region 0,0,5,2");
+    EXPECT_EQ(region.status, 2);
+    EXPECT_EQ(region.err,
+              "rastertrace: --region: expected pixels of the canvas (x 0 to 4, y 0 to 2), "
+              "found 0,0,5,2\n");
+}
+
 TEST_F(ProgramTest, AdaptiveWritesJsonBeyondTheDoubles) {
     // Areas, and a depth, that no double holds.
     write("area.json", R"({"canvas":{"width":8,"height":8,"origin":"top-left"},

@@ -3,14 +3,17 @@
 
 #include <rastertrace/trace/color_text.h>
 
+#include <algorithm>
+
 namespace rastertrace {
 
 void Replay::go_to(std::size_t n) {
     if (n < step_) {
-        frame_ = Frame(trace_.canvas);
+        frame_ = Frame(trace_.canvas, parts_);
         step_ = primitive_ = scanline_ = scanline_before_ = drew_over_ = 0;
         vertex_ = vertex_before_ = 0;
         edges_.clear();
+        primitives_.clear();
     }
     while (step_ < n)
         apply_next();
@@ -26,6 +29,7 @@ void Replay::apply_next() {
     switch (*kind) {
     case StepKind::primitive:
         primitive_ = step_;
+        primitives_.push_back(step_);
         scanline_ = scanline_before_ = 0;
         edges_.clear();
         color_ = parse_color(step.text("color")).value_or(Color{});
@@ -52,11 +56,26 @@ void Replay::apply_next() {
         std::size_t& drawn_by = frame_.drawn_by[trace_.canvas.offset_of(pixel)];
         drew_over_ = drawn_by;
         drawn_by = step_;
+        if (parts_.writes)
+            ++frame_.writes[trace_.canvas.offset_of(pixel)];
+        break;
+    }
+    case StepKind::depth: {
+        const Index x = *step.whole("x");
+        const Index y = *step.whole("y");
+        if (parts_.depths && step.text("pass") == "true" && trace_.canvas.contains(x, y))
+            frame_.stored_by[trace_.canvas.offset_of({static_cast<int>(x), static_cast<int>(y)})] =
+                step_;
         break;
     }
     default:
         break;
     }
+}
+
+std::size_t Replay::primitive_of(std::size_t step) const {
+    const auto next = std::upper_bound(primitives_.begin(), primitives_.end(), step);
+    return next == primitives_.begin() ? 0 : *(next - 1);
 }
 
 Frame frame_after(const Trace& trace, std::size_t n) {

@@ -98,6 +98,16 @@ Region region_in(const std::string& text) {
             std::max(numbers[0], numbers[2]), std::max(numbers[1], numbers[3])};
 }
 
+ColorChoice color_choice_in(const std::string& text) {
+    if (text == "always")
+        return ColorChoice::always;
+    if (text == "never")
+        return ColorChoice::never;
+    if (text != "auto")
+        refuse("--color", "auto, always or never", text);
+    return ColorChoice::automatic;
+}
+
 /// --fan-passes for fan_passes.
 std::string option_named(std::string_view key) {
     std::string option = "--" + std::string(key);
@@ -286,7 +296,8 @@ private:
         CLI::App& command = add_command(
             "show", "Print frames of a trace as text",
             "rastertrace show examples/t0-fill/first-triangle.json --every scanline\n\n"
-            "In a frame, . is empty, # plotted, @ plotted by the step shown, a letter a vertex.");
+            "In a frame, . is empty, # plotted, @ plotted by the step shown, x tested and not "
+            "drawn, a letter a\nvertex; --view faces, shade, depth, writes or coverage show more.");
         command.add_option("trace", show_.trace, std::string(trace_input))
             ->required()
             ->type_name("TRACE");
@@ -302,6 +313,18 @@ private:
             ->type_name("KIND");
         which->add_flag("--all", all_, "After every step");
         command.add_flag("--bare", show_.bare, "Only the grid: . empty, # plotted, top row first");
+        command
+            .add_option(
+                "--view", view_,
+                fmt::format("What a cell shows: {}; if none is given, what the scene is about",
+                            fmt::join(view_names(), ", ")))
+            ->type_name("NAME");
+        command.add_option("--region", show_region_, "Show only these pixels")
+            ->type_name("x0,y0,x1,y1");
+        command.add_flag("--overview", show_.is_overview,
+                         "Show all of the canvas, many pixels to a cell");
+        command.add_option("--color", color_, "auto, always or never: colors, on a terminal")
+            ->type_name("WHEN");
         show_method_.add_to(command);
         show_input_.add_to(command);
         command.callback([this] {
@@ -316,6 +339,18 @@ private:
                 show_.which = ShowCommand::Which::every;
             if (all_)
                 show_.which = ShowCommand::Which::all;
+            if (!view_.empty()) {
+                show_.view = view_named(view_);
+                if (!show_.view)
+                    refuse("--view", fmt::format("one of {}", fmt::join(view_names(), ", ")), view_,
+                           did_you_mean(view_, view_names()));
+            }
+            if (!show_region_.empty())
+                show_.region = region_in(show_region_);
+            if (show_.region && show_.is_overview)
+                refuse("--overview", "no --region beside it", show_region_);
+            if (!color_.empty())
+                show_.color = color_choice_in(color_);
             show_.method = show_method_.overrides();
             show_.input = show_input_.limits();
             action_ = [this] { return rastertrace::run(show_); };
@@ -570,6 +605,9 @@ private:
 
     ShowCommand show_;
     std::string step_;
+    std::string view_;
+    std::string show_region_;
+    std::string color_;
     bool last_ = false;
     bool all_ = false;
     MethodOptions show_method_;

@@ -5,6 +5,8 @@
 // status and throws a Problem when it cannot go on.
 
 #include "report_file.h"
+#include "terminal_text.h"
+#include "view.h"
 
 #include <rastertrace/trace/input.h>
 #include <rastertrace/trace/method_names.h>
@@ -73,6 +75,10 @@ struct ShowCommand {
     std::size_t step = 0; ///< for Which::step
     std::string kind;     ///< for Which::every
     bool bare = false;
+    std::optional<View> view;     ///< none: the trace's default; `plotted` if bare
+    std::optional<Region> region; ///< of the canvas
+    bool is_overview = false;
+    ColorChoice color = ColorChoice::automatic;
     MethodOverrides method;
     InputLimits input;
 };

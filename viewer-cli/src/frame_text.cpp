@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "frame_text.h"
 
+#include <rastertrace/core/numbers/number.h>
 #include <rastertrace/trace/text.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
+#include <cmath>
 #include <cstdlib>
 #include <map>
 #include <optional>
-#include <string_view>
+#include <set>
 #include <utility>
+#include <variant>
+#include <vector>
 
 namespace rastertrace {
 
@@ -23,12 +26,14 @@ constexpr std::size_t page_columns = 79;
 /// Lines around the grid: title, caption, two blank ones, the coordinates, and the prompt below.
 constexpr std::size_t lines_around_grid = 6;
 
-/// Columns and rows of the canvas, counted from its left and top.
+/// Columns and rows of the canvas, counted from its left and top. A cell is a block of pixels.
 struct Window {
     int first_column = 0;
-    int columns = 0;
+    int columns = 0; ///< of cells
     int first_row = 0;
     int rows = 0;
+    int block_width = 1;
+    int block_height = 1;
 };
 
 std::size_t length_of(int number) {
@@ -40,16 +45,18 @@ int window_start(int all, int shown, int center) {
     return std::clamp(center - shown / 2, 0, all - shown);
 }
 
-/// What fits, around the pixel that is looked at.
-Window visible_part(const Canvas& canvas, TextSize size, std::size_t margin, std::size_t cell,
-                    std::optional<Pixel> center) {
-    const auto fitting = [](std::size_t room, std::size_t taken, std::size_t each, int all) {
-        const std::size_t count = room > taken ? (room - taken) / each : 0;
-        return static_cast<int>(std::clamp<std::size_t>(count, 1, static_cast<std::size_t>(all)));
-    };
+/// How many cells of `each` columns or lines there is room for, 1 to `all`.
+int fitting(std::size_t room, std::size_t taken, std::size_t each, int all) {
+    const std::size_t count = room > taken ? (room - taken) / each : 0;
+    return static_cast<int>(std::clamp<std::size_t>(count, 1, static_cast<std::size_t>(all)));
+}
+
+/// What fits, around the pixel that is looked at. `taken` are the lines around the grid.
+Window window_around(const Canvas& canvas, TextSize size, std::size_t margin, std::size_t cell,
+                     std::size_t taken, std::optional<Pixel> center) {
     Window window;
     window.columns = fitting(size.columns, margin, cell, canvas.width);
-    window.rows = fitting(size.lines, lines_around_grid, 1, canvas.height);
+    window.rows = fitting(size.lines, taken, 1, canvas.height);
     const Pixel middle{canvas.left() + canvas.width / 2, canvas.y_of(canvas.height / 2)};
     const Pixel pixel = center.value_or(middle);
     window.first_column = window_start(canvas.width, window.columns, pixel.x - canvas.left());
@@ -58,12 +65,40 @@ Window visible_part(const Canvas& canvas, TextSize size, std::size_t margin, std
     return window;
 }
 
+/// A part of the canvas that was asked for.
+Window window_of(const Canvas& canvas, const Region& region) {
+    const auto top = static_cast<int>(std::min(canvas.row_of(region.y0), canvas.row_of(region.y1)));
+    const auto bottom =
+        static_cast<int>(std::max(canvas.row_of(region.y0), canvas.row_of(region.y1)));
+    return {.first_column = region.x0 - canvas.left(),
+            .columns = region.x1 - region.x0 + 1,
+            .first_row = top,
+            .rows = bottom - top + 1};
+}
+
+/// All of the canvas, in blocks twice as high as wide, as characters are.
+Window overview_of(const Canvas& canvas, TextSize size, std::size_t margin, std::size_t taken) {
+    const bool is_page = size.columns == TextSize().columns;
+    const int columns = fitting(is_page ? page_columns : size.columns, margin, 1, canvas.width);
+    const int lines = fitting(size.lines, taken + 1, 1, canvas.height);
+    const auto blocks = [](int pixels, int each) { return (pixels + each - 1) / each; };
+    Window window;
+    while (blocks(canvas.width, window.block_width) > columns ||
+           blocks(canvas.height, window.block_height) > lines) {
+        ++window.block_width;
+        window.block_height = 2 * window.block_width;
+    }
+    window.columns = blocks(canvas.width, window.block_width);
+    window.rows = blocks(canvas.height, window.block_height);
+    return window;
+}
+
 /// The x along the top, each above its column; where they would touch, only every 2nd, 5th, 10th,
 /// ...
 std::string column_labels(const Canvas& canvas, const Window& window, std::size_t margin,
                           std::size_t cell) {
     const int first_x = canvas.left() + window.first_column;
-    const int last_x = first_x + window.columns - 1;
+    const int last_x = first_x + (window.columns - 1) * window.block_width;
     // A label and a gap before it; the sign of a negative one is gap enough.
     const int largest = std::max(std::abs(first_x), std::abs(last_x));
     const std::size_t needed = length_of(largest) + 1;
@@ -73,9 +108,10 @@ std::string column_labels(const Canvas& canvas, const Window& window, std::size_
             every = factor;
 
     std::string line(margin, ' ');
-    for (int x = first_x; x <= last_x; ++x) {
+    for (int column = 0; column < window.columns; ++column) {
         line.append(cell, ' ');
-        if (x % every != 0)
+        const int x = first_x + column * window.block_width;
+        if ((window.block_width == 1 ? x : column) % every != 0)
             continue;
         const std::string label = std::to_string(x);
         if (label.size() <= line.size())
@@ -84,34 +120,85 @@ std::string column_labels(const Canvas& canvas, const Window& window, std::size_
     return line.substr(0, line.find_last_not_of(' ') + 1);
 }
 
-/// The letters of the current primitive's vertices that lie on a pixel: those with one-letter
-/// names.
-std::map<std::size_t, std::string> vertex_letters(const Replay& replay) {
-    std::map<std::size_t, std::string> letters;
+/// The pixel of a step, if it has one that the canvas has.
+std::optional<Pixel> pixel_of(const Trace& trace, std::size_t n) {
+    if (n == 0)
+        return std::nullopt;
+    const StepView step = trace.step(n);
+    const auto x = step.whole("x");
+    const auto y = step.whole("y");
+    if (!x || !y || !trace.canvas.contains(*x, *y))
+        return std::nullopt;
+    return Pixel{static_cast<int>(*x), static_cast<int>(*y)};
+}
+
+/// A coordinate as a trace writes it.
+std::optional<double> coordinate_in(const std::string& text) {
+    const auto parsed = parse_number(text);
+    const auto* number = std::get_if<Number>(&parsed);
+    return number == nullptr ? std::nullopt : std::optional(number->nearest_double());
+}
+
+/// A vertex of the current primitive, at the nearest pixel of the canvas.
+struct VertexMark {
+    Pixel pixel;
+    std::string name;
+};
+
+std::vector<VertexMark> vertex_marks(const Replay& replay) {
+    std::vector<VertexMark> marks;
     if (replay.primitive() == 0)
-        return letters;
-    const StepView step = replay.trace().step(replay.primitive());
+        return marks;
+    const Trace& trace = replay.trace();
+    const StepView step = trace.step(replay.primitive());
     const auto names = step.texts("vertices");
-    const auto places = step.text_rows("at");
-    const auto whole = [](const std::string& text) -> std::optional<int> {
-        int value = 0;
-        const char* const end = text.data() + text.size();
-        const auto read = std::from_chars(text.data(), end, value);
-        if (read.ec != std::errc{} || read.ptr != end)
-            return std::nullopt;
-        return value;
-    };
-    const Canvas& canvas = replay.trace().canvas;
-    for (std::size_t i = 0; i < names.size() && i < places.size(); ++i) {
-        if (places[i].size() < 2 || characters_in(names[i]) != 1 || columns_in(names[i]) != 1 ||
-            printable(names[i]) != names[i])
+    const auto positions = step.text_rows("at");
+    // Where pixels are sampled at their centers, a pixel reaches from its point to the next one.
+    const double half = trace.method_value("sample") == "center" ? 0 : 0.5;
+    for (std::size_t i = 0; i < names.size() && i < positions.size(); ++i) {
+        if (positions[i].size() < 2)
             continue;
-        const auto x = whole(places[i][0]);
-        const auto y = whole(places[i][1]);
-        if (x && y && canvas.contains(*x, *y))
-            letters.emplace(canvas.offset_of({*x, *y}), names[i]);
+        const auto x = coordinate_in(positions[i][0]);
+        const auto y = coordinate_in(positions[i][1]);
+        if (!x || !y || !(std::abs(*x) < largest_canvas_side) ||
+            !(std::abs(*y) < largest_canvas_side))
+            continue;
+        const Pixel pixel{static_cast<int>(std::floor(*x + half)),
+                          static_cast<int>(std::floor(*y + half))};
+        if (!trace.canvas.contains(pixel.x, pixel.y))
+            continue;
+        // One that another primitive hides does not shine through.
+        const std::size_t drawn_by = replay.frame().drawn_by[trace.canvas.offset_of(pixel)];
+        if (drawn_by == 0 || drawn_by >= replay.primitive())
+            marks.push_back({pixel, printable(names[i])});
     }
-    return letters;
+    return marks;
+}
+
+/// The mark of a vertex in `plotted`: its letter, a small one where its pixel is not drawn.
+std::string letter_of(const std::string& name, bool is_drawn) {
+    if (columns_in(name) != 1)
+        return is_drawn ? "*" : "'";
+    if (is_drawn)
+        return name;
+    const bool is_capital = name.size() == 1 && 'A' <= name[0] && name[0] <= 'Z';
+    return is_capital ? std::string(1, static_cast<char>(name[0] - 'A' + 'a')) : "'";
+}
+
+/// The pixels that steps have tested and not drawn.
+std::set<std::size_t> pixels_not_drawn(const Trace& trace, std::size_t first, std::size_t last) {
+    std::set<std::size_t> offsets;
+    for (std::size_t n = std::max<std::size_t>(first, 1); n <= last; ++n) {
+        const auto kind = trace.kind_of(n);
+        const bool is_depth = kind == StepKind::depth;
+        if (!is_depth && kind != StepKind::sample)
+            continue;
+        const StepView step = trace.step(n);
+        const auto pixel = pixel_of(trace, n);
+        if (pixel && step.text(is_depth ? "pass" : "inside") == "false")
+            offsets.insert(trace.canvas.offset_of(*pixel));
+    }
+    return offsets;
 }
 
 /// The pixel that was drawn last, if any.
@@ -124,9 +211,42 @@ std::optional<Pixel> newest_pixel(const Frame& frame) {
     return Pixel{canvas.left() + offset % canvas.width, canvas.y_of(offset / canvas.width)};
 }
 
+/// The pixel that a step is about: its own, the middle of its row, or the newest one.
+std::optional<Pixel> center_of(const Replay& replay, std::size_t n) {
+    const Trace& trace = replay.trace();
+    if (const auto own = pixel_of(trace, n))
+        return own;
+    const Canvas& canvas = trace.canvas;
+    if (n != 0) {
+        const StepView step = trace.step(n);
+        const auto y = step.whole("y");
+        const auto from = step.whole("from");
+        const auto to = step.whole("to");
+        if (y && from && to && canvas.contains(canvas.left(), *y)) {
+            const Index left = std::clamp<Index>(*from, canvas.left(), canvas.right());
+            const Index right = std::clamp<Index>(*to, canvas.left(), canvas.right());
+            return Pixel{static_cast<int>((left + right) / 2), static_cast<int>(*y)};
+        }
+    }
+    return newest_pixel(replay.frame());
+}
+
 /// The row that a step is about, if it is about one.
 std::optional<Index> row_of_step(const Trace& trace, std::size_t n) {
     return n == 0 ? std::nullopt : trace.step(n).whole("y");
+}
+
+/// Words in lines of at most so many columns.
+std::string wrapped(const std::vector<std::string>& words, std::size_t columns) {
+    std::string text, line;
+    for (const std::string& word : words) {
+        if (!line.empty() && columns_in(line) + 2 + columns_in(word) > columns) {
+            text += line + "\n";
+            line.clear();
+        }
+        line += (line.empty() ? "" : "  ") + word;
+    }
+    return line.empty() ? text : text + line + "\n";
 }
 
 /// The title, and on the right which steps the frame shows.
@@ -141,28 +261,139 @@ std::string title_line(const Trace& trace, const FrameText& about, std::size_t c
     return fmt::format("{}{:>{}}", title, steps, width - columns_in(title));
 }
 
+/// What stands in a cell of the frame, and how it is marked.
+struct MarkedCell {
+    std::string text;
+    Style style = {};
+    bool is_new = false; ///< between brackets
+};
+
+/// The cells of a frame with their marks.
+class MarkedCells {
+public:
+    MarkedCells(const Replay& replay, const FrameText& about, std::size_t room)
+        : replay_(replay), about_(about), cells_(about.view, replay, room),
+          not_drawn_(pixels_not_drawn(replay.trace(), about.first_step, about.last_step)) {
+        if (about.view == View::plotted)
+            for (const VertexMark& mark : vertex_marks(replay))
+                vertices_.emplace(replay.trace().canvas.offset_of(mark.pixel), mark.name);
+    }
+
+    std::size_t width() const { return cells_.width(); }
+
+    std::vector<std::string> legend() const {
+        auto legend = cells_.legend();
+        if (!not_drawn_.empty())
+            legend.emplace_back("x tested, not drawn");
+        return legend;
+    }
+
+    /// The cell of a block of pixels: the most frequent one that is drawn, else an empty one.
+    MarkedCell at(const Window& window, int row, int column) const {
+        const Canvas& canvas = replay_.trace().canvas;
+        const int left = canvas.left() + window.first_column + column * window.block_width;
+        const int top = window.first_row + row * window.block_height;
+        if (window.block_width == 1 && window.block_height == 1)
+            return at({left, canvas.y_of(top)});
+        const int right = std::min(left + window.block_width - 1, canvas.right());
+        const int end_row = std::min(top + window.block_height, canvas.height);
+        std::map<std::string, int> counts;
+        MarkedCell most{"."};
+        for (int y = top; y < end_row; ++y)
+            for (int x = left; x <= right; ++x) {
+                const Pixel pixel{x, canvas.y_of(y)};
+                if (replay_.frame().drawn_by[canvas.offset_of(pixel)] == 0)
+                    continue;
+                const MarkedCell cell = at(pixel);
+                if (++counts[cell.text] > counts[most.text])
+                    most = cell;
+            }
+        most.is_new = false;
+        return most;
+    }
+
+private:
+    /// The cell of a pixel.
+    MarkedCell at(Pixel pixel) const {
+        const std::size_t offset = replay_.trace().canvas.offset_of(pixel);
+        const std::size_t drawn_by = replay_.frame().drawn_by[offset];
+        const bool is_new = drawn_by != 0 && drawn_by >= about_.first_step;
+        if (not_drawn_.count(offset) != 0)
+            return {"x"};
+        if (is_new && about_.view == View::plotted)
+            return {"@", {.is_reversed = true}};
+        if (const auto vertex = vertices_.find(offset); vertex != vertices_.end())
+            return {letter_of(vertex->second, drawn_by != 0)};
+        Cell cell = cells_.at(pixel);
+        return {std::move(cell.text), {.background = cell.color, .is_reversed = is_new}, is_new};
+    }
+
+    const Replay& replay_;
+    const FrameText& about_;
+    FrameCells cells_;
+    std::set<std::size_t> not_drawn_;             ///< offsets of pixels
+    std::map<std::size_t, std::string> vertices_; ///< names by offset, in `plotted`
+};
+
+/// A row of cells. New ones stand between brackets where there are gaps, and no colors.
+std::string row_of_cells(const MarkedCells& cells, const Window& window, int row, bool has_gaps,
+                         ColorDepth colors) {
+    std::string line;
+    bool was_new = false;
+    const auto add_gap = [&](bool is_new) {
+        const bool has_bracket = colors == ColorDepth::none && is_new != was_new;
+        if (has_gaps)
+            line += !has_bracket ? ' ' : is_new ? '[' : ']';
+        was_new = is_new;
+    };
+    for (int column = 0; column < window.columns; ++column) {
+        const MarkedCell cell = cells.at(window, row, column);
+        add_gap(cell.is_new);
+        line.append(cells.width() - columns_in(cell.text), ' ');
+        line += styled(cell.text, cell.style, colors);
+    }
+    if (was_new && has_gaps && colors == ColorDepth::none)
+        line += ']';
+    return line;
+}
+
 } // namespace
 
 std::string frame_text(const Replay& replay, const FrameText& about, TextSize size) {
     const Canvas& canvas = replay.trace().canvas;
-    const Frame& frame = replay.frame();
 
-    // How wide: a mark and the longest y in front of each row, then one or two characters a pixel.
+    // How wide: a mark and the longest y in front of each row, then the cells, with gaps if they fit.
     const std::size_t label_width =
         std::max<std::size_t>({3, 1 + length_of(canvas.top()), 1 + length_of(canvas.bottom())});
     const std::size_t margin = label_width + 2;
-    const std::size_t page = std::min(size.columns, page_columns + 1);
-    const std::size_t cell = margin + 2 * static_cast<std::size_t>(canvas.width) <= page ? 2 : 1;
+    const std::size_t page = size.columns == TextSize().columns ? page_columns + 1 : size.columns;
+    const auto columns = static_cast<std::size_t>(
+        about.region ? about.region->x1 - about.region->x0 + 1 : canvas.width);
+    const std::size_t room = page > margin ? (page - margin) / columns : 0;
+    const MarkedCells cells(replay, about, about.is_overview || room == 0 ? 0 : room - 1);
+    const bool has_gaps = !about.is_overview && cells.width() < room;
+    const std::size_t cell = cells.width() + (has_gaps ? 1 : 0);
+
+    std::string legend = wrapped(cells.legend(), std::min(page, page_columns));
+    if (!legend.empty())
+        legend.insert(0, "\n");
+    const std::size_t taken =
+        lines_around_grid +
+        static_cast<std::size_t>(std::count(legend.begin(), legend.end(), '\n'));
 
     // Which row is meant, and which part of the canvas is looked at.
-    const std::optional<Pixel> newest = newest_pixel(frame);
     const std::optional<Index> current_row = row_of_step(replay.trace(), about.first_step);
-    const auto letters = vertex_letters(replay);
-    const Window window = visible_part(canvas, size, margin, cell, newest);
+    const Window window = about.is_overview ? overview_of(canvas, size, margin, taken)
+                          : about.region    ? window_of(canvas, *about.region)
+                                            : window_around(canvas, size, margin, cell, taken,
+                                                            center_of(replay, about.first_step));
 
     std::string text =
         fmt::format("{}\n{}\n", title_line(replay.trace(), about, size.columns), about.caption);
-    if (window.columns < canvas.width || window.rows < canvas.height)
+    if (about.is_overview)
+        text += fmt::format("(1 cell = {}x{} pixels, the most frequent of those drawn)\n",
+                            window.block_width, window.block_height);
+    else if (window.columns < canvas.width || window.rows < canvas.height)
         text += fmt::format(
             "(x {} to {}, y {} to {} of a canvas of {} x {})\n",
             canvas.left() + window.first_column,
@@ -170,27 +401,27 @@ std::string frame_text(const Replay& replay, const FrameText& about, TextSize si
             canvas.y_of(window.first_row + window.rows - 1), canvas.width, canvas.height);
     text += "\n" + column_labels(canvas, window, margin, cell) + "\n";
 
-    for (int row = window.first_row; row < window.first_row + window.rows; ++row) {
-        const int y = canvas.y_of(row);
-        std::string line = fmt::format("{:>{}}  ", y, label_width);
-        if (current_row == y)
+    // Where cells cannot show vertices, their names stand behind their rows.
+    std::map<Index, std::string> names_in_row;
+    if (about.view != View::plotted)
+        for (const VertexMark& mark : vertex_marks(replay))
+            names_in_row[canvas.row_of(mark.pixel.y)] += "  " + mark.name;
+
+    for (int row = 0; row < window.rows; ++row) {
+        const int first = window.first_row + row * window.block_height;
+        std::string line = fmt::format("{:>{}}  ", canvas.y_of(first), label_width);
+        const auto has = [&](Index other) {
+            return first <= other && other < first + window.block_height;
+        };
+        if (current_row && has(canvas.row_of(*current_row)))
             line[0] = '>';
-        for (int column = 0; column < window.columns; ++column) {
-            const std::size_t offset =
-                canvas.offset_of({canvas.left() + window.first_column + column, y});
-            const auto letter = letters.find(offset);
-            const std::size_t drawn_by = frame.drawn_by[offset];
-            line.append(cell - 1, ' ');
-            if (drawn_by != 0 && drawn_by >= about.first_step)
-                line += '@';
-            else if (letter != letters.end())
-                line += letter->second;
-            else
-                line += drawn_by != 0 ? '#' : '.';
-        }
+        line += row_of_cells(cells, window, row, has_gaps, about.colors);
+        for (const auto& [named, names] : names_in_row)
+            if (has(named))
+                line += names;
         text += line + "\n";
     }
-    return text;
+    return text + legend;
 }
 
 std::string bare_frame_text(const Frame& frame) {
@@ -200,6 +431,21 @@ std::string bare_frame_text(const Frame& frame) {
     for (int row = 0; row < canvas.height; ++row) {
         for (int x = canvas.left(); x <= canvas.right(); ++x)
             text += frame.drawn_by[canvas.offset_of({x, canvas.y_of(row)})] != 0 ? '#' : '.';
+        text += '\n';
+    }
+    return text;
+}
+
+std::string bare_frame_text(const Replay& replay, View view) {
+    const Canvas& canvas = replay.trace().canvas;
+    const FrameCells cells(view, replay, std::string::npos);
+    std::string text;
+    for (int row = 0; row < canvas.height; ++row) {
+        for (int x = canvas.left(); x <= canvas.right(); ++x) {
+            if (cells.width() > 1 && x > canvas.left())
+                text += ' ';
+            text += fmt::format("{:>{}}", cells.at({x, canvas.y_of(row)}).text, cells.width());
+        }
         text += '\n';
     }
     return text;

@@ -11,29 +11,43 @@
 //     > 2   . . . . . . . @ @ @ @ @ . . . . .
 
 #include "terminal.h"
+#include "terminal_text.h"
+#include "view.h"
 
 #include <rastertrace/trace/frame.h>
+#include <rastertrace/trace/step_writer.h>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 namespace rastertrace {
 
-/// A frame and what is said above it.
+/// A frame, how it is looked at, and what is said above it.
 struct FrameText {
     std::string caption;        ///< what the step says, see describe_step
     std::size_t first_step = 0; ///< pixels drawn by the steps from this one ...
-    std::size_t last_step = 0;  ///< ... to this one, the frame's own, are new: drawn as @
+    std::size_t last_step = 0;  ///< ... to this one, the frame's own, are new, and marked
+    View view = View::plotted;
+    ColorDepth colors = ColorDepth::none;
+    std::optional<Region> region = {}; ///< show this part, whatever the terminal's size
+    bool is_overview = false;          ///< show all of the canvas, many pixels to a cell
 };
 
-/// The frame that a replay has reached, with title, caption, and coordinates along the borders:
-/// `.` empty, `#` plotted, `@` plotted by the steps shown, a letter for a vertex of the current
-/// primitive (plotted or not), `>` the row that the first of these steps is about. A canvas too wide for `size` loses
-/// the gaps between its columns; one that still does not fit is cut to a window around the newest
-/// pixel, and a line says so.
+/// The frame that a replay has reached, with title, caption, coordinates along the borders, and a legend.
+///
+/// A cell shows what its view says (view.h). New pixels are `@` in `plotted`, and elsewhere `[a b]` where there
+/// are gaps, or reversed in colors; `x` is a pixel that one of these steps has tested and not drawn. `>` is the
+/// row that the first of them is about. In `plotted`, a vertex of the current primitive is its letter, small
+/// where its pixel is not drawn, and `*` if its name is longer; elsewhere names stand behind their row. A vertex
+/// that another primitive hides is not shown.
+///
+/// A canvas too wide for `size` loses the gaps between its columns; one that still does not fit is cut to a
+/// window around the pixels that the step is about, and a line says so.
 std::string frame_text(const Replay& replay, const FrameText& about, TextSize size);
 
-/// Only the grid: `.` empty, `#` plotted.
+/// Only the grid, top row first: `.` empty, `#` plotted; or the cells of another view.
 std::string bare_frame_text(const Frame& frame);
+std::string bare_frame_text(const Replay& replay, View view);
 
 } // namespace rastertrace

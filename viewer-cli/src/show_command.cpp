@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 #include <unordered_set>
 #include <vector>
@@ -98,17 +99,40 @@ std::vector<Shown> steps_to_show(const ShowCommand& command, const Trace& trace)
     return shown;
 }
 
+/// A region has to lie on the canvas.
+void check_region(const Region& region, const Canvas& canvas) {
+    if (canvas.contains(region.x0, region.y0) && canvas.contains(region.x1, region.y1))
+        return;
+    throw problem_of(
+        "", fmt::format("--region: expected pixels of the canvas (x {} to {}, y {} to {}), "
+                        "found {},{},{},{}",
+                        canvas.left(), canvas.right(), std::min(canvas.top(), canvas.bottom()),
+                        std::max(canvas.top(), canvas.bottom()), region.x0, region.y0, region.x1,
+                        region.y1));
+}
+
 } // namespace
 
 int run(const ShowCommand& command) {
     const Trace trace = load_trace(command.trace, command.method, command.input);
     const TextSize size = output_size();
+    if (command.region)
+        check_region(*command.region, trace.canvas);
+    const View view = command.view   ? *command.view
+                      : command.bare ? View::plotted
+                                     : default_view(trace);
 
-    Replay replay(trace);
+    Replay replay(trace, parts_for(view));
     bool is_first = true;
     const auto shown = steps_to_show(command, trace);
     for (const Shown& steps : shown) {
-        FrameText about{.caption = {}, .first_step = steps.first, .last_step = steps.last};
+        FrameText about{.caption = {},
+                        .first_step = steps.first,
+                        .last_step = steps.last,
+                        .view = view,
+                        .colors = output_colors(command.color),
+                        .region = command.region,
+                        .is_overview = command.is_overview};
         if (!command.bare) {
             replay.go_to(steps.first);
             about.caption = describe_step(replay);
@@ -126,7 +150,7 @@ int run(const ShowCommand& command) {
         replay.go_to(steps.last);
         const std::string blank_line = is_first ? "" : "\n";
         print(blank_line +
-              (command.bare ? bare_frame_text(replay.frame()) : frame_text(replay, about, size)));
+              (command.bare ? bare_frame_text(replay, view) : frame_text(replay, about, size)));
         is_first = false;
     }
     if (!command.bare && !trace.stages.empty())

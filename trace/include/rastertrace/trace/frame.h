@@ -11,23 +11,37 @@
 #include <rastertrace/trace/trace.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
 namespace rastertrace {
 
+/// What a frame remembers of its pixels beside their colors, for who asks.
+struct FrameParts {
+    bool writes = false;
+    bool depths = false;
+};
+
 /// A picture, and which step drew each of its pixels.
 struct Frame {
-    explicit Frame(const Canvas& canvas) : image(canvas), drawn_by(image.colors().size(), 0) {}
+    explicit Frame(const Canvas& canvas, FrameParts parts = {})
+        : image(canvas), drawn_by(image.colors().size(), 0),
+          writes(parts.writes ? drawn_by.size() : 0),
+          stored_by(parts.depths ? drawn_by.size() : 0) {}
 
     Image image;
     std::vector<std::size_t> drawn_by; ///< the last step that plotted the pixel; 0 for none
+    std::vector<std::uint32_t> writes; ///< how often the pixel was plotted
+    std::vector<std::size_t>
+        stored_by; ///< the depth test that the buffer has its depth from; 0 for none
 };
 
 /// Plays a trace forward step by step and remembers what the current step belongs to.
 class Replay {
 public:
-    explicit Replay(const Trace& trace) : trace_(trace), frame_(trace.canvas) {}
+    explicit Replay(const Trace& trace, FrameParts parts = {})
+        : trace_(trace), parts_(parts), frame_(trace.canvas, parts) {}
 
     const Trace& trace() const { return trace_; }
 
@@ -46,6 +60,12 @@ public:
     std::size_t scanline() const { return scanline_; }
     std::size_t scanline_before() const { return scanline_before_; }
 
+    /// All primitives so far, by number of their step.
+    const std::vector<std::size_t>& primitives() const { return primitives_; }
+
+    /// The primitive that a step so far belongs to; 0 if there is none.
+    std::size_t primitive_of(std::size_t step) const;
+
     /// The color of the current primitive.
     Color color() const { return color_; }
 
@@ -62,6 +82,7 @@ private:
     void apply_next();
 
     const Trace& trace_;
+    FrameParts parts_;
     Frame frame_;
     std::size_t step_ = 0;
     std::size_t primitive_ = 0;
@@ -71,6 +92,7 @@ private:
     std::size_t vertex_ = 0;
     std::size_t vertex_before_ = 0;
     std::vector<std::size_t> edges_;
+    std::vector<std::size_t> primitives_;
     Color color_; ///< of the current primitive
 };
 

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include "terminal_text.h"
+
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <limits>
+
+namespace rastertrace {
+
+namespace {
+
+std::string_view environment(const char* name) {
+    const char* const value = std::getenv(name);
+    return value == nullptr ? std::string_view() : std::string_view(value);
+}
+
+/// The share of light of an sRGB channel, 0 to 1.
+double light_of(std::uint8_t level) {
+    const double share = level / 255.0;
+    return share <= 0.04045 ? share / 12.92 : std::pow((share + 0.055) / 1.055, 2.4);
+}
+
+/// The number of the palette's color that is nearest, of those that `color_of(number)` gives.
+template <std::size_t count>
+std::size_t nearest_color(Color color, const std::array<Color, count>& palette) {
+    std::size_t nearest = 0;
+    int least = std::numeric_limits<int>::max();
+    for (std::size_t i = 0; i < count; ++i) {
+        const int red = color.red() - palette[i].red();
+        const int green = color.green() - palette[i].green();
+        const int blue = color.blue() - palette[i].blue();
+        const int distance = red * red + green * green + blue * blue;
+        if (distance < least) {
+            least = distance;
+            nearest = i;
+        }
+    }
+    return nearest;
+}
+
+/// The 16 colors of a terminal, as xterm shows them.
+constexpr std::array<Color, 16> ansi_palette{{{0, 0, 0},
+                                              {205, 0, 0},
+                                              {0, 205, 0},
+                                              {205, 205, 0},
+                                              {0, 0, 238},
+                                              {205, 0, 205},
+                                              {0, 205, 205},
+                                              {229, 229, 229},
+                                              {127, 127, 127},
+                                              {255, 0, 0},
+                                              {0, 255, 0},
+                                              {255, 255, 0},
+                                              {92, 92, 255},
+                                              {255, 0, 255},
+                                              {0, 255, 255},
+                                              {255, 255, 255}}};
+
+/// The part of a 256-color cube that a level of a channel belongs to: 0, 95, 135, ..., 255.
+int cube_level(std::uint8_t level) {
+    return level < 48 ? 0 : level < 115 ? 1 : (level - 35) / 40;
+}
+
+std::string background(Color color, ColorDepth colors) {
+    switch (colors) {
+    case ColorDepth::truecolor:
+        return fmt::format("48;2;{};{};{}", color.red(), color.green(), color.blue());
+    case ColorDepth::palette256:
+        return fmt::format("48;5;{}", 16 + 36 * cube_level(color.red()) +
+                                          6 * cube_level(color.green()) + cube_level(color.blue()));
+    case ColorDepth::ansi16: {
+        const std::size_t nearest = nearest_color(color, ansi_palette);
+        return std::to_string(nearest < 8 ? 40 + nearest : 92 + nearest);
+    }
+    case ColorDepth::none:
+        break;
+    }
+    return {};
+}
+
+} // namespace
+
+ColorDepth output_colors(ColorChoice choice) {
+    const std::string_view terminal = environment("TERM");
+    if (choice == ColorChoice::never)
+        return ColorDepth::none;
+    if (choice == ColorChoice::automatic &&
+        (::isatty(STDOUT_FILENO) == 0 || terminal.empty() || terminal == "dumb" ||
+         !environment("NO_COLOR").empty()))
+        return ColorDepth::none;
+    const std::string_view depth = environment("COLORTERM");
+    if (depth == "truecolor" || depth == "24bit")
+        return ColorDepth::truecolor;
+    return terminal.find("256color") != std::string_view::npos ? ColorDepth::palette256
+                                                               : ColorDepth::ansi16;
+}
+
+double luminance(Color color) {
+    return 0.2126 * light_of(color.red()) + 0.7152 * light_of(color.green()) +
+           0.0722 * light_of(color.blue());
+}
+
+std::string styled(std::string_view text, const Style& style, ColorDepth colors) {
+    if (colors == ColorDepth::none || (!style.background && !style.is_reversed))
+        return std::string(text);
+    std::string codes;
+    if (style.background) {
+        // Above 0.179, black on a color has more contrast than white: WCAG 2, contrast ratio.
+        const bool is_light = luminance(*style.background) > 0.179;
+        codes = fmt::format("{};{}", is_light ? 30 : 97, background(*style.background, colors));
+    }
+    if (style.is_reversed)
+        codes += codes.empty() ? "7" : ";7";
+    return fmt::format("\x1b[{}m{}\x1b[0m", codes, text);
+}
+
+} // namespace rastertrace

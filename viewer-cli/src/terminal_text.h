@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Text with colors for a terminal: the one place that writes escape sequences.
+//
+//     styled("[a]", {.background = Color{255, 0, 0}}, ColorDepth::truecolor);
+
+#include <rastertrace/core/raster/image.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace rastertrace {
+
+/// How many colors a terminal has.
+enum class ColorDepth : std::uint8_t {
+    none,       ///< no escape sequence is written
+    ansi16,     ///< SGR 40 to 47 and 100 to 107
+    palette256, ///< the xterm color cube
+    truecolor,  ///< 24 bit
+};
+
+/// What is asked for on the command line.
+enum class ColorChoice : std::uint8_t { automatic, always, never };
+
+/// The colors that standard output has. `automatic`: none if it is no terminal, if TERM is "dumb", or if
+/// NO_COLOR is set and not empty; else what COLORTERM and TERM say. `always`: 16 at least.
+ColorDepth output_colors(ColorChoice choice);
+
+/// How a piece of text looks.
+struct Style {
+    std::optional<Color> background = {}; ///< the text in front of it is black or white
+    bool is_reversed = false;
+};
+
+/// The text with the escape sequences for its style; the text alone if there is none, or no color.
+std::string styled(std::string_view text, const Style& style, ColorDepth colors);
+
+/// Relative luminance of an sRGB color, 0 to 1: IEC 61966-2-1, with the weights of BT.709.
+double luminance(Color color);
+
+} // namespace rastertrace

@@ -1,0 +1,356 @@
+// SPDX-License-Identifier: MIT
+#include "view.h"
+
+#include "terminal_text.h"
+
+#include <rastertrace/core/numbers/number.h>
+#include <rastertrace/trace/color_text.h>
+#include <rastertrace/trace/text.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+#include <unordered_map>
+#include <utility>
+#include <variant>
+
+namespace rastertrace {
+
+namespace {
+
+constexpr std::array<std::string_view, 6> names{"plotted", "faces",  "shade",
+                                                "depth",   "writes", "coverage"};
+
+/// One for each face: no x, which marks what was tested and not drawn.
+constexpr std::string_view face_letters = "abcdefghijklmnopqrstuvwyz0123456789";
+
+/// From dark to light. Neither blank nor `.`, so that a black pixel is not an empty one.
+constexpr std::string_view ramp = "-~:+=*o%8&";
+
+constexpr std::string_view empty_cell = ".";
+
+/// The nearest double of a number as a trace writes it; nothing for what is no number, like null.
+std::optional<double> number_in(const std::string& text) {
+    const auto parsed = parse_number(text);
+    const auto* number = std::get_if<Number>(&parsed);
+    return number == nullptr ? std::nullopt : std::optional(number->nearest_double());
+}
+
+/// How many steps of the ramp a share of 0 to 1 is.
+char ramp_at(double share) {
+    const double step = std::floor(share * static_cast<double>(ramp.size()));
+    return ramp[static_cast<std::size_t>(
+        std::clamp(step, 0.0, static_cast<double>(ramp.size() - 1)))];
+}
+
+/// "T9" before "T10": digits compare as numbers.
+bool comes_before(std::string_view a, std::string_view b) {
+    const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+    const auto digits_of = [&](std::string_view text) {
+        const auto end = std::find_if_not(text.begin(), text.end(), is_digit);
+        return text.substr(0, static_cast<std::size_t>(end - text.begin()));
+    };
+    while (!a.empty() && !b.empty()) {
+        std::string_view from_a = digits_of(a), from_b = digits_of(b);
+        if (!from_a.empty() && !from_b.empty()) {
+            a.remove_prefix(from_a.size());
+            b.remove_prefix(from_b.size());
+            from_a.remove_prefix(std::min(from_a.find_first_not_of('0'), from_a.size()));
+            from_b.remove_prefix(std::min(from_b.find_first_not_of('0'), from_b.size()));
+            if (from_a.size() != from_b.size())
+                return from_a.size() < from_b.size();
+            if (from_a != from_b)
+                return from_a < from_b;
+            continue;
+        }
+        if (a.front() != b.front())
+            return a.front() < b.front();
+        a.remove_prefix(1);
+        b.remove_prefix(1);
+    }
+    return a.size() < b.size();
+}
+
+struct NaturalOrder {
+    bool operator()(const std::string& a, const std::string& b) const {
+        return comes_before(a, b) || (!comes_before(b, a) && a < b);
+    }
+};
+
+/// The face that a primitive's step is about: "ABC" of a part "ABC/1".
+std::string face_of(const StepView& primitive) {
+    const std::string name = primitive.text("name");
+    return primitive.text("part") == "true" ? name.substr(0, name.rfind('/')) : name;
+}
+
+/// The mesh of a face: "torus" of "torus.f12".
+std::string mesh_of(const StepView& primitive) {
+    const std::string face = face_of(primitive);
+    return face.substr(0, face.rfind('.'));
+}
+
+std::string color_of(const StepView& primitive) {
+    return primitive.text("color");
+}
+
+/// What the letters stand for.
+struct Grouping {
+    std::string_view heading; ///< said before the letters; nothing for faces
+    std::string (*group_of)(const StepView& primitive);
+};
+constexpr std::array<Grouping, 3> groupings{
+    {{"", face_of}, {"meshes: ", mesh_of}, {"colors: ", color_of}}};
+
+/// True if a nearer depth is a larger one, as far as the tests of a trace tell.
+bool larger_is_nearer(const Trace& trace) {
+    for (std::size_t n = 1; n <= trace.size(); ++n) {
+        if (trace.kind_of(n) != StepKind::depth)
+            continue;
+        const StepView step = trace.step(n);
+        const auto depth = number_in(step.text("depth"));
+        const auto stored = number_in(step.text("stored"));
+        if (depth && stored && *depth != *stored)
+            return (step.text("pass") == "true") == (*depth > *stored);
+    }
+    return trace.method_value("depth") == "inverse-z";
+}
+
+/// A number in a cell: as it was written if that is short.
+std::string short_number(const std::string& text) {
+    constexpr std::size_t longest = 6;
+    const auto number = number_in(text);
+    return text.size() <= longest || !number ? text : fmt::format("{:.3g}", *number);
+}
+
+/// What an untouched cell of the buffer holds.
+std::string cleared_depth(const Trace& trace) {
+    const std::string depth = trace.method_value("depth");
+    return depth == "linear-z" ? "inf" : depth == "inverse-z" ? "0" : std::string(empty_cell);
+}
+
+struct Point {
+    double x;
+    double y;
+};
+
+/// How far `p` lies from the line through two points; positive on the left side with y up.
+double distance_from_line(const Point& p, const Point& from, const Point& to) {
+    const double dx = to.x - from.x;
+    const double dy = to.y - from.y;
+    return (dx * (p.y - from.y) - dy * (p.x - from.x)) / std::hypot(dx, dy);
+}
+
+} // namespace
+
+std::vector<std::string_view> view_names() {
+    return {names.begin(), names.end()};
+}
+
+std::optional<View> view_named(std::string_view name) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end())
+        return std::nullopt;
+    return static_cast<View>(found - names.begin());
+}
+
+FrameParts parts_for(View view) {
+    return {.writes = view == View::writes, .depths = view == View::depth};
+}
+
+View default_view(const Trace& trace) {
+    std::set<std::string> faces;
+    std::set<std::string> colors;
+    for (std::size_t n = 1; n <= trace.size(); ++n) {
+        const auto kind = trace.kind_of(n);
+        if (kind == StepKind::light)
+            return View::shade;
+        if (kind != StepKind::primitive)
+            continue;
+        const StepView step = trace.step(n);
+        if (step.field("colors"))
+            return View::shade;
+        if (step.text("kind") != "triangle")
+            continue;
+        colors.insert(step.text("color"));
+        if (faces.size() <= face_letters.size())
+            faces.insert(face_of(step));
+    }
+    if (faces.size() < 2)
+        return View::plotted;
+    const std::string depth = trace.method_value("depth");
+    const bool has_buffer = !depth.empty() && depth != "none" && depth != "painter";
+    return faces.size() > face_letters.size() && colors.size() < 2 && has_buffer ? View::depth
+                                                                                 : View::faces;
+}
+
+FrameCells::FrameCells(View view, const Replay& replay, std::size_t room) : replay_(replay) {
+    const Frame& frame = replay.frame();
+    switch (view) {
+    case View::plotted:
+        cell_ = [&frame](std::size_t offset, Pixel) {
+            return Cell{frame.drawn_by[offset] != 0 ? "#" : std::string(empty_cell)};
+        };
+        break;
+    case View::faces:
+        set_up_faces();
+        break;
+    case View::shade:
+        set_up_shade();
+        break;
+    case View::depth:
+        set_up_depths(room);
+        break;
+    case View::writes:
+        legend_ = {"1..9: so many writes", "+: more"};
+        cell_ = [&frame](std::size_t offset, Pixel) {
+            const std::uint32_t writes = frame.writes[offset];
+            return Cell{writes == 0   ? std::string(empty_cell)
+                        : writes <= 9 ? std::to_string(writes)
+                                      : "+"};
+        };
+        break;
+    case View::coverage:
+        set_up_coverage();
+        break;
+    }
+}
+
+Cell FrameCells::at(Pixel pixel) const {
+    return cell_(replay_.trace().canvas.offset_of(pixel), pixel);
+}
+
+/// A letter for each face that can be seen; if there are too many, for each mesh, or for each color.
+void FrameCells::set_up_faces() {
+    const Frame& frame = replay_.frame();
+    std::set<std::size_t> visible;
+    for (const std::size_t step : frame.drawn_by)
+        if (step != 0)
+            visible.insert(replay_.primitive_of(step));
+    visible.erase(0);
+
+    std::map<std::string, char, NaturalOrder> letters;
+    const Grouping* grouping = nullptr;
+    for (const Grouping& one : groupings) {
+        letters.clear();
+        for (const std::size_t step : visible)
+            letters.emplace(one.group_of(replay_.trace().step(step)), '#');
+        grouping = &one;
+        // One mesh says no more than `plotted`.
+        if (letters.size() <= face_letters.size() && (letters.size() > 1 || visible.size() <= 1))
+            break;
+    }
+    if (letters.size() <= face_letters.size()) {
+        std::size_t next = 0;
+        for (auto& [group, letter] : letters) {
+            letter = face_letters[next++];
+            legend_.push_back(fmt::format("{} {}", letter, printable(group)));
+        }
+        if (!legend_.empty())
+            legend_.front().insert(0, grouping->heading);
+    } else {
+        legend_ = {fmt::format("{} faces, {} colors: too many for letters", visible.size(),
+                               letters.size())};
+    }
+
+    std::unordered_map<std::size_t, char> letter_of;
+    for (const std::size_t step : visible)
+        letter_of.emplace(step, letters.at(grouping->group_of(replay_.trace().step(step))));
+    cell_ = [this, &frame, letter_of = std::move(letter_of)](std::size_t offset, Pixel) {
+        const std::size_t drawn_by = frame.drawn_by[offset];
+        if (drawn_by == 0)
+            return Cell{std::string(empty_cell)};
+        const auto letter = letter_of.find(replay_.primitive_of(drawn_by));
+        return Cell{std::string(1, letter == letter_of.end() ? '#' : letter->second),
+                    frame.image.colors()[offset]};
+    };
+}
+
+void FrameCells::set_up_shade() {
+    const Frame& frame = replay_.frame();
+    legend_ = {fmt::format("dark {} light", ramp)};
+    cell_ = [&frame](std::size_t offset, Pixel) {
+        if (frame.drawn_by[offset] == 0)
+            return Cell{std::string(empty_cell)};
+        // As bright as it looks: half the light of white is seen as three quarters.
+        const Color color = frame.image.colors()[offset];
+        return Cell{std::string(1, ramp_at(std::pow(luminance(color), 1 / 2.4))), color};
+    };
+}
+
+void FrameCells::set_up_depths(std::size_t room) {
+    const Frame& frame = replay_.frame();
+    const Trace& trace = replay_.trace();
+    std::map<std::size_t, std::string> numbers; // by the step of the test
+    std::optional<double> least, largest;
+    width_ = cleared_depth(trace).size();
+    for (const std::size_t step : frame.stored_by) {
+        if (step == 0)
+            continue;
+        const std::string text = trace.step(step).text("depth");
+        width_ = std::max(width_, numbers.emplace(step, short_number(text)).first->second.size());
+        if (const auto depth = number_in(text)) {
+            least = std::min(least.value_or(*depth), *depth);
+            largest = std::max(largest.value_or(*depth), *depth);
+        }
+    }
+    if (!least)
+        legend_ = {"the buffer is clear: no depth was tested (a scene is, with --keep depth)"};
+    if (width_ <= room) {
+        cell_ = [&frame, numbers = std::move(numbers),
+                 clear = cleared_depth(trace)](std::size_t offset, Pixel) {
+            const auto number = numbers.find(frame.stored_by[offset]);
+            return Cell{number == numbers.end() ? clear : number->second};
+        };
+        return;
+    }
+
+    // A ramp: the nearest is the brightest.
+    width_ = 1;
+    const bool larger = larger_is_nearer(trace);
+    legend_ = {fmt::format("far {:.4g} {} {:.4g} near", larger ? *least : *largest, ramp,
+                           larger ? *largest : *least)};
+    cell_ = [&frame, &trace, larger, least = *least, range = *largest - *least](std::size_t offset,
+                                                                                Pixel) {
+        const std::size_t step = frame.stored_by[offset];
+        if (step == 0)
+            return Cell{std::string(empty_cell)};
+        const double depth = number_in(trace.step(step).text("depth")).value_or(least);
+        const double share = range > 0 ? (depth - least) / range : 1;
+        return Cell{std::string(1, ramp_at(larger ? share : 1 - share))};
+    };
+}
+
+void FrameCells::set_up_coverage() {
+    const Trace& trace = replay_.trace();
+    std::vector<Point> corners;
+    if (replay_.primitive() != 0)
+        for (const auto& at : trace.step(replay_.primitive()).text_rows("at")) {
+            const auto x = at.size() < 2 ? std::nullopt : number_in(at[0]);
+            const auto y = at.size() < 2 ? std::nullopt : number_in(at[1]);
+            if (x && y)
+                corners.push_back({*x, *y});
+        }
+    legend_ = {corners.size() == 3 ? "0..9: tenths of a pixel from the sample to the nearest edge"
+                                   : "coverage is that of a triangle"};
+    const double offset = trace.method_value("sample") == "center" ? 0.5 : 0.0;
+    cell_ = [corners, offset](std::size_t, Pixel pixel) {
+        const Point sample{pixel.x + offset, pixel.y + offset};
+        if (corners.size() != 3)
+            return Cell{"-"};
+        const auto &a = corners[0], b = corners[1], c = corners[2];
+        const double side = distance_from_line(c, a, b) < 0 ? -1 : 1;
+        const double distance = std::min({side * distance_from_line(sample, a, b),
+                                          side * distance_from_line(sample, b, c),
+                                          side * distance_from_line(sample, c, a)});
+        if (!(distance >= 0))
+            return Cell{"-"};
+        return Cell{
+            std::string(1, static_cast<char>('0' + std::min(9, static_cast<int>(distance * 10))))};
+    };
+}
+
+} // namespace rastertrace

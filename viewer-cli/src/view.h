@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What a cell of a frame shows of its pixel:
+//
+//     plotted    # where the pixel is drawn
+//     faces      a letter for each primitive that can be seen
+//     shade      a ramp from dark to light, or the color itself
+//     depth      what the depth buffer holds
+//     writes     how often the pixel was written
+//     coverage   how far its sample lies inside the triangle, in tenths of a pixel
+//
+//     const FrameCells cells(View::faces, replay, 1);
+//     cells.at({3, 2}).text;  // "a"
+
+#include <rastertrace/core/raster/image.h>
+#include <rastertrace/trace/frame.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rastertrace {
+
+enum class View : std::uint8_t { plotted, faces, shade, depth, writes, coverage };
+
+/// plotted, faces, ...
+std::vector<std::string_view> view_names();
+std::optional<View> view_named(std::string_view name);
+
+/// The view in which the point of a trace can be seen: `shade` if colors are mixed or lit; `faces` if there
+/// is more than one triangle, `depth` if there are too many of one color for letters; else `plotted`.
+View default_view(const Trace& trace);
+
+/// What a replay has to remember for a view.
+FrameParts parts_for(View view);
+
+struct Cell {
+    std::string text;
+    std::optional<Color> color = {}; ///< of the pixel, where the view shows it
+};
+
+/// The cells of the frame that a replay has reached. The replay must live as long, and stay there.
+class FrameCells {
+public:
+    /// A cell of `depth` is a number if it takes at most `room` columns; else a ramp from far to near.
+    FrameCells(View view, const Replay& replay, std::size_t room);
+    FrameCells(const FrameCells&) = delete;
+    FrameCells& operator=(const FrameCells&) = delete;
+
+    /// The cell of a pixel of the canvas.
+    Cell at(Pixel pixel) const;
+
+    /// Columns of the widest cell.
+    std::size_t width() const { return width_; }
+
+    /// What the cells mean, beyond `.`: words that may be spread over lines.
+    const std::vector<std::string>& legend() const { return legend_; }
+
+private:
+    void set_up_faces();
+    void set_up_shade();
+    void set_up_depths(std::size_t room);
+    void set_up_coverage();
+
+    const Replay& replay_;
+    std::function<Cell(std::size_t offset, Pixel pixel)> cell_;
+    std::size_t width_ = 1;
+    std::vector<std::string> legend_;
+};
+
+} // namespace rastertrace
