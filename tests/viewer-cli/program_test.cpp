@@ -109,7 +109,7 @@ TEST_F(ProgramTest, ShowLooksAtAFrameInManyWays) {
     const Outcome colored =
         shell("TERM=xterm COLORTERM= $rastertrace show $examples/t2-lines/points.json --view shade "
               "--color always | tail -3 | head -1");
-    EXPECT_EQ(colored.out.substr(0, 12), "\ndark -~:+=*");
+    EXPECT_EQ(colored.out, "> 2   . . . . \x1b[97;40;7m-\x1b[0m  D\n");
     const Outcome plain = shell("$rastertrace show $examples/t2-lines/points.json --view shade");
     EXPECT_EQ(plain.out.find('\x1b'), std::string::npos);
 
