@@ -213,7 +213,7 @@ TEST(WriteTrace, EveryMatrixAndEverySpace) {
 {"step":"pixel","x":2,"y":1},
 {"step":"primitive","kind":"point","name":"B","vertices":["B"],"color":"#000000"},
 {"step":"clip","name":"B","plane":"near","inside":[false],"out":0},
-{"step":"skip","why":"behind the eye"}
+{"step":"skip","name":"B","why":"behind the eye"}
 ],
 "end":{"steps":19,"count":{"matrix":4,"vertex":10,"primitive":2,"clip":1,"pixel":1,"skip":1},"pixels":1,"frame":")";
     EXPECT_EQ(trace_text(small_pipeline()).substr(0, expected.size()), expected);

@@ -52,6 +52,16 @@ struct Context {
     PrimitiveText primitive;
 };
 
+/// What the step's primitive is called. A trace from before these steps had names, without its primitives, does
+/// not say: the number of the step.
+std::string name_of_primitive(const Context& context) {
+    const std::string name = context.step.text("name");
+    if (!name.empty())
+        return name;
+    return context.replay.primitive() == 0 ? fmt::format("of step {}", context.replay.step())
+                                           : context.primitive.name;
+}
+
 std::string point(const std::vector<std::string>& coordinates) {
     return fmt::format("({})", fmt::join(coordinates, ", "));
 }
@@ -256,7 +266,7 @@ constexpr Part parts[] = {
                                              : std::string();
      }},
     {"kind", [](const Context& context) { return context.primitive.kind; }},
-    {"primitive", [](const Context& context) { return context.primitive.name; }},
+    {"primitive", name_of_primitive},
     {"toward",
      [](const Context& context) {
          return std::string(context.step.text("by") == "light" ? "to light" : "to eye");

@@ -34,14 +34,14 @@ const std::array<StepRow, step_kinds> table{{
 
     {StepKind::face, "face", "a face is tested",
      "face {@primitive}: normal {normal} . {@toward} {view} = {dot}{@cosine}: {culled?culled:drawn}",
-     {{"normal", list, reason}, {"view", list, reason}, {"dot", quantity, reason, true},
-      {"cosine", quantity, told}, {"by", string, key}, {"culled", boolean, decision},
+     {{"name", string, key}, {"normal", list, reason}, {"view", list, reason},
+      {"dot", quantity, reason, true}, {"cosine", quantity, told}, {"by", string, key}, {"culled", boolean, decision},
       {"opposite", boolean, told}}},
 
     {StepKind::light, "light", "a face is lit",
      "light on {@primitive}: normal {normal} . light {light} = {dot}, intensity {intensity}, color {color}",
-     {{"normal", list, reason}, {"light", list, reason}, {"dot", quantity, reason},
-      {"intensity", quantity, told, true}, {"color", string, decision}}},
+     {{"name", string, key}, {"normal", list, reason}, {"light", list, reason},
+      {"dot", quantity, reason}, {"intensity", quantity, told, true}, {"color", string, decision}}},
 
     {StepKind::clip, "clip", "a primitive meets a plane with a vertex outside it",
      "{name} clipped at the {plane} plane: {@inside} vertices inside, {out} left",
@@ -99,7 +99,7 @@ const std::array<StepRow, step_kinds> table{{
 
     {StepKind::skip, "skip", "a primitive draws nothing",
      "{@kind} {@primitive}: skipped, {why}",
-     {{"why", string, decision, true}}},
+     {{"name", string, key}, {"why", string, decision, true}}},
 
     {StepKind::undecided, "undecided", "with `adaptive`: doubles leave a decision about the primitive open",
      "{@what_is_open}; drawn in exact numbers",

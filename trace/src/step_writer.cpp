@@ -239,7 +239,8 @@ void StepWriter::operator()(const PrimitiveSkipped& step) {
     if (!wants(StepKind::skip))
         return;
     begin_line(StepKind::skip);
-    put(R"({"step":"skip","why":")", name_of(step.why), "\"}");
+    put(R"({"step":"skip","name":)", std::string_view(json_quoted(name_)), R"(,"why":")",
+        name_of(step.why), "\"}");
 }
 
 void StepWriter::operator()(const BoundExceeded& step) {

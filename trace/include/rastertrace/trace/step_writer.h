@@ -133,6 +133,7 @@ public:
     void operator()(const PrimitiveBegan<Quantity>& step) {
         is_in_primitive_ = !primitive_ || is_part_of(step.name, *primitive_);
         color_ = step.color;
+        name_ = step.name;
         vertex_count_ = step.vertices.size();
         std::copy(step.vertices.begin(), step.vertices.end(), vertices_.begin());
         has_labels_ = false;
@@ -193,9 +194,9 @@ public:
         if (!wants(StepKind::face))
             return;
         begin_line(StepKind::face);
-        put(R"({"step":"face","normal":[)", step.normal.x, ",", step.normal.y, ",", step.normal.z,
-            R"(],"view":[)", step.view.x, ",", step.view.y, ",", step.view.z, R"(],"dot":)",
-            Deciding{step.dot});
+        put(R"({"step":"face","name":)", std::string_view(json_quoted(name_)), R"(,"normal":[)",
+            step.normal.x, ",", step.normal.y, ",", step.normal.z, R"(],"view":[)", step.view.x,
+            ",", step.view.y, ",", step.view.z, R"(],"dot":)", Deciding{step.dot});
         if (step.cosine)
             put(R"(,"cosine":)", *step.cosine);
         else
@@ -208,9 +209,10 @@ public:
         if (!wants(StepKind::light))
             return;
         begin_line(StepKind::light);
-        put(R"({"step":"light","normal":[)", step.normal.x, ",", step.normal.y, ",", step.normal.z,
-            R"(],"light":[)", step.light.x, ",", step.light.y, ",", step.light.z, R"(],"dot":)",
-            Deciding{step.dot}, R"(,"intensity":)", step.intensity, R"(,"color":")",
+        put(R"({"step":"light","name":)", std::string_view(json_quoted(name_)), R"(,"normal":[)",
+            step.normal.x, ",", step.normal.y, ",", step.normal.z, R"(],"light":[)", step.light.x,
+            ",", step.light.y, ",", step.light.z, R"(],"dot":)", Deciding{step.dot},
+            R"(,"intensity":)", step.intensity, R"(,"color":")",
             std::string_view(to_text(step.color)), "\"}");
     }
 
@@ -491,7 +493,8 @@ private:
     std::optional<std::string> primitive_;
     bool is_in_primitive_;
     std::array<std::uint64_t, step_kinds> counts_{};
-    Color color_; ///< of the current primitive
+    Color color_;      ///< of the current primitive
+    std::string name_; ///< of the same
     std::size_t vertex_count_ = 0;
     std::array<std::string_view, most_vertices> vertices_;          ///< its vertices' names
     std::array<std::string, most_vertices * most_vertices> labels_; ///< its edges' quoted names,
