@@ -2,6 +2,7 @@
 // The program as a user meets it: what it prints, where, and with which exit status.
 
 #include "picture.h"
+#include "program.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,7 +11,6 @@
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/ioctl.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -25,80 +25,13 @@
 #include <thread>
 #include <vector>
 
-extern char** environ;
-
 namespace rastertrace {
 namespace {
 
-namespace fs = std::filesystem;
 using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
-
-struct Outcome {
-    int status = -1; ///< as the shell tells it: 128 + signal if it was killed
-    std::string out;
-    std::string err;
-    long peak_memory = 0; ///< of the largest program that ran, in bytes
-};
-
-class ProgramTest : public testing::Test {
-protected:
-    ProgramTest() {
-        std::string pattern = (fs::temp_directory_path() / "rastertrace-XXXXXX").string();
-        folder_ = ::mkdtemp(pattern.data());
-    }
-    ~ProgramTest() override { fs::remove_all(folder_); }
-
-    /// Runs a shell command in the test's own folder; $rastertrace is the program, $examples the
-    /// folder of examples.
-    Outcome shell(const std::string& command) const {
-        const std::string script = "cd '" + folder_.string() + "' || exit 99; rastertrace='" +
-                                   std::string(RASTERTRACE_PROGRAM) + "'; examples='" +
-                                   std::string(RASTERTRACE_EXAMPLES) + "'; unset COLUMNS LINES; " +
-                                   command;
-        const std::string out = (folder_ / ".out").string();
-        const std::string err = (folder_ / ".err").string();
-        posix_spawn_file_actions_t actions;
-        posix_spawn_file_actions_init(&actions);
-        posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
-        posix_spawn_file_actions_addopen(&actions, 1, out.c_str(), O_WRONLY | O_CREAT | O_TRUNC,
-                                         0600);
-        posix_spawn_file_actions_addopen(&actions, 2, err.c_str(), O_WRONLY | O_CREAT | O_TRUNC,
-                                         0600);
-        std::vector<std::string> words{"/bin/sh", "-c", script};
-        std::vector<char*> arguments;
-        for (std::string& word : words)
-            arguments.push_back(word.data());
-        arguments.push_back(nullptr);
-        pid_t child = 0;
-        EXPECT_EQ(::posix_spawn(&child, "/bin/sh", &actions, nullptr, arguments.data(), environ),
-                  0);
-        posix_spawn_file_actions_destroy(&actions);
-        int status = 0;
-        struct rusage usage {};
-        ::wait4(child, &status, 0, &usage);
-        return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), content(".out"),
-                content(".err"), 1024 * usage.ru_maxrss};
-    }
-
-    void write(const std::string& name, const std::string& text) const {
-        std::ofstream(folder_ / name) << text;
-    }
-    std::string content(const std::string& name) const {
-        std::ostringstream text;
-        text << std::ifstream(folder_ / name).rdbuf();
-        return text.str();
-    }
-    std::size_t visible_files() const {
-        return static_cast<std::size_t>(std::count_if(
-            fs::directory_iterator(folder_), fs::directory_iterator(),
-            [](const auto& entry) { return entry.path().filename().string().front() != '.'; }));
-    }
-
-    fs::path folder_;
-};
 
 TEST_F(ProgramTest, ShowLooksAtAFrameInManyWays) {
     const Outcome faces =
