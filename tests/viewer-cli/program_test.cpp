@@ -1078,10 +1078,11 @@ TEST_F(ProgramTest, StepsOutOfRangeAndKindsThatAreNotThere) {
 TEST_F(ProgramTest, UsageErrorsNameTheWordAndANearOne) {
     EXPECT_EQ(shell("$rastertrace").status, 2);
     EXPECT_THAT(shell("$rastertrace").err, HasSubstr("rastertrace show examples/"));
-    EXPECT_EQ(shell("$rastertrace shw x").err, "rastertrace: expected a command out of trace, "
-                                               "show, stats, plan, stress, report, help, found "
-                                               "\"shw\"\n"
-                                               "hint: did you mean show?\n");
+    EXPECT_EQ(shell("$rastertrace shw x").err,
+              "rastertrace: expected a command out of trace, "
+              "show, stats, plan, stress, report, renew, help, found "
+              "\"shw\"\n"
+              "hint: did you mean show?\n");
     EXPECT_EQ(shell("$rastertrace show x --evry pixel").err,
               "rastertrace show: --evry: no such option\nhint: did you mean --every?\n"
               "see rastertrace show --help\n");
@@ -1244,7 +1245,8 @@ TEST_F(ProgramTest, ReportRefusesBeforeItMeasures) {
 TEST_F(ProgramTest, HelpOfEveryCommandHasAnExampleThatWorks) {
     EXPECT_THAT(shell("$rastertrace --version").out, StartsWith("rastertrace "));
     EXPECT_EQ(shell("$rastertrace --help").status, 0);
-    for (const std::string command : {"trace", "show", "stats", "plan", "stress", "report"}) {
+    for (const std::string command :
+         {"trace", "show", "stats", "plan", "stress", "report", "renew"}) {
         const Outcome help = shell("$rastertrace " + command + " --help");
         EXPECT_EQ(help.status, 0);
         EXPECT_EQ(help.err, "");
@@ -1253,7 +1255,12 @@ TEST_F(ProgramTest, HelpOfEveryCommandHasAnExampleThatWorks) {
         ASSERT_NE(example, std::string::npos) << command;
         std::string line = help.out.substr(example + 21);
         line = line.substr(0, line.find('\n'));
-        EXPECT_EQ(shell("ln -sfn $examples examples; $rastertrace " + line).status, 0) << line;
+        EXPECT_EQ(shell("ln -sfn $examples examples; ln -sfn $examples/../docs docs; "
+                        "$rastertrace " +
+                        line)
+                      .status,
+                  0)
+            << line;
     }
 }
 

@@ -218,6 +218,7 @@ public:
         add_plan();
         add_stress();
         add_report();
+        add_renew();
         add_help();
     }
 
@@ -512,6 +513,29 @@ private:
         return names;
     }
 
+    void add_renew() {
+        CLI::App& command = add_command(
+            "renew", "Run the commands on Markdown pages again and put their output there",
+            "rastertrace renew docs/pages.md --check\n\n"
+            "In a fenced code block, a line that begins with `$ rastertrace ` is a command; what\n"
+            "follows, to the next line that begins with `$ ` or to the end of the block, is its\n"
+            "output. A command that has to fail says so: $ rastertrace show bad.json # exit 2");
+        command
+            .add_option("page", renew_.pages,
+                        "Markdown files; their commands run in the current folder")
+            ->required()
+            ->type_name("FILE");
+        command.add_flag("--check", renew_.check,
+                         "Write no page; tell where one is not as its commands print it, with exit "
+                         "status 1");
+        command.callback([this] {
+            for (const std::string& page : renew_.pages)
+                if (page == "-")
+                    refuse("renew", "the names of pages", page);
+            action_ = [this] { return rastertrace::run(renew_); };
+        });
+    }
+
     void add_help() {
         CLI::App& command = add_command("help", "Explain a command", "rastertrace help show");
         command.add_option("command", help_about_, "The command")->type_name("COMMAND");
@@ -631,6 +655,8 @@ private:
     std::string report_jobs_text_;
     MethodOptions report_method_;
     InputOptions report_input_;
+
+    RenewCommand renew_;
 
     std::string help_about_;
 };

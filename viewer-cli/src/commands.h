@@ -92,4 +92,10 @@ struct StatsCommand {
 };
 int run(const StatsCommand& command);
 
+struct RenewCommand {
+    std::vector<std::string> pages;
+    bool check = false; ///< write nothing, tell what differs
+};
+int run(const RenewCommand& command);
+
 } // namespace rastertrace

@@ -35,12 +35,17 @@ void refuse_as_standard_output(const std::vector<FileId>& inputs) {
                          "expected another file than those that are read, found one of them");
 }
 
-/// Reads a file that is a scene or a trace.
-Source read_input(const std::string& path, const InputLimits& limits) {
-    Source source = value_or_throw(read_source(path, limits));
+/// What was read, unless standard output would go into it.
+Source input_or_throw(Result<Source> read) {
+    Source source = value_or_throw(std::move(read));
     if (source.file)
         refuse_as_standard_output({*source.file});
     return source;
+}
+
+/// Reads a file that is a scene or a trace.
+Source read_input(const std::string& path, const InputLimits& limits) {
+    return input_or_throw(read_source(path, limits));
 }
 
 PlannedScene planned(const Source& source, const MethodOverrides& method,
@@ -81,6 +86,10 @@ Trace load_trace(const std::string& path, const MethodOverrides& method,
     StringOutput output(drawn.text);
     write_trace(scene, plan, {}, output);
     return value_or_throw(read_trace(std::move(drawn)));
+}
+
+Source load_page(const std::string& path) {
+    return input_or_throw(read_named_file(path, {}));
 }
 
 ExitStatus report_damage(const Trace& trace) {

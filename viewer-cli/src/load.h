@@ -27,6 +27,9 @@ Source load_scene_source(const std::string& path, const InputLimits& limits = {}
 Trace load_trace(const std::string& path, const MethodOverrides& method,
                  const InputLimits& limits = {});
 
+/// Reads the Markdown page in a file, which is no pipe and no device. Throws a Problem.
+Source load_page(const std::string& path);
+
 /// Tells on standard error what is wrong with a trace that can be used all the same. Returns the
 /// exit status that this means: bad input if there was something to tell.
 ExitStatus report_damage(const Trace& trace);

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+// `rastertrace renew`: the commands on Markdown pages, run again.
+
+#include "commands.h"
+#include "load.h"
+#include "page.h"
+#include "run_self.h"
+
+#include <rastertrace/core/scene/stages.h>
+#include <rastertrace/trace/output.h>
+#include <rastertrace/trace/text.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace rastertrace {
+
+namespace {
+
+/// A page, and what its commands print now.
+struct RenewedPage {
+    Source page;
+    std::vector<PageCommand> commands;
+    std::vector<std::string> outputs; ///< one for each command
+};
+
+std::string_view first_line_of(std::string_view text) {
+    return text.substr(0, text.find('\n'));
+}
+
+std::string in_words(int exit_status) {
+    return exit_status == 0 ? "success" : fmt::format("exit status {}", exit_status);
+}
+
+/// A command that ended otherwise than its page says.
+Problem problem_of_exit(const Source& page, const PageCommand& command, const FinishedRun& run) {
+    const bool has_to_succeed = command.exit_status == 0;
+    std::string hint;
+    if (!run.err.empty())
+        hint = fmt::format("it says: {}", first_line_of(run.err));
+    else if (has_to_succeed)
+        hint = fmt::format("if it has to fail, write # exit {} behind it", run.exit_status);
+    Problem problem = problem_at(
+        page, command.begin,
+        fmt::format("expected {}, found {}",
+                    has_to_succeed ? "a command that succeeds" : in_words(command.exit_status),
+                    in_words(run.exit_status)),
+        std::move(hint));
+    if (run.exit_status == exit_system)
+        problem.cause = Problem::Cause::system;
+    return problem;
+}
+
+/// Runs a command; returns its output for the page.
+std::string output_of(const Source& page, const PageCommand& command) {
+    if (!command.words.empty() && command.words.front() == "renew")
+        throw problem_at(page, command.begin,
+                         "expected a command that shows something, found renew");
+
+    const FinishedRun run = run_self(command.words);
+    if (run.is_too_large)
+        throw problem_at(page, command.begin,
+                         fmt::format("expected a command that prints at most {} MB, found more",
+                                     most_output / 1'000'000));
+    if (run.exit_status != command.exit_status)
+        throw problem_of_exit(page, command, run);
+    return output_for(page, command, run.out + run.err);
+}
+
+RenewedPage renew_page(const std::string& path) {
+    RenewedPage renewed{.page = load_page(path), .commands = {}, .outputs = {}};
+    renewed.commands = commands_on(renewed.page);
+    for (const PageCommand& command : renewed.commands)
+        renewed.outputs.push_back(output_of(renewed.page, command));
+    return renewed;
+}
+
+/// A line of an output, for a message.
+std::string line_in_words(std::string_view output, std::size_t begin) {
+    return begin == output.size() ? "the end of the output"
+                                  : fmt::format("\"{}\"", first_line_of(output.substr(begin)));
+}
+
+/// The first place where the page does not have what a command prints now.
+std::optional<Problem> difference_in(const Source& page, const PageCommand& command,
+                                     std::string_view printed) {
+    const std::string_view shown = std::string_view(page.text).substr(
+        command.output_begin, command.output_end - command.output_begin);
+    if (shown == printed)
+        return std::nullopt;
+    const auto differs = std::mismatch(shown.begin(), shown.end(), printed.begin(), printed.end());
+    auto place = static_cast<std::size_t>(differs.first - shown.begin());
+    // Back to the first byte of its character.
+    while (place > 0 && place < shown.size() && (shown[place] & 0xC0) == 0x80)
+        --place;
+    // Both are alike before, so that the line begins at one place in both.
+    const std::size_t line = shown.substr(0, place).rfind('\n') + 1;
+    return problem_at(page, command.output_begin + place,
+                      fmt::format("expected {}, found {}", line_in_words(printed, line),
+                                  line_in_words(shown, line)),
+                      fmt::format("line {} is {}", command.line, command.text));
+}
+
+/// Where the page does not have what its commands print now; at most one place for each.
+std::vector<Problem> differences_in(const RenewedPage& renewed) {
+    std::vector<Problem> differences;
+    for (std::size_t i = 0; i < renewed.commands.size(); ++i)
+        if (auto one = difference_in(renewed.page, renewed.commands[i], renewed.outputs[i]))
+            differences.push_back(*std::move(one));
+    return differences;
+}
+
+/// Tells what is stale on the pages, and how to renew it.
+ExitStatus check(const std::vector<RenewedPage>& pages) {
+    std::string stale;
+    for (const RenewedPage& page : pages) {
+        const std::vector<Problem> differences = differences_in(page);
+        for (const Problem& difference : differences)
+            print(to_text(difference) + "\n");
+        if (!differences.empty())
+            stale += " " + printable(page.page.name);
+    }
+    if (stale.empty())
+        return exit_fine;
+    print("to renew: rastertrace renew" + stale + "\n");
+    return exit_difference;
+}
+
+/// Writes the page if it is stale, and tells how much of it was.
+void write(const RenewedPage& renewed) {
+    const std::size_t stale = differences_in(renewed).size();
+    if (stale > 0) {
+        FileOutput output(renewed.page.name);
+        output.write(with_outputs(renewed.page, renewed.commands, renewed.outputs));
+        output.commit();
+    }
+    print(fmt::format("{}: {}, {} renewed\n", printable(renewed.page.name),
+                      counted(renewed.commands.size(), "command"), stale));
+}
+
+} // namespace
+
+int run(const RenewCommand& command) {
+    // A page with a mistake leaves all of them as they were.
+    std::vector<RenewedPage> pages;
+    for (const std::string& path : command.pages)
+        pages.push_back(renew_page(path));
+
+    if (command.check)
+        return check(pages);
+    for (const RenewedPage& page : pages)
+        write(page);
+    return exit_fine;
+}
+
+} // namespace rastertrace
