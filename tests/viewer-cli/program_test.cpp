@@ -59,6 +59,49 @@ TEST_F(ProgramTest, ShowLooksAtAFrameInManyWays) {
               "found 0,0,5,2\n");
 }
 
+TEST_F(ProgramTest, ShowTellsManyStepsOfAKindAsATable) {
+    // T0's cube: the face of A, B and C lies at z = 3, what is behind it at 5.
+    const std::string cube = "$rastertrace show $examples/t0-hidden/cube-inverse-z.json ";
+    const Outcome depths = shell(cube + "--every depth");
+    EXPECT_THAT(depths.out,
+                StartsWith("T0's cube with a depth buffer of 1/z\n\n  49  depth at (-4, 3): "
+                           "1/3 against 0: passes (1/z, larger is nearer; z = 3)\n"));
+    EXPECT_THAT(depths.out,
+                HasSubstr("depth at (-2, 2): 1/5 against 1/3 of ABC: fails (1/z, larger is "
+                          "nearer; z = 5 against 3)\n"));
+    EXPECT_THAT(depths.out, Not(HasSubstr("-5-4-3")));
+    EXPECT_THAT(shell(cube + "--every depth --frames").out, HasSubstr("-5-4-3"));
+
+    const std::string rows =
+        "$rastertrace show $examples/t0-fill/first-triangle.json --every scanline ";
+    EXPECT_THAT(
+        shell(rows + "--format csv").out,
+        StartsWith("step,y,left,right,from,to,left_edge,right_edge,left_depth,right_depth\r\n"
+                   "5,5,2,2,2,2,AB,AC,,\r\n"
+                   "7,4,5/4,19/8,1,2,AB,AC,,\r\n"));
+    EXPECT_THAT(shell(rows + "--format markdown").out,
+                HasSubstr("\n| 7 | 4 | 5/4 | 19/8 | 1 | 2 | AB | AC |  |  |\n"));
+    const auto steps = nlohmann::json::parse(shell(rows + "--format json").out);
+    ASSERT_EQ(steps.size(), 9u);
+    EXPECT_EQ(steps[1]["left"], "5/4");
+    EXPECT_EQ(shell("$rastertrace show $examples/t0-fill/first-triangle.json --format csv").err,
+              "rastertrace: --format: expected --every beside it, found \"csv\"\n");
+    EXPECT_EQ(shell(rows + "--format cvs").err,
+              "rastertrace: --format: expected one of table, markdown, csv, json, found \"cvs\"\n"
+              "hint: did you mean csv?\n");
+}
+
+TEST_F(ProgramTest, SentencesShortenWhatTheTraceHasWhole) {
+    write("long.json",
+          R"({"rastertrace":1,"canvas":{"width":3,"height":3,"origin":"center"},"method":{"cull":"back"},"steps":[
+{"step":"face","name":"ABC","normal":["49977918000000000000000000001/10141204000000000000000000003",0,"1/3"],
+"view":[0,0,1],"dot":1,"cosine":-0.57735026918962573,"culled":false}]})");
+    EXPECT_THAT(
+        shell("$rastertrace show long.json --last").out,
+        HasSubstr("\nface ABC: normal (49977918.../10141204... = 4.928203, 0, 1/3) . to eye "
+                  "(0, 0, 1) = 1, cosine -0.57735: drawn\n"));
+}
+
 TEST_F(ProgramTest, AdaptiveWritesJsonBeyondTheDoubles) {
     // Areas, and a depth, that no double holds.
     write("area.json", R"({"canvas":{"width":8,"height":8,"origin":"top-left"},

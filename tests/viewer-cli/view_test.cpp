@@ -39,14 +39,14 @@ std::string depth_test(int x, const std::string& depth, const std::string& store
 
 /// The grid after the last step.
 std::string grid(const Trace& trace, View view) {
-    Replay replay(trace, parts_for(view));
+    Replay replay(trace, parts_for(view, trace));
     replay.go_to(trace.size());
     return bare_frame_text(replay, view);
 }
 
 /// All that `show` prints of the last step, or of the steps from one to the last.
 std::string shown(const Trace& trace, View view, FrameText about = {}, TextSize size = {}) {
-    Replay replay(trace, parts_for(view));
+    Replay replay(trace, parts_for(view, trace));
     replay.go_to(trace.size());
     about.caption = "said";
     about.view = view;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/trace/describe.h>
 
+#include <rastertrace/core/numbers/number.h>
 #include <rastertrace/trace/scene_file.h>
 #include <rastertrace/trace/step_kind.h>
 #include <rastertrace/trace/text.h>
@@ -12,11 +13,34 @@
 #include <cstddef>
 #include <optional>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 namespace rastertrace {
 
 namespace {
+
+/// The nearest double of a number as a trace writes it.
+std::optional<double> double_in(const std::string& number) {
+    const auto parsed = parse_number(number);
+    const auto* value = std::get_if<Number>(&parsed);
+    return value == nullptr ? std::nullopt : std::optional(value->nearest_double());
+}
+
+/// A long fraction as its first digits, and what it is: 49977918.../10141204... = 4.928203.
+std::string in_sentence(const std::string& number) {
+    constexpr std::size_t longest = 20;
+    constexpr std::size_t digits = 8;
+    const std::size_t bar = number.find('/');
+    if (bar == std::string::npos || number.size() <= longest)
+        return number;
+    const auto first_digits = [](std::string part) {
+        return part.size() <= digits + 3 ? part : part.substr(0, digits) + "...";
+    };
+    const auto value = double_in(number);
+    return fmt::format("{}/{} = {:.7g}", first_digits(number.substr(0, bar)),
+                       first_digits(number.substr(bar + 1)), value.value_or(0));
+}
 
 /// `+ 3` for "3" and `- 3` for "-3": a number as the second term of a sum.
 std::string plus(const std::string& number) {
@@ -62,7 +86,8 @@ std::string name_of_primitive(const Context& context) {
                                            : context.primitive.name;
 }
 
-std::string point(const std::vector<std::string>& coordinates) {
+std::string point(std::vector<std::string> coordinates) {
+    std::transform(coordinates.begin(), coordinates.end(), coordinates.begin(), in_sentence);
     return fmt::format("({})", fmt::join(coordinates, ", "));
 }
 
@@ -170,8 +195,66 @@ std::string weights(const Context& context) {
     const auto weights = context.step.texts("weights");
     std::string text;
     for (std::size_t i = 0; i < weights.size(); ++i)
-        text += fmt::format(" {} {}", i < vertices.size() ? vertices[i] : "?", weights[i]);
+        text +=
+            fmt::format(" {} {}", i < vertices.size() ? vertices[i] : "?", in_sentence(weights[i]));
     return text;
+}
+
+/// A number to six places, without zeros at its end.
+std::string six_places(double number) {
+    std::string text = fmt::format("{:.6f}", number);
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.')
+        text.pop_back();
+    return text == "-0" ? "0" : text;
+}
+
+/// What a depth is compared with, and whose it is.
+std::string against(const Context& context) {
+    const auto& [replay, step, primitive] = context;
+    const std::string stored = step.text("stored");
+    if (stored == "null")
+        return "nothing";
+    const std::size_t owner = replay.primitive_of(replay.stored_before());
+    return owner == 0 ? in_sentence(stored)
+                      : fmt::format("{} of {}", in_sentence(stored),
+                                    replay.trace().step(owner).text("name"));
+}
+
+/// 1 over a number, as the trace would write it: 5 of 1/5, 3/2 of 2/3.
+std::string inverse_of(const std::string& number) {
+    const auto value = double_in(number);
+    if (!value || *value == 0)
+        return "?";
+    const std::size_t bar = number.find('/');
+    if (bar == std::string::npos)
+        return fmt::format("{:.7g}", 1 / *value);
+    const bool is_negative = number.starts_with('-');
+    const std::string above = number.substr(is_negative ? 1 : 0, bar - (is_negative ? 1 : 0));
+    const std::string below = number.substr(bar + 1);
+    return in_sentence((is_negative ? "-" : "") + (above == "1" ? below : below + "/" + above));
+}
+
+/// What the depths are, and which of them is nearer: (1/z, larger is nearer; z = 5 against 3).
+std::string depth_rule(const Context& context) {
+    const auto& [replay, step, primitive] = context;
+    const std::string kind = replay.trace().method_value("depth");
+    const std::string asked = replay.trace().method_value("depth_compare");
+    const auto depth = double_in(step.text("depth"));
+    const auto stored = double_in(step.text("stored"));
+    const bool passes = step.text("pass") == "true";
+    // Of different depths, this very test tells; of others, the rule of the method.
+    const bool larger =
+        depth && stored && *depth != *stored ? passes == (*depth > *stored) : kind == "inverse-z";
+    const std::string what = kind == "inverse-z" ? "1/z" : kind == "linear-z" ? "z" : kind;
+    if (what.empty())
+        return {};
+    std::string text = fmt::format(" ({}, {} {}", what, larger ? "larger" : "smaller",
+                                   asked.empty() || asked == "auto" ? "is nearer" : "passes");
+    if (kind == "inverse-z" && depth && *depth != 0)
+        text += "; z = " + inverse_of(step.text("depth")) +
+                (stored && *stored != 0 ? " against " + inverse_of(step.text("stored")) : "");
+    return text + ")";
 }
 
 std::string drawn_over(const Context& context) {
@@ -229,7 +312,7 @@ std::string end_of_row(const Context& context, const std::string& side, const st
     else if (slope && ends)
         text +=
             fmt::format("{} {} ({} {}) = ", ends->from[0], plus(*slope), y, minus(ends->from[1]));
-    return text + fmt::format("{} -> {}", x, pixel);
+    return text + fmt::format("{} -> {}", in_sentence(x), pixel);
 }
 
 /// A part of a sentence that is more than a field.
@@ -274,7 +357,8 @@ constexpr Part parts[] = {
     {"cosine",
      [](const Context& context) {
          const std::string cosine = context.step.text("cosine");
-         return cosine == "null" ? std::string() : ", cosine " + cosine;
+         const auto value = double_in(cosine);
+         return value ? fmt::format(", cosine {}", six_places(*value)) : std::string();
      }},
     {"inside",
      [](const Context& context) {
@@ -312,11 +396,8 @@ constexpr Part parts[] = {
          return std::string(goes_straight ? "<= 0, straight on" : "> 0, diagonally");
      }},
     {"weights", weights},
-    {"stored",
-     [](const Context& context) {
-         const std::string stored = context.step.text("stored");
-         return stored == "null" ? std::string("nothing") : stored;
-     }},
+    {"against", against},
+    {"depth_rule", depth_rule},
     {"color",
      [](const Context& context) {
          return context.step.field("color") ? " " + context.step.text("color") : std::string();
@@ -347,7 +428,7 @@ std::string filled_in(std::string_view placeholder, const Context& context) {
     }
     const std::string_view json = context.step.field(placeholder).value_or("");
     return json.starts_with('[') ? point(context.step.texts(placeholder))
-                                 : context.step.text(placeholder);
+                                 : in_sentence(context.step.text(placeholder));
 }
 
 std::string sentence(std::string_view pattern, const Context& context) {

@@ -10,7 +10,7 @@ namespace rastertrace {
 void Replay::go_to(std::size_t n) {
     if (n < step_) {
         frame_ = Frame(trace_.canvas, parts_);
-        step_ = primitive_ = scanline_ = scanline_before_ = drew_over_ = 0;
+        step_ = primitive_ = scanline_ = scanline_before_ = drew_over_ = stored_before_ = 0;
         vertex_ = vertex_before_ = 0;
         edges_.clear();
         primitives_.clear();
@@ -21,7 +21,7 @@ void Replay::go_to(std::size_t n) {
 
 void Replay::apply_next() {
     ++step_;
-    drew_over_ = 0;
+    drew_over_ = stored_before_ = 0;
     const auto kind = trace_.kind_of(step_);
     if (!kind)
         return;
@@ -63,9 +63,13 @@ void Replay::apply_next() {
     case StepKind::depth: {
         const Index x = *step.whole("x");
         const Index y = *step.whole("y");
-        if (parts_.depths && step.text("pass") == "true" && trace_.canvas.contains(x, y))
-            frame_.stored_by[trace_.canvas.offset_of({static_cast<int>(x), static_cast<int>(y)})] =
-                step_;
+        if (!parts_.depths || !trace_.canvas.contains(x, y))
+            break;
+        std::size_t& stored_by =
+            frame_.stored_by[trace_.canvas.offset_of({static_cast<int>(x), static_cast<int>(y)})];
+        stored_before_ = stored_by;
+        if (step.text("pass") == "true")
+            stored_by = step_;
         break;
     }
     default:

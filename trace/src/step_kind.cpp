@@ -84,7 +84,7 @@ const std::array<StepRow, step_kinds> table{{
       {"inside", boolean, decision}}},
 
     {StepKind::depth, "depth", "a pixel of a triangle meets the depth buffer",
-     "depth at ({x}, {y}): {depth} against {@stored}: {pass?passes:fails}",
+     "depth at ({x}, {y}): {depth} against {@against}: {pass?passes:fails}{@depth_rule}",
      {{"x", whole, key, true}, {"y", whole, key, true}, {"depth", quantity, reason, true},
       {"stored", quantity, reason}, {"pass", boolean, decision}}},
 

@@ -324,6 +324,14 @@ private:
             ->type_name("x0,y0,x1,y1");
         command.add_flag("--overview", show_.is_overview,
                          "Show all of the canvas, many pixels to a cell");
+        command.add_flag(
+            "--frames", show_.has_frames,
+            "With --every: a frame for each step, also of kinds that are told as a table");
+        command
+            .add_option(
+                "--format", table_format_,
+                fmt::format("With --every: the steps as {}", fmt::join(table_format_names(), ", ")))
+            ->type_name("NAME");
         command.add_option("--color", color_, "auto, always or never: colors, on a terminal")
             ->type_name("WHEN");
         show_method_.add_to(command);
@@ -350,6 +358,15 @@ private:
                 show_.region = region_in(show_region_);
             if (show_.region && show_.is_overview)
                 refuse("--overview", "no --region beside it", show_region_);
+            if (!table_format_.empty()) {
+                show_.format = table_format_named(table_format_);
+                if (!show_.format)
+                    refuse("--format",
+                           fmt::format("one of {}", fmt::join(table_format_names(), ", ")),
+                           table_format_, did_you_mean(table_format_, table_format_names()));
+                if (show_.which != ShowCommand::Which::every)
+                    refuse("--format", "--every beside it", table_format_);
+            }
             if (!color_.empty())
                 show_.color = color_choice_in(color_);
             show_.method = show_method_.overrides();
@@ -632,6 +649,7 @@ private:
     std::string view_;
     std::string show_region_;
     std::string color_;
+    std::string table_format_;
     bool last_ = false;
     bool all_ = false;
     MethodOptions show_method_;

@@ -5,6 +5,7 @@
 // status and throws a Problem when it cannot go on.
 
 #include "report_file.h"
+#include "step_table.h"
 #include "terminal_text.h"
 #include "view.h"
 
@@ -78,6 +79,8 @@ struct ShowCommand {
     std::optional<View> view;     ///< none: the trace's default; `plotted` if bare
     std::optional<Region> region; ///< of the canvas
     bool is_overview = false;
+    bool has_frames = false;           ///< also of kinds that are told as a table
+    std::optional<TableFormat> format; ///< of Which::every: a table of any kind
     ColorChoice color = ColorChoice::automatic;
     MethodOverrides method;
     InputLimits input;

@@ -4,6 +4,7 @@
 #include "commands.h"
 #include "frame_text.h"
 #include "load.h"
+#include "step_table.h"
 #include "terminal.h"
 
 #include <rastertrace/trace/describe.h>
@@ -111,6 +112,28 @@ void check_region(const Region& region, const Canvas& canvas) {
                         region.y1));
 }
 
+/// The steps of one kind, one line for each.
+void print_table(const Trace& trace, const std::vector<Shown>& shown, TableFormat format) {
+    StepTable table(format, *trace.kind_of(shown.front().first));
+    if (format == TableFormat::table)
+        print(shortened(printable(trace.title), 79) + "\n\n");
+    print(table.head());
+    Replay replay(trace, parts_for(View::plotted, trace));
+    for (const Shown& steps : shown) {
+        replay.go_to(steps.first);
+        print(table.line(replay));
+    }
+    print(table.end());
+}
+
+/// True if steps are to be told as a table: asked for, or of a kind that there are many of.
+bool is_table(const ShowCommand& command, const Trace& trace, const std::vector<Shown>& shown) {
+    if (command.which != ShowCommand::Which::every || command.bare || command.has_frames)
+        return false;
+    const auto kind = trace.kind_of(shown.front().first);
+    return kind && (command.format || (is_told_as_table(*kind) && shown.size() > 1));
+}
+
 } // namespace
 
 int run(const ShowCommand& command) {
@@ -122,9 +145,13 @@ int run(const ShowCommand& command) {
                       : command.bare ? View::plotted
                                      : default_view(trace);
 
-    Replay replay(trace, parts_for(view));
+    Replay replay(trace, parts_for(view, trace));
     bool is_first = true;
     const auto shown = steps_to_show(command, trace);
+    if (is_table(command, trace, shown)) {
+        print_table(trace, shown, command.format.value_or(TableFormat::table));
+        return report_damage(trace);
+    }
     for (const Shown& steps : shown) {
         FrameText about{.caption = {},
                         .first_step = steps.first,

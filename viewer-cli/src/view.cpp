@@ -157,8 +157,10 @@ std::optional<View> view_named(std::string_view name) {
     return static_cast<View>(found - names.begin());
 }
 
-FrameParts parts_for(View view) {
-    return {.writes = view == View::writes, .depths = view == View::depth};
+FrameParts parts_for(View view, const Trace& trace) {
+    const std::string depth = trace.method_value("depth");
+    return {.writes = view == View::writes,
+            .depths = view == View::depth || (!depth.empty() && depth != "painter")};
 }
 
 View default_view(const Trace& trace) {

@@ -36,8 +36,8 @@ std::optional<View> view_named(std::string_view name);
 /// is more than one triangle, `depth` if there are too many of one color for letters; else `plotted`.
 View default_view(const Trace& trace);
 
-/// What a replay has to remember for a view.
-FrameParts parts_for(View view);
+/// What a replay of a trace has to remember for a view, and for what its depth tests say.
+FrameParts parts_for(View view, const Trace& trace);
 
 struct Cell {
     std::string text;

@@ -75,6 +75,10 @@ public:
     /// The edges of the current primitive that have been set up, by number of their step.
     const std::vector<std::size_t>& edges() const { return edges_; }
 
+    /// If the current step is a depth test: the one that the buffer had its depth from, if depths are
+    /// remembered (FrameParts); 0 for none.
+    std::size_t stored_before() const { return stored_before_; }
+
     /// If the current step plotted a pixel that had been drawn already: the step that had.
     std::size_t drew_over() const { return drew_over_; }
 
@@ -89,6 +93,7 @@ private:
     std::size_t scanline_ = 0;
     std::size_t scanline_before_ = 0;
     std::size_t drew_over_ = 0;
+    std::size_t stored_before_ = 0;
     std::size_t vertex_ = 0;
     std::size_t vertex_before_ = 0;
     std::vector<std::size_t> edges_;

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Comma-separated values: RFC 4180.
+
+#include <string>
+#include <vector>
+
+namespace rastertrace {
+
+/// Adds a line of fields, each in quotes if it has to be. A spreadsheet would take a name like "=1+1" for a formula
+/// and run it; behind an apostrophe it is text.
+void put_csv_line(std::string& text, const std::vector<std::string>& fields);
+
+} // namespace rastertrace

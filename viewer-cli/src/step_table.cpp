@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "step_table.h"
+
+#include "csv.h"
+
+#include <rastertrace/trace/describe.h>
+#include <rastertrace/trace/text.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace rastertrace {
+
+namespace {
+
+constexpr std::array<std::string_view, 4> names{"table", "markdown", "csv", "json"};
+
+/// A field as a text; a list as (1, 2), nothing if the step has no such field.
+std::string text_of(const StepView& step, std::string_view field) {
+    const std::string_view json = step.field(field).value_or("");
+    if (!json.starts_with('['))
+        return step.text(field);
+    if (json.starts_with("[["))
+        return std::string(json);
+    return fmt::format("({})", fmt::join(step.texts(field), ", "));
+}
+
+std::string csv_line(const std::vector<std::string>& cells) {
+    std::string line;
+    put_csv_line(line, cells);
+    return line;
+}
+
+/// A bar would end the cell.
+std::string in_markdown(const std::string& text) {
+    std::string escaped;
+    for (const char c : printable(text))
+        escaped += c == '|' ? "\\|" : std::string(1, c);
+    return escaped;
+}
+
+} // namespace
+
+std::vector<std::string_view> table_format_names() {
+    return {names.begin(), names.end()};
+}
+
+std::optional<TableFormat> table_format_named(std::string_view name) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end())
+        return std::nullopt;
+    return static_cast<TableFormat>(found - names.begin());
+}
+
+bool is_told_as_table(StepKind kind) {
+    switch (kind) {
+    case StepKind::vertex:
+    case StepKind::face:
+    case StepKind::light:
+    case StepKind::depth:
+    case StepKind::sample:
+    case StepKind::decide:
+        return true;
+    default:
+        return false;
+    }
+}
+
+std::string StepTable::head() const {
+    std::vector<std::string> columns{"step"};
+    for (const StepField& field : row_.fields)
+        columns.emplace_back(field.name);
+    switch (format_) {
+    case TableFormat::markdown: {
+        std::string rule = "|";
+        for (std::size_t i = 0; i < columns.size(); ++i)
+            rule += "---|";
+        return fmt::format("| {} |\n{}\n", fmt::join(columns, " | "), rule);
+    }
+    case TableFormat::csv:
+        return csv_line(columns);
+    case TableFormat::json:
+        return "[";
+    case TableFormat::table:
+        break;
+    }
+    return {};
+}
+
+std::string StepTable::line(const Replay& replay) {
+    const StepView step = replay.trace().step(replay.step());
+    std::vector<std::string> cells{std::to_string(replay.step())};
+    for (const StepField& field : row_.fields)
+        cells.push_back(text_of(step, field.name));
+    const bool is_first = is_first_;
+    is_first_ = false;
+    switch (format_) {
+    case TableFormat::markdown:
+        std::transform(cells.begin(), cells.end(), cells.begin(), in_markdown);
+        return fmt::format("| {} |\n", fmt::join(cells, " | "));
+    case TableFormat::csv:
+        return csv_line(cells);
+    case TableFormat::json:
+        return fmt::format("{}{}", is_first ? "\n" : ",\n", step.json());
+    case TableFormat::table:
+        break;
+    }
+    return fmt::format("{:>4}  {}\n", replay.step(), describe_step(replay));
+}
+
+std::string StepTable::end() const {
+    return format_ == TableFormat::json ? "\n]\n" : "";
+}
+
+} // namespace rastertrace
