@@ -28,6 +28,7 @@
 namespace rastertrace {
 namespace {
 
+using testing::AllOf;
 using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
@@ -94,8 +95,7 @@ TEST_F(ProgramTest, ShowTellsManyStepsOfAKindAsATable) {
 TEST_F(ProgramTest, SentencesShortenWhatTheTraceHasWhole) {
     write("long.json",
           R"({"rastertrace":1,"canvas":{"width":3,"height":3,"origin":"center"},"method":{"cull":"back"},"steps":[
-{"step":"face","name":"ABC","normal":["49977918000000000000000000001/10141204000000000000000000003",0,"1/3"],
-"view":[0,0,1],"dot":1,"cosine":-0.57735026918962573,"culled":false}]})");
+{"step":"face","name":"ABC","normal":["49977918000000000000000000001/10141204000000000000000000003",0,"1/3"],"view":[0,0,1],"dot":1,"cosine":-0.57735026918962573,"culled":false}]})");
     EXPECT_THAT(
         shell("$rastertrace show long.json --last").out,
         HasSubstr("\nface ABC: normal (49977918.../10141204... = 4.928203, 0, 1/3) . to eye "
@@ -1104,18 +1104,54 @@ TEST_F(ProgramTest, ATruncatedTraceIsShownAsFarAsItGoes) {
     EXPECT_THAT(outcome.err, HasSubstr("the trace is truncated after "));
 }
 
+TEST_F(ProgramTest, OneGrammarSaysWhichStep) {
+    const std::string show = "$rastertrace show $examples/t0-fill/first-triangle.json ";
+    const std::string row = shell(show + "--step 14").out;
+    EXPECT_THAT(row, HasSubstr("step 14 of 62\nscanline y=2 "));
+    EXPECT_EQ(shell(show + "--step 'scanline y=2'").out, row);
+    EXPECT_EQ(shell(show + "--step 'scanline right=3.125'").out, row);
+    EXPECT_EQ(shell(show + "--step last").out, shell(show).out);
+    EXPECT_EQ(shell(show + "--step first").out, shell(show + "--step 1").out);
+    EXPECT_EQ(shell(show + "--step 0 --bare").status, 0);
+    EXPECT_THAT(shell(show + "--every 'scanline y=2'").out, HasSubstr("steps 14 to 19 of 62\n"));
+    EXPECT_EQ(shell(show + "--every 14").out, shell(show + "--every 'scanline y=2'").out);
+    EXPECT_EQ(shell(show + "--every 0 --bare").out, shell(show + "--step 0 --bare").out);
+
+    const Outcome faces =
+        shell("$rastertrace show $examples/t0-hidden/cube-culled.json --every 'face culled'");
+    EXPECT_EQ(faces.status, 0) << faces.err;
+    EXPECT_THAT(faces.out, HasSubstr(": culled\n"));
+    EXPECT_THAT(faces.out, Not(HasSubstr(": drawn\n")));
+}
+
 TEST_F(ProgramTest, StepsOutOfRangeAndKindsThatAreNotThere) {
-    const std::string scene = " $examples/t0-fill/first-triangle.json";
-    EXPECT_THAT(shell("$rastertrace show" + scene + " --step 63").err,
-                EndsWith("first-triangle.json: expected a step from 0 to 62, found 63\n"));
-    EXPECT_EQ(shell("$rastertrace show" + scene + " --step 63").status, 2);
-    EXPECT_EQ(shell("$rastertrace show" + scene + " --step 0 --bare").status, 0);
-    EXPECT_EQ(shell("$rastertrace show" + scene + " --step -1").err,
-              "rastertrace: --step: expected the number of a step, from 0, found \"-1\"\n");
-    EXPECT_THAT(shell("$rastertrace show" + scene + " --every skanline").err,
-                EndsWith("expected a kind of step that the trace has (primitive, edge, scanline, "
-                         "pixel), found skanline\n"));
-    EXPECT_EQ(shell("$rastertrace show" + scene + " --last --all").status, 2);
+    const std::string show = "$rastertrace show $examples/t0-fill/first-triangle.json ";
+    const Outcome beyond = shell(show + "--step 63");
+    EXPECT_EQ(beyond.status, 2);
+    EXPECT_EQ(beyond.err, "rastertrace: --step: expected a step from 0 to 62, found 63\n63\n^\n");
+    EXPECT_EQ(shell(show + "--step -1").err,
+              "rastertrace: --step: expected a step from 0 to 62, found -1\n-1\n^\n");
+    EXPECT_EQ(shell(show + "--every skanline").err,
+              "rastertrace: --every: expected a kind of step that the trace has (primitive, edge, "
+              "scanline, pixel), found skanline\n"
+              "skanline\n"
+              "^\n"
+              "hint: did you mean scanline?\n");
+    const Outcome several = shell(show + "--step scanline");
+    EXPECT_EQ(several.status, 2);
+    EXPECT_EQ(several.out, "");
+    EXPECT_EQ(several.err,
+              "rastertrace: --step: expected one step, found 9: 5, 7, 10, 14, 20, ...\n"
+              "scanline\n"
+              "^\n"
+              "hint: say which, or use --every\n");
+    const Outcome none = shell(show + "--every 'scanline y=9'");
+    EXPECT_EQ(none.status, 2);
+    EXPECT_EQ(none.err, "rastertrace: --every: expected a step of the trace, found none with y=9\n"
+                        "scanline y=9\n"
+                        "         ^\n"
+                        "hint: scanline has y: 5, 4, 3, 2, 1, ...\n");
+    EXPECT_EQ(shell(show + "--last --all").status, 2);
 }
 
 TEST_F(ProgramTest, UsageErrorsNameTheWordAndANearOne) {

@@ -298,20 +298,22 @@ private:
             "show", "Print frames of a trace as text",
             "rastertrace show examples/t0-fill/first-triangle.json --every scanline\n\n"
             "In a frame, . is empty, # plotted, @ plotted by the step shown, x tested and not "
-            "drawn, a letter a\nvertex; --view faces, shade, depth, writes or coverage show more.");
+            "drawn, a letter a\nvertex; --view faces, shade, depth, writes or coverage show more.\n"
+            "STEP is a number, first, last, or a kind of step with what it has:\n"
+            "14, scanline, \"scanline y=2\", \"depth x=3 y=2 fail\", \"face culled\", \"pixel "
+            "in=ABC\"");
         command.add_option("trace", show_.trace, std::string(trace_input))
             ->required()
             ->type_name("TRACE");
         CLI::Option_group* const which =
             command.add_option_group("Which frames", "One of these; --last if none is given");
         which->require_option(0, 1);
-        which->add_option("--step", step_, "After step N, from 0")->type_name("N");
+        which->add_option("--step", step_, "After this step, from 0")->type_name("STEP");
         which->add_flag("--last", last_, "After the last step");
         which
-            ->add_option(
-                "--every", show_.kind,
-                "After every step of this kind, together with the pixels that belong to it")
-            ->type_name("KIND");
+            ->add_option("--every", every_,
+                         "After every such step, together with the pixels that belong to it")
+            ->type_name("STEP");
         which->add_flag("--all", all_, "After every step");
         command.add_flag("--bare", show_.bare, "Only the grid: . empty, # plotted, top row first");
         command
@@ -337,15 +339,11 @@ private:
         show_method_.add_to(command);
         show_input_.add_to(command);
         command.callback([this] {
-            if (!step_.empty()) {
-                const auto step = whole_in<std::size_t>(step_);
-                if (!step)
-                    refuse("--step", "the number of a step, from 0", step_);
+            if (!step_.empty())
                 show_.which = ShowCommand::Which::step;
-                show_.step = *step;
-            }
-            if (!show_.kind.empty())
+            if (!every_.empty())
                 show_.which = ShowCommand::Which::every;
+            show_.selector = step_ + every_; // one of them, at most
             if (all_)
                 show_.which = ShowCommand::Which::all;
             if (!view_.empty()) {
@@ -650,6 +648,7 @@ private:
     std::string show_region_;
     std::string color_;
     std::string table_format_;
+    std::string every_;
     bool last_ = false;
     bool all_ = false;
     MethodOptions show_method_;

@@ -73,8 +73,7 @@ struct ShowCommand {
 
     std::string trace;
     Which which = Which::last;
-    std::size_t step = 0; ///< for Which::step
-    std::string kind;     ///< for Which::every
+    std::string selector; ///< for Which::step and Which::every, see selector.h
     bool bare = false;
     std::optional<View> view;     ///< none: the trace's default; `plotted` if bare
     std::optional<Region> region; ///< of the canvas

@@ -18,12 +18,6 @@ namespace rastertrace {
 
 namespace {
 
-template <typename T> T value_or_throw(Result<T> result) {
-    if (!result)
-        throw result.problem();
-    return std::move(result.value());
-}
-
 /// What is printed must not go into a file that is read, as after `>>` it would.
 void refuse_as_standard_output(const std::vector<FileId>& inputs) {
     struct stat status {};

@@ -6,13 +6,22 @@
 
 #include "commands.h"
 
+#include <rastertrace/trace/problem.h>
 #include <rastertrace/trace/scene_file.h>
 #include <rastertrace/trace/trace.h>
 
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace rastertrace {
+
+/// What was made, or the Problem that kept it from being made, thrown.
+template <typename T> T value_or_throw(Result<T> result) {
+    if (!result)
+        throw result.problem();
+    return std::move(result.value());
+}
 
 /// Reads and plans the scene in a file ("-" for standard input). Throws a Problem; that standard
 /// output is one of the files that are read is one.

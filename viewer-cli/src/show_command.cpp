@@ -8,13 +8,14 @@
 #include "terminal.h"
 
 #include <rastertrace/trace/describe.h>
+#include <rastertrace/trace/selector.h>
 #include <rastertrace/trace/text.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
-#include <unordered_set>
 #include <vector>
 
 namespace rastertrace {
@@ -26,16 +27,6 @@ struct Shown {
     std::size_t first = 0;
     std::size_t last = 0;
 };
-
-/// The kinds of step in a trace, each once.
-std::vector<std::string> kinds_in(const Trace& trace) {
-    std::vector<std::string> kinds;
-    std::unordered_set<std::string> seen;
-    for (std::size_t n = 1; n <= trace.size(); ++n)
-        if (const auto [kind, is_new] = seen.insert(trace.step(n).kind_name()); is_new)
-            kinds.push_back(*kind);
-    return kinds;
-}
 
 /// True if a step of the second kind begins something new for one of the first, which ends there.
 bool ends(StepKind kind, StepKind next) {
@@ -59,7 +50,7 @@ bool ends(StepKind kind, StepKind next) {
 /// The last step that belongs to step n: a primitive has all steps up to the next one, a scanline
 /// or a decision its pixels, an edge only itself.
 std::size_t end_of(const Trace& trace, std::size_t n) {
-    const auto kind = trace.kind_of(n);
+    const auto kind = n == 0 ? std::nullopt : trace.kind_of(n);
     std::size_t last = n;
     while (kind && last < trace.size()) {
         const auto next = trace.kind_of(last + 1);
@@ -76,22 +67,21 @@ std::vector<Shown> steps_to_show(const ShowCommand& command, const Trace& trace)
     case ShowCommand::Which::last:
         shown.push_back({trace.size(), trace.size()});
         break;
-    case ShowCommand::Which::step:
-        if (command.step > trace.size())
-            throw problem_of(command.trace, fmt::format("expected a step from 0 to {}, found {}",
-                                                        trace.size(), command.step));
-        shown.push_back({command.step, command.step});
+    case ShowCommand::Which::step: {
+        const Selector selector =
+            value_or_throw(parse_selector({"--step", command.selector}, trace));
+        const std::size_t n =
+            value_or_throw(matching_step(selector, trace, "say which, or use --every"));
+        shown.push_back({n, n});
         break;
-    case ShowCommand::Which::every:
-        for (std::size_t n = 1; n <= trace.size(); ++n)
-            if (trace.step(n).kind_name() == command.kind)
-                shown.push_back({n, end_of(trace, n)});
-        if (shown.empty())
-            throw problem_of(
-                command.trace,
-                fmt::format("expected a kind of step that the trace has ({}), found {}",
-                            fmt::join(kinds_in(trace), ", "), command.kind));
+    }
+    case ShowCommand::Which::every: {
+        const Selector selector =
+            value_or_throw(parse_selector({"--every", command.selector}, trace));
+        for (const std::size_t n : value_or_throw(matching_steps(selector, trace)))
+            shown.push_back({n, end_of(trace, n)});
         break;
+    }
     case ShowCommand::Which::all:
         for (std::size_t n = 1; n <= trace.size(); ++n)
             shown.push_back({n, n});
