@@ -386,7 +386,8 @@ TEST(SceneFile, NotJson) {
     EXPECT_EQ(complaint("{\"a\": 1,}"),
               "scene.json:1:9: expected a key in double quotes, found '}'\n"
               "{\"a\": 1,}\n"
-              "        ^");
+              "        ^\n"
+              "hint: JSON has no comma behind the last value");
     EXPECT_EQ(complaint("{\"a\": [1 2]}"), "scene.json:1:10: expected ',' or ']', found '2'\n"
                                            "{\"a\": [1 2]}\n"
                                            "         ^");

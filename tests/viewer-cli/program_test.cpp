@@ -573,6 +573,70 @@ TEST_F(ProgramTest, ErrorsHaveFileLineColumnAndCaret) {
     EXPECT_EQ(visible_files(), 1u) << "nothing was written";
 }
 
+TEST_F(ProgramTest, HintsSayHowJsonWritesIt) {
+    const std::vector<std::pair<std::string, std::string>> slips{
+        {R"({"A": [2, 5,]})", "13: expected a value, found ']'\n"
+                              "{\"A\": [2, 5,]}\n"
+                              "            ^\n"
+                              "hint: JSON has no comma behind the last value\n"},
+        {R"({"A": [2, 5], })", "15: expected a key in double quotes, found '}'\n"
+                               "{\"A\": [2, 5], }\n"
+                               "              ^\n"
+                               "hint: JSON has no comma behind the last value\n"},
+        {R"({'A': [2, 5]})", "2: expected a key in double quotes or '}', found '''\n"
+                             "{'A': [2, 5]}\n"
+                             " ^\n"
+                             "hint: JSON has double quotes: \"A\"\n"},
+        {R"({"triangles": ['ABC']})", "16: expected a value or ']', found '''\n"
+                                      "{\"triangles\": ['ABC']}\n"
+                                      "               ^\n"
+                                      "hint: JSON has double quotes: \"A\"\n"},
+        {R"({"A": [25/8, 5]})", "10: expected ',' or ']', found '/'\n"
+                                "{\"A\": [25/8, 5]}\n"
+                                "         ^\n"
+                                "hint: a fraction is written \"25/8\", in quotes\n"},
+        {R"({"A": (2, 5)})", "7: expected a value, found '('\n"
+                             "{\"A\": (2, 5)}\n"
+                             "      ^\n"
+                             "hint: JSON has square brackets: [2, 5]\n"},
+        {R"({"A": [2, 5]} // a)", "15: expected the end of the file, found '/'\n"
+                                  "{\"A\": [2, 5]} // a\n"
+                                  "              ^\n"
+                                  "hint: JSON has no comments\n"},
+        {R"({"A": [2, /* x */ 5]})", "11: expected a value, found '/'\n"
+                                     "{\"A\": [2, /* x */ 5]}\n"
+                                     "          ^\n"
+                                     "hint: JSON has no comments\n"},
+        {R"(# the first triangle)", "1: expected a JSON value, found '#'\n"
+                                    "# the first triangle\n"
+                                    "^\n"
+                                    "hint: JSON has no comments\n"},
+    };
+    for (const auto& [text, message] : slips) {
+        write("scene.json", text);
+        const Outcome outcome = shell("$rastertrace show scene.json");
+        EXPECT_EQ(outcome.status, 2) << text;
+        EXPECT_EQ(outcome.err, "rastertrace: scene.json:1:" + message);
+    }
+}
+
+TEST_F(ProgramTest, HintsSayWhereAKeyOfTheMethodBelongs) {
+    write("root.json", R"({"rounding": "floor"})");
+    EXPECT_THAT(shell("$rastertrace show root.json").err,
+                AllOf(StartsWith("rastertrace: root.json:1:2: expected a key out of title, "),
+                      EndsWith(", found \"rounding\"\n"
+                               "{\"rounding\": \"floor\"}\n"
+                               " ^\n"
+                               "hint: \"rounding\" belongs in \"method\": {\"rounding\": ...}\n")));
+    write("line.json", R"({"line": ["AB"]})");
+    EXPECT_THAT(shell("$rastertrace show line.json").err,
+                EndsWith("hint: \"line\" belongs in \"method\": {\"line\": ...}; did you mean "
+                         "\"lines\"?\n"));
+    write("canvas.json", R"({"vertices": {"A": [0, 0]}, "points": ["A"], "canvas": {"fill": 1}})");
+    EXPECT_THAT(shell("$rastertrace show canvas.json").err,
+                EndsWith("hint: \"fill\" belongs in \"method\": {\"fill\": ...}\n"));
+}
+
 TEST_F(ProgramTest, FilesThatCannotBeRead) {
     EXPECT_EQ(
         shell("$rastertrace show no-such-file.json").err,

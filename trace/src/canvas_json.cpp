@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "canvas_json.h"
 
+#include "json_reader.h"
+
 #include <rastertrace/core/numbers/number.h>
-#include <rastertrace/trace/text.h>
 
 #include <fmt/format.h>
 
@@ -77,9 +78,7 @@ Result<CanvasJson> read_canvas_json(const Source& source, const JsonValue& value
                 return expecting(item, "one of center, bottom-left, top-left");
         } else {
             Problem problem = expecting(key, "a key out of width, height, origin");
-            const auto nearest = nearest_word(key.text, {"width", "height", "origin"});
-            if (!nearest.empty())
-                problem.hint = fmt::format("did you mean \"{}\"?", nearest);
+            problem.hint = hint_for_key(key.text, {"width", "height", "origin"});
             return problem;
         }
     }

@@ -5,6 +5,7 @@
 #include "name_index.h"
 #include "zero_byte.h"
 
+#include <rastertrace/core/numbers/number.h>
 #include <rastertrace/trace/text.h>
 
 #include <fmt/format.h>
@@ -258,16 +259,39 @@ private:
                     "expected a number up to 1.797e308, found {}",
                     shortened(text.substr(place, text.find_first_of(" \t\r\n,]}", place) - place),
                               shown_of_word)));
-        return problem_at(
-            source_, place,
-            fmt::format("expected {}, found {}", expected_at(place), found_at(place)));
+        return problem_at(source_, place,
+                          fmt::format("expected {}, found {}", expected_at(place), found_at(place)),
+                          std::string(hint_at(place)));
     }
 
-    std::string_view expected_at(std::size_t place) const {
+    /// What JSON has instead of what was found, if that is how another notation says it.
+    std::string_view hint_at(std::size_t place) const {
+        const std::string_view text = std::string_view(source_.text).substr(0, end_);
+        const std::string_view rest = text.substr(place);
+        const char previous = last_before(place);
+        if (rest.starts_with("//") || rest.starts_with("/*") || rest.starts_with('#'))
+            return "JSON has no comments";
+        if (rest.starts_with('/') && number_text::is_digit(previous))
+            return R"(a fraction is written "25/8", in quotes)";
+        if (rest.starts_with('\''))
+            return R"(JSON has double quotes: "A")";
+        if (rest.starts_with('('))
+            return "JSON has square brackets: [2, 5]";
+        if (previous == ',' && (rest.starts_with('}') || rest.starts_with(']')))
+            return "JSON has no comma behind the last value";
+        return {};
+    }
+
+    /// The last character before a place that is no blank; 0 if there is none.
+    char last_before(std::size_t place) const {
         const std::string_view before =
             std::string_view(source_.text).substr(begin_, place - begin_);
         const std::size_t last = before.find_last_not_of(" \t\r\n");
-        const char previous = last == std::string_view::npos ? '\0' : before[last];
+        return last == std::string_view::npos ? '\0' : before[last];
+    }
+
+    std::string_view expected_at(std::size_t place) const {
+        const char previous = last_before(place);
         const bool in_object = !open_.empty() && open_.back().is_object;
         if (after_key_ && previous != ':')
             return "':'";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "json_reader.h"
 
+#include <rastertrace/trace/method_names.h>
 #include <rastertrace/trace/text.h>
 
 #include <fmt/format.h>
@@ -10,6 +11,14 @@
 #include <variant>
 
 namespace rastertrace {
+
+std::string hint_for_key(std::string_view key, const std::vector<std::string_view>& known) {
+    const std::string near = did_you_mean(key, known, "\"");
+    if (find_method_key(key) == nullptr)
+        return near;
+    return fmt::format("\"{0}\" belongs in \"method\": {{\"{0}\": ...}}{1}{2}", key,
+                       near.empty() ? "" : "; ", near);
+}
 
 void JsonReader::fail(std::size_t offset, std::string message, std::string hint) const {
     throw problem_at(source, offset, std::move(message), std::move(hint));
@@ -27,7 +36,7 @@ void JsonReader::allow_keys(const JsonValue& value,
     for (const auto& [key, member] : value.members())
         if (std::find(known.begin(), known.end(), key.text) == known.end())
             fail_expecting(key, fmt::format("a key out of {}", fmt::join(known, ", ")),
-                           did_you_mean(key.text, known, "\""));
+                           hint_for_key(key.text, known));
 }
 
 JsonValue JsonReader::member(const JsonValue& object, std::string_view key) const {

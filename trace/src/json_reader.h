@@ -20,6 +20,9 @@
 
 namespace rastertrace {
 
+/// What may help with a key that is none of `known`: where it belongs, or one that is near.
+std::string hint_for_key(std::string_view key, const std::vector<std::string_view>& known);
+
 /// Reads values of one source. What is wrong is thrown as a Problem.
 struct JsonReader {
     const Source& source;
