@@ -637,6 +637,24 @@ TEST_F(ProgramTest, HintsSayWhereAKeyOfTheMethodBelongs) {
                 EndsWith("hint: \"fill\" belongs in \"method\": {\"fill\": ...}\n"));
 }
 
+TEST_F(ProgramTest, ADecimalCommaIsRemarkedOn) {
+    write("scene.json", "{\"vertices\": {\"A\": [2, 5], \"B\": [-4, -3],\n"
+                        "              \"C\": [5,5, -3]},\n"
+                        " \"triangles\": [\"ABC\"]}");
+    const Outcome outcome = shell("$rastertrace show scene.json");
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(outcome.err,
+              "rastertrace: scene.json:2:20: remark: expected [x, y] as of other vertices, found "
+              "three numbers; nothing in this scene uses z\n"
+              "              \"C\": [5,5, -3]},\n"
+              "                   ^\n"
+              "hint: a decimal comma? JSON has a point: 5.5\n");
+    EXPECT_EQ(shell("$rastertrace show scene.json --cull back").err, "");
+    EXPECT_EQ(shell("$rastertrace show scene.json --depth linear-z").err, "");
+    write("all.json", R"({"vertices": {"A": [2, 5, 1], "B": [4, 3, 1]}, "lines": ["AB"]})");
+    EXPECT_EQ(shell("$rastertrace show all.json").err, "");
+}
+
 TEST_F(ProgramTest, FilesThatCannotBeRead) {
     EXPECT_EQ(
         shell("$rastertrace show no-such-file.json").err,

@@ -122,10 +122,22 @@ public:
         auto plan = plan_or_unfit(scene_);
         if (const auto* unfit = std::get_if<Unfit>(&plan))
             refuse(*unfit);
-        return {std::move(scene_), std::get<Plan>(std::move(plan)), std::move(files_)};
+        std::vector<Problem> remarks = remarks_on_z();
+        return {std::move(scene_), std::get<Plan>(std::move(plan)), std::move(files_),
+                std::move(remarks)};
     }
 
 private:
+    /// A z that only some vertices have, where nothing looks at it: 5,5 typed for 5.5.
+    std::vector<Problem> remarks_on_z() const {
+        if (!first_with_z_ || !first_without_z_ || scene_.needs_pipeline())
+            return {};
+        return {problem_at(source_, *first_with_z_,
+                           "remark: expected [x, y] as of other vertices, found three numbers; "
+                           "nothing in this scene uses z",
+                           "a decimal comma? JSON has a point: 5.5")};
+    }
+
     void remember(const Source& source) {
         if (source.file)
             files_.push_back(*source.file);
@@ -183,6 +195,8 @@ private:
             const std::size_t count = coordinates.size();
             if (count != 2 && count != 3)
                 json_.fail_expecting(place, "[x, y] or [x, y, z]");
+            auto& first_alike = count == 3 ? first_with_z_ : first_without_z_;
+            first_alike = first_alike.value_or(place.begin);
             const auto vertex = static_cast<std::uint32_t>(scene_.vertices.size());
             scene_.vertices.push_back({prefix + name.text, json_.number_in(coordinates[0]),
                                        json_.number_in(coordinates[1]), std::nullopt,
@@ -641,6 +655,8 @@ private:
     const InputLimits& limits_;
     Scene scene_;
     std::vector<std::size_t> places_of_vertices_; ///< offsets of their names in the source
+    std::optional<std::size_t> first_with_z_;     ///< offset of the first vertex of three numbers
+    std::optional<std::size_t> first_without_z_;  ///< and of the first of two
     NameIndex vertex_by_name_;                    ///< but for those of OBJ files
     std::unordered_map<std::string, std::pair<std::size_t, std::size_t>>
         first_of_obj_; ///< by mesh: its first vertex, and how many it has

@@ -46,6 +46,8 @@ PlannedScene planned(const Source& source, const MethodOverrides& method,
                      const InputLimits& limits) {
     PlannedScene scene = value_or_throw(read_scene(source, method, limits));
     refuse_as_standard_output(scene.files);
+    for (const Problem& remark : scene.remarks)
+        print_error(fmt::format("rastertrace: {}\n", to_text(remark)));
     return scene;
 }
 
@@ -75,7 +77,7 @@ Trace load_trace(const std::string& path, const MethodOverrides& method,
                                          method.front().first, method.front().second));
         return value_or_throw(read_trace(std::move(source)));
     }
-    const auto [scene, plan, files] = planned(source, method, limits);
+    const auto [scene, plan, files, remarks] = planned(source, method, limits);
     Source drawn{.name = source.name, .text = {}};
     StringOutput output(drawn.text);
     write_trace(scene, plan, {}, output);

@@ -24,7 +24,7 @@ template <typename T> T value_or_throw(Result<T> result) {
 }
 
 /// Reads and plans the scene in a file ("-" for standard input). Throws a Problem; that standard
-/// output is one of the files that are read is one.
+/// output is one of the files that are read is one. Remarks go to standard error.
 PlannedScene load_scene(const std::string& path, const MethodOverrides& method,
                         const InputLimits& limits = {});
 

@@ -29,7 +29,8 @@ TraceLayout layout_of(const TraceCommand& command) {
 } // namespace
 
 int run(const TraceCommand& command) {
-    const auto [scene, plan, files] = load_scene(command.scene, command.method, command.input);
+    const auto [scene, plan, files, remarks] =
+        load_scene(command.scene, command.method, command.input);
     if (const auto& name = command.filter.primitive) {
         std::vector<std::string_view> names;
         for (const ScenePrimitive& primitive : scene.primitives)

@@ -24,6 +24,9 @@ struct PlannedScene {
     Scene scene;
     Plan plan;
     std::vector<FileId> files; ///< that it was read from: its own, and those of its meshes
+
+    /// What can be drawn, but is probably not what its author meant.
+    std::vector<Problem> remarks;
 };
 
 /// Reads a scene. `overrides` take the place of what its "method" says. The scene that comes back
