@@ -22,7 +22,7 @@ std::string complaint(const std::string& text) {
 TEST(SceneFile, SmallestScene) {
     const Scene scene = scene_in(R"({"vertices": {"A": [2, 5], "B": [-4, -3], "C": [5, -3]},
                                      "triangles": ["ABC"]})");
-    EXPECT_EQ(scene.title, "scene.json");
+    EXPECT_EQ(scene.title, "");
     EXPECT_EQ(scene.vertices.size(), 3u);
     EXPECT_EQ(scene.primitives[0].name, "ABC");
     EXPECT_EQ(scene.canvas.width, 13) << "fitted: x -5..5, and a pixel more on each side";

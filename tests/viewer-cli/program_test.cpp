@@ -542,6 +542,22 @@ TEST_F(ProgramTest, SameSceneSameBytesInEveryLocaleAndTimeZone) {
     EXPECT_EQ(content("a.json"), content("b.json"));
 }
 
+TEST_F(ProgramTest, AFileNameIsShownAndNotStored) {
+    const std::string scene = R"({"vertices":{"A":[0,0]},"points":["A"]})";
+    write("one.json", scene);
+    write("other.json", scene);
+    const std::string trace = shell("$rastertrace trace one.json").out;
+    EXPECT_THAT(trace, StartsWith(R"({"rastertrace":1,"canvas":{)"));
+    EXPECT_EQ(shell("$rastertrace trace other.json").out, trace);
+    EXPECT_EQ(shell("$rastertrace trace - <one.json").out, trace);
+    shell("$rastertrace trace one.json -o kept.trace.json");
+    for (const std::string command : {"show", "stats", "plan", "stress"})
+        EXPECT_THAT(shell("$rastertrace " + command + " ./one.json").out, StartsWith("one.json"))
+            << command;
+    EXPECT_THAT(shell("$rastertrace show kept.trace.json").out, StartsWith("kept.trace.json "));
+    EXPECT_THAT(shell("$rastertrace show - <one.json").out, StartsWith("standard input "));
+}
+
 TEST_F(ProgramTest, MethodIsOverriddenOnTheCommandLine) {
     const Outcome outcome =
         shell("$rastertrace stats $examples/t0-fill/first-triangle.json --rounding truncate");

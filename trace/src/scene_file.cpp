@@ -46,7 +46,7 @@ std::string joined_names(std::span<const std::string_view> names) {
 
 namespace {
 
-/// The file name without its folder: the title of a scene that has none.
+/// The file name without its folder.
 std::string base_name(const std::string& path) {
     return path.substr(path.find_last_of('/') + 1);
 }
@@ -87,7 +87,6 @@ public:
         json_.allow_keys(root, {"title", "canvas", "vertices", "colors", "triangles", "outlines",
                                 "lines", "points", "meshes", "model", "camera", "projection",
                                 "viewport", "light", "method", "keep"});
-        scene_.title = base_name(source_.name);
         if (const auto title = root.find("title"))
             scene_.title = json_.string_in(*title, "a title in quotes");
         if (const auto method = root.find("method"))

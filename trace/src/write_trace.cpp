@@ -42,10 +42,11 @@ std::string_view numbers_in_words(const Scene& scene, const Plan& plan) {
 std::string header_members(const Scene& scene, const Plan& plan, const StepFilter& filter) {
     std::string text;
     const auto out = std::back_inserter(text);
-    fmt::format_to(
-        out, R"("rastertrace":{},"title":{},"canvas":{{"width":{},"height":{},"origin":"{}"}})",
-        trace_version, json_quoted(scene.title), scene.canvas.width, scene.canvas.height,
-        name_of(scene.canvas.origin));
+    fmt::format_to(out, R"("rastertrace":{})", trace_version);
+    if (!scene.title.empty())
+        fmt::format_to(out, R"(,"title":{})", json_quoted(scene.title));
+    fmt::format_to(out, R"(,"canvas":{{"width":{},"height":{},"origin":"{}"}})", scene.canvas.width,
+                   scene.canvas.height, name_of(scene.canvas.origin));
 
     text += R"(,"method":{)";
     std::string_view separator;

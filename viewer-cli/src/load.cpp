@@ -51,6 +51,11 @@ PlannedScene planned(const Source& source, const MethodOverrides& method,
     return scene;
 }
 
+Trace titled(Trace trace, const std::string& path) {
+    trace.title = shown_title(trace.title, path);
+    return trace;
+}
+
 } // namespace
 
 Source load_scene_source(const std::string& path, const InputLimits& limits) {
@@ -66,6 +71,12 @@ PlannedScene load_scene(const std::string& path, const MethodOverrides& method,
     return planned(load_scene_source(path, limits), method, limits);
 }
 
+std::string shown_title(const std::string& title, const std::string& path) {
+    if (!title.empty())
+        return title;
+    return path == "-" ? "standard input" : path.substr(path.find_last_of('/') + 1);
+}
+
 Trace load_trace(const std::string& path, const MethodOverrides& method,
                  const InputLimits& limits) {
     Source source = read_input(path, limits);
@@ -75,13 +86,13 @@ Trace load_trace(const std::string& path, const MethodOverrides& method,
                              fmt::format("expected a scene to draw with --{} {}, found a trace, "
                                          "which is drawn already",
                                          method.front().first, method.front().second));
-        return value_or_throw(read_trace(std::move(source)));
+        return titled(value_or_throw(read_trace(std::move(source))), path);
     }
     const auto [scene, plan, files, remarks] = planned(source, method, limits);
     Source drawn{.name = source.name, .text = {}};
     StringOutput output(drawn.text);
     write_trace(scene, plan, {}, output);
-    return value_or_throw(read_trace(std::move(drawn)));
+    return titled(value_or_throw(read_trace(std::move(drawn))), path);
 }
 
 Source load_page(const std::string& path) {

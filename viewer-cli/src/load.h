@@ -31,8 +31,11 @@ PlannedScene load_scene(const std::string& path, const MethodOverrides& method,
 /// The text of the scene in a file, not yet read. Throws a Problem; a trace is one.
 Source load_scene_source(const std::string& path, const InputLimits& limits = {});
 
-/// Reads the trace in a file, or draws the scene in it. Throws a Problem. Damage that leaves the
-/// trace usable is left to the caller, see report_damage.
+/// The title to show: the given one, or else the name of the file that has none, without its folder.
+std::string shown_title(const std::string& title, const std::string& path);
+
+/// Reads the trace in a file, or draws the scene in it, and gives it a title to show. Throws a
+/// Problem. Damage that leaves the trace usable is left to the caller, see report_damage.
 Trace load_trace(const std::string& path, const MethodOverrides& method,
                  const InputLimits& limits = {});
 

@@ -465,8 +465,8 @@ int look_at_scene(const StressCommand& command) {
         progress.show("drawing with every scalar");
         pictures = compared_pictures(source, command.method, command.input);
     }
-    print(command.json ? as_json(scene.title, groups, pictures)
-                       : as_text(scene.title, groups, pictures));
+    const std::string title = shown_title(scene.title, command.scene);
+    print(command.json ? as_json(title, groups, pictures) : as_text(title, groups, pictures));
     return exit_fine;
 }
 
