@@ -95,7 +95,8 @@ TEST_F(ProgramTest, ShowTellsManyStepsOfAKindAsATable) {
 TEST_F(ProgramTest, SentencesShortenWhatTheTraceHasWhole) {
     write("long.json",
           R"({"rastertrace":1,"canvas":{"width":3,"height":3,"origin":"center"},"method":{"cull":"back"},"steps":[
-{"step":"face","name":"ABC","normal":["49977918000000000000000000001/10141204000000000000000000003",0,"1/3"],"view":[0,0,1],"dot":1,"cosine":-0.57735026918962573,"culled":false}]})");
+{"step":"face","name":"ABC","normal":["49977918000000000000000000001/10141204000000000000000000003",0,"1/3"],"view":[0,0,1],"dot":1,"cosine":-0.57735026918962573,"culled":false}
+]})");
     EXPECT_THAT(
         shell("$rastertrace show long.json --last").out,
         HasSubstr("\nface ABC: normal (49977918.../10141204... = 4.928203, 0, 1/3) . to eye "
@@ -1220,6 +1221,41 @@ TEST_F(ProgramTest, OneGrammarSaysWhichStep) {
     EXPECT_EQ(faces.status, 0) << faces.err;
     EXPECT_THAT(faces.out, HasSubstr(": culled\n"));
     EXPECT_THAT(faces.out, Not(HasSubstr(": drawn\n")));
+}
+
+TEST_F(ProgramTest, ShowSaysHowMuchLiesOffTheCanvas) {
+    // A textbook's y points up, the canvas's down: the points have negative rows.
+    const std::string points =
+        R"("vertices":{"A":[1,-1],"B":[3,-3]},"lines":["AB"],"points":["A"]})";
+    write("down.json", R"({"canvas":{"width":4,"height":4,"origin":"top-left"},)" + points);
+    EXPECT_THAT(shell("$rastertrace show down.json").out,
+                EndsWith("\n\n4 pixels lie above the canvas, none drawn: does y point up? "
+                         "(\"origin\": \"center\")\n"));
+    EXPECT_EQ(shell("$rastertrace show down.json --bare").out, "....\n....\n....\n....\n");
+    write("up.json", R"({"canvas":{"width":4,"height":4,"origin":"bottom-left"},)" + points);
+    EXPECT_THAT(shell("$rastertrace show up.json").out,
+                EndsWith("\n\n4 pixels lie below the canvas, none drawn: does y point down? "
+                         "(\"origin\": \"top-left\")\n"));
+
+    // Rows are dropped whole, triangles too; beside the canvas y is not asked for.
+    const auto triangle = [this](const std::string& vertices) {
+        write("triangle.json", R"({"canvas":{"width":4,"height":4,"origin":"top-left"},)"
+                               R"("vertices":{)" +
+                                   vertices + R"(},"triangles":["ABC"]})");
+        const std::string out = shell("$rastertrace show triangle.json").out;
+        return out.substr(out.rfind("\n\n", out.find(" the canvas")) + 2);
+    };
+    EXPECT_EQ(triangle(R"("A":[0,-2],"B":[0,1],"C":[1,1])"),
+              "2 rows lie above the canvas, none drawn: does y point up? (\"origin\": \"center\")\n"
+              "\nstages: canvas\n");
+    EXPECT_EQ(triangle(R"("A":[0,-2],"B":[0,-1],"C":[1,-1])"),
+              "1 triangle lies above the canvas, none drawn: does y point up? "
+              "(\"origin\": \"center\")\n\nstages: canvas\n");
+    EXPECT_EQ(triangle(R"("A":[-2,1],"B":[5,1],"C":[-2,1])"),
+              "2 pixels lie left of the canvas, 2 pixels right of it, none drawn\n"
+              "\nstages: canvas\n");
+    EXPECT_THAT(shell("$rastertrace show $examples/t0-fill/first-triangle.json").out,
+                Not(HasSubstr("the canvas")));
 }
 
 TEST_F(ProgramTest, StepsOutOfRangeAndKindsThatAreNotThere) {

@@ -4,6 +4,7 @@
 #include "commands.h"
 #include "frame_text.h"
 #include "load.h"
+#include "off_canvas.h"
 #include "step_table.h"
 #include "terminal.h"
 
@@ -170,6 +171,8 @@ int run(const ShowCommand& command) {
               (command.bare ? bare_frame_text(replay, view) : frame_text(replay, about, size)));
         is_first = false;
     }
+    if (const std::string text = off_canvas_text(trace); !command.bare && !text.empty())
+        print("\n" + text);
     if (!command.bare && !trace.stages.empty())
         print(fmt::format("\nstages: {}\n", fmt::join(trace.stages, ", ")));
     return report_damage(trace);

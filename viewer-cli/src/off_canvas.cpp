@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include "off_canvas.h"
+
+#include <rastertrace/core/numbers/number.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace rastertrace {
+
+namespace {
+
+/// In the order of `side_names`.
+enum class Side : std::uint8_t { above, below, left, right };
+constexpr std::size_t sides = 4;
+constexpr std::array<std::string_view, sides> side_names{"above", "below", "left of", "right of"};
+
+/// In the order of `unit_names`.
+enum class Unit : std::uint8_t { triangle, row, pixel };
+constexpr std::size_t units = 3;
+constexpr std::array<std::string_view, units> unit_names{"triangle", "row", "pixel"};
+
+/// How many of each unit lie on a side.
+using Dropped = std::array<std::uint64_t, units>;
+
+struct Point {
+    double x;
+    double y;
+};
+
+/// The side on which all of some points lie, if there is one.
+std::optional<Side> side_of(const Canvas& canvas, const std::vector<Point>& points) {
+    const auto all = [&points](auto&& is_there) {
+        return !points.empty() && std::all_of(points.begin(), points.end(), is_there);
+    };
+    const auto row_of = [&canvas](const Point& point) {
+        return (point.y - canvas.top()) * canvas.down();
+    };
+    if (all([&](const Point& point) { return row_of(point) < 0; }))
+        return Side::above;
+    if (all([&](const Point& point) { return row_of(point) > canvas.height - 1; }))
+        return Side::below;
+    if (all([&](const Point& point) { return point.x < canvas.left(); }))
+        return Side::left;
+    if (all([&](const Point& point) { return point.x > canvas.right(); }))
+        return Side::right;
+    return std::nullopt;
+}
+
+/// The corners of a primitive, as far as its step tells them.
+std::vector<Point> corners_of(const StepView& primitive) {
+    std::vector<Point> corners;
+    for (const auto& at : primitive.text_rows("at")) {
+        if (at.size() < 2)
+            return {};
+        const auto x = parse_number(at[0], NumberSize::any);
+        const auto y = parse_number(at[1], NumberSize::any);
+        if (!std::holds_alternative<Number>(x) || !std::holds_alternative<Number>(y))
+            return {};
+        corners.push_back(
+            {std::get<Number>(x).nearest_double(), std::get<Number>(y).nearest_double()});
+    }
+    return corners;
+}
+
+/// Counts what a reject step dropped: whole rows, or a run of pixels, which has one for each step
+/// along its longer direction.
+void count_rejected(const StepView& step, const Canvas& canvas,
+                    std::array<Dropped, sides>& dropped) {
+    const auto y = step.whole("y");
+    if (!y || step.text("why") != "off-canvas")
+        return;
+    const auto x = step.whole("x");
+    const Index to_y = step.whole("to_y").value_or(*y);
+    const Index to_x = step.whole("to_x").value_or(x.value_or(0));
+    const auto point = [&](Index px, Index py) {
+        // A row is beside no canvas.
+        return Point{static_cast<double>(x ? px : canvas.left()), static_cast<double>(py)};
+    };
+    const Point first = point(x.value_or(0), *y);
+    auto side = side_of(canvas, {first, point(to_x, to_y)});
+    if (!side) // around a corner
+        side = side_of(canvas, {first});
+    if (!side)
+        return;
+    const Index across = x ? std::abs(to_x - *x) : 0;
+    dropped[static_cast<std::size_t>(*side)]
+           [static_cast<std::size_t>(x ? Unit::pixel : Unit::row)] +=
+        static_cast<std::uint64_t>(std::max(across, std::abs(to_y - *y)) + 1);
+}
+
+/// "3 rows and 2 pixels".
+std::string in_words(const Dropped& dropped) {
+    std::string text;
+    for (std::size_t unit = 0; unit < units; ++unit)
+        if (const std::uint64_t count = dropped[unit]; count > 0)
+            text += fmt::format("{}{} {}{}", text.empty() ? "" : " and ", count, unit_names[unit],
+                                count == 1 ? "" : "s");
+    return text;
+}
+
+} // namespace
+
+std::string off_canvas_text(const Trace& trace) {
+    // How much, on which side.
+    const Canvas& canvas = trace.canvas;
+    std::array<Dropped, sides> dropped{};
+    std::size_t primitive = 0;
+    bool is_moved = false;
+    for (std::size_t n = 1; n <= trace.size(); ++n) {
+        const auto kind = trace.kind_of(n);
+        if (kind == StepKind::primitive)
+            primitive = n;
+        is_moved = is_moved || kind == StepKind::matrix;
+        if (kind == StepKind::reject)
+            count_rejected(trace.step(n), canvas, dropped);
+        if (kind == StepKind::skip && primitive != 0 && trace.step(n).text("why") == "off canvas")
+            if (const auto side = side_of(canvas, corners_of(trace.step(primitive))))
+                ++dropped[static_cast<std::size_t>(*side)]
+                         [static_cast<std::size_t>(Unit::triangle)];
+    }
+
+    // The sentence: the verb and the noun stand behind the first side.
+    std::string text;
+    for (std::size_t side = 0; side < sides; ++side) {
+        const std::string what = in_words(dropped[side]);
+        if (what.empty())
+            continue;
+        const bool is_one = what.starts_with("1 ") && what.find(" and ") == std::string::npos;
+        text += text.empty() ? fmt::format("{} {} {} the canvas", what, is_one ? "lies" : "lie",
+                                           side_names[side])
+                             : fmt::format(", {} {} it", what, side_names[side]);
+    }
+    if (text.empty())
+        return text;
+    text += ", none drawn";
+
+    const auto is_there = [&dropped](Side side) {
+        return dropped[static_cast<std::size_t>(side)] != Dropped{};
+    };
+    if (!is_moved && is_there(Side::above) != is_there(Side::below))
+        text += canvas.down() > 0 ? R"(: does y point up? ("origin": "center"))"
+                                  : R"(: does y point down? ("origin": "top-left"))";
+    return text + "\n";
+}
+
+} // namespace rastertrace
