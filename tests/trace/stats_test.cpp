@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "picture.h"
+#include "random_scene.h"
 #include "random_triangle.h"
 #include "traces.h"
 
@@ -372,6 +373,54 @@ TEST(SharedEdge, OfVeryManyTrianglesTheFirstAreCompared) {
     Scene scene = triangle_scene({"0", "0", "2", "0", "0", "2"}, ten_by_ten);
     scene.primitives.resize(100, scene.primitives[0]);
     EXPECT_EQ(stats_of_scene(scene).edges.size(), 3 * most_compared * (most_compared - 1) / 2);
+}
+
+TEST(WrongRows, AreNotInWhatIsDrawnHere) {
+    std::size_t rows = 0;
+    for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+        const auto read = read_scene({"scene.json", RandomScene(seed).text()});
+        if (!read)
+            continue;
+        const Trace trace = trace_of(read.value().scene);
+        const Stats stats = stats_of(trace);
+        for (const WrongRow& row : stats.wrong_rows)
+            ADD_FAILURE() << "seed " << seed << ": " << trace.step(row.step).json() << " missing "
+                          << row.missing << ", others " << row.others;
+        for (const auto& [kind, count] : stats.count)
+            rows += kind == "scanline" ? count : 0;
+    }
+    EXPECT_GT(rows, 1000u);
+}
+
+// The order of pixels is free; a row that was cut off is not judged.
+TEST(WrongRows, CountWhatIsMissingAndWhatIsTooMuch) {
+    const auto wrong = [](const std::string& pixels, const std::string& end = R"(],"end":{}})") {
+        const Stats stats = stats_of(readable_trace(
+            R"({"rastertrace":1,"canvas":{"width":8,"height":8,"origin":"top-left"},"steps":[
+{"step":"scanline","y":2,"left":1,"right":3,"from":1,"to":3})" +
+            pixels + "\n" + end));
+        std::string text;
+        for (const WrongRow& row : stats.wrong_rows)
+            text +=
+                std::to_string(row.missing) + " missing, " + std::to_string(row.others) + " others";
+        return text;
+    };
+    const auto pixel = [](int x, int y) {
+        return ",\n{\"step\":\"pixel\",\"x\":" + std::to_string(x) + ",\"y\":" + std::to_string(y) +
+               "}";
+    };
+    const std::string rejected =
+        ",\n{\"step\":\"reject\",\"x\":1,\"to_x\":2,\"y\":2,\"why\":\"x\"}";
+    const std::string hidden = ",\n{\"step\":\"depth\",\"x\":3,\"y\":2,\"depth\":1,\"pass\":false}";
+    EXPECT_EQ(wrong(pixel(1, 2) + pixel(2, 2) + pixel(3, 2)), "");
+    EXPECT_EQ(wrong(pixel(3, 2) + pixel(2, 2) + pixel(1, 2)), "");
+    EXPECT_EQ(wrong(rejected + hidden), "");
+    EXPECT_EQ(wrong(pixel(1, 2) + pixel(2, 2)), "1 missing, 0 others");
+    EXPECT_EQ(wrong(rejected + pixel(2, 2) + pixel(3, 2)), "0 missing, 1 others");
+    EXPECT_EQ(wrong(rejected + pixel(4, 2)), "1 missing, 1 others");
+    EXPECT_EQ(wrong(rejected + hidden + pixel(2, 3)), "0 missing, 1 others");
+    EXPECT_EQ(wrong(""), "3 missing, 0 others");
+    EXPECT_EQ(wrong(pixel(1, 2), ""), "");
 }
 
 TEST(OutlineOnFill, TheFloorRuleLeavesPixelsOfTheOutlineUncovered) {

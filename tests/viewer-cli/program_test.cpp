@@ -243,6 +243,89 @@ TEST_F(ProgramTest, StatsTellsOfTJunctionsWithTheirPixels) {
                   R"("twice":{"count":0,"pixels":[]},"never":{"count":1,"pixels":[[8,21]]}}])"));
 }
 
+// The row y = 2 of the first triangle runs from -1/4 to 25/8: floor takes -1, left of the edge.
+TEST_F(ProgramTest, StatsSaysWhyPixelsLieOutside) {
+    const std::string stats = "$rastertrace stats $examples/t0-fill/first-triangle.json ";
+    EXPECT_THAT(shell(stats).out,
+                EndsWith("triangle ABC: 49 writes\n"
+                         "  6 pixels drawn outside: (1, 4) (0, 3) (-1, 2) (-2, 0) (-3, -1) "
+                         "(-4, -2)\n"
+                         "    floor takes the pixel left of the edge: 6\n"));
+    EXPECT_THAT(shell(stats + "--rounding nearest").out,
+                HasSubstr("    nearest takes the pixel left of the edge: 2\n"
+                          "    nearest takes the pixel right of the edge: 4\n"));
+    EXPECT_THAT(shell(stats + "--rounding inside").out, EndsWith("triangle ABC: 43 writes\n"));
+    EXPECT_THAT(shell(stats + "--fill fan").out,
+                HasSubstr("    a line of the fan leaves the triangle: "));
+    EXPECT_THAT(shell(stats + "--json").out,
+                HasSubstr(R"("causes":[{"cause":"floor takes the pixel left of the edge",)"
+                          R"("pixels":6}]})"));
+}
+
+TEST_F(ProgramTest, StatsAddsUpTheFacesOfAMesh) {
+    const std::string scene = R"({"canvas":{"width":9,"height":9,"origin":"top-left"},"meshes":[
+        {"name":"square","vertices":{"A":[0,0],"B":[4,0],"C":[4,4],"D":[0,4]},"faces":["ABCD"]}],
+        "vertices":{"P":[6,0],"Q":[8,0],"R":[8,2]},"triangles":["PQR"]})";
+    write("mesh.json", scene);
+    EXPECT_THAT(shell("$rastertrace stats mesh.json").out,
+                EndsWith("triangle PQR: 6 writes\n"
+                         "mesh square: 2 primitives, 30 writes, 5 over a pixel drawn before\n"
+                         "1 edge within square: 5 pixels written twice: (0, 0) (1, 1) (2, 2) "
+                         "(3, 3) (4, 4); 0 never\n"));
+    EXPECT_THAT(shell("$rastertrace stats mesh.json --json").out,
+                HasSubstr(R"({"kind":"triangle","name":"square.ACD","writes":15,)"));
+    const Outcome cube = shell("$rastertrace stats $examples/t3-light/lambert.json");
+    EXPECT_THAT(cube.out, HasSubstr(" skipped: culled"));
+    EXPECT_LT(std::count(cube.out.begin(), cube.out.end(), '\n'), 40);
+}
+
+TEST_F(ProgramTest, StatsHoldsEveryRowAgainstItsPixels) {
+    write("foreign.json", R"({"rastertrace":1,"canvas":{"width":4,"height":1},"steps":[
+{"step":"primitive","kind":"triangle","name":"ABC"},
+{"step":"scanline","y":0,"left":-2,"right":1,"from":-2,"to":1},
+{"step":"pixel","x":-2,"y":0},
+{"step":"pixel","x":-1,"y":0},
+{"step":"pixel","x":-1,"y":0},
+{"step":"reject","x":1,"y":0,"why":"stencil"}
+],"end":{"steps":6}})");
+    const Outcome foreign = shell("$rastertrace stats foreign.json --fail-on holes,rows");
+    EXPECT_EQ(foreign.status, 1);
+    EXPECT_THAT(foreign.out,
+                EndsWith("scanline y=0 of ABC (step 2), -2 to 1: 1 pixel neither drawn "
+                         "nor rejected, 1 pixel too many\n"));
+    EXPECT_EQ(foreign.err, "rastertrace: --fail-on: found rows\n");
+    EXPECT_THAT(shell("$rastertrace stats foreign.json --json").out,
+                HasSubstr(R"("wrong_rows":[{"step":2,"primitive":"ABC","y":0,"from":-2,"to":1,)"
+                          R"("missing":1,"others":1}])"));
+}
+
+TEST_F(ProgramTest, StatsFailsOnRequest) {
+    write("square.json", R"({"vertices":{"A":[0,0],"B":[3,0],"C":[3,3],"D":[0,3]},
+                             "triangles":["ABC","ACD"]})");
+    const std::string stats = "$rastertrace stats square.json ";
+    const Outcome twice = shell(stats + "--fail-on holes,twice,outside");
+    EXPECT_EQ(twice.status, 1);
+    EXPECT_EQ(twice.out, shell(stats).out);
+    EXPECT_EQ(twice.err, "rastertrace: --fail-on: found twice\n");
+    EXPECT_EQ(shell(stats + "--fail-on holes,outside,rows").status, 0);
+    EXPECT_EQ(shell(stats + "--fill top-left --fail-on holes,twice,outside,rows").status, 0);
+    EXPECT_EQ(
+        shell("$rastertrace stats $examples/t0-fill/first-triangle.json --fail-on outside").err,
+        "rastertrace: --fail-on: found outside\n");
+    EXPECT_EQ(shell("$rastertrace stats $examples/t4-fan/fan.json --fail-on holes,outside").err,
+              "rastertrace: --fail-on: found holes, outside\n");
+
+    const Outcome unknown = shell(stats + "--fail-on hole");
+    EXPECT_EQ(unknown.status, 2);
+    EXPECT_EQ(unknown.err, "rastertrace: --fail-on: expected findings out of holes,twice,outside,"
+                           "rows, found \"hole\"\nhint: did you mean holes?\n");
+    const Outcome partial =
+        shell("$rastertrace trace square.json --only pixel | $rastertrace stats - --fail-on twice");
+    EXPECT_EQ(partial.status, 2);
+    EXPECT_EQ(partial.err, "rastertrace: -: --fail-on: expected a trace with all its steps, found "
+                           "one that steps were left out of\n");
+}
+
 // None of them has one: what lies beside each other there shares its edges, or only passes.
 TEST_F(ProgramTest, StatsTellsOfNoTJunctionInTheExamples) {
     for (const auto& entry : fs::recursive_directory_iterator(RASTERTRACE_EXAMPLES)) {

@@ -242,7 +242,71 @@ void add_missing(Coverage& coverage, int y, const Span& gap, const Span& inside)
     add(coverage.open_edge, y, common_part(gap, {inside.last + 1, gap.last}));
 }
 
-Coverage coverage_of(const Cornered& triangle, const Grid& grid) {
+/// Why the step that found a row's ends, or the pixel itself, has led to a pixel outside: `step`, 0 if
+/// there is none.
+std::string cause_of(const Trace& trace, std::size_t step, int x, const Grid& grid) {
+    const auto kind = step == 0 ? std::nullopt : trace.kind_of(step);
+    if (kind == StepKind::sample)
+        return "the weights of the sample were rounded";
+    if (kind == StepKind::ray)
+        return "a line of the fan leaves the triangle";
+    if (kind != StepKind::scanline)
+        return "no step says why";
+
+    const auto end = [&](std::string_view name) -> std::optional<mpq_class> {
+        const auto number = parse_number(trace.step(step).text(name), NumberSize::any);
+        if (const auto* value = std::get_if<Number>(&number))
+            return value->exact();
+        return std::nullopt;
+    };
+    const mpq_class sample = x + grid.sample_offset;
+    const std::string all = trace.method_value("rounding");
+    const std::string rounding = all.empty() ? "rounding" : all.substr(0, all.find('+'));
+    if (const auto left = end("left"); left && sample < *left)
+        return rounding + " takes the pixel left of the edge";
+    if (const auto right = end("right"); right && sample > *right)
+        return rounding + " takes the pixel right of the edge";
+    return "the ends of the row, as calculated, lie outside";
+}
+
+/// The causes of the pixels of a primitive that were drawn outside; `outside` has their places, in
+/// ascending order.
+std::vector<PixelCause> causes_of(const std::vector<std::uint32_t>& outside,
+                                  const DrawnPrimitive& primitive, const Trace& trace,
+                                  const Grid& grid) {
+    std::vector<PixelCause> causes;
+    std::vector<bool> has_cause(outside.size());
+    std::size_t decisive = 0;
+    for (std::size_t n = primitive.step + 1; n <= trace.size() && !outside.empty(); ++n) {
+        const auto kind = trace.kind_of(n);
+        if (kind == StepKind::primitive)
+            break;
+        if (kind == StepKind::scanline || kind == StepKind::sample || kind == StepKind::ray)
+            decisive = n;
+        if (kind != StepKind::pixel && kind != StepKind::depth)
+            continue;
+        const Index x = *trace.step(n).whole("x");
+        const Index y = *trace.step(n).whole("y");
+        if (!grid.canvas.contains(x, y))
+            continue;
+        const Pixel pixel{static_cast<int>(x), static_cast<int>(y)};
+        const auto offset = static_cast<std::uint32_t>(grid.canvas.offset_of(pixel));
+        const auto place = std::lower_bound(outside.begin(), outside.end(), offset);
+        if (place == outside.end() || *place != offset)
+            continue;
+        const auto i = static_cast<std::size_t>(place - outside.begin());
+        if (has_cause[i]) // the pixel comes again
+            continue;
+        has_cause[i] = true;
+        const std::string cause = cause_of(trace, decisive, pixel.x, grid);
+        const auto known = std::find_if(causes.begin(), causes.end(),
+                                        [&](const auto& one) { return one.cause == cause; });
+        ++(known == causes.end() ? causes.emplace_back(PixelCause{cause, 0}) : *known).pixels;
+    }
+    return causes;
+}
+
+Coverage coverage_of(const Cornered& triangle, const Trace& trace, const Grid& grid) {
     const Canvas& canvas = grid.canvas;
     const auto& [a, b, c] = triangle.at;
     const auto& drawn = triangle.drawn->covering();
@@ -259,6 +323,7 @@ Coverage coverage_of(const Cornered& triangle, const Grid& grid) {
 
     // On each of them, the gaps between the pixels drawn are missing, as far as the triangle goes.
     Coverage coverage;
+    std::vector<std::uint32_t> outside;
     for (Index row = rows.first; row <= rows.last; ++row) {
         const int y = canvas.y_of(static_cast<int>(row));
         const Span closed = span_on_row(triangle.closed, y, whole_row(canvas));
@@ -268,6 +333,7 @@ Coverage coverage_of(const Cornered& triangle, const Grid& grid) {
             const Pixel pixel = pixel_at(offset, canvas);
             if (!closed.has(pixel.x)) {
                 add(coverage.outside, pixel);
+                outside.push_back(offset);
                 continue;
             }
             add_missing(coverage, y, {next, pixel.x - 1}, inside);
@@ -275,6 +341,7 @@ Coverage coverage_of(const Cornered& triangle, const Grid& grid) {
         }
         add_missing(coverage, y, {next, closed.last}, inside);
     }
+    coverage.causes = causes_of(outside, *triangle.drawn, trace, grid);
     return coverage;
 }
 
@@ -557,7 +624,7 @@ void compare_with_corners(const Trace& trace, std::span<const DrawnPrimitive> dr
     for (Cornered& fill : fills) {
         fill.closed = region_of(fill.at, grid);
         fill.interior = interior_of(fill.closed);
-        stats.primitives[fill.place].coverage = coverage_of(fill, grid);
+        stats.primitives[fill.place].coverage = coverage_of(fill, trace, grid);
     }
     for (const EdgeUse& edge : shared_edges(fills))
         compare_at_edge(edge, trace, grid, stats);

@@ -2,6 +2,7 @@
 #include <rastertrace/trace/stats.h>
 
 #include "coverage.h"
+#include "row_check.h"
 
 #include <rastertrace/trace/frame.h>
 #include <rastertrace/trace/write_trace.h>
@@ -113,6 +114,7 @@ Stats stats_of(const Trace& trace) {
     KindCounts kinds(stats);
     std::vector<DrawnPrimitive> drawn;
     DepthTies ties(trace.canvas);
+    RowCheck rows(stats.wrong_rows);
     Replay replay(trace);
     for (std::size_t n = 1; n <= trace.size(); ++n) {
         replay.go_to(n);
@@ -127,6 +129,8 @@ Stats stats_of(const Trace& trace) {
         }
         if (kind == StepKind::skip && !stats.primitives.empty())
             stats.primitives.back().skipped = step.text("why");
+        if (!trace.is_partial)
+            rows.add(trace, n, stats.primitives.empty() ? "" : stats.primitives.back().name);
         if (kind == StepKind::pixel)
             count_pixel(stats, drawn, step, replay);
         if (kind == StepKind::depth) {
@@ -141,6 +145,8 @@ Stats stats_of(const Trace& trace) {
         keep_each_once(drawn[i]);
         stats.primitives[i].pixels = drawn[i].pixels.size();
     }
+    if (trace.end)
+        rows.close();
     if (!trace.end && !drawn.empty())
         drawn.pop_back();
     if (!trace.is_partial)

@@ -380,13 +380,36 @@ private:
             ->required()
             ->type_name("TRACE");
         command.add_flag("--json", stats_.json, "Print JSON");
+        command
+            .add_option("--fail-on", fail_on_,
+                        fmt::format("End with status 1 if there are any of these: {}",
+                                    fmt::join(finding_names(), ",")))
+            ->type_name("NAME,...");
         stats_method_.add_to(command);
         stats_input_.add_to(command);
         command.callback([this] {
+            if (!fail_on_.empty())
+                stats_.fail_on =
+                    list_in("--fail-on", "findings", fail_on_, finding_names(), finding_named);
             stats_.method = stats_method_.overrides();
             stats_.input = stats_input_.limits();
             action_ = [this] { return rastertrace::run(stats_); };
         });
+    }
+
+    static constexpr std::array findings{StatsFinding::holes, StatsFinding::twice,
+                                         StatsFinding::outside, StatsFinding::rows};
+    static std::vector<std::string_view> finding_names() {
+        std::vector<std::string_view> names;
+        for (const StatsFinding finding : findings)
+            names.push_back(name_of(finding));
+        return names;
+    }
+    static std::optional<StatsFinding> finding_named(std::string_view name) {
+        for (const StatsFinding finding : findings)
+            if (name_of(finding) == name)
+                return finding;
+        return std::nullopt;
     }
 
     void add_plan() {
@@ -655,6 +678,7 @@ private:
     InputOptions show_input_;
 
     StatsCommand stats_;
+    std::string fail_on_;
     MethodOptions stats_method_;
     InputOptions stats_input_;
 

@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rastertrace {
@@ -86,9 +87,19 @@ struct ShowCommand {
 };
 int run(const ShowCommand& command);
 
+/// What `stats` can be asked to fail on.
+enum class StatsFinding {
+    holes,   ///< pixels inside a triangle, or between two, that none has drawn
+    twice,   ///< pixels that both triangles at an edge have drawn
+    outside, ///< pixels drawn outside of their triangle
+    rows,    ///< scanline steps that the steps behind them do not agree with
+};
+std::string_view name_of(StatsFinding finding);
+
 struct StatsCommand {
     std::string trace;
     bool json = false;
+    std::vector<StatsFinding> fail_on; ///< exit status 1 if there is any of these
     MethodOverrides method;
     InputLimits input;
 };

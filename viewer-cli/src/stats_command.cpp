@@ -13,8 +13,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <map>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace rastertrace {
 
@@ -22,6 +25,9 @@ namespace {
 
 /// How many pixels of each finding the text names.
 constexpr std::size_t most_pixels_named = 12;
+
+/// And how many of the findings that need a line each.
+constexpr std::size_t most_findings_named = 12;
 
 /// A name from a file, fit for a line of text.
 std::string shown(std::string_view name) {
@@ -45,7 +51,15 @@ std::string places_of(const PixelList& pixels) {
     return text;
 }
 
-/// What a triangle missed and what it drew too much, a line each.
+/// Why pixels were drawn outside, a line for each cause.
+std::string as_text(const std::vector<PixelCause>& causes) {
+    std::string text;
+    for (const auto& [cause, pixels] : causes)
+        text += fmt::format("    {}: {}\n", printable(cause), pixels);
+    return text;
+}
+
+/// What a triangle missed and what it drew too much, a line each, and why.
 std::string as_text(const Coverage& coverage) {
     const auto line = [](const PixelList& pixels, std::string_view what) {
         return pixels.count == 0
@@ -54,13 +68,122 @@ std::string as_text(const Coverage& coverage) {
     };
     return line(coverage.holes, "inside not drawn") +
            line(coverage.open_edge, "on its boundary not drawn") +
-           line(coverage.outside, "drawn outside");
+           line(coverage.outside, "drawn outside") + as_text(coverage.causes);
+}
+
+// Primitives and edges. The parts of a mesh, which may be thousands, are added up.
+
+/// The mesh that a face, NAME.FACE, belongs to; "" if it belongs to none.
+std::string_view mesh_of(std::string_view primitive) {
+    const std::size_t dot = primitive.find('.');
+    return dot == std::string_view::npos ? std::string_view() : primitive.substr(0, dot);
+}
+
+void add(PixelList& sum, const PixelList& more) {
+    sum.count += more.count;
+    const std::size_t room = most_pixels_kept - std::min(most_pixels_kept, sum.kept.size());
+    const auto end =
+        more.kept.begin() + static_cast<std::ptrdiff_t>(std::min(room, more.kept.size()));
+    sum.kept.insert(sum.kept.end(), more.kept.begin(), end);
+}
+
+void add(Coverage& sum, const Coverage& more) {
+    add(sum.holes, more.holes);
+    add(sum.open_edge, more.open_edge);
+    add(sum.outside, more.outside);
+    for (const PixelCause& cause : more.causes) {
+        const auto known =
+            std::find_if(sum.causes.begin(), sum.causes.end(),
+                         [&cause](const PixelCause& other) { return other.cause == cause.cause; });
+        if (known == sum.causes.end())
+            sum.causes.push_back(cause);
+        else
+            known->pixels += cause.pixels;
+    }
+}
+
+std::string as_text(const PrimitiveStats& primitive) {
+    std::string text = fmt::format("{} {}: {} writes", shortened(printable(primitive.kind), 30),
+                                   shown(primitive.name), primitive.writes);
+    if (primitive.pixels != primitive.writes)
+        text += fmt::format(" to {}", counted(primitive.pixels));
+    if (primitive.over > 0)
+        text += fmt::format(", {} over a pixel drawn before", primitive.over);
+    if (!primitive.skipped.empty())
+        text += fmt::format(", skipped: {}", printable(primitive.skipped));
+    return text + '\n' + (primitive.coverage ? as_text(*primitive.coverage) : "");
+}
+
+/// The faces of a mesh that follow each other.
+std::string as_text(std::string_view mesh, std::span<const PrimitiveStats> faces) {
+    PrimitiveStats sum;
+    Coverage coverage;
+    std::map<std::string, std::size_t> skipped;
+    for (const PrimitiveStats& face : faces) {
+        sum.writes += face.writes;
+        sum.over += face.over;
+        if (!face.skipped.empty())
+            ++skipped[face.skipped];
+        if (face.coverage)
+            add(coverage, *face.coverage);
+    }
+    std::string text =
+        fmt::format("mesh {}: {} primitives, {} writes", shown(mesh), faces.size(), sum.writes);
+    if (sum.over > 0)
+        text += fmt::format(", {} over a pixel drawn before", sum.over);
+    for (const auto& [why, count] : skipped)
+        text += fmt::format(", {} skipped: {}", count, printable(why));
+    return text + '\n' + as_text(coverage);
+}
+
+std::string as_text(const std::vector<PrimitiveStats>& primitives) {
+    std::string text;
+    for (auto first = primitives.begin(); first != primitives.end();) {
+        const std::string_view mesh = mesh_of(first->name);
+        const auto end = mesh.empty()
+                             ? first + 1
+                             : std::find_if(first, primitives.end(), [&](const auto& other) {
+                                   return mesh_of(other.name) != mesh;
+                               });
+        text += end - first == 1 ? as_text(*first) : as_text(mesh, {first, end});
+        first = end;
+    }
+    return text;
 }
 
 std::string as_text(const SharedEdge& edge) {
     return fmt::format("edge {} of {} and {}: {} written twice{}; {} never{}\n", shown(edge.name),
                        shown(edge.one), shown(edge.other), counted(edge.twice.count),
                        places_of(edge.twice), edge.never.count, places_of(edge.never));
+}
+
+/// The shared edges with a finding: those within a mesh in one line, the others in one each.
+std::string as_text(const std::vector<SharedEdge>& edges) {
+    struct Sum {
+        std::size_t edges = 0;
+        PixelList twice;
+        PixelList never;
+    };
+    std::map<std::string_view, Sum> meshes;
+    std::string text;
+    for (const SharedEdge& edge : edges) {
+        if (edge.twice.count == 0 && edge.never.count == 0)
+            continue;
+        const std::string_view mesh = mesh_of(edge.one);
+        if (mesh.empty() || mesh != mesh_of(edge.other)) {
+            text += as_text(edge);
+            continue;
+        }
+        Sum& sum = meshes[mesh];
+        ++sum.edges;
+        add(sum.twice, edge.twice);
+        add(sum.never, edge.never);
+    }
+    for (const auto& [mesh, sum] : meshes)
+        text += fmt::format("{} edge{} within {}: {} written twice{}; {} never{}\n", sum.edges,
+                            sum.edges == 1 ? "" : "s", shown(mesh), counted(sum.twice.count),
+                            places_of(sum.twice), sum.never.count, places_of(sum.never));
+    return text;
 }
 
 /// "a, b ... and 3 more", by what says how an entry reads.
@@ -92,6 +215,27 @@ std::string as_text(const OutlineOnFill& pair) {
                        shown(pair.fill), counted(pair.outside.count), places_of(pair.outside));
 }
 
+std::string as_text(const WrongRow& row) {
+    std::string text = fmt::format("scanline y={} of {} (step {}), {} to {}:", row.y,
+                                   shown(row.primitive), row.step, row.from, row.to);
+    if (row.missing > 0)
+        text += fmt::format(" {} neither drawn nor rejected", counted(row.missing));
+    if (row.others > 0)
+        text += fmt::format("{} {} too many", row.missing > 0 ? "," : "", counted(row.others));
+    return text + '\n';
+}
+
+/// A line each for the first of some findings.
+template <typename List> std::string first_of(const List& list, std::string_view what) {
+    std::string text;
+    const std::size_t named = std::min(list.size(), most_findings_named);
+    for (std::size_t i = 0; i < named; ++i)
+        text += as_text(list[i]);
+    if (list.size() > named)
+        text += fmt::format("... and {} more {}; --json has all\n", list.size() - named, what);
+    return text;
+}
+
 std::string as_text(const Trace& trace, const Stats& stats) {
     std::string text = shortened(printable(trace.title), 79) + "\n";
     const auto out = std::back_inserter(text);
@@ -105,27 +249,12 @@ std::string as_text(const Trace& trace, const Stats& stats) {
                    stats.frame_differs
                        ? ", not " + printable(trace.end->frame) + " as the end record says"
                        : "");
-    for (const PrimitiveStats& primitive : stats.primitives) {
-        fmt::format_to(out, "{} {}: {} writes", shortened(printable(primitive.kind), 30),
-                       shown(primitive.name), primitive.writes);
-        if (primitive.pixels != primitive.writes)
-            fmt::format_to(out, " to {}", counted(primitive.pixels));
-        if (primitive.over > 0)
-            fmt::format_to(out, ", {} over a pixel drawn before", primitive.over);
-        if (!primitive.skipped.empty())
-            fmt::format_to(out, ", skipped: {}", printable(primitive.skipped));
-        text += '\n';
-        if (primitive.coverage)
-            text += as_text(*primitive.coverage);
-    }
-    for (const SharedEdge& edge : stats.edges)
-        if (edge.twice.count > 0 || edge.never.count > 0)
-            text += as_text(edge);
-    for (const EdgeWithJunctions& edge : stats.t_junctions)
-        text += as_text(edge);
-    for (const OutlineOnFill& pair : stats.outlines)
-        if (pair.outside.count > 0)
-            text += as_text(pair);
+    text += as_text(stats.primitives) + as_text(stats.edges) +
+            first_of(stats.t_junctions, "T-junctions");
+    std::vector<OutlineOnFill> beside;
+    std::copy_if(stats.outlines.begin(), stats.outlines.end(), std::back_inserter(beside),
+                 [](const OutlineOnFill& pair) { return pair.outside.count > 0; });
+    text += first_of(beside, "outlines") + first_of(stats.wrong_rows, "scanlines");
     if (stats.depth_ties.count > 0)
         fmt::format_to(out, "depth ties: {} would have another color in another order{}\n",
                        counted(stats.depth_ties.count), places_of(stats.depth_ties));
@@ -142,6 +271,24 @@ std::string as_json(const PixelList& pixels) {
         separator = ",";
     }
     return text + "]}";
+}
+
+std::string as_json(const std::vector<PixelCause>& causes) {
+    std::string text = "[";
+    for (const auto& [cause, pixels] : causes)
+        text += fmt::format(R"({}{{"cause":{},"pixels":{}}})", text.size() > 1 ? "," : "",
+                            json_quoted(cause), pixels);
+    return text + "]";
+}
+
+std::string as_json(const std::vector<WrongRow>& rows) {
+    std::string text = "[";
+    for (const WrongRow& row : rows)
+        text += fmt::format(
+            R"({}{{"step":{},"primitive":{},"y":{},"from":{},"to":{},"missing":{},"others":{}}})",
+            text.size() > 1 ? "," : "", row.step, json_quoted(row.primitive), row.y, row.from,
+            row.to, row.missing, row.others);
+    return text + "]";
 }
 
 /// The edges that triangles share, and the outlines of triangles.
@@ -212,9 +359,9 @@ std::string as_json(const Trace& trace, const Stats& stats) {
         if (!primitive.skipped.empty())
             fmt::format_to(out, R"(,"skipped":{})", json_quoted(primitive.skipped));
         if (const auto& coverage = primitive.coverage)
-            fmt::format_to(out, R"(,"holes":{},"open_edge":{},"outside":{})",
+            fmt::format_to(out, R"(,"holes":{},"open_edge":{},"outside":{},"causes":{})",
                            as_json(coverage->holes), as_json(coverage->open_edge),
-                           as_json(coverage->outside));
+                           as_json(coverage->outside), as_json(coverage->causes));
         text += '}';
         separator = ",";
     }
@@ -222,16 +369,70 @@ std::string as_json(const Trace& trace, const Stats& stats) {
         std::any_of(stats.count.begin(), stats.count.end(),
                     [](const auto& entry) { return entry.first == name_of(StepKind::depth); });
     return text + "]," + pairs_as_json(stats) + "," + junctions_as_json(stats) +
+           R"(,"wrong_rows":)" + as_json(stats.wrong_rows) +
            (has_depth ? R"(,"depth_ties":)" + as_json(stats.depth_ties) : "") + "}\n";
+}
+
+/// True if there is anything of the kind.
+bool has(const Stats& stats, StatsFinding finding) {
+    const auto any_primitive = [&stats](PixelList Coverage::*list) {
+        return std::any_of(
+            stats.primitives.begin(), stats.primitives.end(),
+            [list](const auto& one) { return one.coverage && ((*one.coverage).*list).count > 0; });
+    };
+    const auto any_edge = [&stats](PixelList SharedEdge::*edge,
+                                   PixelList EdgeWithJunctions::*other) {
+        return std::any_of(stats.edges.begin(), stats.edges.end(),
+                           [edge](const auto& one) { return (one.*edge).count > 0; }) ||
+               std::any_of(stats.t_junctions.begin(), stats.t_junctions.end(),
+                           [other](const auto& one) { return (one.*other).count > 0; });
+    };
+    switch (finding) {
+    case StatsFinding::holes:
+        return any_primitive(&Coverage::holes) ||
+               any_edge(&SharedEdge::never, &EdgeWithJunctions::never);
+    case StatsFinding::twice:
+        return any_edge(&SharedEdge::twice, &EdgeWithJunctions::twice);
+    case StatsFinding::outside:
+        return any_primitive(&Coverage::outside);
+    case StatsFinding::rows:
+        break;
+    }
+    return !stats.wrong_rows.empty();
 }
 
 } // namespace
 
+std::string_view name_of(StatsFinding finding) {
+    switch (finding) {
+    case StatsFinding::holes:
+        return "holes";
+    case StatsFinding::twice:
+        return "twice";
+    case StatsFinding::outside:
+        return "outside";
+    case StatsFinding::rows:
+        break;
+    }
+    return "rows";
+}
+
 int run(const StatsCommand& command) {
     const Trace trace = load_trace(command.trace, command.method, command.input);
+    if (trace.is_partial && !command.fail_on.empty())
+        throw problem_of(command.trace, "--fail-on: expected a trace with all its steps, found one "
+                                        "that steps were left out of");
     const Stats stats = stats_of(trace);
     print(command.json ? as_json(trace, stats) : as_text(trace, stats));
-    return report_damage(trace);
+
+    std::vector<std::string_view> found;
+    for (const StatsFinding finding : command.fail_on)
+        if (has(stats, finding))
+            found.push_back(name_of(finding));
+    if (!found.empty())
+        print_error(fmt::format("rastertrace: --fail-on: found {}\n", fmt::join(found, ", ")));
+    const ExitStatus damage = report_damage(trace);
+    return damage == exit_fine && !found.empty() ? exit_difference : damage;
 }
 
 } // namespace rastertrace

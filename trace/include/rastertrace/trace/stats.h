@@ -36,11 +36,18 @@ struct PixelList {
     std::vector<Pixel> kept; ///< the first ones, from the top row of the picture, left to right
 };
 
+/// Why pixels were drawn that should not have been.
+struct PixelCause {
+    std::string cause; ///< "floor takes the pixel left of the edge"
+    std::uint64_t pixels = 0;
+};
+
 /// What a triangle drew against what it covers.
 struct Coverage {
     PixelList holes;     ///< not drawn, though the sample point lies strictly inside
     PixelList open_edge; ///< not drawn, and the sample point lies on the boundary
     PixelList outside;   ///< drawn, though the sample point lies outside the closed triangle
+    std::vector<PixelCause> causes; ///< of those outside: each of them has one
 };
 
 /// What one primitive drew.
@@ -97,6 +104,18 @@ struct OutlineOnFill {
     PixelList outside; ///< drawn by the outline and not by the fill
 };
 
+/// A scanline step that the steps behind it do not agree with: the pixels from `from` to `to` should
+/// have been plotted, hidden or rejected, each once, and no others.
+struct WrongRow {
+    std::size_t step = 0;
+    std::string primitive;
+    Index y = 0;
+    Index from = 0;
+    Index to = 0;
+    std::uint64_t missing = 0; ///< of the pixels from `from` to `to`
+    std::uint64_t others = 0;  ///< pixels that are none of these, or come again
+};
+
 struct Stats {
     std::uint64_t steps = 0;
     std::vector<std::pair<std::string, std::uint64_t>> count; ///< by kind, in order of appearance
@@ -107,6 +126,7 @@ struct Stats {
     std::vector<SharedEdge> edges; ///< every pair of triangles with area at every edge
     std::vector<EdgeWithJunctions> t_junctions;
     std::vector<OutlineOnFill> outlines; ///< every pair of an outline and a fill
+    std::vector<WrongRow> wrong_rows;
 
     /// Where a triangle of another color had just the depth of the one that is seen, and came too
     /// late: drawn in another order, the picture would be another one.

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "row_check.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace rastertrace {
+
+void RowCheck::add(const Trace& trace, std::size_t n, const std::string& primitive) {
+    const auto kind = trace.kind_of(n);
+    const StepView step = trace.step(n);
+    if (row_ && belongs(step, kind))
+        return;
+    close();
+    if (kind == StepKind::scanline)
+        row_ = WrongRow{.step = n,
+                        .primitive = primitive,
+                        .y = *step.whole("y"),
+                        .from = *step.whole("from"),
+                        .to = *step.whole("to")};
+}
+
+bool RowCheck::belongs(const StepView& step, std::optional<StepKind> kind) {
+    // A depth test that is passed is followed by its pixel.
+    if (kind == StepKind::depth && step.text("pass") == "true")
+        return true;
+    if (kind != StepKind::depth && kind != StepKind::pixel && kind != StepKind::reject)
+        return false;
+    const auto x = step.whole("x");
+    const auto y = step.whole("y");
+    if (!x || !y || step.field("to_y"))
+        return false; // whole rows, or a part of a line
+    const Index to_x = step.whole("to_x").value_or(*x);
+    if (*y == row_->y && *x <= to_x)
+        spans_.emplace_back(*x, to_x);
+    else
+        ++elsewhere_;
+    return true;
+}
+
+void RowCheck::close() {
+    if (!row_)
+        return;
+
+    // Of the pixels that were told, from left to right, each that is due counts once.
+    std::sort(spans_.begin(), spans_.end());
+    std::uint64_t told = elsewhere_;
+    std::uint64_t due = 0;
+    Index next = row_->from;
+    for (const auto& [first, last] : spans_) {
+        told += static_cast<std::uint64_t>(last - first + 1);
+        const Index begin = std::max(first, next);
+        const Index end = std::min(last, row_->to);
+        if (begin <= end) {
+            due += static_cast<std::uint64_t>(end - begin + 1);
+            next = end + 1;
+        }
+    }
+    const auto all = static_cast<std::uint64_t>(std::max<Index>(row_->to - row_->from + 1, 0));
+    row_->missing = all - due;
+    row_->others = told - due;
+    if (row_->missing > 0 || row_->others > 0)
+        wrong_.push_back(std::move(*row_));
+
+    row_.reset();
+    spans_.clear();
+    elsewhere_ = 0;
+}
+
+} // namespace rastertrace
