@@ -93,8 +93,9 @@ TEST_F(ProgramTest, ShowTellsManyStepsOfAKindAsATable) {
 }
 
 TEST_F(ProgramTest, SentencesShortenWhatTheTraceHasWhole) {
-    write("long.json",
-          R"({"rastertrace":1,"canvas":{"width":3,"height":3,"origin":"center"},"method":{"cull":"back"},"steps":[
+    write(
+        "long.json",
+        R"({"rastertrace":1,"canvas":{"width":3,"height":3,"origin":"center"},"method":{"cull":"back"},"steps":[
 {"step":"face","name":"ABC","normal":["49977918000000000000000000001/10141204000000000000000000003",0,"1/3"],"view":[0,0,1],"dot":1,"cosine":-0.57735026918962573,"culled":false}
 ]})");
     EXPECT_THAT(

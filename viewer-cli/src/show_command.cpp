@@ -129,6 +129,11 @@ bool is_table(const ShowCommand& command, const Trace& trace, const std::vector<
 
 int run(const ShowCommand& command) {
     const Trace trace = load_trace(command.trace, command.method, command.input);
+    const auto shown = steps_to_show(command, trace);
+    if (is_table(command, trace, shown)) {
+        print_table(trace, shown, command.format.value_or(TableFormat::table));
+        return report_damage(trace);
+    }
     const TextSize size = output_size();
     if (command.region)
         check_region(*command.region, trace.canvas);
@@ -138,11 +143,6 @@ int run(const ShowCommand& command) {
 
     Replay replay(trace, parts_for(view, trace));
     bool is_first = true;
-    const auto shown = steps_to_show(command, trace);
-    if (is_table(command, trace, shown)) {
-        print_table(trace, shown, command.format.value_or(TableFormat::table));
-        return report_damage(trace);
-    }
     for (const Shown& steps : shown) {
         FrameText about{.caption = {},
                         .first_step = steps.first,
