@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/trace/describe.h>
 
-#include <rastertrace/core/numbers/number.h>
 #include <rastertrace/trace/scene_file.h>
 #include <rastertrace/trace/step_kind.h>
 #include <rastertrace/trace/text.h>
@@ -13,19 +12,11 @@
 #include <cstddef>
 #include <optional>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 namespace rastertrace {
 
 namespace {
-
-/// The nearest double of a number as a trace writes it.
-std::optional<double> double_in(const std::string& number) {
-    const auto parsed = parse_number(number);
-    const auto* value = std::get_if<Number>(&parsed);
-    return value == nullptr ? std::nullopt : std::optional(value->nearest_double());
-}
 
 /// A long fraction as its first digits, and what it is: 49977918.../10141204... = 4.928203.
 std::string in_sentence(const std::string& number) {
@@ -37,7 +28,7 @@ std::string in_sentence(const std::string& number) {
     const auto first_digits = [](std::string part) {
         return part.size() <= digits + 3 ? part : part.substr(0, digits) + "...";
     };
-    const auto value = double_in(number);
+    const auto value = nearest_double_in(number);
     return fmt::format("{}/{} = {:.7g}", first_digits(number.substr(0, bar)),
                        first_digits(number.substr(bar + 1)), value.value_or(0));
 }
@@ -223,7 +214,7 @@ std::string against(const Context& context) {
 
 /// 1 over a number, as the trace would write it: 5 of 1/5, 3/2 of 2/3.
 std::string inverse_of(const std::string& number) {
-    const auto value = double_in(number);
+    const auto value = nearest_double_in(number);
     if (!value || *value == 0)
         return "?";
     const std::size_t bar = number.find('/');
@@ -240,8 +231,8 @@ std::string depth_rule(const Context& context) {
     const auto& [replay, step, primitive] = context;
     const std::string kind = replay.trace().method_value("depth");
     const std::string asked = replay.trace().method_value("depth_compare");
-    const auto depth = double_in(step.text("depth"));
-    const auto stored = double_in(step.text("stored"));
+    const auto depth = nearest_double_in(step.text("depth"));
+    const auto stored = nearest_double_in(step.text("stored"));
     const bool passes = step.text("pass") == "true";
     // Of different depths, this very test tells; of others, the rule of the method.
     const bool larger =
@@ -357,7 +348,7 @@ constexpr Part parts[] = {
     {"cosine",
      [](const Context& context) {
          const std::string cosine = context.step.text("cosine");
-         const auto value = double_in(cosine);
+         const auto value = nearest_double_in(cosine);
          return value ? fmt::format(", cosine {}", six_places(*value)) : std::string();
      }},
     {"inside",

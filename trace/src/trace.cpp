@@ -51,6 +51,12 @@ std::optional<Index> StepView::whole(std::string_view name) const {
     return value ? whole_in(*value) : std::nullopt;
 }
 
+std::optional<double> nearest_double_in(const std::string& number) {
+    const auto parsed = parse_number(number);
+    const auto* value = std::get_if<Number>(&parsed);
+    return value == nullptr ? std::nullopt : std::optional(value->nearest_double());
+}
+
 std::string StepView::text(std::string_view name) const {
     const auto value = field(name);
     return value ? plain_text(*value) : std::string();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "frame_text.h"
 
-#include <rastertrace/core/numbers/number.h>
 #include <rastertrace/trace/text.h>
 
 #include <fmt/format.h>
@@ -13,7 +12,6 @@
 #include <optional>
 #include <set>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace rastertrace {
@@ -132,13 +130,6 @@ std::optional<Pixel> pixel_of(const Trace& trace, std::size_t n) {
     return Pixel{static_cast<int>(*x), static_cast<int>(*y)};
 }
 
-/// A coordinate as a trace writes it.
-std::optional<double> coordinate_in(const std::string& text) {
-    const auto parsed = parse_number(text);
-    const auto* number = std::get_if<Number>(&parsed);
-    return number == nullptr ? std::nullopt : std::optional(number->nearest_double());
-}
-
 /// A vertex of the current primitive, at the nearest pixel of the canvas.
 struct VertexMark {
     Pixel pixel;
@@ -158,8 +149,8 @@ std::vector<VertexMark> vertex_marks(const Replay& replay) {
     for (std::size_t i = 0; i < names.size() && i < positions.size(); ++i) {
         if (positions[i].size() < 2)
             continue;
-        const auto x = coordinate_in(positions[i][0]);
-        const auto y = coordinate_in(positions[i][1]);
+        const auto x = nearest_double_in(positions[i][0]);
+        const auto y = nearest_double_in(positions[i][1]);
         if (!x || !y || !(std::abs(*x) < largest_canvas_side) ||
             !(std::abs(*y) < largest_canvas_side))
             continue;

@@ -3,7 +3,6 @@
 
 #include "terminal_text.h"
 
-#include <rastertrace/core/numbers/number.h>
 #include <rastertrace/trace/color_text.h>
 #include <rastertrace/trace/text.h>
 
@@ -16,7 +15,6 @@
 #include <set>
 #include <unordered_map>
 #include <utility>
-#include <variant>
 
 namespace rastertrace {
 
@@ -32,13 +30,6 @@ constexpr std::string_view face_letters = "abcdefghijklmnopqrstuvwyz0123456789";
 constexpr std::string_view ramp = "-~:+=*o%8&";
 
 constexpr std::string_view empty_cell = ".";
-
-/// The nearest double of a number as a trace writes it; nothing for what is no number, like null.
-std::optional<double> number_in(const std::string& text) {
-    const auto parsed = parse_number(text);
-    const auto* number = std::get_if<Number>(&parsed);
-    return number == nullptr ? std::nullopt : std::optional(number->nearest_double());
-}
 
 /// How many steps of the ramp a share of 0 to 1 is.
 char ramp_at(double share) {
@@ -111,8 +102,8 @@ bool larger_is_nearer(const Trace& trace) {
         if (trace.kind_of(n) != StepKind::depth)
             continue;
         const StepView step = trace.step(n);
-        const auto depth = number_in(step.text("depth"));
-        const auto stored = number_in(step.text("stored"));
+        const auto depth = nearest_double_in(step.text("depth"));
+        const auto stored = nearest_double_in(step.text("stored"));
         if (depth && stored && *depth != *stored)
             return (step.text("pass") == "true") == (*depth > *stored);
     }
@@ -122,7 +113,7 @@ bool larger_is_nearer(const Trace& trace) {
 /// A number in a cell: as it was written if that is short.
 std::string short_number(const std::string& text) {
     constexpr std::size_t longest = 6;
-    const auto number = number_in(text);
+    const auto number = nearest_double_in(text);
     return text.size() <= longest || !number ? text : fmt::format("{:.3g}", *number);
 }
 
@@ -294,7 +285,7 @@ void FrameCells::set_up_depths(std::size_t room) {
             continue;
         const std::string text = trace.step(step).text("depth");
         width_ = std::max(width_, numbers.emplace(step, short_number(text)).first->second.size());
-        if (const auto depth = number_in(text)) {
+        if (const auto depth = nearest_double_in(text)) {
             least = std::min(least.value_or(*depth), *depth);
             largest = std::max(largest.value_or(*depth), *depth);
         }
@@ -320,7 +311,7 @@ void FrameCells::set_up_depths(std::size_t room) {
         const std::size_t step = frame.stored_by[offset];
         if (step == 0)
             return Cell{std::string(empty_cell)};
-        const double depth = number_in(trace.step(step).text("depth")).value_or(least);
+        const double depth = nearest_double_in(trace.step(step).text("depth")).value_or(least);
         const double share = range > 0 ? (depth - least) / range : 1;
         return Cell{std::string(1, ramp_at(larger ? share : 1 - share))};
     };
@@ -331,8 +322,8 @@ void FrameCells::set_up_coverage() {
     std::vector<Point> corners;
     if (replay_.primitive() != 0)
         for (const auto& at : trace.step(replay_.primitive()).text_rows("at")) {
-            const auto x = at.size() < 2 ? std::nullopt : number_in(at[0]);
-            const auto y = at.size() < 2 ? std::nullopt : number_in(at[1]);
+            const auto x = at.size() < 2 ? std::nullopt : nearest_double_in(at[0]);
+            const auto y = at.size() < 2 ? std::nullopt : nearest_double_in(at[1]);
             if (x && y)
                 corners.push_back({*x, *y});
         }

@@ -56,6 +56,9 @@ private:
     std::string_view json_;
 };
 
+/// The nearest double of a number as a trace writes it, 0.25 or 25/8; nothing for what is no number, like null.
+std::optional<double> nearest_double_in(const std::string& number);
+
 /// What the end record says; whatever it leaves out is not there.
 struct EndRecord {
     std::optional<std::uint64_t> steps;
