@@ -100,7 +100,7 @@ TEST_F(ProgramTest, SentencesShortenWhatTheTraceHasWhole) {
 ]})");
     EXPECT_THAT(
         shell("$rastertrace show long.json --last").out,
-        HasSubstr("\nface ABC: normal (49977918.../10141204... = 4.928203, 0, 1/3) . to eye "
+        HasSubstr("\nface ABC: normal (49977918.../10141204... = 4.928204, 0, 1/3) . to eye "
                   "(0, 0, 1) = 1, cosine -0.57735: drawn\n"));
 }
 

@@ -18,7 +18,7 @@ namespace rastertrace {
 
 namespace {
 
-/// A long fraction as its first digits, and what it is: 49977918.../10141204... = 4.928203.
+/// A long fraction as its first digits, and what it is: 49977918.../10141204... = 4.928204.
 std::string in_sentence(const std::string& number) {
     constexpr std::size_t longest = 20;
     constexpr std::size_t digits = 8;
