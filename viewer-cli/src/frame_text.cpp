@@ -21,8 +21,8 @@ namespace {
 /// The longest title line, and the width that plain output is laid out for.
 constexpr std::size_t page_columns = 79;
 
-/// Lines around the grid: title, caption, two blank ones, the coordinates, and the prompt below.
-constexpr std::size_t lines_around_grid = 6;
+/// Lines around the grid: title, caption, two blank ones, the coordinates, the stages, and the prompt below.
+constexpr std::size_t lines_around_grid = 7;
 
 /// Columns and rows of the canvas, counted from its left and top. A cell is a block of pixels.
 struct Window {
@@ -55,6 +55,8 @@ Window window_around(const Canvas& canvas, TextSize size, std::size_t margin, st
     Window window;
     window.columns = fitting(size.columns, margin, cell, canvas.width);
     window.rows = fitting(size.lines, taken, 1, canvas.height);
+    if (window.columns < canvas.width || window.rows < canvas.height) // a line says so
+        window.rows = fitting(size.lines, taken + 1, 1, canvas.height);
     const Pixel middle{canvas.left() + canvas.width / 2, canvas.y_of(canvas.height / 2)};
     const Pixel pixel = center.value_or(middle);
     window.first_column = window_start(canvas.width, window.columns, pixel.x - canvas.left());
