@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "stats_text.h"
+
+#include <rastertrace/trace/write_trace.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <string_view>
+#include <vector>
+
+namespace rastertrace {
+
+namespace {
+
+std::string as_json(const PixelList& pixels) {
+    std::string text = fmt::format(R"({{"count":{},"pixels":[)", pixels.count);
+    std::string_view separator;
+    for (const Pixel& pixel : pixels.kept) {
+        text += fmt::format("{}[{},{}]", separator, pixel.x, pixel.y);
+        separator = ",";
+    }
+    return text + "]}";
+}
+
+std::string as_json(const std::vector<PixelCause>& causes) {
+    std::string text = "[";
+    for (const auto& [cause, pixels] : causes)
+        text += fmt::format(R"({}{{"cause":{},"pixels":{}}})", text.size() > 1 ? "," : "",
+                            json_quoted(cause), pixels);
+    return text + "]";
+}
+
+std::string as_json(const std::vector<WrongRow>& rows) {
+    std::string text = "[";
+    for (const WrongRow& row : rows)
+        text += fmt::format(
+            R"({}{{"step":{},"primitive":{},"y":{},"from":{},"to":{},"missing":{},"others":{}}})",
+            text.size() > 1 ? "," : "", row.step, json_quoted(row.primitive), row.y, row.from,
+            row.to, row.missing, row.others);
+    return text + "]";
+}
+
+/// The edges that triangles share, and the outlines of triangles.
+std::string pairs_as_json(const Stats& stats) {
+    std::string text = R"("edges":[)";
+    std::string_view separator;
+    for (const SharedEdge& edge : stats.edges) {
+        text += fmt::format(R"({}{{"edge":{},"triangles":[{},{}],"twice":{},"never":{}}})",
+                            separator, json_quoted(edge.name), json_quoted(edge.one),
+                            json_quoted(edge.other), as_json(edge.twice), as_json(edge.never));
+        separator = ",";
+    }
+    text += R"(],"outlines":[)";
+    separator = "";
+    for (const OutlineOnFill& pair : stats.outlines) {
+        text +=
+            fmt::format(R"({}{{"outline":{},"triangle":{},"outside":{}}})", separator,
+                        json_quoted(pair.outline), json_quoted(pair.fill), as_json(pair.outside));
+        separator = ",";
+    }
+    return text + "]";
+}
+
+/// The edges that vertices of other triangles lie on.
+std::string junctions_as_json(const Stats& stats) {
+    std::string text = R"("t_junctions":[)";
+    std::string_view separator;
+    for (const EdgeWithJunctions& edge : stats.t_junctions) {
+        text += fmt::format(R"({}{{"edge":{},"triangle":{},"vertices":[)", separator,
+                            json_quoted(edge.name), json_quoted(edge.triangle));
+        separator = "";
+        for (const VertexOnEdge& vertex : edge.vertices) {
+            text += fmt::format(R"({}{{"vertex":{},"distance":{}}})", separator,
+                                json_quoted(vertex.name), vertex.distance);
+            separator = ",";
+        }
+        text += R"(],"beside":[)";
+        separator = "";
+        for (const std::string& triangle : edge.beside) {
+            text += separator;
+            text += json_quoted(triangle);
+            separator = ",";
+        }
+        text +=
+            fmt::format(R"(],"twice":{},"never":{}}})", as_json(edge.twice), as_json(edge.never));
+        separator = ",";
+    }
+    return text + "]";
+}
+
+} // namespace
+
+std::string stats_json(const Trace& trace, const Stats& stats) {
+    std::string text =
+        fmt::format(R"({{"title":{},"steps":{},"count":{{)", json_quoted(trace.title), stats.steps);
+    const auto out = std::back_inserter(text);
+    std::string_view separator;
+    for (const auto& [kind, count] : stats.count) {
+        fmt::format_to(out, "{}{}:{}", separator, json_quoted(kind), count);
+        separator = ",";
+    }
+    fmt::format_to(out, R"(}},"canvas":{},"pixels":{},"writes":{},"frame":"{}","frame_differs":{})",
+                   stats.canvas, stats.pixels, stats.writes, stats.frame, stats.frame_differs);
+    text += R"(,"primitives":[)";
+    separator = "";
+    for (const PrimitiveStats& primitive : stats.primitives) {
+        fmt::format_to(out, R"({}{{"kind":{},"name":{},"writes":{},"pixels":{},"over":{})",
+                       separator, json_quoted(primitive.kind), json_quoted(primitive.name),
+                       primitive.writes, primitive.pixels, primitive.over);
+        if (!primitive.skipped.empty())
+            fmt::format_to(out, R"(,"skipped":{})", json_quoted(primitive.skipped));
+        if (const auto& coverage = primitive.coverage)
+            fmt::format_to(out, R"(,"holes":{},"open_edge":{},"outside":{},"causes":{})",
+                           as_json(coverage->holes), as_json(coverage->open_edge),
+                           as_json(coverage->outside), as_json(coverage->causes));
+        text += '}';
+        separator = ",";
+    }
+    const bool has_depth =
+        std::any_of(stats.count.begin(), stats.count.end(),
+                    [](const auto& entry) { return entry.first == name_of(StepKind::depth); });
+    return text + "]," + pairs_as_json(stats) + "," + junctions_as_json(stats) +
+           R"(,"wrong_rows":)" + as_json(stats.wrong_rows) +
+           (has_depth ? R"(,"depth_ties":)" + as_json(stats.depth_ties) : "") + "}\n";
+}
+
+} // namespace rastertrace

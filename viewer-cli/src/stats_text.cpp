@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: MIT
+#include "stats_text.h"
+
+#include <rastertrace/trace/text.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <map>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace rastertrace {
+
+namespace {
+
+/// How many pixels of each finding the text names.
+constexpr std::size_t most_pixels_named = 12;
+
+/// And how many of the findings that need a line each.
+constexpr std::size_t most_findings_named = 12;
+
+/// A name from a file, fit for a line of text.
+std::string shown(std::string_view name) {
+    return shortened(printable(name), 60);
+}
+
+std::string counted(std::uint64_t count) {
+    return fmt::format("{} pixel{}", count, count == 1 ? "" : "s");
+}
+
+/// The coordinates of what was found, behind a colon; "" if nothing was.
+std::string places_of(const PixelList& pixels) {
+    if (pixels.count == 0)
+        return {};
+    std::string text = ":";
+    const std::size_t named = std::min(pixels.kept.size(), most_pixels_named);
+    for (std::size_t i = 0; i < named; ++i)
+        text += fmt::format(" ({}, {})", pixels.kept[i].x, pixels.kept[i].y);
+    if (pixels.count > named)
+        text += fmt::format(" ... and {} more", pixels.count - named);
+    return text;
+}
+
+/// Why pixels were drawn outside, a line for each cause.
+std::string as_text(const std::vector<PixelCause>& causes) {
+    std::string text;
+    for (const auto& [cause, pixels] : causes)
+        text += fmt::format("    {}: {}\n", printable(cause), pixels);
+    return text;
+}
+
+/// What a triangle missed and what it drew too much, a line each, and why.
+std::string as_text(const Coverage& coverage) {
+    const auto line = [](const PixelList& pixels, std::string_view what) {
+        return pixels.count == 0
+                   ? std::string()
+                   : fmt::format("  {} {}{}\n", counted(pixels.count), what, places_of(pixels));
+    };
+    return line(coverage.holes, "inside not drawn") +
+           line(coverage.open_edge, "on its boundary not drawn") +
+           line(coverage.outside, "drawn outside") + as_text(coverage.causes);
+}
+
+// Primitives and edges. The parts of a mesh, which may be thousands, are added up.
+
+/// The mesh that a face, NAME.FACE, belongs to; "" if it belongs to none.
+std::string_view mesh_of(std::string_view primitive) {
+    const std::size_t dot = primitive.find('.');
+    return dot == std::string_view::npos ? std::string_view() : primitive.substr(0, dot);
+}
+
+void add(PixelList& sum, const PixelList& more) {
+    sum.count += more.count;
+    const std::size_t room = most_pixels_kept - std::min(most_pixels_kept, sum.kept.size());
+    const auto end =
+        more.kept.begin() + static_cast<std::ptrdiff_t>(std::min(room, more.kept.size()));
+    sum.kept.insert(sum.kept.end(), more.kept.begin(), end);
+}
+
+void add(Coverage& sum, const Coverage& more) {
+    add(sum.holes, more.holes);
+    add(sum.open_edge, more.open_edge);
+    add(sum.outside, more.outside);
+    for (const PixelCause& cause : more.causes) {
+        const auto known =
+            std::find_if(sum.causes.begin(), sum.causes.end(),
+                         [&cause](const PixelCause& other) { return other.cause == cause.cause; });
+        if (known == sum.causes.end())
+            sum.causes.push_back(cause);
+        else
+            known->pixels += cause.pixels;
+    }
+}
+
+std::string as_text(const PrimitiveStats& primitive) {
+    std::string text = fmt::format("{} {}: {} writes", shortened(printable(primitive.kind), 30),
+                                   shown(primitive.name), primitive.writes);
+    if (primitive.pixels != primitive.writes)
+        text += fmt::format(" to {}", counted(primitive.pixels));
+    if (primitive.over > 0)
+        text += fmt::format(", {} over a pixel drawn before", primitive.over);
+    if (!primitive.skipped.empty())
+        text += fmt::format(", skipped: {}", printable(primitive.skipped));
+    return text + '\n' + (primitive.coverage ? as_text(*primitive.coverage) : "");
+}
+
+/// The faces of a mesh that follow each other.
+std::string as_text(std::string_view mesh, std::span<const PrimitiveStats> faces) {
+    PrimitiveStats sum;
+    Coverage coverage;
+    std::map<std::string, std::size_t> skipped;
+    for (const PrimitiveStats& face : faces) {
+        sum.writes += face.writes;
+        sum.over += face.over;
+        if (!face.skipped.empty())
+            ++skipped[face.skipped];
+        if (face.coverage)
+            add(coverage, *face.coverage);
+    }
+    std::string text =
+        fmt::format("mesh {}: {} primitives, {} writes", shown(mesh), faces.size(), sum.writes);
+    if (sum.over > 0)
+        text += fmt::format(", {} over a pixel drawn before", sum.over);
+    for (const auto& [why, count] : skipped)
+        text += fmt::format(", {} skipped: {}", count, printable(why));
+    return text + '\n' + as_text(coverage);
+}
+
+std::string as_text(const std::vector<PrimitiveStats>& primitives) {
+    std::string text;
+    for (auto first = primitives.begin(); first != primitives.end();) {
+        const std::string_view mesh = mesh_of(first->name);
+        const auto end = mesh.empty()
+                             ? first + 1
+                             : std::find_if(first, primitives.end(), [&](const auto& other) {
+                                   return mesh_of(other.name) != mesh;
+                               });
+        text += end - first == 1 ? as_text(*first) : as_text(mesh, {first, end});
+        first = end;
+    }
+    return text;
+}
+
+std::string as_text(const SharedEdge& edge) {
+    return fmt::format("edge {} of {} and {}: {} written twice{}; {} never{}\n", shown(edge.name),
+                       shown(edge.one), shown(edge.other), counted(edge.twice.count),
+                       places_of(edge.twice), edge.never.count, places_of(edge.never));
+}
+
+/// The shared edges with a finding: those within a mesh in one line, the others in one each.
+std::string as_text(const std::vector<SharedEdge>& edges) {
+    struct Sum {
+        std::size_t edges = 0;
+        PixelList twice;
+        PixelList never;
+    };
+    std::map<std::string_view, Sum> meshes;
+    std::string text;
+    for (const SharedEdge& edge : edges) {
+        if (edge.twice.count == 0 && edge.never.count == 0)
+            continue;
+        const std::string_view mesh = mesh_of(edge.one);
+        if (mesh.empty() || mesh != mesh_of(edge.other)) {
+            text += as_text(edge);
+            continue;
+        }
+        Sum& sum = meshes[mesh];
+        ++sum.edges;
+        add(sum.twice, edge.twice);
+        add(sum.never, edge.never);
+    }
+    for (const auto& [mesh, sum] : meshes)
+        text += fmt::format("{} edge{} within {}: {} written twice{}; {} never{}\n", sum.edges,
+                            sum.edges == 1 ? "" : "s", shown(mesh), counted(sum.twice.count),
+                            places_of(sum.twice), sum.never.count, places_of(sum.never));
+    return text;
+}
+
+/// "a, b ... and 3 more", by what says how an entry reads.
+template <typename List, typename TextOf> std::string some_of(const List& list, TextOf&& text_of) {
+    std::string text;
+    const std::size_t named = std::min(list.size(), most_pixels_named);
+    for (std::size_t i = 0; i < named; ++i)
+        text += (i == 0 ? "" : ", ") + text_of(list[i]);
+    if (list.size() > named)
+        text += fmt::format(" ... and {} more", list.size() - named);
+    return text;
+}
+
+std::string as_text(const EdgeWithJunctions& edge) {
+    const auto vertex = [](const VertexOnEdge& one) {
+        return shown(one.name) +
+               (one.distance == 0 ? " on it" : fmt::format(" {:.3g} px from it", one.distance));
+    };
+    return fmt::format(
+        "T-junction{} at edge {} of {}: {}; beside it {}: {} in two triangles{}; {} in "
+        "none{}\n",
+        edge.vertices.size() == 1 ? "" : "s", shown(edge.name), shown(edge.triangle),
+        some_of(edge.vertices, vertex), some_of(edge.beside, shown), counted(edge.twice.count),
+        places_of(edge.twice), edge.never.count, places_of(edge.never));
+}
+
+std::string as_text(const OutlineOnFill& pair) {
+    return fmt::format("outline {} on triangle {}: {} outside the fill{}\n", shown(pair.outline),
+                       shown(pair.fill), counted(pair.outside.count), places_of(pair.outside));
+}
+
+std::string as_text(const WrongRow& row) {
+    std::string text = fmt::format("scanline y={} of {} (step {}), {} to {}:", row.y,
+                                   shown(row.primitive), row.step, row.from, row.to);
+    if (row.missing > 0)
+        text += fmt::format(" {} neither drawn nor rejected", counted(row.missing));
+    if (row.others > 0)
+        text += fmt::format("{} {} too many", row.missing > 0 ? "," : "", counted(row.others));
+    return text + '\n';
+}
+
+/// A line each for the first of some findings.
+template <typename List> std::string first_of(const List& list, std::string_view what) {
+    std::string text;
+    const std::size_t named = std::min(list.size(), most_findings_named);
+    for (std::size_t i = 0; i < named; ++i)
+        text += as_text(list[i]);
+    if (list.size() > named)
+        text += fmt::format("... and {} more {}; --json has all\n", list.size() - named, what);
+    return text;
+}
+
+} // namespace
+
+std::string stats_text(const Trace& trace, const Stats& stats) {
+    std::string text = shortened(printable(trace.title), 79) + "\n";
+    const auto out = std::back_inserter(text);
+    fmt::format_to(out, "steps       {}\n", stats.steps);
+    for (const auto& [kind, count] : stats.count)
+        fmt::format_to(out, "  {} {}\n", padded(shortened(printable(kind), 30), 9), count);
+    fmt::format_to(out, "pixels      {} of {} on the canvas\n", stats.pixels, stats.canvas);
+    fmt::format_to(out, "writes      {}, {} of them over a pixel drawn before\n", stats.writes,
+                   stats.writes - stats.pixels);
+    fmt::format_to(out, "frame       {}{}\n", stats.frame,
+                   stats.frame_differs
+                       ? ", not " + printable(trace.end->frame) + " as the end record says"
+                       : "");
+    text += as_text(stats.primitives) + as_text(stats.edges) +
+            first_of(stats.t_junctions, "T-junctions");
+    std::vector<OutlineOnFill> beside;
+    std::copy_if(stats.outlines.begin(), stats.outlines.end(), std::back_inserter(beside),
+                 [](const OutlineOnFill& pair) { return pair.outside.count > 0; });
+    text += first_of(beside, "outlines") + first_of(stats.wrong_rows, "scanlines");
+    if (stats.depth_ties.count > 0)
+        fmt::format_to(out, "depth ties: {} would have another color in another order{}\n",
+                       counted(stats.depth_ties.count), places_of(stats.depth_ties));
+    if (trace.is_partial)
+        text += "steps were left out when this trace was written; the counts are of those it has\n";
+    return text;
+}
+
+} // namespace rastertrace
