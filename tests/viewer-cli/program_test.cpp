@@ -1384,6 +1384,10 @@ TEST_F(ProgramTest, UsageErrorsNameTheWordAndANearOne) {
               "rastertrace show: --evry: no such option\nhint: did you mean --every?\n"
               "see rastertrace show --help\n");
     EXPECT_EQ(shell("$rastertrace show x --evry pixel").status, 2);
+    EXPECT_EQ(shell("$rastertrace show x --step scanline y=2").err,
+              "rastertrace show: The following argument was not expected: y=2\n"
+              "hint: a step of several words goes in quotes: \"scanline y=2\"\n"
+              "see rastertrace show --help\n");
     EXPECT_EQ(shell("$rastertrace trace x --only pixle").err,
               "rastertrace: --only: expected kinds of step out of "
               "matrix,vertex,order,primitive,face,light,clip,edge,half,ray,scanline,along,decide,"

@@ -647,6 +647,13 @@ private:
             hint = did_you_mean(word, {options.begin(), options.end()});
             break;
         }
+        const auto is_condition = [](std::string_view word) {
+            return !word.starts_with('-') && word.find('=') != std::string_view::npos;
+        };
+        if (hint.empty() &&
+            error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError) &&
+            std::any_of(arguments + 1, arguments + count, is_condition))
+            hint = R"(a step of several words goes in quotes: "scanline y=2")";
         const std::string name =
             is_command ? "rastertrace " + command.get_name() : std::string("rastertrace");
         print_error(fmt::format("{}: {}\n{}see {} --help\n", name, printable(message),
