@@ -92,7 +92,40 @@ TEST_F(ProgramTest, ShowTellsManyStepsOfAKindAsATable) {
               "hint: did you mean csv?\n");
 }
 
+TEST_F(ProgramTest, TablesOfNothingAndOfNegativeFractions) {
+    const std::string show = "$rastertrace show $examples/t0-fill/first-triangle.json ";
+    EXPECT_THAT(shell(show + "--every scanline --format csv").out,
+                HasSubstr("\r\n14,2,-1/4,25/8,"));
+    const Outcome before = shell(show + "--every 0 --format csv");
+    EXPECT_EQ(before.status, 2);
+    EXPECT_EQ(before.err, "rastertrace: --format: expected steps of a kind that has a table, found "
+                          "another\n");
+    EXPECT_EQ(shell(show + "--every scanline --bare --format csv").status, 2);
+    EXPECT_EQ(shell(show + "--bare --region 0,0,1,1").status, 2);
+    write(
+        "empty.json",
+        R"({"rastertrace":1,"canvas":{"width":2,"height":1,"origin":"top-left"},"method":{},"steps":[]})");
+    EXPECT_EQ(shell("$rastertrace show empty.json --every last --bare").out, "..\n");
+    // No depth was tested, and there is no room for numbers.
+    EXPECT_THAT(shell(show + "--view depth --overview").out, HasSubstr("the buffer is clear"));
+}
+
+TEST_F(ProgramTest, DepthTestsSayTheRuleThatWasAskedFor) {
+    const std::string cube = "$rastertrace show $examples/t0-hidden/cube-inverse-z.json ";
+    EXPECT_THAT(shell(cube + "--depth linear-z --depth-compare greater --every depth").out,
+                HasSubstr(": passes (z, larger passes)\n"));
+    EXPECT_THAT(shell(cube + "--depth-compare less --every depth").out,
+                HasSubstr("(1/z, smaller passes; z = 3"));
+}
+
 TEST_F(ProgramTest, SentencesShortenWhatTheTraceHasWhole) {
+    write(
+        "slash.json",
+        R"({"rastertrace":1,"canvas":{"width":3,"height":3,"origin":"center"},"method":{},"steps":[
+{"step":"primitive","kind":"point","name":"a name that is long/with a slash","vertices":["A"],"at":[[0,0]]}
+]})");
+    EXPECT_THAT(shell("$rastertrace show slash.json").out,
+                HasSubstr("\npoint a name that is long/with a slash   A (0, 0)\n"));
     write(
         "long.json",
         R"({"rastertrace":1,"canvas":{"width":3,"height":3,"origin":"center"},"method":{"cull":"back"},"steps":[

@@ -29,8 +29,10 @@ std::string in_sentence(const std::string& number) {
         return part.size() <= digits + 3 ? part : part.substr(0, digits) + "...";
     };
     const auto value = nearest_double_in(number);
+    if (!value)
+        return number; // a name with a slash
     return fmt::format("{}/{} = {:.7g}", first_digits(number.substr(0, bar)),
-                       first_digits(number.substr(bar + 1)), value.value_or(0));
+                       first_digits(number.substr(bar + 1)), *value);
 }
 
 /// `+ 3` for "3" and `- 3` for "-3": a number as the second term of a sum.
@@ -233,14 +235,11 @@ std::string depth_rule(const Context& context) {
     const std::string asked = replay.trace().method_value("depth_compare");
     const auto depth = nearest_double_in(step.text("depth"));
     const auto stored = nearest_double_in(step.text("stored"));
-    const bool passes = step.text("pass") == "true";
-    // Of different depths, this very test tells; of others, the rule of the method.
-    const bool larger =
-        depth && stored && *depth != *stored ? passes == (*depth > *stored) : kind == "inverse-z";
+    const auto larger = larger_depth_passes(replay.trace(), replay.step());
     const std::string what = kind == "inverse-z" ? "1/z" : kind == "linear-z" ? "z" : kind;
-    if (what.empty())
+    if (what.empty() || !larger)
         return {};
-    std::string text = fmt::format(" ({}, {} {}", what, larger ? "larger" : "smaller",
+    std::string text = fmt::format(" ({}, {} {}", what, *larger ? "larger" : "smaller",
                                    asked.empty() || asked == "auto" ? "is nearer" : "passes");
     if (kind == "inverse-z" && depth && *depth != 0)
         text += "; z = " + inverse_of(step.text("depth")) +
@@ -435,6 +434,21 @@ std::string sentence(std::string_view pattern, const Context& context) {
 }
 
 } // namespace
+
+std::optional<bool> larger_depth_passes(const Trace& trace, std::size_t n) {
+    const std::string asked = trace.method_value("depth_compare");
+    if (asked == "greater" || asked == "less")
+        return asked == "greater";
+    const StepView step = trace.step(n);
+    const auto depth = nearest_double_in(step.text("depth"));
+    const auto stored = nearest_double_in(step.text("stored"));
+    if (depth && stored && *depth != *stored)
+        return (step.text("pass") == "true") == (*depth > *stored);
+    const std::string kind = trace.method_value("depth");
+    return kind == "inverse-z"  ? std::optional(true)
+           : kind == "linear-z" ? std::optional(false)
+                                : std::nullopt;
+}
 
 std::string describe_step(const Replay& replay) {
     if (replay.step() == 0)

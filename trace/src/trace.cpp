@@ -52,7 +52,7 @@ std::optional<Index> StepView::whole(std::string_view name) const {
 }
 
 std::optional<double> nearest_double_in(const std::string& number) {
-    const auto parsed = parse_number(number);
+    const auto parsed = parse_number(number, NumberSize::any);
     const auto* value = std::get_if<Number>(&parsed);
     return value == nullptr ? std::nullopt : std::optional(value->nearest_double());
 }

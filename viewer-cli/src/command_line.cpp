@@ -354,6 +354,8 @@ private:
             }
             if (!show_region_.empty())
                 show_.region = region_in(show_region_);
+            if (show_.bare && (show_.region || show_.is_overview))
+                refuse("--bare", "all of the canvas, without --region and --overview", "--bare");
             if (show_.region && show_.is_overview)
                 refuse("--overview", "no --region beside it", show_region_);
             if (!table_format_.empty()) {
@@ -364,6 +366,8 @@ private:
                            table_format_, did_you_mean(table_format_, table_format_names()));
                 if (show_.which != ShowCommand::Which::every)
                     refuse("--format", "--every beside it", table_format_);
+                if (show_.bare || show_.has_frames)
+                    refuse("--format", "a table, without --bare and --frames", table_format_);
             }
             if (!color_.empty())
                 show_.color = color_choice_in(color_);

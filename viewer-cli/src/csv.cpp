@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "csv.h"
 
+#include <rastertrace/core/numbers/number.h>
 #include <rastertrace/trace/text.h>
 
-#include <charconv>
 #include <string_view>
-#include <system_error>
+#include <variant>
 
 namespace rastertrace {
 
 namespace {
 
+/// A number or a fraction.
 bool is_number(std::string_view text) {
-    double value = 0;
-    const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
-    return read.ec == std::errc{} && read.ptr == text.data() + text.size();
+    return std::holds_alternative<Number>(parse_number(text, NumberSize::any));
 }
 
 /// A field of a CSV file: in quotes if it has to be. A spreadsheet would take a name like "=1+1" for

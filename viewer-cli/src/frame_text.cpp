@@ -298,7 +298,8 @@ public:
                 if (replay_.frame().drawn_by[canvas.offset_of(pixel)] == 0)
                     continue;
                 const MarkedCell cell = at(pixel);
-                if (++counts[cell.text] > counts[most.text])
+                const int count = ++counts[cell.text];
+                if (count > counts[most.text])
                     most = cell;
             }
         most.is_new = false;
@@ -397,8 +398,11 @@ std::string frame_text(const Replay& replay, const FrameText& about, TextSize si
     // Where cells cannot show vertices, their names stand behind their rows.
     std::map<Index, std::string> names_in_row;
     if (about.view != View::plotted)
-        for (const VertexMark& mark : vertex_marks(replay))
-            names_in_row[canvas.row_of(mark.pixel.y)] += "  " + mark.name;
+        for (const VertexMark& mark : vertex_marks(replay)) {
+            const int column = mark.pixel.x - canvas.left() - window.first_column;
+            if (0 <= column && column < window.columns * window.block_width)
+                names_in_row[canvas.row_of(mark.pixel.y)] += "  " + mark.name;
+        }
 
     for (int row = 0; row < window.rows; ++row) {
         const int first = window.first_row + row * window.block_height;
@@ -430,6 +434,8 @@ std::string bare_frame_text(const Frame& frame) {
 }
 
 std::string bare_frame_text(const Replay& replay, View view) {
+    if (view == View::plotted)
+        return bare_frame_text(replay.frame());
     const Canvas& canvas = replay.trace().canvas;
     const FrameCells cells(view, replay, std::string::npos);
     std::string text;

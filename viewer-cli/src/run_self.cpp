@@ -48,8 +48,9 @@ Pipe make_pipe() {
 
 /// This program's environment, but for what pictures depend on.
 std::vector<std::string> environment() {
-    constexpr std::array<std::string_view, 3> fixed{"COLUMNS=", "LINES=", "NO_COLOR="};
-    std::vector<std::string> variables{"COLUMNS=80", "NO_COLOR=1"};
+    constexpr std::array<std::string_view, 5> fixed{
+        "COLUMNS=", "LINES=", "NO_COLOR=", "TERM=", "COLORTERM="};
+    std::vector<std::string> variables{"COLUMNS=80", "NO_COLOR=1", "TERM=dumb"};
     for (char** variable = environ; *variable != nullptr; ++variable)
         if (std::none_of(fixed.begin(), fixed.end(), [variable](std::string_view name) {
                 return std::string_view(*variable).starts_with(name);

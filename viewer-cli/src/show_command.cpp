@@ -121,7 +121,10 @@ void print_table(const Trace& trace, const std::vector<Shown>& shown, TableForma
 bool is_table(const ShowCommand& command, const Trace& trace, const std::vector<Shown>& shown) {
     if (command.which != ShowCommand::Which::every || command.bare || command.has_frames)
         return false;
-    const auto kind = trace.kind_of(shown.front().first);
+    const std::size_t first = shown.front().first;
+    const auto kind = first == 0 ? std::nullopt : trace.kind_of(first);
+    if (command.format && !kind)
+        throw problem_of("", "--format: expected steps of a kind that has a table, found another");
     return kind && (command.format || (is_told_as_table(*kind) && shown.size() > 1));
 }
 

@@ -4,6 +4,7 @@
 #include "terminal_text.h"
 
 #include <rastertrace/trace/color_text.h>
+#include <rastertrace/trace/describe.h>
 #include <rastertrace/trace/text.h>
 
 #include <fmt/format.h>
@@ -98,16 +99,11 @@ constexpr std::array<Grouping, 3> groupings{
 
 /// True if a nearer depth is a larger one, as far as the tests of a trace tell.
 bool larger_is_nearer(const Trace& trace) {
-    for (std::size_t n = 1; n <= trace.size(); ++n) {
-        if (trace.kind_of(n) != StepKind::depth)
-            continue;
-        const StepView step = trace.step(n);
-        const auto depth = nearest_double_in(step.text("depth"));
-        const auto stored = nearest_double_in(step.text("stored"));
-        if (depth && stored && *depth != *stored)
-            return (step.text("pass") == "true") == (*depth > *stored);
-    }
-    return trace.method_value("depth") == "inverse-z";
+    for (std::size_t n = 1; n <= trace.size(); ++n)
+        if (trace.kind_of(n) == StepKind::depth)
+            if (const auto larger = larger_depth_passes(trace, n))
+                return *larger;
+    return false;
 }
 
 /// A number in a cell: as it was written if that is short.
@@ -120,7 +116,10 @@ std::string short_number(const std::string& text) {
 /// What an untouched cell of the buffer holds.
 std::string cleared_depth(const Trace& trace) {
     const std::string depth = trace.method_value("depth");
-    return depth == "linear-z" ? "inf" : depth == "inverse-z" ? "0" : std::string(empty_cell);
+    const std::string asked = trace.method_value("depth_compare");
+    if (depth == "linear-z" && asked != "greater")
+        return "inf";
+    return depth == "inverse-z" && asked != "less" ? "0" : std::string(empty_cell);
 }
 
 struct Point {
@@ -151,7 +150,8 @@ std::optional<View> view_named(std::string_view name) {
 FrameParts parts_for(View view, const Trace& trace) {
     const std::string depth = trace.method_value("depth");
     return {.writes = view == View::writes,
-            .depths = view == View::depth || (!depth.empty() && depth != "painter")};
+            .depths =
+                view == View::depth || (!depth.empty() && depth != "none" && depth != "painter")};
 }
 
 View default_view(const Trace& trace) {
@@ -290,8 +290,12 @@ void FrameCells::set_up_depths(std::size_t room) {
             largest = std::max(largest.value_or(*depth), *depth);
         }
     }
-    if (!least)
+    if (!least) {
         legend_ = {"the buffer is clear: no depth was tested (a scene is, with --keep depth)"};
+        width_ = 1;
+        cell_ = [](std::size_t, Pixel) { return Cell{std::string(empty_cell)}; };
+        return;
+    }
     if (width_ <= room) {
         cell_ = [&frame, numbers = std::move(numbers),
                  clear = cleared_depth(trace)](std::size_t offset, Pixel) {
@@ -341,8 +345,8 @@ void FrameCells::set_up_coverage() {
                                           side * distance_from_line(sample, c, a)});
         if (!(distance >= 0))
             return Cell{"-"};
-        return Cell{
-            std::string(1, static_cast<char>('0' + std::min(9, static_cast<int>(distance * 10))))};
+        return Cell{std::string(
+            1, static_cast<char>('0' + static_cast<int>(std::min(9.0, distance * 10))))};
     };
 }
 

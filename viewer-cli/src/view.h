@@ -33,7 +33,8 @@ std::vector<std::string_view> view_names();
 std::optional<View> view_named(std::string_view name);
 
 /// The view in which the point of a trace can be seen: `shade` if colors are mixed or lit; `faces` if there
-/// is more than one triangle, `depth` if there are too many of one color for letters; else `plotted`.
+/// is more than one triangle, `depth` if there is a buffer and too many of one color for letters; else
+/// `plotted`.
 View default_view(const Trace& trace);
 
 /// What a replay of a trace has to remember for a view, and for what its depth tests say.

@@ -8,9 +8,15 @@
 
 #include <rastertrace/trace/frame.h>
 
+#include <cstddef>
+#include <optional>
 #include <string>
 
 namespace rastertrace {
+
+/// True if the rule of a depth test, step n, lets larger depths pass: by `depth_compare`, by a test of two
+/// different depths, or by the kind of depth. nullopt if none of them tells: `ndc-z` of equal depths.
+std::optional<bool> larger_depth_passes(const Trace& trace, std::size_t n);
 
 /// The current step of a replay in one line, safe to print.
 std::string describe_step(const Replay& replay);

@@ -177,8 +177,8 @@ template <std::floating_point Real>
 }
 
 /// The same in numbers that are rounded: x on the edge is a guess, and the edge function has the last word.
-/// If the guess lies farther from the samples than rounding reaches, the function would say the same, and
-/// is not asked.
+/// If the guess lies farther from the samples than rounding reaches, the function would say the same (unless
+/// its products overflow: then it says nothing of use), and is not asked.
 template <std::floating_point Real> class SampleWalk<Real> {
 public:
     SampleWalk(const Vertex<Real>& upper, const Vertex<Real>& lower, const SampleGrid<Real>& grid,
