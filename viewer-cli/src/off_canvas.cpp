@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "off_canvas.h"
 
-#include <rastertrace/core/numbers/number.h>
+#include "corners.h"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,6 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 namespace rastertrace {
@@ -32,11 +31,6 @@ constexpr std::array<std::string_view, units> unit_names{"triangle", "row", "pix
 /// How many of each unit lie on a side.
 using Dropped = std::array<std::uint64_t, units>;
 
-struct Point {
-    double x;
-    double y;
-};
-
 /// The side on which all of some points lie, if there is one.
 std::optional<Side> side_of(const Canvas& canvas, const std::vector<Point>& points) {
     const auto all = [&points](auto&& is_there) {
@@ -54,22 +48,6 @@ std::optional<Side> side_of(const Canvas& canvas, const std::vector<Point>& poin
     if (all([&](const Point& point) { return point.x > canvas.right(); }))
         return Side::right;
     return std::nullopt;
-}
-
-/// The corners of a primitive, as far as its step tells them.
-std::vector<Point> corners_of(const StepView& primitive) {
-    std::vector<Point> corners;
-    for (const auto& at : primitive.text_rows("at")) {
-        if (at.size() < 2)
-            return {};
-        const auto x = parse_number(at[0], NumberSize::any);
-        const auto y = parse_number(at[1], NumberSize::any);
-        if (!std::holds_alternative<Number>(x) || !std::holds_alternative<Number>(y))
-            return {};
-        corners.push_back(
-            {std::get<Number>(x).nearest_double(), std::get<Number>(y).nearest_double()});
-    }
-    return corners;
 }
 
 /// Counts what a reject step dropped: whole rows, or a run of pixels, which has one for each step

@@ -174,10 +174,12 @@ int run(const ShowCommand& command) {
               (command.bare ? bare_frame_text(replay, view) : frame_text(replay, about, size)));
         is_first = false;
     }
-    if (const std::string text = off_canvas_text(trace); !command.bare && !text.empty())
-        print("\n" + text);
-    if (!command.bare && !trace.stages.empty())
-        print(fmt::format("\nstages: {}\n", fmt::join(trace.stages, ", ")));
+    if (!command.bare) {
+        if (const std::string text = off_canvas_text(trace); !text.empty())
+            print("\n" + text);
+        if (!trace.stages.empty())
+            print(fmt::format("\nstages: {}\n", fmt::join(trace.stages, ", ")));
+    }
     return report_damage(trace);
 }
 

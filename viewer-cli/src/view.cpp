@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "view.h"
 
+#include "corners.h"
 #include "terminal_text.h"
 
 #include <rastertrace/trace/color_text.h>
@@ -121,11 +122,6 @@ std::string cleared_depth(const Trace& trace) {
         return "inf";
     return depth == "inverse-z" && asked != "less" ? "0" : std::string(empty_cell);
 }
-
-struct Point {
-    double x;
-    double y;
-};
 
 /// How far `p` lies from the line through two points; positive on the left side with y up.
 double distance_from_line(const Point& p, const Point& from, const Point& to) {
@@ -325,12 +321,7 @@ void FrameCells::set_up_coverage() {
     const Trace& trace = replay_.trace();
     std::vector<Point> corners;
     if (replay_.primitive() != 0)
-        for (const auto& at : trace.step(replay_.primitive()).text_rows("at")) {
-            const auto x = at.size() < 2 ? std::nullopt : nearest_double_in(at[0]);
-            const auto y = at.size() < 2 ? std::nullopt : nearest_double_in(at[1]);
-            if (x && y)
-                corners.push_back({*x, *y});
-        }
+        corners = corners_of(trace.step(replay_.primitive()));
     legend_ = {corners.size() == 3 ? "0..9: tenths of a pixel from the sample to the nearest edge"
                                    : "coverage is that of a triangle"};
     const double offset = trace.method_value("sample") == "center" ? 0.5 : 0.0;
