@@ -267,7 +267,7 @@ Image draw_with(const Scene& scene, const Plan& plan, const Listener& listener, 
                 draw_list(scene, plan, list, target, listener, sink);
             }
         },
-        plan.list);
+        *plan.list);
     if (fallbacks && exactness)
         *fallbacks = exactness->fallbacks;
     return image;

@@ -56,7 +56,7 @@ ExactPieces::Range ExactPieces::range_of(std::size_t primitive) {
                 else
                     return list.transforms.divides;
             },
-            plan_.list);
+            *plan_.list);
     }
     const auto& drawn = geometry_->list.primitives;
     const auto [known, is_new] = ranges_.try_emplace(primitive);
@@ -80,7 +80,7 @@ std::vector<ScreenPrimitive> ExactPieces::of(std::size_t primitive) {
 }
 
 Piece<Rational> ExactPieces::piece(const PieceIndex& piece) {
-    if (const auto* typed = std::get_if<TypedVertices>(&plan_.list))
+    if (const auto* typed = std::get_if<TypedVertices>(plan_.list.get()))
         return piece_in<Rational>(
             piece_of(scene_, *typed, typed_primitive(scene_, piece.primitive)), plan_);
     const Range range = range_of(piece.primitive);
@@ -133,7 +133,7 @@ std::optional<std::array<std::size_t, 2>> edge_of_depth(const Scene& scene, cons
         }
     };
     try {
-        std::visit(find_in, plan.list);
+        std::visit(find_in, *plan.list);
     } catch (const Undecided&) {
         return std::nullopt;
     }

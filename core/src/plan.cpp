@@ -364,7 +364,7 @@ std::variant<Plan, Unfit> plan_or_unfit(const Scene& scene, std::int64_t grid) {
                   .coarseness = choice.coarseness,
                   .stages = stages_of(scene, list, depth_size_of(choice.number)),
                   .mixes_colors = list.mixes_colors};
-        plan.list = std::move(list);
+        plan.list = std::make_shared<const AnyScreenList>(std::move(list));
         return plan;
     };
     return std::visit(plan_with, geometry_for(scene));

@@ -10,7 +10,7 @@
 #include <rastertrace/trace/scene_file.h>
 #include <rastertrace/trace/t_junctions.h>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

@@ -7,7 +7,7 @@
 #include <rastertrace/trace/method_names.h>
 #include <rastertrace/trace/refusal.h>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

@@ -28,7 +28,7 @@ void for_each_placed_triangle(const Scene& scene, const Plan& plan, Visit&& visi
                         visit(piece_in<Scalar>(piece, plan));
                 });
         },
-        plan.list);
+        *plan.list);
 }
 
 /// True if these are the triangles, in order, whose pixels `spans` has. They are not if clipping, in

@@ -9,7 +9,7 @@
 #include <rastertrace/core/raster/flat_painter.h>
 #include <rastertrace/trace/method_names.h>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <memory>

@@ -11,7 +11,7 @@
 #include <rastertrace/numerics/knobs.h>
 #include <rastertrace/trace/method_names.h>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <map>

@@ -8,7 +8,7 @@
 #include <rastertrace/core/raster/fill_scanline.h>
 #include <rastertrace/numerics/knobs.h>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <bit>
 #include <concepts>

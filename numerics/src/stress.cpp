@@ -3,7 +3,7 @@
 
 #include "stress_rows.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

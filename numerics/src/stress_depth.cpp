@@ -6,8 +6,9 @@
 
 #include <rastertrace/core/draw/adaptive_depth.h>
 #include <rastertrace/core/raster/depth.h>
+#include <rastertrace/trace/text.h>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
@@ -62,7 +63,7 @@ std::string scene_of(const std::vector<ColoredTriangle>& triangles, std::string_
                 fmt::format(R"({}"{}": [{}])", i == 0 ? "" : ", ", names[i], triangle.corners[i]);
         }
         list += fmt::format(R"({}{{"name": "{}", "vertices": ["{}"], "color": "{}"}})", separator,
-                            triangle.name, fmt::join(names, R"(", ")"), triangle.color);
+                            triangle.name, joined(names, R"(", ")"), triangle.color);
     }
     return fmt::format(R"({{
   "canvas": {{"width": {0}, "height": {0}, "origin": "top-left"}},

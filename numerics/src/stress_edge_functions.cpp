@@ -7,8 +7,9 @@
 #include <rastertrace/core/raster/barycentric.h>
 #include <rastertrace/core/raster/face.h>
 #include <rastertrace/core/raster/triangle.h>
+#include <rastertrace/trace/text.h>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
@@ -58,7 +59,7 @@ std::string hub(std::string_view triangles) {
 }
 constexpr std::array<std::string_view, 6> sectors{R"("HAB")", R"("HBC")", R"("HCD")",
                                                   R"("HDE")", R"("HEF")", R"("HFA")"};
-const std::string all_sectors = fmt::format("{}", fmt::join(sectors, ", "));
+const std::string all_sectors = joined(sectors, ", ");
 
 /// How many of the triangles of a scene have a pixel, by a method.
 std::uint64_t owners_of(const Scene& scene, Pixel pixel) {

@@ -7,7 +7,7 @@
 #include <rastertrace/core/raster/line_lerp.h>
 #include <rastertrace/core/raster/rounding.h>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <array>
 #include <cmath>

@@ -7,7 +7,7 @@
 #include <rastertrace/core/raster/face.h>
 #include <rastertrace/core/transform/matrix.h>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

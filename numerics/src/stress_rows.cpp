@@ -6,7 +6,7 @@
 #include <rastertrace/trace/scene_file.h>
 #include <rastertrace/trace/write_trace.h>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cassert>

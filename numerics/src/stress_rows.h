@@ -6,6 +6,7 @@
 #include "reference.h"
 
 #include <rastertrace/core/draw/plan.h>
+#include <rastertrace/core/draw/screen_list.h>
 #include <rastertrace/core/numbers/scalar.h>
 #include <rastertrace/core/raster/image.h>
 #include <rastertrace/core/scene/scene.h>

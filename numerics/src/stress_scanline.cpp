@@ -10,7 +10,7 @@
 #include <rastertrace/trace/output.h>
 #include <rastertrace/trace/write_trace.h>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <array>
 #include <cmath>

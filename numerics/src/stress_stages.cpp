@@ -6,7 +6,7 @@
 #include <rastertrace/core/raster/barycentric.h>
 #include <rastertrace/core/transform/matrix.h>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

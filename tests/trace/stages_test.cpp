@@ -10,7 +10,7 @@
 
 #include <rastertrace/trace/stage_name.h>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 #include "random_triangle.h"
 #include "traces.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

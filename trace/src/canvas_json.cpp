@@ -5,7 +5,7 @@
 
 #include <rastertrace/core/numbers/number.h>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <array>
 #include <cstdint>

@@ -5,7 +5,7 @@
 #include <rastertrace/trace/step_kind.h>
 #include <rastertrace/trace/text.h>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
@@ -81,7 +81,7 @@ std::string name_of_primitive(const Context& context) {
 
 std::string point(std::vector<std::string> coordinates) {
     std::transform(coordinates.begin(), coordinates.end(), coordinates.begin(), in_sentence);
-    return fmt::format("({})", fmt::join(coordinates, ", "));
+    return fmt::format("({})", joined(coordinates, ", "));
 }
 
 /// The ends of an edge, found by its name.
@@ -322,7 +322,7 @@ constexpr Part parts[] = {
      [](const Context& context) {
          std::string text;
          for (const auto& row : context.step.text_rows("rows"))
-             text += fmt::format("  [{}]", fmt::join(row, " "));
+             text += fmt::format("  [{}]", joined(row, " "));
          return text;
      }},
     {"place", place},
@@ -390,7 +390,8 @@ constexpr Part parts[] = {
     {"depth_rule", depth_rule},
     {"color",
      [](const Context& context) {
-         return context.step.field("color") ? " " + context.step.text("color") : std::string();
+         return context.step.field("color") ? fmt::format(" {}", context.step.text("color"))
+                                            : std::string();
      }},
     {"drawn_over", drawn_over},
     {"dropped", dropped},

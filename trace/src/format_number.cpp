@@ -3,7 +3,7 @@
 
 #include <rastertrace/trace/problem.h>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace rastertrace {
 

@@ -6,7 +6,7 @@
 
 #include <rastertrace/trace/trace.h>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <string>
 #include <string_view>

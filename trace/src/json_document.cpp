@@ -8,7 +8,7 @@
 #include <rastertrace/core/numbers/number.h>
 #include <rastertrace/trace/text.h>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include <rastertrace/trace/method_names.h>
 #include <rastertrace/trace/text.h>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <utility>
@@ -32,10 +32,10 @@ void JsonReader::fail_expecting(const JsonValue& value, std::string_view expecte
 void JsonReader::allow_keys(const JsonValue& value,
                             const std::vector<std::string_view>& known) const {
     if (value.kind != JsonValue::Kind::object)
-        fail_expecting(value, fmt::format("an object with the keys {}", fmt::join(known, ", ")));
+        fail_expecting(value, fmt::format("an object with the keys {}", joined(known, ", ")));
     for (const auto& [key, member] : value.members())
         if (std::find(known.begin(), known.end(), key.text) == known.end())
-            fail_expecting(key, fmt::format("a key out of {}", fmt::join(known, ", ")),
+            fail_expecting(key, fmt::format("a key out of {}", joined(known, ", ")),
                            hint_for_key(key.text, known));
 }
 

@@ -3,7 +3,7 @@
 
 #include "unfinished_list.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <fcntl.h>
 #include <limits.h>

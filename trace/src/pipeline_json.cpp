@@ -5,7 +5,7 @@
 
 #include <rastertrace/trace/text.h>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <array>
 #include <cstddef>
@@ -217,7 +217,7 @@ Projection read_projection(const JsonReader& json, const JsonValue& value) {
     const auto named =
         type.kind == JsonValue::Kind::string ? projection_named(type.text) : std::nullopt;
     if (!named)
-        json.fail_expecting(type, fmt::format("one of {}", fmt::join(projection_names(), ", ")),
+        json.fail_expecting(type, fmt::format("one of {}", joined(projection_names(), ", ")),
                             did_you_mean(type.text, projection_names(), "\""));
 
     Projection projection;

@@ -3,7 +3,7 @@
 
 #include <rastertrace/trace/method_names.h>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <array>
 #include <cmath>

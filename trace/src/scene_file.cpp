@@ -15,7 +15,7 @@
 #include <rastertrace/trace/stage_name.h>
 #include <rastertrace/trace/text.h>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
@@ -41,7 +41,7 @@ std::string_view name_separator(std::span<const std::string_view> names) {
 }
 
 std::string joined_names(std::span<const std::string_view> names) {
-    return fmt::format("{}", fmt::join(names, name_separator(names)));
+    return joined(names, name_separator(names));
 }
 
 namespace {
@@ -53,9 +53,8 @@ std::string base_name(const std::string& path) {
 
 /// Replaces what stands behind the first `length` characters of a name by a number.
 void put_number(std::string& name, std::size_t length, std::size_t number) {
-    const fmt::format_int digits(number);
     name.resize(length);
-    name.append(digits.data(), digits.size());
+    name += std::to_string(number);
 }
 
 /// Makes room for `more` elements, and for as many again as there are: many meshes move no element often.
@@ -152,15 +151,14 @@ private:
             const bool is_word = value.kind == JsonValue::Kind::string ||
                                  (value.kind == JsonValue::Kind::number && key.is_number());
             if (!is_word || !key.set(scene_.method, value.text))
-                json_.fail_expecting(value, fmt::format("one of {}", fmt::join(key.values, ", ")),
+                json_.fail_expecting(value, fmt::format("one of {}", joined(key.values, ", ")),
                                      did_you_mean(value.text, key.values, "\""));
         }
     }
 
     /// The stages that run although the scene does not need them.
     void read_keep(const JsonValue& keep) {
-        const std::string expected =
-            fmt::format("stages out of {}", fmt::join(stage_names(), ", "));
+        const std::string expected = fmt::format("stages out of {}", joined(stage_names(), ", "));
         for (const JsonValue& name : json_.array_in(keep, R"(a list of stages, like ["depth"])")) {
             const auto stage =
                 name.kind == JsonValue::Kind::string ? stage_named(name.text) : std::nullopt;
@@ -432,7 +430,7 @@ private:
         const bool too_many = known.size() > most_listed;
         std::string hint = did_you_mean(name, known, "\"");
         if (hint.empty() && !known.empty() && !too_many)
-            hint = fmt::format("the scene has the vertices {}", fmt::join(known, ", "));
+            hint = fmt::format("the scene has the vertices {}", joined(known, ", "));
         json_.fail(offset,
                    fmt::format("expected the name of a vertex, found \"{}\"", shortened(name, 40)),
                    std::move(hint));

@@ -5,11 +5,12 @@
 
 #include <rastertrace/trace/text.h>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <span>
 #include <string_view>
 #include <unordered_set>
 #include <utility>
@@ -156,7 +157,7 @@ private:
         if (first_step(trace_, [&](std::size_t n) { return is_of_kind(trace_, n, word); }) == 0) {
             const std::vector<std::string> kinds = kinds_in(trace_);
             fail(fmt::format("expected a kind of step that the trace has ({}), found {}",
-                             fmt::join(kinds, ", "), word),
+                             joined(kinds, ", "), word),
                  did_you_mean(word, {kinds.begin(), kinds.end()}));
         }
         selector_.kind = word;
@@ -242,7 +243,7 @@ private:
             known.push_back(field.name);
         known.push_back(primitive_field);
         fail(fmt::format("expected a field of {} ({}), found {}", selector_.kind,
-                         fmt::join(known, ", "), name),
+                         joined(known, ", "), name),
              did_you_mean(name, known));
     }
 
@@ -308,10 +309,18 @@ std::vector<std::size_t> all_matches(const Selector& selector, const Trace& trac
 }
 
 /// "5, 4, 3, ...": the first few of a list.
-template <typename List> std::string some_of(const List& list) {
-    const auto end = list.begin() + static_cast<std::ptrdiff_t>(std::min(list.size(), most_named));
-    return fmt::format("{}{}", fmt::join(list.begin(), end, ", "),
-                       list.size() > most_named ? ", ..." : "");
+std::string some_of(const std::vector<std::string>& list) {
+    const std::span all(list);
+    return joined(all.first(std::min(all.size(), most_named)), ", ") +
+           (all.size() > most_named ? ", ..." : "");
+}
+
+/// The first few of some steps.
+std::string some_of(const std::vector<std::size_t>& steps) {
+    std::vector<std::string> numbers;
+    for (std::size_t n = 0; n < std::min(steps.size(), most_named + 1); ++n)
+        numbers.push_back(std::to_string(steps[n]));
+    return some_of(numbers);
 }
 
 /// The values that a field has in the steps that `selector` means, nearest to the condition first.

@@ -6,7 +6,7 @@
 #include <rastertrace/trace/scene_file.h>
 #include <rastertrace/trace/text.h>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/trace/text.h>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <unictype.h>
 #include <uniwidth.h>
@@ -128,6 +128,29 @@ std::string shortened(std::string_view text, std::size_t width) {
     if (head.size() == text.size())
         return std::string(text);
     return std::string(first_columns(text, width - std::min<std::size_t>(width, 3))) + "...";
+}
+
+namespace {
+
+template <typename Text>
+std::string joined_texts(std::span<const Text> texts, std::string_view separator) {
+    std::string line;
+    for (const Text& text : texts) {
+        if (&text != &texts.front())
+            line += separator;
+        line += text;
+    }
+    return line;
+}
+
+} // namespace
+
+std::string joined(std::span<const std::string> texts, std::string_view separator) {
+    return joined_texts(texts, separator);
+}
+
+std::string joined(std::span<const std::string_view> texts, std::string_view separator) {
+    return joined_texts(texts, separator);
 }
 
 namespace {

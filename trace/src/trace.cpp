@@ -11,7 +11,7 @@
 #include <rastertrace/trace/text.h>
 #include <rastertrace/trace/write_trace.h>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

@@ -4,12 +4,13 @@
 #include "canvas_json.h"
 
 #include <rastertrace/core/draw/draw.h>
+#include <rastertrace/core/draw/geometry.h>
 #include <rastertrace/core/draw/plan.h>
 #include <rastertrace/trace/method_names.h>
 #include <rastertrace/trace/pipeline_names.h>
 #include <rastertrace/trace/stage_name.h>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <iterator>
 

@@ -12,7 +12,7 @@
 #include <rastertrace/trace/text.h>
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
@@ -79,7 +79,7 @@ std::vector<Value> list_in(std::string_view option, std::string_view what, std::
     for (const std::string& word : split(text, ',')) {
         const auto value = named(word);
         if (!value)
-            refuse(option, fmt::format("{} out of {}", what, fmt::join(names, ",")), word,
+            refuse(option, fmt::format("{} out of {}", what, joined(names, ",")), word,
                    did_you_mean(word, names));
         if (std::find(values.begin(), values.end(), *value) == values.end())
             values.push_back(*value);
@@ -122,13 +122,13 @@ public:
         for (const MethodKey& key : method_keys())
             command
                 .add_option(option_of(key), values_[std::string(key.name)],
-                            fmt::format("{}: {}", key.meaning, fmt::join(key.values, ", ")))
+                            fmt::format("{}: {}", key.meaning, joined(key.values, ", ")))
                 ->type_name("NAME")
                 ->group("Method, instead of what the scene says");
         command
             .add_option("--keep", keep_,
                         fmt::format("Run these stages even if the scene does not need them: {}",
-                                    fmt::join(stage_names(), ",")))
+                                    joined(stage_names(), ",")))
             ->type_name("STAGE,...");
         command.add_flag("--full", full_, "Run every stage that the method has");
     }
@@ -141,7 +141,7 @@ public:
                 continue;
             Method scratch;
             if (!key.set(scratch, value))
-                refuse(option_of(key), fmt::format("one of {}", fmt::join(key.values, ", ")), value,
+                refuse(option_of(key), fmt::format("one of {}", joined(key.values, ", ")), value,
                        did_you_mean(value, key.values));
             overrides.emplace_back(key.name, value);
         }
@@ -265,9 +265,9 @@ private:
         command.add_option("--format", format_, "json or jsonl, whatever the file's name")
             ->type_name("NAME");
         command
-            .add_option("--only", only_,
-                        fmt::format("Write only these kinds of step: {}",
-                                    fmt::join(step_kind_names(), ",")))
+            .add_option(
+                "--only", only_,
+                fmt::format("Write only these kinds of step: {}", joined(step_kind_names(), ",")))
             ->type_name("KIND,...");
         command.add_option("--region", region_, "Write only steps that touch these pixels")
             ->type_name("x0,y0,x1,y1");
@@ -320,7 +320,7 @@ private:
             .add_option(
                 "--view", view_,
                 fmt::format("What a cell shows: {}; if none is given, what the scene is about",
-                            fmt::join(view_names(), ", ")))
+                            joined(view_names(), ", ")))
             ->type_name("NAME");
         command.add_option("--region", show_region_, "Show only these pixels")
             ->type_name("x0,y0,x1,y1");
@@ -332,7 +332,7 @@ private:
         command
             .add_option(
                 "--format", table_format_,
-                fmt::format("With --every: the steps as {}", fmt::join(table_format_names(), ", ")))
+                fmt::format("With --every: the steps as {}", joined(table_format_names(), ", ")))
             ->type_name("NAME");
         command.add_option("--color", color_, "auto, always or never: colors, on a terminal")
             ->type_name("WHEN");
@@ -349,7 +349,7 @@ private:
             if (!view_.empty()) {
                 show_.view = view_named(view_);
                 if (!show_.view)
-                    refuse("--view", fmt::format("one of {}", fmt::join(view_names(), ", ")), view_,
+                    refuse("--view", fmt::format("one of {}", joined(view_names(), ", ")), view_,
                            did_you_mean(view_, view_names()));
             }
             if (!show_region_.empty())
@@ -361,8 +361,7 @@ private:
             if (!table_format_.empty()) {
                 show_.format = table_format_named(table_format_);
                 if (!show_.format)
-                    refuse("--format",
-                           fmt::format("one of {}", fmt::join(table_format_names(), ", ")),
+                    refuse("--format", fmt::format("one of {}", joined(table_format_names(), ", ")),
                            table_format_, did_you_mean(table_format_, table_format_names()));
                 if (show_.which != ShowCommand::Which::every)
                     refuse("--format", "--every beside it", table_format_);
@@ -387,7 +386,7 @@ private:
         command
             .add_option("--fail-on", fail_on_,
                         fmt::format("End with status 1 if there are any of these: {}",
-                                    fmt::join(finding_names(), ",")))
+                                    joined(finding_names(), ",")))
             ->type_name("NAME,...");
         stats_method_.add_to(command);
         stats_input_.add_to(command);
@@ -496,7 +495,7 @@ private:
             return;
         if (has_scene || stress_.cases.size() != 1)
             refuse("--scene", "one case whose scene to print",
-                   fmt::format("{}", fmt::join(stress_.cases, ",")), "say --case S1 --scene");
+                   fmt::format("{}", joined(stress_.cases, ",")), "say --case S1 --scene");
         stress_.scene_number = 1;
         if (!stress_number_.empty()) {
             stress_.scene_number = whole_in<std::size_t>(stress_number_);
@@ -525,7 +524,7 @@ private:
             ->type_name("NAME");
         command
             .add_option("--jobs", report_jobs_text_,
-                        fmt::format("Measure only these jobs: {}", fmt::join(job_names(), ",")))
+                        fmt::format("Measure only these jobs: {}", joined(job_names(), ",")))
             ->type_name("JOB,...");
         command.add_flag("--quick", report_.quick, "Take seconds, not minutes; times are rough");
         report_method_.add_to(command);
@@ -535,7 +534,7 @@ private:
                 const std::vector<std::string_view> names{"text", "json", "csv", "svg", "html"};
                 const auto found = std::find(names.begin(), names.end(), report_format_);
                 if (found == names.end())
-                    refuse("--format", fmt::format("one of {}", fmt::join(names, ", ")),
+                    refuse("--format", fmt::format("one of {}", joined(names, ", ")),
                            report_format_, did_you_mean(report_format_, names));
                 report_.format = static_cast<ReportFormat>(found - names.begin());
             }
@@ -623,7 +622,7 @@ private:
             return;
         throw problem_of(
             "",
-            fmt::format("expected a command out of {}, found \"{}\"", fmt::join(names, ", "), word),
+            fmt::format("expected a command out of {}, found \"{}\"", joined(names, ", "), word),
             did_you_mean(word, {names.begin(), names.end()}));
     }
 

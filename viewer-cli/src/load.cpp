@@ -4,7 +4,7 @@
 #include <rastertrace/trace/output.h>
 #include <rastertrace/trace/scene_file.h>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <sys/stat.h>
 #include <unistd.h>

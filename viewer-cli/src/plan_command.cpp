@@ -9,7 +9,7 @@
 #include <rastertrace/trace/step_writer.h>
 #include <rastertrace/trace/text.h>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <iterator>
 #include <string>

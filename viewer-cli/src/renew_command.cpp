@@ -10,7 +10,7 @@
 #include <rastertrace/trace/output.h>
 #include <rastertrace/trace/text.h>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cstddef>

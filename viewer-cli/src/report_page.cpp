@@ -7,7 +7,7 @@
 #include <rastertrace/numerics/plot_svg.h>
 #include <rastertrace/trace/text.h>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <iterator>

@@ -8,7 +8,7 @@
 #include <rastertrace/numerics/plot_svg.h>
 #include <rastertrace/trace/text.h>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include <array>

@@ -4,7 +4,7 @@
 #include <rastertrace/trace/descriptor.h>
 #include <rastertrace/trace/problem.h>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <fcntl.h>
 #include <poll.h>

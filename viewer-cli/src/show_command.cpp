@@ -12,7 +12,7 @@
 #include <rastertrace/trace/selector.h>
 #include <rastertrace/trace/text.h>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <optional>
@@ -178,7 +178,7 @@ int run(const ShowCommand& command) {
         if (const std::string text = off_canvas_text(trace); !text.empty())
             print("\n" + text);
         if (!trace.stages.empty())
-            print(fmt::format("\nstages: {}\n", fmt::join(trace.stages, ", ")));
+            print(fmt::format("\nstages: {}\n", joined(trace.stages, ", ")));
     }
     return report_damage(trace);
 }

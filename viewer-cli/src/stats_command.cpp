@@ -6,8 +6,9 @@
 #include "stats_text.h"
 
 #include <rastertrace/trace/stats.h>
+#include <rastertrace/trace/text.h>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <string_view>
@@ -74,7 +75,7 @@ int run(const StatsCommand& command) {
         if (has(stats, finding))
             found.push_back(name_of(finding));
     if (!found.empty())
-        print_error(fmt::format("rastertrace: --fail-on: found {}\n", fmt::join(found, ", ")));
+        print_error(fmt::format("rastertrace: --fail-on: found {}\n", joined(found, ", ")));
     const ExitStatus damage = report_damage(trace);
     return damage == exit_fine && !found.empty() ? exit_difference : damage;
 }

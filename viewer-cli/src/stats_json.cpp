@@ -3,7 +3,7 @@
 
 #include <rastertrace/trace/write_trace.h>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <iterator>

@@ -3,7 +3,7 @@
 
 #include <rastertrace/trace/text.h>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -6,7 +6,7 @@
 #include <rastertrace/trace/describe.h>
 #include <rastertrace/trace/text.h>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
@@ -25,7 +25,7 @@ std::string text_of(const StepView& step, std::string_view field) {
         return step.text(field);
     if (json.starts_with("[["))
         return std::string(json);
-    return fmt::format("({})", fmt::join(step.texts(field), ", "));
+    return fmt::format("({})", joined(step.texts(field), ", "));
 }
 
 std::string csv_line(const std::vector<std::string>& cells) {
@@ -78,7 +78,7 @@ std::string StepTable::head() const {
         std::string rule = "|";
         for (std::size_t i = 0; i < columns.size(); ++i)
             rule += "---|";
-        return fmt::format("| {} |\n{}\n", fmt::join(columns, " | "), rule);
+        return fmt::format("| {} |\n{}\n", joined(columns, " | "), rule);
     }
     case TableFormat::csv:
         return csv_line(columns);
@@ -100,7 +100,7 @@ std::string StepTable::line(const Replay& replay) {
     switch (format_) {
     case TableFormat::markdown:
         std::transform(cells.begin(), cells.end(), cells.begin(), in_markdown);
-        return fmt::format("| {} |\n", fmt::join(cells, " | "));
+        return fmt::format("| {} |\n", joined(cells, " | "));
     case TableFormat::csv:
         return csv_line(cells);
     case TableFormat::json:

@@ -12,7 +12,7 @@
 #include <rastertrace/trace/step_writer.h>
 #include <rastertrace/trace/text.h>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <unistd.h>
 
@@ -25,7 +25,6 @@
 #include <iterator>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace rastertrace {
@@ -162,8 +161,10 @@ std::string as_text(const std::vector<StressRow>& rows) {
             scalars += ", " + rows[next].scalar;
         // More scalars than the column holds have a line of their own.
         const char mark = is_as_documented(row) ? ' ' : '!';
-        if (scalars.size() > scalars_end - 6)
-            text += fmt::format("  {} {}\n", mark, std::exchange(scalars, ""));
+        if (scalars.size() > scalars_end - 6) {
+            text += fmt::format("  {} {}\n", mark, scalars);
+            scalars.clear();
+        }
         const std::string first =
             fmt::format("  {} {:<{}}{:<{}}", scalars.empty() ? ' ' : mark, scalars, scalars_end - 4,
                         name_of(verdict_of(row)), verdict_end - scalars_end);

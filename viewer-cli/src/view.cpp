@@ -8,7 +8,7 @@
 #include <rastertrace/trace/describe.h>
 #include <rastertrace/trace/text.h>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

@@ -7,6 +7,7 @@
 //     printable("A\x1b]0;x\a")  // "A<U+001B>]0;x<U+0007>"
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -54,6 +55,10 @@ std::string padded(std::string_view text, std::size_t width);
 
 /// `text`, cut to at most `width` columns; what was cut is told by "..." at the end.
 std::string shortened(std::string_view text, std::size_t width);
+
+/// The texts of a list, `separator` between them.
+std::string joined(std::span<const std::string> texts, std::string_view separator);
+std::string joined(std::span<const std::string_view> texts, std::string_view separator);
 
 /// The entry of `known` that `word` was probably meant to be, or "" if none is near.
 std::string_view nearest_word(std::string_view word, const std::vector<std::string_view>& known);

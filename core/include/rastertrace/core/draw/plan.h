@@ -7,7 +7,6 @@
 //     const Plan plan = plan_for(scene);
 //     const Image picture = draw(scene, plan);
 
-#include <rastertrace/core/draw/pieces.h>
 #include <rastertrace/core/numbers/scalar.h>
 #include <rastertrace/core/scene/scene.h>
 #include <rastertrace/core/scene/stages.h>
@@ -15,6 +14,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <variant>
 
@@ -23,10 +23,7 @@ namespace rastertrace {
 /// The C++ type that stands for the scene's kind of scalar.
 enum class NumberType { binary32, binary64, adaptive, fraction64, fraction128, rational };
 
-/// What is drawn: the vertices as typed, or a list of what lies on the screen. `fixed` moves vertices in
-/// double and snaps them when they are drawn.
-using AnyScreenList = std::variant<TypedVertices, ScreenList<float>, ScreenList<double>,
-                                   ScreenList<Adaptive>, ScreenList<Rational>>;
+struct AnyScreenList; // screen_list.h
 
 /// Moves the primitives of a scene to the screen, in the numbers that its kind of scalar asks for.
 AnyScreenList screen_list_for(const Scene& scene);
@@ -36,9 +33,9 @@ struct Plan {
     NumberType number = NumberType::binary64;
     std::int64_t denominator = 1; ///< common to all coordinates, when they are fractions
     std::int64_t coarseness = 1;  ///< vertices lie on multiples of this many of its units
-    AnyScreenList list = {};
-    Stages stages = {};        ///< which of them run
-    bool mixes_colors = false; ///< vertices have colors that count
+    std::shared_ptr<const AnyScreenList> list = {}; ///< what is drawn, for all copies of the plan
+    Stages stages = {};                             ///< which of them run
+    bool mixes_colors = false;                      ///< vertices have colors that count
 };
 
 /// Calls `draw_with.template operator()<Scalar>()` with the scalar that the plan has chosen.

@@ -18,6 +18,7 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 namespace rastertrace {
@@ -100,6 +101,13 @@ template <typename Coordinate> struct ScreenList {
 /// A scene without a pipeline needs no list: vertices are drawn where they were typed.
 struct TypedVertices {
     bool mixes_colors = false;
+};
+
+/// What is drawn: the vertices as typed, or a list of what lies on the screen. `fixed` moves vertices in
+/// double and snaps them when they are drawn.
+struct AnyScreenList : std::variant<TypedVertices, ScreenList<float>, ScreenList<double>,
+                                    ScreenList<Adaptive>, ScreenList<Rational>> {
+    using variant::variant;
 };
 
 /// The primitives in the order in which they are drawn: the scene's, or the painter's.

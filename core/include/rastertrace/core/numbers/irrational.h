@@ -9,129 +9,27 @@
 //     sine_of_degrees(30)          // 0.5
 //     square_root(mpq_class(9, 4)) // 3/2, exactly
 
-#include <rastertrace/core/numbers/number.h>
-
 #include <gmpxx.h>
-
-#include <algorithm>
 
 namespace rastertrace {
 
-namespace trigonometry {
-
-/// Numbers below are whole multiples of 2^-fraction_bits: the smallest double is 2^-1074, and has
-/// more than 200 bits here.
-inline constexpr unsigned fraction_bits = 1300;
-
-inline mpz_class fixed_one() {
-    return mpz_class(1) << fraction_bits;
-}
-
-/// arctan(1/n) = 1/n - 1/(3 n^3) + 1/(5 n^5) - ...
-inline mpz_class arctangent_of_inverse(unsigned long n) {
-    mpz_class power = fixed_one() / n;
-    mpz_class sum = power;
-    for (unsigned long i = 3; power != 0; i += 2) {
-        power /= -static_cast<long>(n * n);
-        sum += power / i;
-    }
-    return sum;
-}
-
-/// Machin's formula: pi = 16 arctan(1/5) - 4 arctan(1/239).
-inline const mpz_class& fixed_pi() {
-    static const mpz_class pi = 16 * arctangent_of_inverse(5) - 4 * arctangent_of_inverse(239);
-    return pi;
-}
-
-/// The sum of first, first * -x^2/(i (i + 1)), ...: the series of the cosine (first = 1, i = 1) and
-/// of the sine (first = x, i = 2).
-inline mpz_class alternating_series(const mpz_class& first, const mpz_class& x, unsigned long i) {
-    mpz_class term = first;
-    mpz_class sum = first;
-    for (; term != 0; i += 2) {
-        term = (((term * x) >> fraction_bits) * x) >> fraction_bits;
-        term /= -static_cast<long>(i * (i + 1));
-        sum += term;
-    }
-    return sum;
-}
-
-inline mpq_class quotient_of(const mpz_class& above, const mpz_class& below) {
-    mpq_class quotient(above, below);
-    quotient.canonicalize();
-    return quotient;
-}
-
-/// Sine and cosine as multiples of 2^-fraction_bits. Exact where they are 0, 1 or -1.
-struct FixedSineCosine {
-    mpz_class sine;
-    mpz_class cosine;
-};
-
-inline FixedSineCosine sine_cosine(const mpq_class& degrees) {
-    // Quarter turns are taken off exactly; an angle from 0 to 90 degrees is left.
-    mpz_class quarters;
-    const mpq_class in_quarters = degrees / 90;
-    mpz_fdiv_q(quarters.get_mpz_t(), in_quarters.get_num_mpz_t(), in_quarters.get_den_mpz_t());
-    const mpq_class rest = in_quarters - quarters;
-    const mpz_class radians = fixed_pi() * rest.get_num() / (2 * rest.get_den());
-    const mpz_class sine = alternating_series(radians, radians, 2);
-    const mpz_class cosine = alternating_series(fixed_one(), radians, 1);
-    switch (mpz_fdiv_ui(quarters.get_mpz_t(), 4)) {
-    case 0:
-        return {sine, cosine};
-    case 1:
-        return {cosine, -sine};
-    case 2:
-        return {-sine, -cosine};
-    default:
-        return {-cosine, sine};
-    }
-}
-
-} // namespace trigonometry
+/// above/below in lowest terms.
+mpq_class quotient_of(const mpz_class& above, const mpz_class& below);
 
 /// True if the sine and the cosine of the angle are 0, 1 or -1.
-inline bool is_quarter_turn(const mpq_class& degrees) {
-    return mpq_class(degrees / 90).get_den() == 1;
-}
+bool is_quarter_turn(const mpq_class& degrees);
 
-inline double sine_of_degrees(const mpq_class& degrees) {
-    using namespace trigonometry;
-    return nearest_double(quotient_of(sine_cosine(degrees).sine, fixed_one()));
-}
+double sine_of_degrees(const mpq_class& degrees);
 
-inline double cosine_of_degrees(const mpq_class& degrees) {
-    using namespace trigonometry;
-    return nearest_double(quotient_of(sine_cosine(degrees).cosine, fixed_one()));
-}
+double cosine_of_degrees(const mpq_class& degrees);
 
 /// The angle must lie between 0 and 180 degrees, both excluded.
-inline double cotangent_of_degrees(const mpq_class& degrees) {
-    const auto [sine, cosine] = trigonometry::sine_cosine(degrees);
-    return nearest_double(trigonometry::quotient_of(cosine, sine));
-}
+double cotangent_of_degrees(const mpq_class& degrees);
 
 /// True if the square root of the number is a fraction.
-inline bool has_rational_root(const mpq_class& square) {
-    return mpz_perfect_square_p(square.get_num_mpz_t()) != 0 &&
-           mpz_perfect_square_p(square.get_den_mpz_t()) != 0;
-}
+bool has_rational_root(const mpq_class& square);
 
 /// The square root of a number from 0 on: exactly if it is rational, else the nearest double.
-inline mpq_class square_root(const mpq_class& square) {
-    if (has_rational_root(square))
-        return {sqrt(square.get_num()), sqrt(square.get_den())};
-
-    // In units so small that the root has 128 bits or more, and is rounded once, to 53.
-    const auto bits = [](const mpz_class& whole) {
-        return static_cast<long>(mpz_sizeinbase(whole.get_mpz_t(), 2));
-    };
-    const long shift = std::max(128 + (bits(square.get_den()) - bits(square.get_num())) / 2, 0L);
-    const auto scale = static_cast<mp_bitcnt_t>(shift);
-    const mpz_class root = sqrt(mpz_class((square.get_num() << 2 * scale) / square.get_den()));
-    return mpq_class(nearest_double(trigonometry::quotient_of(root, mpz_class(1) << scale)));
-}
+mpq_class square_root(const mpq_class& square);
 
 } // namespace rastertrace

@@ -31,46 +31,20 @@ struct CameraAxes {
     Vec<Rational, 3> back;
 };
 
-inline CameraAxes axes_of(const Camera& camera) {
-    const auto back = exact(camera.position) - exact(camera.look_at);
-    const auto right = cross(exact(camera.up), back);
-    return {right, cross(back, right), back};
-}
+CameraAxes axes_of(const Camera& camera);
 
-inline bool is_zero(const Vec<Rational, 3>& vector) {
-    return vector.x == 0 && vector.y == 0 && vector.z == 0;
-}
+bool is_zero(const Vec<Rational, 3>& vector);
 
 /// What is wrong with a camera.
 enum class CameraFault { none, looks_at_itself, up_along_view };
 
-inline CameraFault fault_of(const Camera& camera) {
-    const CameraAxes axes = axes_of(camera);
-    return is_zero(axes.back)    ? CameraFault::looks_at_itself
-           : is_zero(axes.right) ? CameraFault::up_along_view
-                                 : CameraFault::none;
-}
+CameraFault fault_of(const Camera& camera);
 
 /// True if the matrix of this camera is not exact.
-inline bool is_rounded(const Camera& camera) {
-    const CameraAxes axes = axes_of(camera);
-    return has_irrational_length(axes.right) || has_irrational_length(axes.up) ||
-           has_irrational_length(axes.back);
-}
+bool is_rounded(const Camera& camera);
 
 /// The rows of the rotation are the camera's axes, each of length 1; the translation, by
 /// -position, comes first. The camera must have no fault.
-inline Matrix<Rational> view_matrix(const Camera& camera, ViewAxis axis) {
-    const CameraAxes axes = axes_of(camera);
-    const auto x = unit_vector(axes.right);
-    const auto y = unit_vector(axes.up);
-    const auto back = unit_vector(axes.back);
-    const int sign = axis == ViewAxis::minus_z ? 1 : -1;
-    const Matrix<Rational> rotation{{{{x.x, x.y, x.z, 0},
-                                      {y.x, y.y, y.z, 0},
-                                      {sign * back.x, sign * back.y, sign * back.z, 0},
-                                      {0, 0, 0, 1}}}};
-    return rotation * translation<Rational>(Vec<Rational, 3>{} - exact(camera.position));
-}
+Matrix<Rational> view_matrix(const Camera& camera, ViewAxis axis);
 
 } // namespace rastertrace

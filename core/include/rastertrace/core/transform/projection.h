@@ -57,69 +57,15 @@ inline ViewAxis view_axis_of(ProjectionType type) {
 }
 
 /// True if the matrix is not exact.
-inline bool is_rounded(const Projection& projection) {
-    return projection.type == ProjectionType::frustum && projection.fov_y &&
-           projection.fov_y->exact() != 90;
-}
+bool is_rounded(const Projection& projection);
 
 /// The nearest distance from the eye that is shown; nothing if everything is.
-inline std::optional<Rational> near_of(const Projection& projection) {
-    if (projection.near)
-        return projection.near->exact();
-    if (projection.type == ProjectionType::pinhole || projection.type == ProjectionType::view_plane)
-        return Rational(projection.distance.exact() / near_part_of_distance);
-    return std::nullopt;
-}
+std::optional<Rational> near_of(const Projection& projection);
 
-inline std::optional<Rational> far_of(const Projection& projection) {
-    return projection.far ? std::optional(projection.far->exact()) : std::nullopt;
-}
+std::optional<Rational> far_of(const Projection& projection);
 
 /// Rows in maths order. The canvas gives the frustum of a field of view its width.
-inline Matrix<Rational> projection_matrix(const Projection& projection, const Canvas& canvas) {
-    const Rational d = projection.distance.exact();
-    const Rational left = projection.left.exact();
-    const Rational right = projection.right.exact();
-    const Rational bottom = projection.bottom.exact();
-    const Rational top = projection.top.exact();
-    const auto near = near_of(projection);
-    const auto far = far_of(projection);
-    switch (projection.type) {
-    case ProjectionType::orthographic: {
-        const Rational z_scale = near && far ? Rational(-2 / (*far - *near)) : Rational(-1);
-        const Rational z_shift =
-            near && far ? Rational(-(*far + *near) / (*far - *near)) : Rational(0);
-        return {{{{2 / (right - left), 0, 0, -(right + left) / (right - left)},
-                  {0, 2 / (top - bottom), 0, -(top + bottom) / (top - bottom)},
-                  {0, 0, z_scale, z_shift},
-                  {0, 0, 0, 1}}}};
-    }
-    case ProjectionType::pinhole:
-        return {{{{d, 0, 0, 0}, {0, d, 0, 0}, {0, 0, 1, -d}, {0, 0, 1, 0}}}};
-    case ProjectionType::view_plane:
-        return {{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, d}, {0, 0, -1 / d, 0}}}};
-    case ProjectionType::frustum: {
-        // Infinitely far is the limit of the finite formulas.
-        const Rational z_scale = far ? Rational(-(*far + *near) / (*far - *near)) : Rational(-1);
-        const Rational z_shift =
-            far ? Rational(-2 * *far * *near / (*far - *near)) : Rational(-2 * *near);
-        if (projection.fov_y) {
-            const Rational scale = cotangent_of_degrees(projection.fov_y->exact() / 2);
-            return {{{{scale * canvas.height / canvas.width, 0, 0, 0},
-                      {0, scale, 0, 0},
-                      {0, 0, z_scale, z_shift},
-                      {0, 0, -1, 0}}}};
-        }
-        return {{{{2 * *near / (right - left), 0, (right + left) / (right - left), 0},
-                  {0, 2 * *near / (top - bottom), (top + bottom) / (top - bottom), 0},
-                  {0, 0, z_scale, z_shift},
-                  {0, 0, -1, 0}}}};
-    }
-    case ProjectionType::none:
-        break;
-    }
-    return identity<Rational>();
-}
+Matrix<Rational> projection_matrix(const Projection& projection, const Canvas& canvas);
 
 /// A side of the space that can be seen. A point in clip space lies on the side that is seen, or on
 /// the plane, if a x + b y + c z + d w + e is not negative.
@@ -142,29 +88,8 @@ template <typename Scalar> struct ClipPlane {
 /// are a multiple of w, and so are told by w, without z's rounding. The four sides stand
 /// `guard` x (half the canvas) away from the middle: what lies nearer is left to the fill, which
 /// drops it pixel by pixel; what lies beyond would be too far out for it.
-inline std::vector<ClipPlane<Rational>> clip_planes(const Projection& projection,
-                                                    const Rational& half_width,
-                                                    const Rational& half_height,
-                                                    const Rational& guard) {
-    std::vector<ClipPlane<Rational>> planes;
-    if (is_perspective(projection.type)) {
-        const Rational distance_of_w =
-            projection.type == ProjectionType::view_plane ? projection.distance.exact() : 1;
-        planes.push_back({"near", {0, 0, 0, distance_of_w}, -*near_of(projection)});
-        if (const auto far = far_of(projection))
-            planes.push_back({"far", {0, 0, 0, -distance_of_w}, *far});
-    } else if (projection.type == ProjectionType::orthographic && projection.near &&
-               projection.far) {
-        planes.push_back({"near", {0, 0, 1, 0}, 1});
-        planes.push_back({"far", {0, 0, -1, 0}, 1});
-    }
-    if (projection.type != ProjectionType::none) {
-        planes.push_back({"left", {1, 0, 0, guard * half_width}, 0});
-        planes.push_back({"right", {-1, 0, 0, guard * half_width}, 0});
-        planes.push_back({"bottom", {0, 1, 0, guard * half_height}, 0});
-        planes.push_back({"top", {0, -1, 0, guard * half_height}, 0});
-    }
-    return planes;
-}
+std::vector<ClipPlane<Rational>> clip_planes(const Projection& projection,
+                                             const Rational& half_width,
+                                             const Rational& half_height, const Rational& guard);
 
 } // namespace rastertrace

@@ -35,36 +35,9 @@ enum class Snap {
     nearest,  ///< a half goes as `ties` says, up if it says nothing
 };
 
-inline Matrix<Rational> viewport_matrix(const Viewport& viewport, const Canvas& canvas) {
-    Matrix<Rational> matrix = identity<Rational>();
-    const Rational half_width = Rational(canvas.width - 1) / 2;
-    const Rational half_height = Rational(canvas.height - 1) / 2;
-    switch (viewport.type) {
-    case ViewportType::fit:
-        matrix.rows[0] = {half_width, 0, 0, canvas.left() + half_width};
-        matrix.rows[1] = {0, -canvas.down() * half_height, 0,
-                          canvas.top() + canvas.down() * half_height};
-        break;
-    case ViewportType::pixels_per_unit:
-        matrix.rows[0][0] = matrix.rows[1][1] = viewport.pixels_per_unit.exact();
-        break;
-    case ViewportType::none:
-        break;
-    }
-    return matrix;
-}
+Matrix<Rational> viewport_matrix(const Viewport& viewport, const Canvas& canvas);
 
 /// Half the canvas in canonical units (all of it without a viewport): `extent` is its width or height.
-inline Rational half_extent(const Viewport& viewport, int extent) {
-    switch (viewport.type) {
-    case ViewportType::fit:
-        return 1;
-    case ViewportType::pixels_per_unit:
-        return Rational(extent) / (2 * abs(viewport.pixels_per_unit.exact()));
-    case ViewportType::none:
-        break;
-    }
-    return extent;
-}
+Rational half_extent(const Viewport& viewport, int extent);
 
 } // namespace rastertrace
