@@ -383,18 +383,4 @@ std::string svg_document(const SvgSize& size, std::string_view title, std::strin
                        size.width, size.height, escaped(title), body);
 }
 
-std::vector<std::string> wrapped(std::string_view text, std::size_t width) {
-    std::vector<std::string> lines;
-    while (!text.empty()) {
-        const std::size_t space = std::min(text.find(' '), text.size());
-        const std::string_view word = text.substr(0, space);
-        text.remove_prefix(std::min(space + 1, text.size()));
-        if (lines.empty() || columns_in(lines.back()) + 1 + columns_in(word) > width)
-            lines.emplace_back(word);
-        else
-            lines.back() += fmt::format(" {}", word);
-    }
-    return lines;
-}
-
 } // namespace rastertrace

@@ -92,11 +92,5 @@ TEST(PlotSvg, APlotWithoutMarksOrWithoutErrorsIsAPlot) {
     EXPECT_THAT(plot_svg(plot), Not(HasSubstr("nan")));
 }
 
-TEST(PlotSvg, TextIsWrappedBetweenWords) {
-    EXPECT_THAT(wrapped("one two three", 7), ElementsAre("one two", "three"));
-    EXPECT_THAT(wrapped("incomprehensible", 7), ElementsAre("incomprehensible"));
-    EXPECT_TRUE(wrapped("", 7).empty());
-}
-
 } // namespace
 } // namespace rastertrace

@@ -26,12 +26,15 @@ TEST(Describe, EveryStepOfTheFirstTriangle) {
     const Scene scene = first_triangle();
     EXPECT_EQ(description(scene, 0), "nothing drawn yet");
     EXPECT_EQ(description(scene, 1), "triangle ABC   A (2, 5)   B (-4, -3)   C (5, -3)");
-    EXPECT_EQ(description(scene, 2), "edge AB: dx/dy = (-4 - 2) / (-3 - 5) = 3/4");
+    EXPECT_EQ(description(scene, 2), "edge AB: dx/dy = (-4 - 2) / (-3 - 5) = 3/4; "
+                                     "x = 2 + 3/4 (y - 5); y = 4/3 x + 7/3");
     EXPECT_EQ(description(scene, 3), "edge BC: horizontal, it has no dx/dy");
-    EXPECT_EQ(description(scene, 4), "edge AC: dx/dy = (5 - 2) / (-3 - 5) = -3/8");
-    EXPECT_EQ(description(scene, 14), "scanline y=2   left AB: x = 2 + 3/4 (2 - 5) = -1/4 -> -1   "
-                                      "right AC: x = 2 - 3/8 (2 - 5) = 25/8 -> 3");
-    EXPECT_EQ(description(scene, 15), "pixel (-1, 2)");
+    EXPECT_EQ(description(scene, 4), "edge AC: dx/dy = (5 - 2) / (-3 - 5) = -3/8; "
+                                     "x = 2 - 3/8 (y - 5); y = -8/3 x + 31/3");
+    EXPECT_EQ(description(scene, 14),
+              "scanline y=2   left AB: x = 2 + 3/4 (2 - 5) = -1/4 -> floor -> -1   "
+              "right AC: x = 2 - 3/8 (2 - 5) = 25/8 -> floor -> 3");
+    EXPECT_EQ(description(scene, 15), "pixel (-1, 2)   row y=2: -1 to 3");
 }
 
 TEST(Describe, WhatDoublesLeaveOpen) {
@@ -49,18 +52,21 @@ TEST(Describe, WhatDoublesLeaveOpen) {
 TEST(Describe, IncrementalRowsAddToTheRowBefore) {
     const Scene scene =
         first_triangle({.scalar = ScalarKind::exact, .lerp = LerpForm::incremental});
-    EXPECT_EQ(description(scene, 5), "scanline y=5   left AB: x = 2 + 3/4 (5 - 5) = 2 -> 2   "
-                                     "right AC: x = 2 - 3/8 (5 - 5) = 2 -> 2");
-    EXPECT_EQ(description(scene, 7), "scanline y=4   left AB: x = 2 - 3/4 = 5/4 -> 1   "
-                                     "right AC: x = 2 + 3/8 = 19/8 -> 2");
+    EXPECT_EQ(description(scene, 5),
+              "scanline y=5   left AB: x = 2 + 3/4 (5 - 5) = 2 -> floor -> 2   "
+              "right AC: x = 2 - 3/8 (5 - 5) = 2 -> floor -> 2");
+    EXPECT_EQ(description(scene, 7), "scanline y=4   left AB: x = 2 - 3/4 = 5/4 -> floor -> 1   "
+                                     "right AC: x = 2 + 3/8 = 19/8 -> floor -> 2");
 }
 
 TEST(Describe, NegativeCoordinatesAreSubtractedAsOneWritesIt) {
     const Scene scene =
         triangle_scene({"-1", "-2", "3", "-4", "-3", "-4"}, {.width = 9, .height = 9});
-    EXPECT_EQ(description(scene, 2), "edge AC: dx/dy = (-3 + 1) / (-4 + 2) = 1");
-    EXPECT_EQ(description(scene, 7), "scanline y=-3   left AC: x = -1 + 1 (-3 + 2) = -2 -> -2   "
-                                     "right AB: x = -1 - 2 (-3 + 2) = 1 -> 1");
+    EXPECT_EQ(description(scene, 2), "edge AC: dx/dy = (-3 + 1) / (-4 + 2) = 1; "
+                                     "x = -1 + 1 (y + 2); y = 1 x - 1");
+    EXPECT_EQ(description(scene, 7),
+              "scanline y=-3   left AC: x = -1 + 1 (-3 + 2) = -2 -> floor -> -2   "
+              "right AB: x = -1 - 2 (-3 + 2) = 1 -> floor -> 1");
 }
 
 TEST(Describe, WhatIsNotDrawn) {
@@ -75,7 +81,7 @@ TEST(Describe, WhatIsNotDrawn) {
 TEST(Describe, PixelsDrawnAgain) {
     Scene scene = first_triangle();
     scene.primitives.push_back(scene.primitives[0]);
-    EXPECT_EQ(description(scene, 62 + 6), "pixel (2, 5)   over step 6");
+    EXPECT_EQ(description(scene, 62 + 6), "pixel (2, 5)   row y=5: 2 to 2   over step 6");
 }
 
 TEST(Describe, LinesAndTheirDecisions) {
@@ -83,10 +89,10 @@ TEST(Describe, LinesAndTheirDecisions) {
     scene.vertices.pop_back();
     scene.primitives[0] = {.kind = PrimitiveKind::line, .name = "AB", .vertices = {0, 1}};
     EXPECT_EQ(description(scene, 1), "line AB   A (0, 0)   B (5, 2)   octant 1");
-    EXPECT_EQ(description(scene, 3), "at (0, 0): d = -1 <= 0, straight on to E");
-    EXPECT_EQ(description(scene, 5), "at (1, 0): d = 3 > 0, diagonally to NE");
+    EXPECT_EQ(description(scene, 3), "at (0, 0): d = -1 <= 0, straight on to E; d + 4 = 3");
+    EXPECT_EQ(description(scene, 5), "at (1, 0): d = 3 > 0, diagonally to NE; d - 6 = -3");
     scene.method.line = LineMethod::naive;
-    EXPECT_EQ(description(scene, 4), "x = 1: y = 2/5 -> 0");
+    EXPECT_EQ(description(scene, 4), "x = 1: y = 2/5 x + 0 = 2/5 -> nearest -> 0");
 }
 
 TEST(Describe, EdgeFunctionsSamplesHalvesAndRays) {
@@ -96,11 +102,11 @@ TEST(Describe, EdgeFunctionsSamplesHalvesAndRays) {
         "the triangle");
     // AB is at x = 2 + 3/4 (9/2 - 5), AC at 2 - 3/8 (9/2 - 5).
     EXPECT_EQ(description(first_triangle({.scalar = ScalarKind::exact, .fill = Fill::top_left}), 5),
-              "scanline y=4, samples at y = 4 + 1/2   left AB: x = 13/8 -> 2   "
-              "right AC: x = 35/16 -> 1   no pixel between");
+              "scanline y=4, samples at y = 4 + 1/2   left AB: x = 13/8 <= sample 2 + 1/2 -> 2   "
+              "right AC: x = 35/16 > sample 1 + 1/2 -> 1   no pixel between");
     EXPECT_EQ(
         description(first_triangle({.scalar = ScalarKind::exact, .fill = Fill::barycentric}), 2),
-        "sample of (-4, 5): A 1 B 2/3 C -2/3: one is negative, outside");
+        "sample of (-4, 5): (48, -48, 72) / 72: A 1 B 2/3 C -2/3: one is negative, outside");
     EXPECT_EQ(
         description(first_triangle({.scalar = ScalarKind::exact, .fill = Fill::two_halves}), 5),
         "lower half: no row");
@@ -109,6 +115,27 @@ TEST(Describe, EdgeFunctionsSamplesHalvesAndRays) {
         "upper half: rows y=-3 to 5");
     EXPECT_EQ(description(first_triangle({.scalar = ScalarKind::exact, .fill = Fill::fan}), 3),
               "a line begins at (-4, -3)");
+}
+
+/// T3: a level of 128 is 21.6 % of the light, not half of it.
+TEST(Describe, TheLevelOfALitFaceIsNotItsShareOfTheLight) {
+    const auto trace = read_trace(
+        {"t", "{\"rastertrace\":1,\"canvas\":{\"width\":3,\"height\":3}}\n"
+              "{\"step\":\"light\",\"name\":\"ABC\",\"normal\":[0,0,1],\"light\":[0,0,1],"
+              "\"dot\":1,\"intensity\":0.5,\"color\":\"#800000\"}\n{\"end\":{\"steps\":1}}\n"});
+    ASSERT_TRUE(trace);
+    Replay replay(trace.value());
+    replay.go_to(1);
+    EXPECT_EQ(describe_step(replay),
+              "light on ABC: normal (0, 0, 1) . light (0, 0, 1) = 1, intensity 0.5, color #800000 "
+              "(level 128: 21.6 % of the light on an sRGB screen)");
+}
+
+TEST(Describe, DoublesThatAreShortFractions) {
+    const Scene scene = first_triangle({.scalar = ScalarKind::double_precision});
+    EXPECT_EQ(description(scene, 14),
+              "scanline y=2   left AB: x = 2 + 0.75 (2 - 5) = -0.25 = -1/4 -> floor -> -1   "
+              "right AC: x = 2 - 0.375 (2 - 5) = 3.125 = 25/8 -> floor -> 3");
 }
 
 TEST(Describe, StepsThatAreUnknown) {

@@ -9,6 +9,8 @@
 #include <rapidcheck/gtest.h>
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace rastertrace {
 namespace {
@@ -75,6 +77,19 @@ TEST(Shortened, CutsAtCharacters) {
     EXPECT_EQ(shortened("abcdefg", 6), "abc...");
     EXPECT_EQ(shortened("ééééééé", 6), "ééé...");
     EXPECT_EQ(shortened("abc", 2), "...");
+}
+
+TEST(Wrapped, BreaksBetweenWords) {
+    using Lines = std::vector<std::string>;
+    EXPECT_EQ(wrapped("one two three", 7), (Lines{"one two", "three"}));
+    EXPECT_EQ(wrapped("incomprehensible", 7), Lines{"incomprehensible"});
+    EXPECT_TRUE(wrapped("", 7).empty());
+}
+
+TEST(Joined, PutsTheSeparatorBetween) {
+    EXPECT_EQ(joined(std::vector<std::string>{"a", "b", "c"}, ", "), "a, b, c");
+    EXPECT_EQ(joined(std::vector<std::string_view>{"", "b"}, "-"), "-b");
+    EXPECT_EQ(joined(std::vector<std::string>{}, ", "), "");
 }
 
 TEST(NearestWord, FindsSlipsAndNothingElse) {

@@ -27,8 +27,8 @@ TEST(FrameText, OfARowOfTheFirstTriangle) {
     EXPECT_EQ(
         frame(trace_of(scene), 14, 19),
         "First triangle                                             steps 14 to 19 of 62\n"
-        "scanline y=2   left AB: x = 2 + 3/4 (2 - 5) = -1/4 -> -1   right AC: x = 2 - 3/8 (2 - 5) "
-        "= 25/8 -> 3\n"
+        "scanline y=2   left AB: x = 2 + 3/4 (2 - 5) = -1/4 -> floor -> -1   right AC: x = 2 - 3/8 (2 - 5) "
+        "= 25/8 -> floor -> 3\n"
         "\n"
         "     -8-7-6-5-4-3-2-1 0 1 2 3 4 5 6 7 8\n"
         "  7   . . . . . . . . . . . . . . . . .\n"
@@ -69,7 +69,7 @@ TEST(FrameText, LargeCanvasIsAWindowAroundTheNewestPixel) {
                                 {.width = 1000, .height = 1000, .origin = Origin::top_left}, {}));
     const std::string text = frame(trace, trace.size(), trace.size(), {.columns = 27, .lines = 13});
     EXPECT_EQ(text.substr(text.find('\n') + 1),
-              "pixel (500, 300)\n"
+              "pixel (500, 300)   row y=300: 500 to 500\n"
               "(x 490 to 510, y 298 to 302 of a canvas of 1000 x 1000)\n"
               "\n"
               "    490  495  500  505  510\n"

@@ -134,7 +134,7 @@ TEST_F(ProgramTest, SentencesShortenWhatTheTraceHasWhole) {
     EXPECT_THAT(
         shell("$rastertrace show long.json --last").out,
         HasSubstr("\nface ABC: normal (49977918.../10141204... = 4.928204, 0, 1/3) . to eye "
-                  "(0, 0, 1) = 1, cosine -0.57735: drawn\n"));
+                  "(0, 0, 1) = 1, cosine -0.57735 (125.26 degrees): drawn\n"));
 }
 
 TEST_F(ProgramTest, AdaptiveWritesJsonBeyondTheDoubles) {
@@ -624,11 +624,12 @@ TEST_F(ProgramTest, ShowsFramesOfEveryRow) {
     EXPECT_EQ(outcome.status, 0);
     EXPECT_THAT(
         outcome.out,
-        HasSubstr("\n\nFirst triangle                                             steps 14 "
-                  "to 19 of 62\n"
-                  "scanline y=2   left AB: x = 2 + 3/4 (2 - 5) = -1/4 -> -1   right AC: x = "
-                  "2 - 3/8 (2 - 5) = 25/8 -> 3\n\n"
-                  "     -8-7-6-5-4-3-2-1 0 1 2 3 4 5 6 7 8\n"));
+        HasSubstr(
+            "\n\nFirst triangle                                             steps 14 "
+            "to 19 of 62\n"
+            "scanline y=2   left AB: x = 2 + 3/4 (2 - 5) = -1/4 -> floor -> -1   right AC: x = "
+            "2 - 3/8 (2 - 5) = 25/8 -> floor -> 3\n\n"
+            "     -8-7-6-5-4-3-2-1 0 1 2 3 4 5 6 7 8\n"));
     EXPECT_THAT(outcome.out, HasSubstr("\n> 2   . . . . . . . @ @ @ @ @ . . . . .\n"));
     EXPECT_EQ(outcome.out.find("\x1b"), std::string::npos);
 }
@@ -1338,6 +1339,37 @@ TEST_F(ProgramTest, OneGrammarSaysWhichStep) {
     EXPECT_EQ(faces.status, 0) << faces.err;
     EXPECT_THAT(faces.out, HasSubstr(": culled\n"));
     EXPECT_THAT(faces.out, Not(HasSubstr(": drawn\n")));
+}
+
+TEST_F(ProgramTest, WorkingIsWrittenBelowTheSentence) {
+    const std::string show = "$rastertrace show $examples/t0-fill/first-triangle.json ";
+    const std::string crossing = "left AB: x = 2 + 3/4 (2 - 5) = 2 - 9/4 = -1/4\n";
+    const std::string plain = shell(show + "--step 'scanline y=2'").out;
+    EXPECT_THAT(plain, Not(HasSubstr(crossing)));
+    const std::string worked = shell(show + "--step 'scanline y=2' --working").out;
+    EXPECT_THAT(worked, HasSubstr("-> floor -> 3\n    " + crossing));
+    EXPECT_THAT(worked, HasSubstr("\n> 2   . . . "));
+    EXPECT_THAT(shell(show + "--every scanline --format table --working").out,
+                HasSubstr("-> floor -> 3\n          " + crossing));
+    EXPECT_THAT(
+        shell("$rastertrace show $examples/t4-pipeline/six-spaces.json --every matrix "
+              "--working")
+            .out,
+        HasSubstr("  [0 0 1 -4]  [0 0 0 1]\n          view x model:\n          [0 -1 0 1]\n"));
+    for (const std::string beside : {"--bare", "--every edge --format csv"}) {
+        const Outcome refused = shell(show + "--working " + beside);
+        EXPECT_EQ(refused.status, 2) << beside;
+        EXPECT_THAT(refused.err, HasSubstr("--working")) << beside;
+    }
+}
+
+TEST_F(ProgramTest, ThePaintersOrderIsToldWhole) {
+    const Outcome shown =
+        shell("COLUMNS=80 $rastertrace show $examples/t0-hidden/cube-painter.json --step order");
+    EXPECT_THAT(shown.out,
+                HasSubstr("the painter draws, farthest first: EHG at 5, EGF at 5, DHE at 13/3, "
+                          "BFG at 13/3,\nAEF at 13/3, "));
+    EXPECT_THAT(shown.out, HasSubstr("\nABC at 3, ACD at 3\n"));
 }
 
 TEST_F(ProgramTest, ShowSaysHowMuchLiesOffTheCanvas) {

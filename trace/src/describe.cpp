@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/trace/describe.h>
 
-#include <rastertrace/trace/scene_file.h>
+#include "step_text.h"
+
+#include <rastertrace/trace/color_text.h>
 #include <rastertrace/trace/step_kind.h>
 #include <rastertrace/trace/text.h>
 
@@ -9,7 +11,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -17,50 +21,6 @@
 namespace rastertrace {
 
 namespace {
-
-/// A long fraction as its first digits, and what it is: 49977918.../10141204... = 4.928204.
-std::string in_sentence(const std::string& number) {
-    constexpr std::size_t longest = 20;
-    constexpr std::size_t digits = 8;
-    const std::size_t bar = number.find('/');
-    if (bar == std::string::npos || number.size() <= longest)
-        return number;
-    const auto first_digits = [](std::string part) {
-        return part.size() <= digits + 3 ? part : part.substr(0, digits) + "...";
-    };
-    const auto value = nearest_double_in(number);
-    if (!value)
-        return number; // a name with a slash
-    return fmt::format("{}/{} = {:.7g}", first_digits(number.substr(0, bar)),
-                       first_digits(number.substr(bar + 1)), *value);
-}
-
-/// `+ 3` for "3" and `- 3` for "-3": a number as the second term of a sum.
-std::string plus(const std::string& number) {
-    return number.starts_with('-') ? fmt::format("- {}", number.substr(1))
-                                   : fmt::format("+ {}", number);
-}
-
-/// `- 3` for "3" and `+ 3` for "-3": a number that is taken away.
-std::string minus(const std::string& number) {
-    return number.starts_with('-') ? fmt::format("+ {}", number.substr(1))
-                                   : fmt::format("- {}", number);
-}
-
-/// What the formulas need of the primitive that is being drawn.
-struct PrimitiveText {
-    std::string kind;
-    std::string name;
-    std::vector<std::string> vertices;
-    std::vector<std::vector<std::string>> positions;
-};
-
-PrimitiveText primitive_of(const Replay& replay) {
-    if (replay.primitive() == 0)
-        return {};
-    const StepView step = replay.trace().step(replay.primitive());
-    return {step.text("kind"), step.text("name"), step.texts("vertices"), step.text_rows("at")};
-}
 
 /// What the parts of a sentence are worked out from.
 struct Context {
@@ -77,32 +37,6 @@ std::string name_of_primitive(const Context& context) {
         return name;
     return context.replay.primitive() == 0 ? fmt::format("of step {}", context.replay.step())
                                            : context.primitive.name;
-}
-
-std::string point(std::vector<std::string> coordinates) {
-    std::transform(coordinates.begin(), coordinates.end(), coordinates.begin(), in_sentence);
-    return fmt::format("({})", joined(coordinates, ", "));
-}
-
-/// The ends of an edge, found by its name.
-struct EdgeEnds {
-    std::vector<std::string> from;
-    std::vector<std::string> to;
-};
-
-std::optional<EdgeEnds> ends_of_edge(const PrimitiveText& primitive, const std::string& edge) {
-    const std::vector<std::string_view> names(primitive.vertices.begin(), primitive.vertices.end());
-    const std::string_view separator = name_separator(names);
-    for (std::size_t from = 0; from < names.size(); ++from)
-        for (std::size_t to = 0; to < names.size(); ++to) {
-            const bool have_places =
-                from < primitive.positions.size() && to < primitive.positions.size() &&
-                primitive.positions[from].size() >= 2 && primitive.positions[to].size() >= 2;
-            if (from != to && have_places &&
-                edge == fmt::format("{}{}{}", names[from], separator, names[to]))
-                return EdgeEnds{primitive.positions[from], primitive.positions[to]};
-        }
-    return std::nullopt;
 }
 
 std::string corners(const Context& context) {
@@ -139,12 +73,9 @@ std::string farthest_first(const Context& context) {
     const auto names = context.step.texts("names");
     const auto distances = context.step.texts("distances");
     std::string text;
-    constexpr std::size_t most_named = 8;
-    for (std::size_t i = 0; i < names.size() && i < most_named; ++i)
+    for (std::size_t i = 0; i < names.size(); ++i)
         text += fmt::format("{} {} at {}", i == 0 ? "" : ",", names[i],
-                            i < distances.size() ? distances[i] : "?");
-    if (names.size() > most_named)
-        text += fmt::format(" ... and {} more", names.size() - most_named);
+                            i < distances.size() ? in_sentence(distances[i]) : "?");
     return text;
 }
 
@@ -155,6 +86,16 @@ std::string edge_function(const StepView& step, const std::optional<EdgeEnds>& e
                        ends ? minus(ends->from[1]) : "- y1",
                        is_top_left ? "top or left: samples where E = 0 belong to the triangle"
                                    : "samples where E = 0 do not belong to the triangle");
+}
+
+/// The other form of a line that is not vertical: `; y = 4/3 x + 7/3`.
+std::string line_form(const EdgeEnds& ends) {
+    const auto from = vec2_in(ends.from);
+    const auto to = vec2_in(ends.to);
+    if (!from || !to || from->x == to->x)
+        return {};
+    const Rational slope = (to->y - from->y) / (to->x - from->x);
+    return fmt::format("; y = {} x {}", text(slope), plus(text(from->y - slope * from->x)));
 }
 
 std::string edge(const Context& context) {
@@ -168,10 +109,11 @@ std::string edge(const Context& context) {
     const std::string slope = step.text("dx_dy");
     if (slope == "null")
         return fmt::format("edge {}: horizontal, it has no dx/dy", name);
-    if (ends)
-        return fmt::format("edge {}: dx/dy = ({} {}) / ({} {}) = {}", name, ends->to[0],
-                           minus(ends->from[0]), ends->to[1], minus(ends->from[1]), slope);
-    return fmt::format("edge {}: dx/dy = {}", name, slope);
+    if (!ends)
+        return fmt::format("edge {}: dx/dy = {}", name, slope);
+    return fmt::format("edge {}: dx/dy = ({} {}) / ({} {}) = {}; x = {} {} (y {}){}", name,
+                       ends->to[0], minus(ends->from[0]), ends->to[1], minus(ends->from[1]), slope,
+                       ends->from[0], plus(slope), minus(ends->from[1]), line_form(*ends));
 }
 
 std::string rows_of_half(const Context& context) {
@@ -187,19 +129,15 @@ std::string weights(const Context& context) {
     const auto& vertices = context.primitive.vertices;
     const auto weights = context.step.texts("weights");
     std::string text;
+    const auto corners = corners_of(context.primitive);
+    const auto p = sample_of(context.replay.trace(), context.step);
+    if (const auto cross = corners && p ? cross_of_point(*corners, *p) : std::nullopt)
+        text = fmt::format(" {} / {}:", rastertrace::text(cross->weights),
+                           rastertrace::text(cross->weights.z));
     for (std::size_t i = 0; i < weights.size(); ++i)
         text +=
             fmt::format(" {} {}", i < vertices.size() ? vertices[i] : "?", in_sentence(weights[i]));
     return text;
-}
-
-/// A number to six places, without zeros at its end.
-std::string six_places(double number) {
-    std::string text = fmt::format("{:.6f}", number);
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.')
-        text.pop_back();
-    return text == "-0" ? "0" : text;
 }
 
 /// What a depth is compared with, and whose it is.
@@ -278,7 +216,37 @@ std::optional<std::string> slope_of(const Replay& replay, const std::string& edg
     return std::nullopt;
 }
 
-/// One end of a row: `left AB: x = 2 + 3/4 (2 - 5) = -1/4 -> -1`.
+/// How the end of a row becomes its pixel: the rounding by its name, or how it lies to the pixel's sample.
+std::string rule_of_end(const Context& context, const std::string& side, const std::string& pixel) {
+    const Trace& trace = context.replay.trace();
+    const bool is_left = side == "left";
+    const std::string rounding = trace.method_value("rounding");
+    if (rounding == "inside")
+        return is_left ? " -> ceil" : " -> floor";
+    if (!rounding.empty())
+        return " -> " + rounding;
+    const auto x = number_in(context.step, side);
+    const auto column = number_in(pixel);
+    if (!x || !column || trace.method_value("fill") != "top-left")
+        return {};
+    const bool is_at_center = trace.method_value("sample") == "center";
+    const Rational sample = *column + (is_at_center ? Rational(1, 2) : Rational(0));
+    if (is_left ? *x > sample : *x <= sample)
+        return {};
+    return fmt::format(" {} sample {}{}", is_left ? "<=" : ">", pixel,
+                       is_at_center ? " + 1/2" : "");
+}
+
+/// A double that is a short fraction with it: `-0.25 = -1/4`.
+std::string with_fraction(const std::string& number) {
+    constexpr int largest_denominator = 64;
+    const auto exact = number.find('.') == std::string::npos ? std::nullopt : number_in(number);
+    return exact && exact->get_den() <= largest_denominator
+               ? fmt::format("{} = {}", number, exact->get_str())
+               : in_sentence(number);
+}
+
+/// One end of a row: `left AB: x = 2 + 3/4 (2 - 5) = -1/4 -> floor -> -1`.
 std::string end_of_row(const Context& context, const std::string& side, const std::string& pixel) {
     const auto& [replay, step, primitive] = context;
     const std::string edge = step.text(side + "_edge");
@@ -302,7 +270,89 @@ std::string end_of_row(const Context& context, const std::string& side, const st
     else if (slope && ends)
         text +=
             fmt::format("{} {} ({} {}) = ", ends->from[0], plus(*slope), y, minus(ends->from[1]));
-    return text + fmt::format("{} -> {}", in_sentence(x), pixel);
+    return text +
+           fmt::format("{}{} -> {}", with_fraction(x), rule_of_end(context, side, pixel), pixel);
+}
+
+/// Depths at the ends of a row: `   depth 1/3 to 1/5`.
+std::string depths_of_row(const Context& context) {
+    const std::string left = context.step.text("left_depth");
+    const std::string right = context.step.text("right_depth");
+    return left.empty() || right.empty()
+               ? std::string()
+               : fmt::format("   depth {} to {}", in_sentence(left), in_sentence(right));
+}
+
+/// What a line goes by, where the numbers of the trace say so: `1/2 x + 0 = `.
+std::string slope_form(const Context& context) {
+    const auto ends = ends_of_line(context.primitive);
+    const auto value = number_in(context.step, "value");
+    const bool is_x_major = context.step.field("x").has_value();
+    const auto at = number_in(context.step, is_x_major ? "x" : "y");
+    if (!ends || !value || !at)
+        return {};
+    const Rational dx = ends->to.x - ends->from.x;
+    const Rational dy = ends->to.y - ends->from.y;
+    if (sgn(is_x_major ? dx : dy) == 0)
+        return {};
+    const Rational m = is_x_major ? dy / dx : dx / dy;
+    const Rational b = is_x_major ? Rational(ends->from.y - m * ends->from.x)
+                                  : Rational(ends->from.x - m * ends->from.y);
+    return m * *at + b == *value
+               ? fmt::format("{} {} {} = ", text(m), is_x_major ? "x" : "y", plus(text(b)))
+               : std::string();
+}
+
+/// What Bresenham's d becomes: `; d - 6 = -3`.
+std::string next_d(const Context& context) {
+    const auto d = number_in(context.step, "d");
+    const auto increment = d ? increment_of(context.primitive, *d) : std::nullopt;
+    return increment ? fmt::format("; d {} = {}", plus(text(*increment)), text(*d + *increment))
+                     : std::string();
+}
+
+/// How much of the light that is a level of 255 is on an sRGB screen (IEC 61966-2-1), in percent.
+double share_of_light(int level) {
+    const double signal = level / 255.0;
+    return 100 * (signal <= 0.04045 ? signal / 12.92 : std::pow((signal + 0.055) / 1.055, 2.4));
+}
+
+/// The brightest level of a color, and what it is on a screen: ` (level 128: 21.6 % of the light)`.
+std::string level(const Context& context) {
+    const auto color = parse_color(context.step.text("color"));
+    if (!color)
+        return {};
+    const int brightest = std::max({int{color->red()}, int{color->green()}, int{color->blue()}});
+    return fmt::format(" (level {}: {:.1f} % of the light on an sRGB screen)", brightest,
+                       share_of_light(brightest));
+}
+
+std::string sign_of_d(const StepView& step) {
+    const std::string d = step.text("d");
+    const bool goes_straight = d.starts_with('-') || d == "0";
+    return goes_straight ? "<= 0, straight on" : "> 0, diagonally";
+}
+
+/// Why a pixel is drawn, once more: its row, its decision or its sample.
+std::string reason(const Context& context) {
+    const std::size_t n = reason_of_pixel(context.replay);
+    if (n == 0)
+        return {};
+    const StepView step = context.replay.trace().step(n);
+    switch (*context.replay.trace().kind_of(n)) {
+    case StepKind::scanline:
+        return fmt::format("   row y={}: {} to {}", step.text("y"), step.text("from"),
+                           step.text("to"));
+    case StepKind::along:
+        return fmt::format("   {} = {}", step.field("x") ? "y" : "x",
+                           in_sentence(step.text("value")));
+    case StepKind::decide:
+        return fmt::format("   d = {} {}", step.text("d"), sign_of_d(step));
+    case StepKind::sample:
+        return "   no weight is negative";
+    default:
+        return {};
+    }
 }
 
 /// A part of a sentence that is more than a field.
@@ -348,8 +398,12 @@ constexpr Part parts[] = {
      [](const Context& context) {
          const std::string cosine = context.step.text("cosine");
          const auto value = nearest_double_in(cosine);
-         return value ? fmt::format(", cosine {}", six_places(*value)) : std::string();
+         return value
+                    ? fmt::format(", cosine {} ({:.2f} degrees)", six_places(*value),
+                                  std::acos(std::clamp(*value, -1.0, 1.0)) * 180 / std::numbers::pi)
+                    : std::string();
      }},
+    {"level", level},
     {"inside",
      [](const Context& context) {
          const auto inside = context.step.texts("inside");
@@ -368,6 +422,7 @@ constexpr Part parts[] = {
      [](const Context& context) { return end_of_row(context, "left", context.step.text("from")); }},
     {"right_end",
      [](const Context& context) { return end_of_row(context, "right", context.step.text("to")); }},
+    {"depths_of_row", depths_of_row},
     {"empty",
      [](const Context& context) {
          const bool is_empty = *context.step.whole("to") < *context.step.whole("from");
@@ -379,12 +434,14 @@ constexpr Part parts[] = {
          return is_x_major ? fmt::format("x = {}: y", context.step.text("x"))
                            : fmt::format("y = {}: x", context.step.text("y"));
      }},
-    {"sign_of_d",
+    {"slope_form", slope_form},
+    {"rule_of_line",
      [](const Context& context) {
-         const std::string d = context.step.text("d");
-         const bool goes_straight = d.starts_with('-') || d == "0";
-         return std::string(goes_straight ? "<= 0, straight on" : "> 0, diagonally");
+         const std::string rounding = context.replay.trace().method_value("rounding");
+         return rounding.empty() ? rounding : " -> " + rounding;
      }},
+    {"sign_of_d", [](const Context& context) { return sign_of_d(context.step); }},
+    {"next_d", next_d},
     {"weights", weights},
     {"against", against},
     {"depth_rule", depth_rule},
@@ -393,6 +450,7 @@ constexpr Part parts[] = {
          return context.step.field("color") ? fmt::format(" {}", context.step.text("color"))
                                             : std::string();
      }},
+    {"reason", reason},
     {"drawn_over", drawn_over},
     {"dropped", dropped},
     {"what_is_open",

@@ -39,7 +39,7 @@ const std::array<StepRow, step_kinds> table{{
       {"opposite", boolean, told}}},
 
     {StepKind::light, "light", "a face is lit",
-     "light on {@primitive}: normal {normal} . light {light} = {dot}, intensity {intensity}, color {color}",
+     "light on {@primitive}: normal {normal} . light {light} = {dot}, intensity {intensity}, color {color}{@level}",
      {{"name", string, key}, {"normal", list, reason}, {"light", list, reason},
       {"dot", quantity, reason}, {"intensity", quantity, told, true}, {"color", string, decision}}},
 
@@ -62,19 +62,19 @@ const std::array<StepRow, step_kinds> table{{
      {{"x", whole, key, true}, {"y", whole, key, true}}},
 
     {StepKind::scanline, "scanline", "the two ends of a row are known",
-     "scanline y={y}{@samples}   {@left_end}   {@right_end}{@empty}",
+     "scanline y={y}{@samples}   {@left_end}   {@right_end}{@depths_of_row}{@empty}",
      {{"y", whole, key, true}, {"left", quantity, reason, true}, {"right", quantity, reason, true},
       {"from", whole, decision, true}, {"to", whole, decision, true}, {"left_edge", string, reason},
       {"right_edge", string, reason}, {"left_depth", quantity, reason},
       {"right_depth", quantity, reason}}},
 
     {StepKind::along, "along", "a `naive` or `dda` line is at a step of its major axis",
-     "{@along} = {value} -> {pixel}",
+     "{@along} = {@slope_form}{value}{@rule_of_line} -> {pixel}",
      {{"x", whole, key}, {"y", whole, key}, {"value", quantity, reason, true},
       {"pixel", whole, decision, true}}},
 
     {StepKind::decide, "decide", "Bresenham chooses",
-     "at ({x}, {y}): d = {d} {@sign_of_d} to {move}",
+     "at ({x}, {y}): d = {d} {@sign_of_d} to {move}{@next_d}",
      {{"x", whole, key, true}, {"y", whole, key, true}, {"d", quantity, reason, true},
       {"move", string, decision, true}}},
 
@@ -89,7 +89,7 @@ const std::array<StepRow, step_kinds> table{{
       {"stored", quantity, reason}, {"pass", boolean, decision}}},
 
     {StepKind::pixel, "pixel", "a pixel is plotted",
-     "pixel ({x}, {y}){@color}{@drawn_over}",
+     "pixel ({x}, {y}){@color}{@reason}{@drawn_over}",
      {{"x", whole, key, true}, {"y", whole, key, true}, {"color", string, decision}}},
 
     {StepKind::reject, "reject", "pixels are dropped",

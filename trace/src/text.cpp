@@ -130,6 +130,20 @@ std::string shortened(std::string_view text, std::size_t width) {
     return std::string(first_columns(text, width - std::min<std::size_t>(width, 3))) + "...";
 }
 
+std::vector<std::string> wrapped(std::string_view text, std::size_t width) {
+    std::vector<std::string> lines;
+    while (!text.empty()) {
+        const std::size_t space = std::min(text.find(' '), text.size());
+        const std::string_view word = text.substr(0, space);
+        text.remove_prefix(std::min(space + 1, text.size()));
+        if (lines.empty() || columns_in(lines.back()) + 1 + columns_in(word) > width)
+            lines.emplace_back(word);
+        else
+            lines.back() += fmt::format(" {}", word);
+    }
+    return lines;
+}
+
 namespace {
 
 template <typename Text>

@@ -329,6 +329,8 @@ private:
         command.add_flag(
             "--frames", show_.has_frames,
             "With --every: a frame for each step, also of kinds that are told as a table");
+        command.add_flag("--working", show_.has_working,
+                         "Write out how the numbers of a step come of one another");
         command
             .add_option(
                 "--format", table_format_,
@@ -356,6 +358,8 @@ private:
                 show_.region = region_in(show_region_);
             if (show_.bare && (show_.region || show_.is_overview))
                 refuse("--bare", "all of the canvas, without --region and --overview", "--bare");
+            if (show_.bare && show_.has_working)
+                refuse("--bare", "only the grid, without --working", "--bare");
             if (show_.region && show_.is_overview)
                 refuse("--overview", "no --region beside it", show_region_);
             if (!table_format_.empty()) {
@@ -365,6 +369,9 @@ private:
                            table_format_, did_you_mean(table_format_, table_format_names()));
                 if (show_.which != ShowCommand::Which::every)
                     refuse("--format", "--every beside it", table_format_);
+                if (show_.has_working && show_.format != TableFormat::table)
+                    refuse("--working", "sentences, without --format " + table_format_,
+                           "--working");
                 if (show_.bare || show_.has_frames)
                     refuse("--format", "a table, without --bare and --frames", table_format_);
             }

@@ -80,6 +80,7 @@ struct ShowCommand {
     std::optional<Region> region; ///< of the canvas
     bool is_overview = false;
     bool has_frames = false;           ///< also of kinds that are told as a table
+    bool has_working = false;          ///< how the numbers of each step come of one another
     std::optional<TableFormat> format; ///< of Which::every: a table of any kind
     ColorChoice color = ColorChoice::automatic;
     MethodOverrides method;

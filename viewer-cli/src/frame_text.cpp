@@ -230,7 +230,7 @@ std::optional<Index> row_of_step(const Trace& trace, std::size_t n) {
 }
 
 /// Words in lines of at most so many columns.
-std::string wrapped(const std::vector<std::string>& words, std::size_t columns) {
+std::string legend_lines(const std::vector<std::string>& words, std::size_t columns) {
     std::string text, line;
     for (const std::string& word : words) {
         if (!line.empty() && columns_in(line) + 2 + columns_in(word) > columns) {
@@ -240,6 +240,13 @@ std::string wrapped(const std::vector<std::string>& words, std::size_t columns) 
         line += (line.empty() ? "" : "  ") + word;
     }
     return line.empty() ? text : text + line + "\n";
+}
+
+/// A sentence in one line, as long as it may be; one of a page, like a painter's order, in lines.
+std::vector<std::string> caption_lines(const std::string& caption, std::size_t columns) {
+    constexpr std::size_t most_lines = 2;
+    return columns_in(caption) <= most_lines * columns ? std::vector{caption}
+                                                       : wrapped(caption, columns);
 }
 
 /// The title, and on the right which steps the frame shows.
@@ -368,11 +375,11 @@ std::string frame_text(const Replay& replay, const FrameText& about, TextSize si
     const bool has_gaps = !about.is_overview && cells.width() < room;
     const std::size_t cell = cells.width() + (has_gaps ? 1 : 0);
 
-    std::string legend = wrapped(cells.legend(), std::min(page, page_columns));
+    std::string legend = legend_lines(cells.legend(), std::min(page, page_columns));
     if (!legend.empty())
         legend.insert(0, "\n");
     const std::size_t taken =
-        lines_around_grid +
+        lines_around_grid + about.working.size() +
         static_cast<std::size_t>(std::count(legend.begin(), legend.end(), '\n'));
 
     // Which row is meant, and which part of the canvas is looked at.
@@ -382,8 +389,11 @@ std::string frame_text(const Replay& replay, const FrameText& about, TextSize si
                                             : window_around(canvas, size, margin, cell, taken,
                                                             center_of(replay, about.first_step));
 
-    std::string text =
-        fmt::format("{}\n{}\n", title_line(replay.trace(), about, size.columns), about.caption);
+    std::string text = title_line(replay.trace(), about, size.columns) + "\n";
+    for (const std::string& line : caption_lines(about.caption, size.columns))
+        text += line + "\n";
+    for (const std::string& line : about.working)
+        text += fmt::format("    {}\n", line);
     if (about.is_overview)
         text += fmt::format("(1 cell = {}x{} pixels, the most frequent of those drawn)\n",
                             window.block_width, window.block_height);

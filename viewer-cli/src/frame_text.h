@@ -20,6 +20,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace rastertrace {
 
@@ -30,8 +31,9 @@ struct FrameText {
     std::size_t last_step = 0;  ///< ... to this one, the frame's own, are new, and marked
     View view = View::plotted;
     ColorDepth colors = ColorDepth::none;
-    std::optional<Region> region = {}; ///< show this part, whatever the terminal's size
-    bool is_overview = false;          ///< show all of the canvas, many pixels to a cell
+    std::optional<Region> region = {};     ///< show this part, whatever the terminal's size
+    bool is_overview = false;              ///< show all of the canvas, many pixels to a cell
+    std::vector<std::string> working = {}; ///< lines below the caption, see working_of
 };
 
 /// The frame that a replay has reached, with title, caption, coordinates along the borders, and a legend.

@@ -11,6 +11,7 @@
 #include <rastertrace/trace/describe.h>
 #include <rastertrace/trace/selector.h>
 #include <rastertrace/trace/text.h>
+#include <rastertrace/trace/working.h>
 
 #include <fmt/core.h>
 
@@ -103,8 +104,17 @@ void check_region(const Region& region, const Canvas& canvas) {
                         region.y1));
 }
 
+/// The working of a step below its sentence.
+std::string indented(const std::vector<std::string>& lines) {
+    std::string text;
+    for (const std::string& line : lines)
+        text += fmt::format("          {}\n", line);
+    return text;
+}
+
 /// The steps of one kind, one line for each.
-void print_table(const Trace& trace, const std::vector<Shown>& shown, TableFormat format) {
+void print_table(const Trace& trace, const std::vector<Shown>& shown, const ShowCommand& command) {
+    const TableFormat format = command.format.value_or(TableFormat::table);
     StepTable table(format, *trace.kind_of(shown.front().first));
     if (format == TableFormat::table)
         print(shortened(printable(trace.title), 79) + "\n\n");
@@ -113,6 +123,8 @@ void print_table(const Trace& trace, const std::vector<Shown>& shown, TableForma
     for (const Shown& steps : shown) {
         replay.go_to(steps.first);
         print(table.line(replay));
+        if (command.has_working)
+            print(indented(working_of(replay)));
     }
     print(table.end());
 }
@@ -134,7 +146,7 @@ int run(const ShowCommand& command) {
     const Trace trace = load_trace(command.trace, command.method, command.input);
     const auto shown = steps_to_show(command, trace);
     if (is_table(command, trace, shown)) {
-        print_table(trace, shown, command.format.value_or(TableFormat::table));
+        print_table(trace, shown, command);
         return report_damage(trace);
     }
     const TextSize size = output_size();
@@ -157,6 +169,8 @@ int run(const ShowCommand& command) {
         if (!command.bare) {
             replay.go_to(steps.first);
             about.caption = describe_step(replay);
+            if (command.has_working)
+                about.working = working_of(replay);
         }
 
         // Where vertices are still on their way to the screen, many frames would be many empty
@@ -164,7 +178,8 @@ int run(const ShowCommand& command) {
         if (!command.bare && replay.step() > 0 && replay.primitive() == 0 && shown.size() > 1) {
             print(fmt::format("{}{:>4}  {}\n",
                               is_first ? shortened(printable(trace.title), 79) + "\n\n" : "",
-                              steps.first, about.caption));
+                              steps.first, about.caption) +
+                  indented(about.working));
             is_first = false;
             continue;
         }

@@ -63,7 +63,4 @@ std::string text_svg(double x, double y, double size, std::string_view text);
 /// A whole document around groups.
 std::string svg_document(const SvgSize& size, std::string_view title, std::string_view body);
 
-/// `text` in lines of at most `width` characters; a longer word has a line of its own.
-std::vector<std::string> wrapped(std::string_view text, std::size_t width);
-
 } // namespace rastertrace

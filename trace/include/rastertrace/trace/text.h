@@ -56,6 +56,9 @@ std::string padded(std::string_view text, std::size_t width);
 /// `text`, cut to at most `width` columns; what was cut is told by "..." at the end.
 std::string shortened(std::string_view text, std::size_t width);
 
+/// `text` in lines of at most `width` characters; a longer word has a line of its own.
+std::vector<std::string> wrapped(std::string_view text, std::size_t width);
+
 /// The texts of a list, `separator` between them.
 std::string joined(std::span<const std::string> texts, std::string_view separator);
 std::string joined(std::span<const std::string_view> texts, std::string_view separator);

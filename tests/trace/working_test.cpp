@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#include "picture.h"
+#include "traces.h"
+
+#include <rastertrace/trace/describe.h>
+#include <rastertrace/trace/working.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <string>
+#include <vector>
+
+namespace rastertrace {
+namespace {
+
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsSupersetOf;
+using ::testing::Not;
+
+Trace example(const std::string& name) {
+    std::ifstream file(RASTERTRACE_EXAMPLES "/" + name);
+    return trace_of(scene_in({std::istreambuf_iterator<char>(file), {}}));
+}
+
+using Working = std::vector<std::string>;
+
+/// The first step of which `is_meant` is true.
+std::size_t step_of(const Trace& trace, const std::function<bool(const StepView&)>& is_meant) {
+    for (std::size_t n = 1; n <= trace.size(); ++n)
+        if (is_meant(trace.step(n)))
+            return n;
+    ADD_FAILURE() << "no such step";
+    return 0;
+}
+
+Working working(const Trace& trace, std::size_t n) {
+    Replay replay(trace);
+    replay.go_to(n);
+    return working_of(replay);
+}
+
+/// The working of the first step of a kind that has these numbers as x and y, or this name.
+Working working(const Trace& trace, StepKind kind, int x, int y) {
+    return working(trace, step_of(trace, [&](const StepView& step) {
+                       return step.kind() == kind && step.whole("x").value_or(x) == x &&
+                              step.whole("y").value_or(y) == y;
+                   }));
+}
+Working working(const Trace& trace, StepKind kind, std::string_view name,
+                std::string_view space = "") {
+    return working(trace, step_of(trace, [&](const StepView& step) {
+                       return step.kind() == kind &&
+                              (step.text("name") == name || step.text("edge") == name) &&
+                              step.text("space") == space;
+                   }));
+}
+
+TEST(Working, OfTheFirstTriangle) {
+    const Trace trace = trace_of(first_triangle());
+    EXPECT_THAT(working(trace, StepKind::primitive, "ABC"),
+                ElementsAre("AB x AC = (-6) (-8) - (-8) (3) = 72: C lies left of it",
+                            "BC x BA = 9 (8) - 0 (6) = 72: A lies left of it",
+                            "CA x CB = (-3) (0) - 8 (-9) = 72: B lies left of it",
+                            "area = |72| / 2 = 36, counter-clockwise"));
+    EXPECT_THAT(working(trace, StepKind::edge, "AC"),
+                ElementsAre("dx = 5 - 2 = 3, dy = -3 - 5 = -8", "x = 2 - 3/8 (y - 5)",
+                            "  = -3/8 y + 31/8", "y = -8/3 x + 31/3"));
+    const Working row{"left AB: x = 2 + 3/4 (2 - 5) = 2 - 9/4 = -1/4",
+                      "right AC: x = 2 - 3/8 (2 - 5) = 2 + 9/8 = 25/8",
+                      "-1/4 < 25/8: AB is left, AC is right",
+                      "x = -1 to 3: 3 - (-1) + 1 = 5 pixels"};
+    EXPECT_EQ(working(trace, StepKind::scanline, 0, 2), row);
+    EXPECT_THAT(working(trace, StepKind::pixel, -1, 2), IsSupersetOf(row));
+}
+
+TEST(Working, AClockwiseTriangleWhereYPointsDown) {
+    const Trace trace = trace_of(triangle_scene(
+        {"1", "1", "5", "1", "1", "4"}, {.width = 8, .height = 8, .origin = Origin::top_left}));
+    EXPECT_THAT(working(trace, StepKind::primitive, "ABC"),
+                IsSupersetOf({"AB x AC = 4 (3) - 0 (0) = 12: C lies right of it",
+                              "area = |12| / 2 = 6, clockwise"}));
+}
+
+/// T3's table of points: (ABx, ACx, PAx) x (ABy, ACy, PAy).
+TEST(Working, SamplesByACrossProduct) {
+    const Trace trace =
+        trace_of(first_triangle({.scalar = ScalarKind::exact, .fill = Fill::barycentric}));
+    EXPECT_THAT(working(trace, StepKind::sample, 0, 0),
+                ElementsAre("P = (0, 0): AB = (-6, -8), AC = (3, -8), PA = (2, 5)",
+                            "(-6, 3, 2) x (-8, -8, 5) = (31, 14, 72)",
+                            "divided by 72: u = 31/72 of B, v = 7/36 of C, 1 - u - v = 3/8 of A"));
+    const auto cross_at = [&](int x, int y) { return working(trace, StepKind::sample, x, y)[1]; };
+    EXPECT_THAT(cross_at(-1, 1), HasSubstr(" = (36, 0, 72)"));
+    EXPECT_THAT(cross_at(1, -3), HasSubstr(" = (32, 40, 72)"));
+    EXPECT_THAT(cross_at(3, 2), HasSubstr(" = (1, 26, 72)"));
+    EXPECT_THAT(cross_at(-1, 2), HasSubstr(" = (33, -6, 72)"));
+    EXPECT_THAT(cross_at(4, 2), HasSubstr(" = (-7, 34, 72)"));
+}
+
+/// T0, figures 21 to 24 with their slips put right.
+TEST(Working, OfAFace) {
+    const Trace trace = example("t0-hidden/cube-culled.json");
+    EXPECT_THAT(
+        working(trace, StepKind::face, "ABC"),
+        ElementsAre("A = (-1, 1, 3)", "B = (1, 1, 3)", "C = (1, -1, 3)", "B - A = (2, 0, 0)",
+                    "C - A = (2, -2, 0)", "normal = (B - A) x (C - A)",
+                    "= (0 (0) - 0 (-2), 0 (2) - 2 (0), 2 (-2) - 0 (2)) = (0, 0, -4)",
+                    "centroid = (A + B + C) / 3 = (1/3, 1/3, 3)", "plane: 0 x + 0 y - 4 z + 12 = 0",
+                    "normal . view = 0 (-1/3) + 0 (-1/3) + (-4) (-3) = 12",
+                    "|normal| = 4, |view| = sqrt(83/9) = 3.036811",
+                    "cosine = 12 / (|normal| |view|) = 0.987878, an angle of 8.93 degrees"));
+}
+
+/// T4: the view moves by -4, and projection x view x model takes an object to its place in clip space.
+TEST(Working, OfMatricesAndVertices) {
+    const Trace trace = example("t4-pipeline/six-spaces.json");
+    EXPECT_THAT(working(trace, StepKind::matrix, "projection"),
+                ElementsAre("projection x view x model:", "[0 -1 0 1]", "[2 0 0 0]", "[0 0 1 -3]",
+                            "[0 0 -1 4]"));
+    EXPECT_THAT(working(trace, StepKind::vertex, "A", "camera"),
+                ElementsAre("x = 1 (0) + 0 (2) + 0 (1) + 0 (1) = 0",
+                            "y = 0 (0) + 1 (2) + 0 (1) + 0 (1) = 2",
+                            "z = 0 (0) + 0 (2) + 1 (1) + (-4) (1) = -3"));
+    EXPECT_THAT(working(trace, StepKind::vertex, "A", "canonical"),
+                ElementsAre("x = 0 / 3 = 0", "y = 2 / 3 = 2/3", "z = -2 / 3 = -2/3"));
+}
+
+/// T2: index = 4 (512 y + x).
+TEST(Working, WhereAPixelLiesInMemory) {
+    Scene scene = triangle_scene({"0", "0", "511", "511", "0", "1"},
+                                 {.width = 512, .height = 512, .origin = Origin::top_left});
+    const auto address_of = [&](int x, int y) {
+        scene.primitives = {{.kind = PrimitiveKind::point, .name = "A", .vertices = {0}}};
+        scene.vertices[0].x = Number(x);
+        scene.vertices[0].y = Number(y);
+        return working(trace_of(scene), StepKind::pixel, x, y).back();
+    };
+    EXPECT_THAT(address_of(0, 0), HasSubstr(" byte 4 (512 (0) + 0) = 0"));
+    EXPECT_THAT(address_of(1, 0), HasSubstr(" = 4"));
+    EXPECT_THAT(address_of(0, 1), HasSubstr(" = 2048"));
+    EXPECT_THAT(address_of(511, 511), HasSubstr(" = 1048572"));
+}
+
+/// What does not lead to the number that the trace tells is not claimed.
+TEST(Working, LeavesOutWhatTheTraceContradicts) {
+    std::string text = trace_text(first_triangle());
+    const std::string told = R"("y":2,"left":"-1/4")";
+    text.replace(text.find(told), told.size(), R"("y":2,"left":"-1/3")");
+    const Trace trace = readable_trace(text);
+    const Working row = working(trace, StepKind::scanline, 0, 2);
+    EXPECT_THAT(row, Not(Contains(HasSubstr("left AB:"))));
+    EXPECT_THAT(row, Contains(HasSubstr("right AC: x = 2 - 3/8 (2 - 5) = 2 + 9/8 = 25/8")));
+}
+
+/// The d that a sentence and a working promise is the one that the next step tells.
+RC_GTEST_PROP(Working, BresenhamsNextDIsTheNextD, ()) {
+    const auto side = [] { return *rc::gen::inRange(0, 30); };
+    const std::vector<std::string> ends{std::to_string(side()),
+                                        std::to_string(side()),
+                                        std::to_string(side()),
+                                        std::to_string(side()),
+                                        "0",
+                                        "0"};
+    Scene scene = triangle_scene(ends, {.width = 30, .height = 30, .origin = Origin::bottom_left});
+    scene.vertices.pop_back();
+    scene.primitives[0] = {.kind = PrimitiveKind::line, .name = "AB", .vertices = {0, 1}};
+    const Trace trace = trace_of(scene);
+    std::string promised;
+    for (std::size_t n = 1; n <= trace.size(); ++n) {
+        const StepView step = trace.step(n);
+        if (step.kind() != StepKind::decide)
+            continue;
+        const std::string d = step.text("d");
+        RC_ASSERT(promised.empty() || promised == d);
+        Replay replay(trace);
+        replay.go_to(n);
+        const std::string sentence = describe_step(replay);
+        promised = sentence.substr(sentence.rfind("= ") + 2);
+        const std::string line = working_of(replay).back();
+        RC_ASSERT(line.substr(line.rfind("= ") + 2) == promised);
+    }
+}
+
+} // namespace
+} // namespace rastertrace

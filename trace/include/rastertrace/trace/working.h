@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// How the numbers of a step come of one another, in lines as one would write them down by hand:
+//
+//     AB = B - A = (2, 0, 0)
+//     AC = C - A = (2, -2, 0)
+//     normal = AB x AC = (0 (0) - 0 (-2), 0 (2) - 2 (0), 2 (-2) - 0 (2)) = (0, 0, -4)
+//
+// Everything is worked out again from the numbers in the trace, exactly; a line whose result would not be
+// the one that the trace tells is left out.
+
+#include <rastertrace/trace/frame.h>
+
+#include <string>
+#include <vector>
+
+namespace rastertrace {
+
+/// The working of the current step of a replay, safe to print. Kinds of steps in which nothing is worked out have
+/// none.
+std::vector<std::string> working_of(const Replay& replay);
+
+} // namespace rastertrace

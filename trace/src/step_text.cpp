@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#include "step_text.h"
+
+#include <rastertrace/core/numbers/number.h>
+#include <rastertrace/trace/scene_file.h>
+#include <rastertrace/trace/text.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <string_view>
+
+namespace rastertrace {
+
+std::string in_sentence(const std::string& number) {
+    constexpr std::size_t longest = 20;
+    constexpr std::size_t digits = 8;
+    const std::size_t bar = number.find('/');
+    if (bar == std::string::npos || number.size() <= longest)
+        return number;
+    const auto first_digits = [](std::string part) {
+        return part.size() <= digits + 3 ? part : part.substr(0, digits) + "...";
+    };
+    const auto value = nearest_double_in(number);
+    if (!value)
+        return number; // a name with a slash
+    return fmt::format("{}/{} = {:.7g}", first_digits(number.substr(0, bar)),
+                       first_digits(number.substr(bar + 1)), *value);
+}
+
+std::optional<Rational> number_in(std::string_view text) {
+    const auto parsed = parse_number(text, NumberSize::any);
+    const auto* number = std::get_if<Number>(&parsed);
+    return number == nullptr ? std::nullopt : std::optional(number->exact());
+}
+
+std::optional<Rational> number_in(const StepView& step, std::string_view field) {
+    return number_in(step.text(field));
+}
+
+std::optional<Vec2> vec2_in(const std::vector<std::string>& texts) {
+    const auto x = texts.empty() ? std::nullopt : number_in(texts[0]);
+    const auto y = texts.size() < 2 ? std::nullopt : number_in(texts[1]);
+    return x && y ? std::optional(Vec2{*x, *y}) : std::nullopt;
+}
+
+std::optional<Vec3> vec3_in(const std::vector<std::string>& texts) {
+    const auto xy = vec2_in(texts);
+    const auto z = texts.size() < 3 ? std::nullopt : number_in(texts[2]);
+    return xy && z ? std::optional(Vec3{xy->x, xy->y, *z}) : std::nullopt;
+}
+
+std::string text(const Rational& number) {
+    constexpr std::size_t longest = 15;
+    constexpr int largest_denominator = 1000;
+    const std::string fraction = number.get_str();
+    return fraction.size() <= longest && number.get_den() < largest_denominator
+               ? fraction
+               : fmt::format("{:.7g}", nearest_double(number));
+}
+
+std::string text(const Vec2& v) {
+    return fmt::format("({}, {})", text(v.x), text(v.y));
+}
+
+std::string text(const Vec3& v) {
+    return fmt::format("({}, {}, {})", text(v.x), text(v.y), text(v.z));
+}
+
+std::string plus(const std::string& number) {
+    return number.starts_with('-') ? fmt::format("- {}", number.substr(1))
+                                   : fmt::format("+ {}", number);
+}
+
+std::string minus(const std::string& number) {
+    return number.starts_with('-') ? fmt::format("+ {}", number.substr(1))
+                                   : fmt::format("- {}", number);
+}
+
+std::string six_places(double number) {
+    std::string text = fmt::format("{:.6f}", number);
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.')
+        text.pop_back();
+    return text == "-0" ? "0" : text;
+}
+
+std::string point(std::vector<std::string> coordinates) {
+    std::transform(coordinates.begin(), coordinates.end(), coordinates.begin(), in_sentence);
+    return fmt::format("({})", joined(coordinates, ", "));
+}
+
+PrimitiveText primitive_of(const Replay& replay) {
+    if (replay.primitive() == 0)
+        return {};
+    const StepView step = replay.trace().step(replay.primitive());
+    return {step.text("kind"), step.text("name"), step.texts("vertices"), step.text_rows("at")};
+}
+
+std::optional<EdgeEnds> ends_of_edge(const PrimitiveText& primitive, const std::string& edge) {
+    const std::vector<std::string_view> names(primitive.vertices.begin(), primitive.vertices.end());
+    const std::string_view separator = name_separator(names);
+    for (std::size_t from = 0; from < names.size(); ++from)
+        for (std::size_t to = 0; to < names.size(); ++to) {
+            const bool have_places =
+                from < primitive.positions.size() && to < primitive.positions.size() &&
+                primitive.positions[from].size() >= 2 && primitive.positions[to].size() >= 2;
+            if (from != to && have_places &&
+                edge == fmt::format("{}{}{}", names[from], separator, names[to]))
+                return EdgeEnds{primitive.positions[from], primitive.positions[to]};
+        }
+    return std::nullopt;
+}
+
+std::optional<std::array<Vec2, 3>> corners_of(const PrimitiveText& primitive) {
+    if (primitive.kind != "triangle" || primitive.positions.size() != 3)
+        return std::nullopt;
+    std::array<Vec2, 3> corners;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto corner = vec2_in(primitive.positions[i]);
+        if (!corner)
+            return std::nullopt;
+        corners[i] = *corner;
+    }
+    return corners;
+}
+
+std::optional<LineEnds> ends_of_line(const PrimitiveText& primitive) {
+    if (primitive.kind != "line" || primitive.positions.size() != 2)
+        return std::nullopt;
+    const auto from = vec2_in(primitive.positions[0]);
+    const auto to = vec2_in(primitive.positions[1]);
+    if (!from || !to)
+        return std::nullopt;
+    return LineEnds{*from, *to};
+}
+
+std::optional<Rational> increment_of(const PrimitiveText& primitive, const Rational& d) {
+    const auto ends = ends_of_line(primitive);
+    if (!ends)
+        return std::nullopt;
+    const Rational dx = abs(ends->to.x - ends->from.x);
+    const Rational dy = abs(ends->to.y - ends->from.y);
+    if (dx.get_den() != 1 || dy.get_den() != 1)
+        return std::nullopt;
+    const Rational straight = 2 * std::min(dx, dy);
+    return sgn(d) > 0 ? Rational(straight - 2 * std::max(dx, dy)) : straight;
+}
+
+Rational doubled_area(const Vec2& a, const Vec2& b, const Vec2& c) {
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+std::optional<CrossOfPoint> cross_of_point(const std::array<Vec2, 3>& corners, const Vec2& p) {
+    const auto& [a, b, c] = corners;
+    const Vec3 xs{b.x - a.x, c.x - a.x, a.x - p.x};
+    const Vec3 ys{b.y - a.y, c.y - a.y, a.y - p.y};
+    const Vec3 weights = cross(xs, ys);
+    if (sgn(weights.z) == 0)
+        return std::nullopt;
+    return CrossOfPoint{xs, ys, weights};
+}
+
+std::optional<Vec2> sample_of(const Trace& trace, const StepView& step) {
+    const auto x = number_in(step, "x");
+    const auto y = number_in(step, "y");
+    if (!x || !y)
+        return std::nullopt;
+    const Rational offset = trace.method_value("sample") == "center" ? Rational(1, 2) : Rational(0);
+    return Vec2{*x + offset, *y + offset};
+}
+
+std::size_t reason_of_pixel(const Replay& replay) {
+    for (std::size_t n = replay.step() - 1; n > replay.primitive(); --n) {
+        const auto kind = replay.trace().kind_of(n);
+        if (kind != StepKind::pixel && kind != StepKind::depth && kind != StepKind::reject)
+            return n;
+    }
+    return 0;
+}
+
+} // namespace rastertrace

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What sentences and workings write alike: numbers as they stand in a formula, and the primitive that
+// the formulas are about.
+
+#include <rastertrace/core/numbers/scalar.h>
+#include <rastertrace/core/numbers/vec.h>
+#include <rastertrace/trace/frame.h>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rastertrace {
+
+/// A long fraction as its first digits, and what it is: 49977918.../10141204... = 4.928204.
+std::string in_sentence(const std::string& number);
+
+/// A number of a trace, exactly as it is written there.
+std::optional<Rational> number_in(std::string_view text);
+std::optional<Rational> number_in(const StepView& step, std::string_view field);
+
+/// The same for the coordinates of a point.
+using Vec2 = Vec<Rational, 2>;
+using Vec3 = Vec<Rational, 3>;
+std::optional<Vec2> vec2_in(const std::vector<std::string>& texts);
+std::optional<Vec3> vec3_in(const std::vector<std::string>& texts);
+
+/// A fraction that a reader would write, or seven digits of it.
+std::string text(const Rational& number);
+std::string text(const Vec2& v);
+std::string text(const Vec3& v);
+
+/// `+ 3` for "3" and `- 3` for "-3": a number as the second term of a sum.
+std::string plus(const std::string& number);
+
+/// `- 3` for "3" and `+ 3` for "-3": a number that is taken away.
+std::string minus(const std::string& number);
+
+/// A number to six places, without zeros at its end.
+std::string six_places(double number);
+
+/// (2, 5)
+std::string point(std::vector<std::string> coordinates);
+
+/// What the formulas need of the primitive that is being drawn.
+struct PrimitiveText {
+    std::string kind;
+    std::string name;
+    std::vector<std::string> vertices;
+    std::vector<std::vector<std::string>> positions;
+};
+
+/// The primitive that the current step of a replay belongs to.
+PrimitiveText primitive_of(const Replay& replay);
+
+/// Where the corners of a triangle are drawn.
+std::optional<std::array<Vec2, 3>> corners_of(const PrimitiveText& primitive);
+
+/// The ends of an edge, found by its name.
+struct EdgeEnds {
+    std::vector<std::string> from;
+    std::vector<std::string> to;
+};
+
+std::optional<EdgeEnds> ends_of_edge(const PrimitiveText& primitive, const std::string& edge);
+
+/// The ends of a line.
+struct LineEnds {
+    Vec2 from;
+    Vec2 to;
+};
+std::optional<LineEnds> ends_of_line(const PrimitiveText& primitive);
+
+/// What Bresenham adds to d, if the line's ends are pixels.
+std::optional<Rational> increment_of(const PrimitiveText& primitive, const Rational& d);
+
+/// Twice the area of a triangle, above 0 if it is counter-clockwise where y points up.
+Rational doubled_area(const Vec2& a, const Vec2& b, const Vec2& c);
+
+/// T3's weights of a point: (ABx, ACx, PAx) x (ABy, ACy, PAy), its third part twice the area.
+struct CrossOfPoint {
+    Vec3 xs;
+    Vec3 ys;
+    Vec3 weights; ///< of B, of C, and of all three together
+};
+std::optional<CrossOfPoint> cross_of_point(const std::array<Vec2, 3>& corners, const Vec2& p);
+
+/// The sample point of the pixel that a step is about.
+std::optional<Vec2> sample_of(const Trace& trace, const StepView& step);
+
+/// The row, line or sample that the pixel of the current step belongs to: the last step before it in its
+/// primitive that is not about a pixel; 0 if there is none.
+std::size_t reason_of_pixel(const Replay& replay);
+
+} // namespace rastertrace

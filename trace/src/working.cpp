@@ -1,0 +1,546 @@
+// SPDX-License-Identifier: MIT
+#include <rastertrace/trace/working.h>
+
+#include "step_text.h"
+
+#include <rastertrace/core/numbers/irrational.h>
+#include <rastertrace/core/numbers/number.h>
+#include <rastertrace/core/numbers/scalar.h>
+#include <rastertrace/core/numbers/vec.h>
+#include <rastertrace/trace/text.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string_view>
+
+namespace rastertrace {
+
+namespace {
+
+/// What a working is made of, and its lines so far.
+struct Sheet {
+    const Replay& replay;
+    StepView step;
+    PrimitiveText primitive;
+    std::vector<std::string> lines = {};
+
+    void put(std::string line) { lines.push_back(std::move(line)); }
+
+    const Trace& trace() const { return replay.trace(); }
+};
+
+// Numbers.
+
+template <std::size_t size>
+std::optional<std::array<Rational, size>> numbers_in(const std::vector<std::string>& texts) {
+    std::array<Rational, size> numbers;
+    if (texts.size() < size)
+        return std::nullopt;
+    for (std::size_t i = 0; i < size; ++i) {
+        const auto number = number_in(texts[i]);
+        if (!number)
+            return std::nullopt;
+        numbers[i] = *number;
+    }
+    return numbers;
+}
+
+/// 2 (-3), (-2) (-3)
+std::string product(const Rational& a, const Rational& b) {
+    return sgn(a) < 0 ? fmt::format("({}) ({})", text(a), text(b))
+                      : fmt::format("{} ({})", text(a), text(b));
+}
+
+/// True if a result is what the trace tells: as far as doubles go.
+bool agrees(const Rational& worked_out, const Rational& told) {
+    const double difference = std::abs(nearest_double(worked_out - told));
+    return difference <= 1e-9 * std::max(1.0, std::abs(nearest_double(told)));
+}
+
+/// sqrt(83/9) = 3.036811
+std::string length_of(const Vec3& v) {
+    const Rational square = dot(v, v);
+    const Rational root = square_root(square);
+    return has_rational_root(square)
+               ? text(root)
+               : fmt::format("sqrt({}) = {}", text(square), six_places(nearest_double(root)));
+}
+
+// Corners.
+
+/// Where they are in the world: as the `vertex` steps before the first primitive tell.
+std::optional<std::array<Vec3, 3>> world_corners_of(const Sheet& sheet) {
+    const auto& names = sheet.primitive.vertices;
+    if (names.size() != 3)
+        return std::nullopt;
+    std::array<std::optional<Vec3>, 3> found;
+    for (std::size_t n = 1; n <= sheet.trace().size(); ++n) {
+        const auto kind = sheet.trace().kind_of(n);
+        if (kind == StepKind::primitive)
+            break;
+        if (kind != StepKind::vertex)
+            continue;
+        const StepView vertex = sheet.trace().step(n);
+        const std::string space = vertex.text("space");
+        const auto corner = std::find(names.begin(), names.end(), vertex.text("name"));
+        // Without a model, objects stand in the world as they are.
+        if (corner != names.end() && (space == "world" || space == "object"))
+            found[static_cast<std::size_t>(corner - names.begin())] = vec3_in(vertex.texts("at"));
+    }
+    if (!found[0] || !found[1] || !found[2])
+        return std::nullopt;
+    return std::array{*found[0], *found[1], *found[2]};
+}
+
+// Kinds of steps.
+
+using Matrix4 = std::array<std::array<Rational, 4>, 4>;
+
+std::optional<Matrix4> matrix_in(const StepView& step) {
+    Matrix4 matrix;
+    const auto rows = step.text_rows("rows");
+    for (std::size_t i = 0; i < 4; ++i) {
+        const auto row = i < rows.size() ? numbers_in<4>(rows[i]) : std::nullopt;
+        if (!row)
+            return std::nullopt;
+        matrix[i] = *row;
+    }
+    return matrix;
+}
+
+Matrix4 product(const Matrix4& a, const Matrix4& b) {
+    Matrix4 result;
+    for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t j = 0; j < 4; ++j)
+            for (std::size_t k = 0; k < 4; ++k)
+                result[i][j] += a[i][k] * b[k][j];
+    return result;
+}
+
+/// The matrices up to this one as one: view x model, projection x view x model.
+void matrix(Sheet& sheet) {
+    const std::string name = sheet.step.text("name");
+    if (name == "viewport" || name == "model")
+        return;
+    std::optional<Matrix4> together;
+    std::string names;
+    for (std::size_t n = 1; n <= sheet.replay.step(); ++n) {
+        const StepView step = sheet.trace().step(n);
+        const auto one =
+            sheet.trace().kind_of(n) == StepKind::matrix ? matrix_in(step) : std::nullopt;
+        if (!one || step.field("object")) // several objects have several products
+            return;
+        together = together ? product(*one, *together) : *one;
+        names = names.empty() ? step.text("name") : step.text("name") + " x " + names;
+    }
+    if (!together || names == name)
+        return;
+    sheet.put(fmt::format("{}:", names));
+    for (const auto& row : *together)
+        sheet.put(
+            fmt::format("[{} {} {} {}]", text(row[0]), text(row[1]), text(row[2]), text(row[3])));
+}
+
+/// The matrix that leads into a space.
+std::string_view matrix_into(std::string_view space) {
+    return space == "world"    ? "model"
+           : space == "camera" ? "view"
+           : space == "clip"   ? "projection"
+           : space == "screen" ? "viewport"
+                               : "";
+}
+
+/// A matrix times a vertex, or a division by w.
+void vertex(Sheet& sheet) {
+    if (sheet.replay.vertex_before() == 0)
+        return;
+    const StepView before = sheet.trace().step(sheet.replay.vertex_before());
+    auto from = before.texts("at");
+    const auto at = sheet.step.texts("at");
+    if (before.text("name") != sheet.step.text("name") || from.size() < 3)
+        return;
+    constexpr std::array names{"x", "y", "z", "w"};
+    if (sheet.step.text("space") == "canonical" && from.size() == 4 && at.size() == 3) {
+        for (std::size_t i = 0; i < 3; ++i)
+            sheet.put(
+                fmt::format("{} = {} / {} = {}", names[i], from[i], from[3], in_sentence(at[i])));
+        return;
+    }
+    if (from.size() == 3)
+        from.emplace_back("1");
+    const auto vector = numbers_in<4>(from);
+    const std::string_view wanted = matrix_into(sheet.step.text("space"));
+    if (!vector || wanted.empty())
+        return;
+    for (std::size_t n = 1; n < sheet.replay.step(); ++n) {
+        const StepView step = sheet.trace().step(n);
+        if (sheet.trace().kind_of(n) != StepKind::matrix || step.text("name") != wanted)
+            continue;
+        const auto matrix = matrix_in(step);
+        if (!matrix)
+            continue;
+        std::vector<std::string> lines;
+        bool is_this = true;
+        for (std::size_t i = 0; i < at.size() && i < 4; ++i) {
+            const auto& row = (*matrix)[i];
+            Rational sum;
+            for (std::size_t k = 0; k < 4; ++k)
+                sum += row[k] * (*vector)[k];
+            const auto told = number_in(at[i]);
+            is_this = is_this && told && agrees(sum, *told);
+            lines.push_back(
+                fmt::format("{} = {} + {} + {} + {} = {}", names[i], product(row[0], (*vector)[0]),
+                            product(row[1], (*vector)[1]), product(row[2], (*vector)[2]),
+                            product(row[3], (*vector)[3]), in_sentence(at[i])));
+        }
+        if (is_this) { // of several objects, the one that this vertex belongs to
+            sheet.lines = std::move(lines);
+            return;
+        }
+    }
+}
+
+void order(Sheet& sheet) {
+    const auto names = sheet.step.texts("names");
+    const auto distances = sheet.step.texts("distances");
+    for (std::size_t i = 0; i < names.size() && i < distances.size(); ++i)
+        sheet.put(fmt::format("{}. {} at {}", i + 1, names[i], in_sentence(distances[i])));
+}
+
+/// Which way a triangle is turned: each vertex against the edge before it.
+void primitive(Sheet& sheet) {
+    const auto corners = corners_of(sheet.primitive);
+    if (!corners)
+        return;
+    const auto& names = sheet.primitive.vertices;
+    const bool is_y_up = sheet.trace().canvas.down() < 0;
+    const Rational area = doubled_area((*corners)[0], (*corners)[1], (*corners)[2]);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Vec2& a = (*corners)[i];
+        const Vec2& b = (*corners)[(i + 1) % 3];
+        const Vec2& p = (*corners)[(i + 2) % 3];
+        const Rational value = doubled_area(a, b, p);
+        const bool is_left = (sgn(value) > 0) == is_y_up;
+        sheet.put(fmt::format("{0} x {1} = {2} - {3} = {4}: {5} lies {6}",
+                              names[i] + names[(i + 1) % 3], names[i] + names[(i + 2) % 3],
+                              product(b.x - a.x, p.y - a.y), product(b.y - a.y, p.x - a.x),
+                              text(value), names[(i + 2) % 3],
+                              sgn(value) == 0 ? "on it"
+                              : is_left       ? "left of it"
+                                              : "right of it"));
+    }
+    const std::string_view turn = sgn(area) == 0               ? "no area"
+                                  : (sgn(area) > 0) == is_y_up ? "counter-clockwise"
+                                                               : "clockwise";
+    sheet.put(fmt::format("area = |{}| / 2 = {}, {}", text(area), text(abs(area) / 2), turn));
+}
+
+/// (y1 z2 - z1 y2, z1 x2 - x1 z2, x1 y2 - y1 x2)
+std::string cross_written_out(const Vec3& a, const Vec3& b) {
+    return fmt::format("({} - {}, {} - {}, {} - {})", product(a.y, b.z), product(a.z, b.y),
+                       product(a.z, b.x), product(a.x, b.z), product(a.x, b.y), product(a.y, b.x));
+}
+
+/// normal . v, the lengths of both, and the angle between them.
+void put_angle(Sheet& sheet, const Vec3& normal, const Vec3& v, std::string_view name) {
+    const Rational value = dot(normal, v);
+    sheet.put(fmt::format("normal . {} = {} + {} + {} = {}", name, product(normal.x, v.x),
+                          product(normal.y, v.y), product(normal.z, v.z), text(value)));
+    sheet.put(fmt::format("|normal| = {}, |{}| = {}", length_of(normal), name, length_of(v)));
+    const Rational squares = dot(normal, normal) * dot(v, v);
+    if (sgn(squares) == 0)
+        return;
+    const double cosine =
+        std::clamp(nearest_double(value) / nearest_double(square_root(squares)), -1.0, 1.0);
+    sheet.put(fmt::format("cosine = {} / (|normal| |{}|) = {}, an angle of {:.2f} degrees",
+                          text(value), name, six_places(cosine),
+                          std::acos(cosine) * 180 / std::numbers::pi));
+}
+
+/// The normal of a face from its corners in the world, and the plane that it lies in.
+void put_normal(Sheet& sheet, const Vec3& normal) {
+    const auto corners = world_corners_of(sheet);
+    if (!corners)
+        return;
+    const auto& [a, b, c] = *corners;
+    const auto& names = sheet.primitive.vertices;
+    const Vec3 first = b - a;
+    const Vec3 second = c - a;
+    const Vec3 worked_out = cross(first, second);
+    if (!agrees(worked_out.x, normal.x) || !agrees(worked_out.y, normal.y) ||
+        !agrees(worked_out.z, normal.z))
+        return;
+    for (std::size_t i = 0; i < 3; ++i)
+        sheet.put(fmt::format("{} = {}", names[i], text((*corners)[i])));
+    sheet.put(fmt::format("{1} - {0} = {2}", names[0], names[1], text(first)));
+    sheet.put(fmt::format("{1} - {0} = {2}", names[0], names[2], text(second)));
+    sheet.put(fmt::format("normal = ({1} - {0}) x ({2} - {0})", names[0], names[1], names[2]));
+    sheet.put(fmt::format("= {} = {}", cross_written_out(first, second), text(normal)));
+    const Vec3 sum = a + b + c;
+    sheet.put(fmt::format("centroid = ({} + {} + {}) / 3 = {}", names[0], names[1], names[2],
+                          text(Vec3{sum.x / 3, sum.y / 3, sum.z / 3})));
+    sheet.put(fmt::format("plane: {} x {} y {} z {} = 0", text(normal.x), plus(text(normal.y)),
+                          plus(text(normal.z)), minus(text(dot(normal, a)))));
+}
+
+void face(Sheet& sheet) {
+    const auto normal = vec3_in(sheet.step.texts("normal"));
+    const auto view = vec3_in(sheet.step.texts("view"));
+    if (!normal || !view)
+        return;
+    put_normal(sheet, *normal);
+    put_angle(sheet, *normal, *view, sheet.step.text("by") == "light" ? "light" : "view");
+}
+
+void light(Sheet& sheet) {
+    const auto normal = vec3_in(sheet.step.texts("normal"));
+    const auto light = vec3_in(sheet.step.texts("light"));
+    if (!normal || !light)
+        return;
+    put_normal(sheet, *normal);
+    put_angle(sheet, *normal, *light, "light");
+}
+
+/// Both forms of the line, and on which side the third corner lies.
+void edge(Sheet& sheet) {
+    const std::string name = sheet.step.text("edge");
+    const auto ends = ends_of_edge(sheet.primitive, name);
+    const auto from = ends ? vec2_in(ends->from) : std::nullopt;
+    const auto to = ends ? vec2_in(ends->to) : std::nullopt;
+    if (!from || !to)
+        return;
+    const Rational dx = to->x - from->x;
+    const Rational dy = to->y - from->y;
+    sheet.put(fmt::format("dx = {} {} = {}, dy = {} {} = {}", text(to->x), minus(text(from->x)),
+                          text(dx), text(to->y), minus(text(from->y)), text(dy)));
+    if (sgn(dy) != 0) {
+        const Rational slope = dx / dy;
+        sheet.put(fmt::format("x = {} {} (y {})", text(from->x), plus(text(slope)),
+                              minus(text(from->y))));
+        sheet.put(fmt::format("  = {} y {}", text(slope), plus(text(from->x - slope * from->y))));
+    }
+    if (sgn(dx) != 0) {
+        const Rational slope = dy / dx;
+        sheet.put(fmt::format("y = {} x {}", text(slope), plus(text(from->y - slope * from->x))));
+    }
+    const auto corners = corners_of(sheet.primitive);
+    const auto a = number_in(sheet.step, "a");
+    const auto b = number_in(sheet.step, "b");
+    if (!corners || !a || !b)
+        return;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Vec2& p = (*corners)[i];
+        const Rational value = *a * (p.x - from->x) + *b * (p.y - from->y);
+        if (sgn(value) != 0)
+            sheet.put(fmt::format("E at {} = {} + {} = {}: {} 0, {}", sheet.primitive.vertices[i],
+                                  product(*a, p.x - from->x), product(*b, p.y - from->y),
+                                  text(value), sgn(value) > 0 ? ">" : "<",
+                                  sgn(value) > 0 ? "inside" : "outside"));
+    }
+}
+
+/// Where an edge crosses a row.
+void put_crossing(Sheet& sheet, const std::string& side) {
+    const auto ends = ends_of_edge(sheet.primitive, sheet.step.text(side + "_edge"));
+    const auto from = ends ? vec2_in(ends->from) : std::nullopt;
+    const auto to = ends ? vec2_in(ends->to) : std::nullopt;
+    const auto told = number_in(sheet.step, side);
+    const auto row = number_in(sheet.step, "y");
+    if (!from || !to || !told || !row || sgn(to->y - from->y) == 0)
+        return;
+    const bool is_at_center = sheet.trace().method_value("sample") == "center";
+    const Rational y = is_at_center ? Rational(*row + Rational(1, 2)) : *row;
+    const Rational slope = (to->x - from->x) / (to->y - from->y);
+    const Rational way = slope * (y - from->y);
+    if (!agrees(from->x + way, *told))
+        return;
+    sheet.put(fmt::format("{} {}: x = {} {} ({} {}) = {} {} = {}", side,
+                          sheet.step.text(side + "_edge"), text(from->x), plus(text(slope)),
+                          text(y), minus(text(from->y)), text(from->x), plus(text(way)),
+                          text(*told)));
+}
+
+void scanline(Sheet& sheet) {
+    const StepView& step = sheet.step;
+    put_crossing(sheet, "left");
+    put_crossing(sheet, "right");
+    const auto left = number_in(step, "left");
+    const auto right = number_in(step, "right");
+    const std::string left_edge = step.text("left_edge");
+    if (left && right && !left_edge.empty() && *left != *right)
+        sheet.put(fmt::format("{} {} {}: {} is left, {} is right", text(*left),
+                              *left < *right ? "<" : ">", text(*right), left_edge,
+                              step.text("right_edge")));
+    const auto left_depth = number_in(step, "left_depth");
+    const auto right_depth = number_in(step, "right_depth");
+    const auto from = step.whole("from").value_or(0);
+    const auto to = step.whole("to").value_or(0);
+    if (left_depth && right_depth && left && right && *left != *right)
+        sheet.put(fmt::format(
+            "depth = {} + ({} {}) / ({} {}) (x {}) = {} {} (x {})", text(*left_depth),
+            text(*right_depth), minus(text(*left_depth)), text(*right), minus(text(*left)),
+            minus(text(*left)), text(*left_depth),
+            plus(text((*right_depth - *left_depth) / (*right - *left))), minus(text(*left))));
+    if (from <= to)
+        sheet.put(fmt::format("x = {} to {}: {} - {} + 1 = {} pixels", from, to, to,
+                              from < 0 ? fmt::format("({})", from) : std::to_string(from),
+                              to - from + 1));
+}
+
+/// Twice the areas that a point makes with the edges of a triangle, by one cross product (T3).
+void put_cross_of_sample(Sheet& sheet, const Vec2& p) {
+    const auto corners = corners_of(sheet.primitive);
+    const auto cross = corners ? cross_of_point(*corners, p) : std::nullopt;
+    if (!cross)
+        return;
+    const auto& names = sheet.primitive.vertices;
+    const auto& [xs, ys, weights] = *cross;
+    sheet.put(fmt::format("P = {}: {}{} = {}, {}{} = {}, P{} = {}", text(p), names[0], names[1],
+                          text(Vec2{xs.x, ys.x}), names[0], names[2], text(Vec2{xs.y, ys.y}),
+                          names[0], text(Vec2{xs.z, ys.z})));
+    sheet.put(fmt::format("{} x {} = {}", text(xs), text(ys), text(weights)));
+    const Rational u = weights.x / weights.z;
+    const Rational v = weights.y / weights.z;
+    sheet.put(fmt::format("divided by {}: u = {} of {}, v = {} of {}, 1 - u - v = {} of {}",
+                          text(weights.z), text(u), names[1], text(v), names[2], text(1 - u - v),
+                          names[0]));
+}
+
+void sample(Sheet& sheet) {
+    if (const auto p = sample_of(sheet.trace(), sheet.step))
+        put_cross_of_sample(sheet, *p);
+}
+
+/// The depth of a pixel on the plane through the three corners, if that is what decided.
+void depth(Sheet& sheet) {
+    const auto corners = corners_of(sheet.primitive);
+    const auto depths = numbers_in<3>(sheet.trace().step(sheet.replay.primitive()).texts("depths"));
+    const auto p = sample_of(sheet.trace(), sheet.step);
+    const auto told = number_in(sheet.step, "depth");
+    if (!corners || !depths || !p || !told)
+        return;
+    const auto& [a, b, c] = *corners;
+    const Rational area = doubled_area(a, b, c);
+    if (sgn(area) == 0)
+        return;
+    const Rational u = doubled_area(a, *p, c) / area;
+    const Rational v = doubled_area(a, b, *p) / area;
+    const Rational w = 1 - u - v;
+    const Rational value = w * (*depths)[0] + u * (*depths)[1] + v * (*depths)[2];
+    if (!agrees(value, *told))
+        return;
+    const Rational dx = ((*depths)[1] - (*depths)[0]) * (c.y - a.y) / area -
+                        ((*depths)[2] - (*depths)[0]) * (b.y - a.y) / area;
+    const Rational dy = ((*depths)[2] - (*depths)[0]) * (b.x - a.x) / area -
+                        ((*depths)[1] - (*depths)[0]) * (c.x - a.x) / area;
+    sheet.put(fmt::format("plane through the corners: depth = {} x {} y {}", text(dx),
+                          plus(text(dy)), plus(text((*depths)[0] - dx * a.x - dy * a.y))));
+    sheet.put(fmt::format("depth = {} + {} + {} = {}", product(w, (*depths)[0]),
+                          product(u, (*depths)[1]), product(v, (*depths)[2]), text(*told)));
+}
+
+/// Bresenham's increments, if the ends are pixels.
+void decide(Sheet& sheet) {
+    const auto ends = ends_of_line(sheet.primitive);
+    const auto d = number_in(sheet.step, "d");
+    const auto increment = d ? increment_of(sheet.primitive, *d) : std::nullopt;
+    if (!ends || !increment)
+        return;
+    const Rational dx = abs(ends->to.x - ends->from.x);
+    const Rational dy = abs(ends->to.y - ends->from.y);
+    const std::string_view major = dx < dy ? "dy" : "dx";
+    const std::string_view minor = dx < dy ? "dx" : "dy";
+    const Rational longer = std::max(dx, dy);
+    const Rational shorter = std::min(dx, dy);
+    sheet.put(fmt::format("dx = {}, dy = {}: d begins at 2 {} - {} = {}", text(dx), text(dy), minor,
+                          major, text(2 * shorter - longer)));
+    sheet.put(fmt::format("straight on adds 2 {} = {}, diagonally 2 ({} - {}) = {}", minor,
+                          text(2 * shorter), minor, major, text(2 * (shorter - longer))));
+    sheet.put(fmt::format("next d = {} {} = {}", text(*d), plus(text(*increment)),
+                          text(*d + *increment)));
+}
+
+void along(Sheet& sheet) {
+    const auto ends = ends_of_line(sheet.primitive);
+    const auto value = number_in(sheet.step, "value");
+    const bool is_x_major = sheet.step.field("x").has_value();
+    const auto at = number_in(sheet.step, is_x_major ? "x" : "y");
+    if (!ends || !value || !at)
+        return;
+    const Rational dx = ends->to.x - ends->from.x;
+    const Rational dy = ends->to.y - ends->from.y;
+    const Rational& run = is_x_major ? dx : dy;
+    const Rational& rise = is_x_major ? dy : dx;
+    if (sgn(run) == 0)
+        return;
+    const Rational m = rise / run;
+    const Rational b = is_x_major ? Rational(ends->from.y - m * ends->from.x)
+                                  : Rational(ends->from.x - m * ends->from.y);
+    if (!agrees(m * *at + b, *value))
+        return;
+    const std::string_view major = is_x_major ? "x" : "y";
+    const std::string_view minor = is_x_major ? "y" : "x";
+    sheet.put(fmt::format("m = d{} / d{} = {} / {} = {}, b = {} - {} = {}", minor, major,
+                          text(rise), text(run), text(m),
+                          text(is_x_major ? ends->from.y : ends->from.x),
+                          product(m, is_x_major ? ends->from.x : ends->from.y), text(b)));
+    sheet.put(fmt::format("{} = m {} + b = {} {} = {}", minor, major, product(m, *at),
+                          plus(text(b)), text(*value)));
+}
+
+/// Why the pixel is drawn, once more, and where it lies in memory: four bytes a pixel, row by row from
+/// the top left (T2).
+void pixel(Sheet& sheet) {
+    const Canvas& canvas = sheet.trace().canvas;
+    const auto x = sheet.step.whole("x");
+    const auto y = sheet.step.whole("y");
+    if (!x || !y || !canvas.contains(*x, *y))
+        return;
+    const std::size_t reason = reason_of_pixel(sheet.replay);
+    if (reason != 0) {
+        Replay before(sheet.trace());
+        before.go_to(reason);
+        sheet.put(fmt::format("because of step {}", reason));
+        for (std::string& line : working_of(before))
+            sheet.put(std::move(line));
+    }
+    const Index column = *x - canvas.left();
+    const Index row = canvas.row_of(*y);
+    sheet.put(fmt::format("column {}, row {} from the top left: byte 4 ({} ({}) + {}) = {}", column,
+                          row, canvas.width, row, column, 4 * (canvas.width * row + column)));
+}
+
+/// A kind of step and what writes its working.
+struct Row {
+    StepKind kind;
+    void (*write)(Sheet& sheet);
+};
+constexpr Row rows[] = {
+    {StepKind::matrix, matrix},       {StepKind::vertex, vertex},     {StepKind::order, order},
+    {StepKind::primitive, primitive}, {StepKind::face, face},         {StepKind::light, light},
+    {StepKind::edge, edge},           {StepKind::scanline, scanline}, {StepKind::along, along},
+    {StepKind::decide, decide},       {StepKind::sample, sample},     {StepKind::depth, depth},
+    {StepKind::pixel, pixel},
+};
+
+} // namespace
+
+std::vector<std::string> working_of(const Replay& replay) {
+    if (replay.step() == 0)
+        return {};
+    Sheet sheet{replay, replay.trace().step(replay.step()), primitive_of(replay)};
+    const auto kind = replay.trace().kind_of(replay.step());
+    for (const Row& row : rows)
+        if (kind == row.kind)
+            row.write(sheet);
+    for (std::string& line : sheet.lines)
+        line = printable(line);
+    return std::move(sheet.lines);
+}
+
+} // namespace rastertrace
