@@ -67,7 +67,7 @@ TEST(FrameText, LargeCanvasIsAWindowAroundTheNewestPixel) {
     const Trace trace =
         trace_of(triangle_scene({"500", "300", "500", "300", "500", "300"},
                                 {.width = 1000, .height = 1000, .origin = Origin::top_left}, {}));
-    const std::string text = frame(trace, trace.size(), trace.size(), {.columns = 27, .lines = 13});
+    const std::string text = frame(trace, trace.size(), trace.size(), {.columns = 27, .lines = 17});
     EXPECT_EQ(text.substr(text.find('\n') + 1),
               "pixel (500, 300)   row y=300: 500 to 500\n"
               "(x 490 to 510, y 298 to 302 of a canvas of 1000 x 1000)\n"

@@ -1363,6 +1363,34 @@ TEST_F(ProgramTest, WorkingIsWrittenBelowTheSentence) {
     }
 }
 
+TEST_F(ProgramTest, ARegionUpsideDownIsRefused) {
+    for (const std::string command : {"show", "trace"}) {
+        const Outcome refused = shell("$rastertrace " + command +
+                                      " $examples/t0-fill/first-triangle.json --region 2,5,-4,-3");
+        EXPECT_EQ(refused.status, 2);
+        EXPECT_EQ(refused.err, "rastertrace: --region: expected the smaller x and y first, found "
+                               "\"2,5,-4,-3\"\nhint: --region -4,-3,2,5\n");
+    }
+}
+
+TEST_F(ProgramTest, OptionsOfTheGridAskForFrames) {
+    const std::string show = "$rastertrace show $examples/t0-hidden/cube-culled.json --every face ";
+    EXPECT_THAT(shell(show).out, Not(HasSubstr("\n  5  ")));
+    for (const std::string option : {"--view writes", "--region -5,-4,4,5", "--overview"}) {
+        EXPECT_THAT(shell(show + option).out, HasSubstr("\n  5  ")) << option;
+        const Outcome refused = shell(show + option + " --format csv");
+        EXPECT_EQ(refused.status, 2) << option;
+        EXPECT_THAT(refused.err, HasSubstr("--format: expected a table, without --bare")) << option;
+    }
+}
+
+TEST_F(ProgramTest, ListsOfListsAreReadableInTables) {
+    EXPECT_THAT(shell("$rastertrace show $examples/t0-fill/first-triangle.json --every primitive "
+                      "--format markdown")
+                    .out,
+                HasSubstr(" | ((2, 5), (-4, -3), (5, -3)) | "));
+}
+
 TEST_F(ProgramTest, ThePaintersOrderIsToldWhole) {
     const Outcome shown =
         shell("COLUMNS=80 $rastertrace show $examples/t0-hidden/cube-painter.json --step order");

@@ -94,8 +94,12 @@ Region region_in(const std::string& text) {
             numbers.push_back(*number);
     if (numbers.size() != 4 || split(text, ',').size() != 4)
         refuse("--region", "two corners as x0,y0,x1,y1, like -4,-3,2,5", text);
-    return {std::min(numbers[0], numbers[2]), std::min(numbers[1], numbers[3]),
-            std::max(numbers[0], numbers[2]), std::max(numbers[1], numbers[3])};
+    if (numbers[0] > numbers[2] || numbers[1] > numbers[3])
+        refuse("--region", "the smaller x and y first", text,
+               fmt::format("--region {},{},{},{}", std::min(numbers[0], numbers[2]),
+                           std::min(numbers[1], numbers[3]), std::max(numbers[0], numbers[2]),
+                           std::max(numbers[1], numbers[3])));
+    return {numbers[0], numbers[1], numbers[2], numbers[3]};
 }
 
 ColorChoice color_choice_in(const std::string& text) {
@@ -293,6 +297,9 @@ private:
         });
     }
 
+    /// True if an option of `show` is about the grid.
+    bool asks_for_frames() const { return show_.view || show_.region || show_.is_overview; }
+
     void add_show() {
         CLI::App& command = add_command(
             "show", "Print frames of a trace as text",
@@ -372,8 +379,10 @@ private:
                 if (show_.has_working && show_.format != TableFormat::table)
                     refuse("--working", "sentences, without --format " + table_format_,
                            "--working");
-                if (show_.bare || show_.has_frames)
-                    refuse("--format", "a table, without --bare and --frames", table_format_);
+                if (show_.bare || show_.has_frames || asks_for_frames())
+                    refuse("--format",
+                           "a table, without --bare, --frames, --view, --region and --overview",
+                           table_format_);
             }
             if (!color_.empty())
                 show_.color = color_choice_in(color_);

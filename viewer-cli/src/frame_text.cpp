@@ -21,8 +21,9 @@ namespace {
 /// The longest title line, and the width that plain output is laid out for.
 constexpr std::size_t page_columns = 79;
 
-/// Lines around the grid: title, caption, two blank ones, the coordinates, the stages, and the prompt below.
-constexpr std::size_t lines_around_grid = 7;
+/// Lines around the grid beside title and caption: two blank ones, the coordinates, the stages, and the prompt
+/// below.
+constexpr std::size_t lines_around_grid = 5;
 
 /// Columns and rows of the canvas, counted from its left and top. A cell is a block of pixels.
 struct Window {
@@ -249,6 +250,31 @@ std::vector<std::string> caption_lines(const std::string& caption, std::size_t c
                                                        : wrapped(caption, columns);
 }
 
+/// How many lines of a terminal some lines take: what is longer than a line goes on in the next.
+std::size_t lines_on_terminal(std::string_view text, std::size_t columns) {
+    std::size_t lines = 0;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        lines +=
+            std::max<std::size_t>(1, (columns_in(text.substr(0, end)) + columns - 1) / columns);
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return lines;
+}
+
+/// Which part of the canvas is shown, or in which blocks; nothing if it is all of it.
+std::string part_text(const Canvas& canvas, const FrameText& about, const Window& window) {
+    if (about.is_overview)
+        return fmt::format("(1 cell = {}x{} pixels, the most frequent of those drawn)\n",
+                           window.block_width, window.block_height);
+    if (window.columns == canvas.width && window.rows == canvas.height)
+        return {};
+    return fmt::format(
+        "(x {} to {}, y {} to {} of a canvas of {} x {})\n", canvas.left() + window.first_column,
+        canvas.left() + window.first_column + window.columns - 1, canvas.y_of(window.first_row),
+        canvas.y_of(window.first_row + window.rows - 1), canvas.width, canvas.height);
+}
+
 /// The title, and on the right which steps the frame shows.
 std::string title_line(const Trace& trace, const FrameText& about, std::size_t columns) {
     const std::string steps =
@@ -378,31 +404,29 @@ std::string frame_text(const Replay& replay, const FrameText& about, TextSize si
     std::string legend = legend_lines(cells.legend(), std::min(page, page_columns));
     if (!legend.empty())
         legend.insert(0, "\n");
-    const std::size_t taken =
-        lines_around_grid + about.working.size() +
-        static_cast<std::size_t>(std::count(legend.begin(), legend.end(), '\n'));
-
-    // Which row is meant, and which part of the canvas is looked at.
-    const std::optional<Index> current_row = row_of_step(replay.trace(), about.first_step);
-    const Window window = about.is_overview ? overview_of(canvas, size, margin, taken)
-                          : about.region    ? window_of(canvas, *about.region)
-                                            : window_around(canvas, size, margin, cell, taken,
-                                                            center_of(replay, about.first_step));
 
     std::string text = title_line(replay.trace(), about, size.columns) + "\n";
     for (const std::string& line : caption_lines(about.caption, size.columns))
         text += line + "\n";
     for (const std::string& line : about.working)
         text += fmt::format("    {}\n", line);
-    if (about.is_overview)
-        text += fmt::format("(1 cell = {}x{} pixels, the most frequent of those drawn)\n",
-                            window.block_width, window.block_height);
-    else if (window.columns < canvas.width || window.rows < canvas.height)
-        text += fmt::format(
-            "(x {} to {}, y {} to {} of a canvas of {} x {})\n",
-            canvas.left() + window.first_column,
-            canvas.left() + window.first_column + window.columns - 1, canvas.y_of(window.first_row),
-            canvas.y_of(window.first_row + window.rows - 1), canvas.width, canvas.height);
+    const std::size_t taken =
+        lines_around_grid + lines_on_terminal(text, page) + lines_on_terminal(legend, page);
+
+    // Which row is meant, and which part of the canvas is looked at.
+    const std::optional<Index> current_row = row_of_step(replay.trace(), about.first_step);
+    const auto window_below = [&](std::size_t lines) {
+        return about.is_overview ? overview_of(canvas, size, margin, lines)
+               : about.region    ? window_of(canvas, *about.region)
+                                 : window_around(canvas, size, margin, cell, lines,
+                                                 center_of(replay, about.first_step));
+    };
+    // The line that tells the part takes a row itself.
+    Window window = window_below(taken);
+    const std::size_t lines_of_part = lines_on_terminal(part_text(canvas, about, window), page);
+    if (lines_of_part > 0)
+        window = window_below(taken + lines_of_part);
+    text += part_text(canvas, about, window);
     text += "\n" + column_labels(canvas, window, margin, cell) + "\n";
 
     // Where cells cannot show vertices, their names stand behind their rows.

@@ -18,14 +18,18 @@ namespace {
 
 constexpr std::array<std::string_view, 4> names{"table", "markdown", "csv", "json"};
 
-/// A field as a text; a list as (1, 2), nothing if the step has no such field.
+/// A field as a text; a list as (1, 2), one of lists as ((1, 2), (3, 4)), nothing if the step has no such
+/// field.
 std::string text_of(const StepView& step, std::string_view field) {
     const std::string_view json = step.field(field).value_or("");
     if (!json.starts_with('['))
         return step.text(field);
-    if (json.starts_with("[["))
-        return std::string(json);
-    return fmt::format("({})", joined(step.texts(field), ", "));
+    if (!json.starts_with("[["))
+        return fmt::format("({})", joined(step.texts(field), ", "));
+    std::vector<std::string> rows;
+    for (const auto& row : step.text_rows(field))
+        rows.push_back(fmt::format("({})", joined(row, ", ")));
+    return fmt::format("({})", joined(rows, ", "));
 }
 
 std::string csv_line(const std::vector<std::string>& cells) {

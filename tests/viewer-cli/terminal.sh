@@ -1,0 +1,76 @@
+#!/bin/sh
+# What a terminal shows of a frame, in tmux: at three sizes, of three canvases, with colors and without.
+# usage: terminal.sh PROGRAM EXAMPLES
+set -eu
+
+program=$1
+examples=$2
+folder=$(mktemp -d)
+server="rastertrace-$$"
+trap 'tmux -L "$server" kill-server 2>/dev/null || true; rm -rf "$folder"' EXIT
+
+fail() {
+    echo "terminal.sh: $1" >&2
+    sed 's/^/  |/' "$folder/pane" >&2
+    exit 1
+}
+
+# pane COLUMNS LINES ENVIRONMENT ARGUMENTS: what the program leaves on a screen of that size, as $folder/pane; with
+# its escape sequences as $folder/colors.
+pane() {
+    rm -f "$folder/done"
+    tmux -L "$server" -f /dev/null new-session -d -s one -x "$1" -y "$2" \
+        "env $3 '$program' show $4; touch '$folder/done'; sleep 60"
+    tries=0
+    while [ ! -e "$folder/done" ]; do
+        tries=$((tries + 1))
+        [ "$tries" -lt 300 ] || fail "$4 at $1x$2 does not end"
+        sleep 0.1
+    done
+    sleep 0.2
+    tmux -L "$server" capture-pane -p -t one >"$folder/pane"
+    tmux -L "$server" capture-pane -p -e -t one >"$folder/colors"
+    tmux -L "$server" kill-session -t one
+}
+
+# A triangle on a canvas of so many columns and rows.
+canvas() {
+    cat <<END >"$folder/$1x$2.json"
+{"title": "A canvas of $1 x $2", "canvas": {"width": $1, "height": $2, "origin": "top-left"},
+ "vertices": {"A": [0, 0], "B": [$(($1 - 1)), 0], "C": [0, $(($2 - 1))]},
+ "triangles": ["ABC"]}
+END
+}
+canvas 1 1
+canvas 512 512
+canvas 16384 4096
+# The largest has a trace of some pixels only.
+sed -i 's/"B": [^C]*"C": \[0, 4095\]/"B": [9, 0], "C": [0, 9]/' "$folder/16384x4096.json"
+
+for size in "80 24" "40 12" "200 60"; do
+    columns=${size% *}
+    lines=${size#* }
+    for scene in "$folder/1x1.json" "$folder/512x512.json" "$folder/16384x4096.json" \
+        "$examples/t0-fill/first-triangle.json" "$examples/t0-hidden/painters-cycle.json"; do
+        pane "$columns" "$lines" "COLORTERM=" "'$scene' --step 1"
+        title=$(sed 's/.*"title": "\([^"]*\)".*/\1/;q' "$scene" | cut -c 1-12)
+        case $title in
+        "{"*) title=$(sed -n 's/.*"title": "\([^"]*\)".*/\1/p' "$scene" | cut -c 1-12) ;;
+        esac
+        # The whole frame fits: its first line has not been pushed off the screen, nor any row broken in two.
+        head -n 1 "$folder/pane" | grep -qF "$title" || fail "$scene at $columns x $lines: no title on top"
+        rows=$(grep -cE '^[> ]*-?[0-9]+  ' "$folder/pane" || true)
+        [ "$rows" -ge 1 ] || fail "$scene at $columns x $lines: no rows"
+    done
+done
+
+# Colors are what the terminal has.
+lit="'$examples/t3-sweep-and-box/top-left.json' --view shade"
+pane 80 24 "COLORTERM=truecolor" "$lit"
+grep -q '\[48;2;' "$folder/colors" || fail "no 24-bit color"
+pane 80 24 "COLORTERM= TERM=xterm-256color" "$lit"
+grep -q '\[48;5;' "$folder/colors" || fail "no color of the palette"
+pane 80 24 "NO_COLOR=1 COLORTERM=truecolor" "$lit"
+! grep -q '\[48;' "$folder/colors" || fail "colors in spite of NO_COLOR"
+pane 80 24 "TERM=dumb COLORTERM=truecolor" "$lit"
+! grep -q '\[48;' "$folder/colors" || fail "colors on a dumb terminal"
