@@ -12,6 +12,7 @@
 #include <fstream>
 #include <functional>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,9 +25,12 @@ using ::testing::HasSubstr;
 using ::testing::IsSupersetOf;
 using ::testing::Not;
 
-Trace example(const std::string& name) {
+Trace example(const std::string& name, std::optional<Depth> depth = {}) {
     std::ifstream file(RASTERTRACE_EXAMPLES "/" + name);
-    return trace_of(scene_in({std::istreambuf_iterator<char>(file), {}}));
+    Scene scene = scene_in({std::istreambuf_iterator<char>(file), {}});
+    if (depth)
+        scene.method.depth = *depth;
+    return trace_of(scene);
 }
 
 using Working = std::vector<std::string>;
@@ -116,6 +120,25 @@ TEST(Working, OfAFace) {
                     "normal . view = 0 (-1/3) + 0 (-1/3) + (-4) (-3) = 12",
                     "|normal| = 4, |view| = sqrt(83/9) = 3.036811",
                     "cosine = 12 / (|normal| |view|) = 0.987878, an angle of 8.93 degrees"));
+}
+
+/// CGFS: A at z = 2, B at z = 10. Halfway on the edge z is 6; along the row of the screen it would be 26/3.
+TEST(Working, TheDepthOnThePlaneThroughTheCorners) {
+    const Trace right = example("t0-hidden/middle-of-an-edge.json");
+    EXPECT_THAT(working(right, StepKind::depth, 5, 0),
+                ElementsAre("plane through the corners: depth = -1/15 x + 0 y + 1/2",
+                            "depth = 1/6 (1/2) + 5/6 (1/10) + 0 (1/2) = 1/6"));
+    const Trace wrong = example("t0-hidden/middle-of-an-edge.json", Depth::linear_z);
+    EXPECT_EQ(working(wrong, StepKind::depth, 5, 0).back(),
+              "depth = 1/6 (2) + 5/6 (10) + 0 (2) = 26/3");
+}
+
+TEST(Working, EdgeFunctionsAtTheSamplesOfARow) {
+    const Trace trace = example("t3-sweep-and-box/top-left.json");
+    EXPECT_THAT(working(trace, StepKind::scanline, 0, 1),
+                IsSupersetOf({"E of AC at (3/2, 3/2) = 8 (1/2) + (-8) (1/2) = 0: on a top or left "
+                              "edge, inside",
+                              "E of BC at (17/2, 3/2) = (-8) (-1/2) + 0 (1/2) = 4: > 0, inside"}));
 }
 
 /// T4: the view moves by -4, and projection x view x model takes an object to its place in clip space.

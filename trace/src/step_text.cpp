@@ -161,6 +161,10 @@ std::optional<CrossOfPoint> cross_of_point(const std::array<Vec2, 3>& corners, c
     return CrossOfPoint{xs, ys, weights};
 }
 
+Rational sample_offset(const Trace& trace) {
+    return trace.method_value("sample") == "center" ? Rational(1, 2) : Rational(0);
+}
+
 std::optional<Vec2> sample_of(const Trace& trace, const StepView& step) {
     const auto x = number_in(step, "x");
     const auto y = number_in(step, "y");

@@ -90,6 +90,9 @@ struct CrossOfPoint {
 };
 std::optional<CrossOfPoint> cross_of_point(const std::array<Vec2, 3>& corners, const Vec2& p);
 
+/// How far a pixel's sample lies from its coordinates, in x and in y.
+Rational sample_offset(const Trace& trace);
+
 /// The sample point of the pixel that a step is about.
 std::optional<Vec2> sample_of(const Trace& trace, const StepView& step);
 

@@ -353,8 +353,7 @@ void put_crossing(Sheet& sheet, const std::string& side) {
     const auto row = number_in(sheet.step, "y");
     if (!from || !to || !told || !row || sgn(to->y - from->y) == 0)
         return;
-    const bool is_at_center = sheet.trace().method_value("sample") == "center";
-    const Rational y = is_at_center ? Rational(*row + Rational(1, 2)) : *row;
+    const Rational y = *row + sample_offset(sheet.trace());
     const Rational slope = (to->x - from->x) / (to->y - from->y);
     const Rational way = slope * (y - from->y);
     if (!agrees(from->x + way, *told))
@@ -365,10 +364,39 @@ void put_crossing(Sheet& sheet, const std::string& side) {
                           text(*told)));
 }
 
+/// What the edge function of an end of a row says of the sample of its pixel, where there are such functions.
+void put_edge_function(Sheet& sheet, const std::string& side, std::string_view end) {
+    const std::string name = sheet.step.text(side + "_edge");
+    const auto x = number_in(sheet.step, end);
+    const auto y = number_in(sheet.step, "y");
+    const auto ends = ends_of_edge(sheet.primitive, name);
+    const auto from = ends ? vec2_in(ends->from) : std::nullopt;
+    for (const std::size_t n : sheet.replay.edges()) {
+        const StepView edge = sheet.trace().step(n);
+        const auto a = number_in(edge, "a");
+        const auto b = number_in(edge, "b");
+        if (edge.text("edge") != name || !a || !b || !from || !x || !y)
+            continue;
+        const Rational offset = sample_offset(sheet.trace());
+        const Vec2 p{*x + offset, *y + offset};
+        const Rational value = *a * (p.x - from->x) + *b * (p.y - from->y);
+        const bool is_top_left = edge.text("top_left") == "true";
+        const std::string_view where = sgn(value) > 0   ? "> 0, inside"
+                                       : sgn(value) < 0 ? "< 0, outside"
+                                       : is_top_left    ? "on a top or left edge, inside"
+                                                        : "on the edge, outside";
+        sheet.put(fmt::format("E of {} at {} = {} + {} = {}: {}", name, text(p),
+                              product(*a, p.x - from->x), product(*b, p.y - from->y), text(value),
+                              where));
+    }
+}
+
 void scanline(Sheet& sheet) {
     const StepView& step = sheet.step;
     put_crossing(sheet, "left");
     put_crossing(sheet, "right");
+    put_edge_function(sheet, "left", "from");
+    put_edge_function(sheet, "right", "to");
     const auto left = number_in(step, "left");
     const auto right = number_in(step, "right");
     const std::string left_edge = step.text("left_edge");
