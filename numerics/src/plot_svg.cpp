@@ -9,7 +9,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 
 namespace rastertrace {
 
@@ -153,7 +152,7 @@ public:
 private:
     template <typename... Arguments>
     void put(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-        fmt::format_to(std::back_inserter(svg_), format, std::forward<Arguments>(arguments)...);
+        svg_ += fmt::format(format, std::forward<Arguments>(arguments)...);
         svg_ += '\n';
     }
 
@@ -231,8 +230,8 @@ private:
             return;
         std::string data;
         for (const PlotMark& mark : marks)
-            fmt::format_to(std::back_inserter(data), "{}{:.1f} {:.1f}", data.empty() ? "M" : "L",
-                           x_of(curve, mark), y_of(mark));
+            data += fmt::format("{}{:.1f} {:.1f}", data.empty() ? "M" : "L", x_of(curve, mark),
+                                y_of(mark));
         const Style& style = style_of(curve);
         put(R"(<path d="{}" fill="none" stroke="{}" stroke-width="1.2" stroke-dasharray="{}"/>)",
             data, style.color, style.dashes);
@@ -345,22 +344,20 @@ std::string plot_svg(const Plot& plot) {
 
 std::string legend_svg(const std::vector<PlotCurve>& curves) {
     std::string svg;
-    const auto out = std::back_inserter(svg);
     double y = top + 8;
     for (std::size_t i = 0; i < curves.size(); ++i, y += 20) {
         const Style& style = style_of(i);
-        fmt::format_to(
-            out,
+        svg += fmt::format(
             R"(<path d="M8 {0:.1f}H48" stroke="{1}" stroke-width="1.2" stroke-dasharray="{2}"/>)",
             y, style.color, style.dashes);
         svg += mark_svg(style, 28, y);
         svg += text_svg(56, y + 4, 11, curves[i].name);
     }
-    fmt::format_to(out, R"(<circle cx="28" cy="{:.1f}" r="{:.1f}" fill="none" stroke="#000000"/>)",
-                   y, ring_radius);
+    svg += fmt::format(R"(<circle cx="28" cy="{:.1f}" r="{:.1f}" fill="none" stroke="#000000"/>)",
+                       y, ring_radius);
     svg += text_svg(56, y + 4, 11, "on the Pareto front");
-    fmt::format_to(out, R"(<rect x="20" y="{:.1f}" width="16" height="12" fill="#eeeeee"/>)",
-                   y + 14);
+    svg +=
+        fmt::format(R"(<rect x="20" y="{:.1f}" width="16" height="12" fill="#eeeeee"/>)", y + 14);
     svg += text_svg(56, y + 24, 11, "the 0 shelf: no error at all");
     return svg;
 }

@@ -12,7 +12,6 @@
 
 #include <fmt/core.h>
 
-#include <iterator>
 
 namespace rastertrace {
 
@@ -42,40 +41,39 @@ std::string_view numbers_in_words(const Scene& scene, const Plan& plan) {
 /// The members of the header, without the braces around them.
 std::string header_members(const Scene& scene, const Plan& plan, const StepFilter& filter) {
     std::string text;
-    const auto out = std::back_inserter(text);
-    fmt::format_to(out, R"("rastertrace":{})", trace_version);
+    text += fmt::format(R"("rastertrace":{})", trace_version);
     if (!scene.title.empty())
-        fmt::format_to(out, R"(,"title":{})", json_quoted(scene.title));
-    fmt::format_to(out, R"(,"canvas":{{"width":{},"height":{},"origin":"{}"}})", scene.canvas.width,
-                   scene.canvas.height, name_of(scene.canvas.origin));
+        text += fmt::format(R"(,"title":{})", json_quoted(scene.title));
+    text += fmt::format(R"(,"canvas":{{"width":{},"height":{},"origin":"{}"}})", scene.canvas.width,
+                        scene.canvas.height, name_of(scene.canvas.origin));
 
     text += R"(,"method":{)";
     std::string_view separator;
     for (const MethodKey& key : method_keys())
         if (key.in_force(scene)) {
             const std::string_view quote = key.is_number() ? "" : "\"";
-            fmt::format_to(out, R"({}"{}":{}{}{})", separator, key.name, quote,
-                           value_in_force(key, scene), quote);
+            text += fmt::format(R"({}"{}":{}{}{})", separator, key.name, quote,
+                                value_in_force(key, scene), quote);
             separator = ",";
         }
     text += '}';
 
     if (const std::string_view numbers = numbers_in_words(scene, plan); !numbers.empty())
-        fmt::format_to(out, R"(,"numbers":"{}")", numbers);
+        text += fmt::format(R"(,"numbers":"{}")", numbers);
     if (scene.has_transforms())
-        fmt::format_to(out, R"(,"projection":"{}","viewport":"{}")", name_of(scene.projection.type),
-                       name_of(scene.viewport.type));
+        text += fmt::format(R"(,"projection":"{}","viewport":"{}")", name_of(scene.projection.type),
+                            name_of(scene.viewport.type));
     if (decides_exactly(scene.method) && has_rounded_matrix(scene))
         text += R"(,"matrices":"irrational entries are the nearest doubles")";
 
     text += R"(,"stages":[)";
     separator = "";
     for (const StageDecision& decision : plan.stages.decisions) {
-        fmt::format_to(out, R"({}{{"stage":"{}")", separator, name_of(decision.stage));
+        text += fmt::format(R"({}{{"stage":"{}")", separator, name_of(decision.stage));
         if (!decision.plane.empty())
-            fmt::format_to(out, R"(,"plane":"{}")", decision.plane);
-        fmt::format_to(out, R"(,"kept":{},"why":{}}})", decision.is_kept,
-                       json_quoted(decision.why));
+            text += fmt::format(R"(,"plane":"{}")", decision.plane);
+        text +=
+            fmt::format(R"(,"kept":{},"why":{}}})", decision.is_kept, json_quoted(decision.why));
         separator = ",";
     }
     text += ']';
@@ -84,16 +82,16 @@ std::string header_members(const Scene& scene, const Plan& plan, const StepFilte
         text += R"(,"only":[)";
         separator = "";
         for (const StepKind kind : *filter.only) {
-            fmt::format_to(out, R"({}"{}")", separator, name_of(kind));
+            text += fmt::format(R"({}"{}")", separator, name_of(kind));
             separator = ",";
         }
         text += ']';
     }
     if (filter.region)
-        fmt::format_to(out, R"(,"region":[{},{},{},{}])", filter.region->x0, filter.region->y0,
-                       filter.region->x1, filter.region->y1);
+        text += fmt::format(R"(,"region":[{},{},{},{}])", filter.region->x0, filter.region->y0,
+                            filter.region->x1, filter.region->y1);
     if (filter.primitive)
-        fmt::format_to(out, R"(,"primitive":{})", json_quoted(*filter.primitive));
+        text += fmt::format(R"(,"primitive":{})", json_quoted(*filter.primitive));
     return text;
 }
 

@@ -11,7 +11,6 @@
 
 #include <fmt/core.h>
 
-#include <iterator>
 #include <string>
 #include <vector>
 
@@ -34,15 +33,14 @@ std::string as_text(const Savings& saved) {
 
 std::string as_text(const Scene& scene, const Plan& plan) {
     std::string text = shortened(printable(scene.title), 79) + "\n";
-    const auto out = std::back_inserter(text);
-    fmt::format_to(out, "{:<12} {:<9} {}\n", "stage", "plan", "why; what it saves");
+    text += fmt::format("{:<12} {:<9} {}\n", "stage", "plan", "why; what it saves");
     for (const StageDecision& decision : plan.stages.decisions) {
         const std::string saved = as_text(decision.saved);
-        fmt::format_to(out, "{:<12} {:<9} {}{}\n",
-                       fmt::format("{}{}{}", name_of(decision.stage),
-                                   decision.plane.empty() ? "" : " ", decision.plane),
-                       decision.is_kept ? "kept" : "left out", decision.why,
-                       saved.empty() ? "" : "; saves " + saved);
+        text += fmt::format("{:<12} {:<9} {}{}\n",
+                            fmt::format("{}{}{}", name_of(decision.stage),
+                                        decision.plane.empty() ? "" : " ", decision.plane),
+                            decision.is_kept ? "kept" : "left out", decision.why,
+                            saved.empty() ? "" : "; saves " + saved);
     }
     return text;
 }

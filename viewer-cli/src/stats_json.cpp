@@ -6,7 +6,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <iterator>
 #include <string_view>
 #include <vector>
 
@@ -95,26 +94,25 @@ std::string junctions_as_json(const Stats& stats) {
 std::string stats_json(const Trace& trace, const Stats& stats) {
     std::string text =
         fmt::format(R"({{"title":{},"steps":{},"count":{{)", json_quoted(trace.title), stats.steps);
-    const auto out = std::back_inserter(text);
     std::string_view separator;
     for (const auto& [kind, count] : stats.count) {
-        fmt::format_to(out, "{}{}:{}", separator, json_quoted(kind), count);
+        text += fmt::format("{}{}:{}", separator, json_quoted(kind), count);
         separator = ",";
     }
-    fmt::format_to(out, R"(}},"canvas":{},"pixels":{},"writes":{},"frame":"{}","frame_differs":{})",
-                   stats.canvas, stats.pixels, stats.writes, stats.frame, stats.frame_differs);
+    text += fmt::format(R"(}},"canvas":{},"pixels":{},"writes":{},"frame":"{}","frame_differs":{})",
+                        stats.canvas, stats.pixels, stats.writes, stats.frame, stats.frame_differs);
     text += R"(,"primitives":[)";
     separator = "";
     for (const PrimitiveStats& primitive : stats.primitives) {
-        fmt::format_to(out, R"({}{{"kind":{},"name":{},"writes":{},"pixels":{},"over":{})",
-                       separator, json_quoted(primitive.kind), json_quoted(primitive.name),
-                       primitive.writes, primitive.pixels, primitive.over);
+        text += fmt::format(R"({}{{"kind":{},"name":{},"writes":{},"pixels":{},"over":{})",
+                            separator, json_quoted(primitive.kind), json_quoted(primitive.name),
+                            primitive.writes, primitive.pixels, primitive.over);
         if (!primitive.skipped.empty())
-            fmt::format_to(out, R"(,"skipped":{})", json_quoted(primitive.skipped));
+            text += fmt::format(R"(,"skipped":{})", json_quoted(primitive.skipped));
         if (const auto& coverage = primitive.coverage)
-            fmt::format_to(out, R"(,"holes":{},"open_edge":{},"outside":{},"causes":{})",
-                           as_json(coverage->holes), as_json(coverage->open_edge),
-                           as_json(coverage->outside), as_json(coverage->causes));
+            text += fmt::format(R"(,"holes":{},"open_edge":{},"outside":{},"causes":{})",
+                                as_json(coverage->holes), as_json(coverage->open_edge),
+                                as_json(coverage->outside), as_json(coverage->causes));
         text += '}';
         separator = ",";
     }

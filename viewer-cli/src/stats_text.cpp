@@ -235,17 +235,16 @@ template <typename List> std::string first_of(const List& list, std::string_view
 
 std::string stats_text(const Trace& trace, const Stats& stats) {
     std::string text = shortened(printable(trace.title), 79) + "\n";
-    const auto out = std::back_inserter(text);
-    fmt::format_to(out, "steps       {}\n", stats.steps);
+    text += fmt::format("steps       {}\n", stats.steps);
     for (const auto& [kind, count] : stats.count)
-        fmt::format_to(out, "  {} {}\n", padded(shortened(printable(kind), 30), 9), count);
-    fmt::format_to(out, "pixels      {} of {} on the canvas\n", stats.pixels, stats.canvas);
-    fmt::format_to(out, "writes      {}, {} of them over a pixel drawn before\n", stats.writes,
-                   stats.writes - stats.pixels);
-    fmt::format_to(out, "frame       {}{}\n", stats.frame,
-                   stats.frame_differs
-                       ? ", not " + printable(trace.end->frame) + " as the end record says"
-                       : "");
+        text += fmt::format("  {} {}\n", padded(shortened(printable(kind), 30), 9), count);
+    text += fmt::format("pixels      {} of {} on the canvas\n", stats.pixels, stats.canvas);
+    text += fmt::format("writes      {}, {} of them over a pixel drawn before\n", stats.writes,
+                        stats.writes - stats.pixels);
+    text += fmt::format("frame       {}{}\n", stats.frame,
+                        stats.frame_differs
+                            ? ", not " + printable(trace.end->frame) + " as the end record says"
+                            : "");
     text += as_text(stats.primitives) + as_text(stats.edges) +
             first_of(stats.t_junctions, "T-junctions");
     std::vector<OutlineOnFill> beside;
@@ -253,8 +252,8 @@ std::string stats_text(const Trace& trace, const Stats& stats) {
                  [](const OutlineOnFill& pair) { return pair.outside.count > 0; });
     text += first_of(beside, "outlines") + first_of(stats.wrong_rows, "scanlines");
     if (stats.depth_ties.count > 0)
-        fmt::format_to(out, "depth ties: {} would have another color in another order{}\n",
-                       counted(stats.depth_ties.count), places_of(stats.depth_ties));
+        text += fmt::format("depth ties: {} would have another color in another order{}\n",
+                            counted(stats.depth_ties.count), places_of(stats.depth_ties));
     if (trace.is_partial)
         text += "steps were left out when this trace was written; the counts are of those it has\n";
     return text;

@@ -22,7 +22,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -113,7 +112,6 @@ std::array<std::size_t, 4> counts_of(const RunCase& one) {
 std::string as_table(const std::vector<RunCase>& cases) {
     std::string text = fmt::format("{:<4} {:<40} {:<14} {}\n", "case", "what", "result",
                                    "rows: one scalar and one method each");
-    const auto out = std::back_inserter(text);
     std::array<std::size_t, 4> sum{};
     std::size_t rows = 0;
     std::string failed;
@@ -121,18 +119,18 @@ std::string as_table(const std::vector<RunCase>& cases) {
     for (const RunCase& one : cases) {
         if (family_of(*one.about) != family) {
             family = family_of(*one.about);
-            fmt::format_to(out, "\n{}\n", family);
+            text += fmt::format("\n{}\n", family);
         }
         const auto counts = counts_of(one);
         for (std::size_t i = 0; i < counts.size(); ++i)
             sum[i] += counts[i];
         rows += one.rows.size();
-        fmt::format_to(out, "{:<4} {:<40} {:<14} {}\n", one.about->id, one.about->title,
-                       one.failed() > 0 ? "FAILED" : "as documented", counts_of(counts));
+        text += fmt::format("{:<4} {:<40} {:<14} {}\n", one.about->id, one.about->title,
+                            one.failed() > 0 ? "FAILED" : "as documented", counts_of(counts));
         if (one.failed() > 0)
             failed += fmt::format(" {}", one.about->id);
     }
-    fmt::format_to(out, "\n{} cases, {} rows: {}\n", cases.size(), rows, counts_of(sum));
+    text += fmt::format("\n{} cases, {} rows: {}\n", cases.size(), rows, counts_of(sum));
     text += failed.empty()
                 ? "Every row is as documented: what must hold holds, and what is documented to be "
                   "wrong is\nwrong by just that much. `--case ID` shows a case in full.\n"
@@ -398,21 +396,20 @@ int print_scene(const StressCase& one, std::size_t number) {
 std::string as_text(const std::string& title, const std::vector<CliffGroup>& groups,
                     const std::vector<ComparedPicture>& pictures) {
     std::string text = shortened(printable(title), 79) + "\n";
-    const auto out = std::back_inserter(text);
     if (groups.empty())
         text += "\nNear no cliff: no sample within 2^-20 px of an edge, no sliver, nothing steep, "
                 "deep, "
                 "far out\nor edge-on.\n";
     for (const CliffGroup& group : groups) {
-        fmt::format_to(out, "\n{}\n", meaning_of(group.kind));
+        text += fmt::format("\n{}\n", meaning_of(group.kind));
         for (const Cliff& cliff : group.worst)
             text += wrapped(fmt::format("  {} ", shortened(printable(cliff.where), 38)), 42,
                             cliff.how_near);
         if (group.more > 0)
-            fmt::format_to(out, "  ... and {} more\n", group.more);
+            text += fmt::format("  ... and {} more\n", group.more);
     }
 
-    fmt::format_to(out, "\n{:<10} pixels that differ from `exact`\n", "drawn with");
+    text += fmt::format("\n{:<10} pixels that differ from `exact`\n", "drawn with");
     for (const ComparedPicture& picture : pictures) {
         std::string found = fmt::format("{} of {}", picture.differing, picture.pixels);
         if (picture.first)
