@@ -59,6 +59,18 @@ TEST(Describe, IncrementalRowsAddToTheRowBefore) {
                                      "right AC: x = 2 + 3/8 = 19/8 -> floor -> 2");
 }
 
+/// `two-halves` goes upward.
+TEST(Describe, IncrementalRowsSayWhatIsAdded) {
+    const Scene scene = first_triangle(
+        {.scalar = ScalarKind::exact, .fill = Fill::two_halves, .lerp = LerpForm::incremental});
+    std::string second;
+    for (std::size_t n = 1; second.empty(); ++n)
+        if (const std::string text = description(scene, n); text.starts_with("scanline y=-2"))
+            second = text;
+    EXPECT_EQ(second, "scanline y=-2   left AB: x = -4 + 3/4 = -13/4 -> floor -> -4   "
+                      "right AC: x = 5 - 3/8 = 37/8 -> floor -> 4");
+}
+
 TEST(Describe, NegativeCoordinatesAreSubtractedAsOneWritesIt) {
     const Scene scene =
         triangle_scene({"-1", "-2", "3", "-4", "-3", "-4"}, {.width = 9, .height = 9});
@@ -136,6 +148,14 @@ TEST(Describe, DoublesThatAreShortFractions) {
     EXPECT_EQ(description(scene, 14),
               "scanline y=2   left AB: x = 2 + 0.75 (2 - 5) = -0.25 = -1/4 -> floor -> -1   "
               "right AC: x = 2 - 0.375 (2 - 5) = 3.125 = 25/8 -> floor -> 3");
+}
+
+TEST(Describe, DoublesThatAreNoShortFractions) {
+    const Scene scene = triangle_scene({"0.1", "0", "5.1", "0", "0.1", "5"},
+                                       {.width = 8, .height = 8, .origin = Origin::bottom_left},
+                                       {.scalar = ScalarKind::double_precision});
+    for (std::size_t n = 1; n < 12; ++n)
+        EXPECT_EQ(description(scene, n).find("= 1/10"), std::string::npos) << n;
 }
 
 TEST(Describe, StepsThatAreUnknown) {

@@ -97,7 +97,7 @@ TEST(Working, SamplesByACrossProduct) {
     const Trace trace =
         trace_of(first_triangle({.scalar = ScalarKind::exact, .fill = Fill::barycentric}));
     EXPECT_THAT(working(trace, StepKind::sample, 0, 0),
-                ElementsAre("P = (0, 0): AB = (-6, -8), AC = (3, -8), PA = (2, 5)",
+                ElementsAre("P = (0, 0): AB = (-6, -8), AC = (3, -8), P to A = (2, 5)",
                             "(-6, 3, 2) x (-8, -8, 5) = (31, 14, 72)",
                             "divided by 72: u = 31/72 of B, v = 7/36 of C, 1 - u - v = 3/8 of A"));
     const auto cross_at = [&](int x, int y) { return working(trace, StepKind::sample, x, y)[1]; };
@@ -180,6 +180,48 @@ TEST(Working, LeavesOutWhatTheTraceContradicts) {
     const Working row = working(trace, StepKind::scanline, 0, 2);
     EXPECT_THAT(row, Not(Contains(HasSubstr("left AB:"))));
     EXPECT_THAT(row, Contains(HasSubstr("right AC: x = 2 - 3/8 (2 - 5) = 2 + 9/8 = 25/8")));
+}
+
+/// A trace of some steps, or one that was edited, has what it has.
+TEST(Working, OfStepsWithoutWhatTheyReferTo) {
+    const std::string triangle = R"({"step":"primitive","kind":"triangle","name":"ABC",)"
+                                 R"("at":[[0,0],[4,0],[0,4]],"depths":[1,2,3]})"
+                                 "\n";
+    const std::string steps =
+        R"({"step":"edge","edge":"AB","dx_dy":1,"a":1,"b":2}
+{"step":"scanline","y":1,"left":0,"right":3,"from":0,"to":3,"left_edge":"AC","right_edge":"BC"}
+{"step":"sample","x":1,"y":1,"weights":[1,0,0],"inside":true}
+{"step":"depth","x":1,"y":1,"depth":1,"pass":true}
+{"step":"pixel","x":1,"y":1}
+{"step":"decide","x":1,"y":1,"d":3,"move":"E"}
+{"step":"along","x":1,"value":1,"pixel":1}
+{"step":"face","normal":[1e200,0,1e200],"view":[1e200,0,0],"dot":0}
+{"step":"face","normal":["1/3"],"view":[],"dot":0}
+{"step":"light","normal":[1e-200,0,0],"light":[1e-200,0,0],"intensity":1}
+{"step":"matrix","name":"view","rows":[[1,2],[3]]}
+{"step":"order","names":["A","B"],"distances":[1]}
+)";
+    const std::string header = R"({"rastertrace":1,"canvas":{"width":8,"height":8}})"
+                               "\n";
+    for (const std::string& text : {header + steps, header + triangle + steps}) {
+        const Trace trace = readable_trace(text);
+        for (std::size_t n = 1; n <= trace.size(); ++n)
+            for (const std::string& line : working(trace, n)) {
+                EXPECT_THAT(line, Not(HasSubstr("nan"))) << n;
+                EXPECT_THAT(line, Not(HasSubstr("inf"))) << n;
+            }
+    }
+}
+
+/// The models of two objects are no factors of one product.
+TEST(Working, MatricesOfSeveralObjectsAreNotMultiplied) {
+    const Trace trace = trace_of(scene_in(R"({
+  "canvas": {"width": 9, "height": 9},
+  "meshes": [
+    {"vertices": {"A": [0, 0, 0], "B": [1, 0, 0], "C": [0, 1, 0]}, "faces": ["ABC"], "model": [{"translate": [0, 0, 4]}]},
+    {"vertices": {"D": [0, 0, 0], "E": [1, 0, 0], "F": [0, 1, 0]}, "faces": ["DEF"], "model": [{"translate": [0, 0, 5]}]}],
+  "projection": {"type": "pinhole", "distance": 1}})"));
+    EXPECT_THAT(working(trace, StepKind::matrix, "projection"), ElementsAre());
 }
 
 /// The d that a sentence and a working promise is the one that the next step tells.

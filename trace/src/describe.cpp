@@ -53,6 +53,13 @@ std::string corners(const Context& context) {
     return text;
 }
 
+/// (1, 2, 3) / 4
+std::string over_w(const std::vector<std::string>& clip) {
+    const std::string w = in_sentence(clip[3]);
+    return point({clip[0], clip[1], clip[2]}) +
+           (w.find('/') == std::string::npos ? fmt::format(" / {}", w) : fmt::format(" / ({})", w));
+}
+
 /// The space that a vertex goes on to comes of the one before: by a matrix, or by dividing by w.
 std::string place(const Context& context) {
     const auto& [replay, step, primitive] = context;
@@ -65,7 +72,7 @@ std::string place(const Context& context) {
         return at;
     const auto from = before.texts("at");
     if (step.text("space") == "canonical" && from.size() == 4)
-        return fmt::format("({}, {}, {}) / {} = {}", from[0], from[1], from[2], from[3], at);
+        return fmt::format("{} = {}", over_w(from), at);
     return fmt::format("{}, from {} {}", at, space_before, point(from));
 }
 
@@ -229,21 +236,21 @@ std::string rule_of_end(const Context& context, const std::string& side, const s
     const auto column = number_in(pixel);
     if (!x || !column || trace.method_value("fill") != "top-left")
         return {};
-    const bool is_at_center = trace.method_value("sample") == "center";
-    const Rational sample = *column + (is_at_center ? Rational(1, 2) : Rational(0));
+    const Rational offset = sample_offset(trace);
+    const Rational sample = *column + offset;
     if (is_left ? *x > sample : *x <= sample)
         return {};
     return fmt::format(" {} sample {}{}", is_left ? "<=" : ">", pixel,
-                       is_at_center ? " + 1/2" : "");
+                       sgn(offset) != 0 ? " + 1/2" : "");
 }
 
 /// A double that is a short fraction with it: `-0.25 = -1/4`.
 std::string with_fraction(const std::string& number) {
     constexpr int largest_denominator = 64;
     const auto exact = number.find('.') == std::string::npos ? std::nullopt : number_in(number);
-    return exact && exact->get_den() <= largest_denominator
-               ? fmt::format("{} = {}", number, exact->get_str())
-               : in_sentence(number);
+    const bool is_dyadic = exact && exact->get_den() <= largest_denominator &&
+                           Rational(nearest_double(*exact)) == *exact;
+    return is_dyadic ? fmt::format("{} = {}", number, exact->get_str()) : in_sentence(number);
 }
 
 /// One end of a row: `left AB: x = 2 + 3/4 (2 - 5) = -1/4 -> floor -> -1`.
@@ -258,15 +265,16 @@ std::string end_of_row(const Context& context, const std::string& side, const st
     const auto ends = ends_of_edge(primitive, edge);
     const bool adds = replay.trace().method_value("lerp") == "incremental";
     std::string x_before;
+    bool goes_up = false;
     if (adds && replay.scanline_before() != 0) {
         const StepView before = replay.trace().step(replay.scanline_before());
+        goes_up = before.whole("y") < step.whole("y");
         for (const std::string other_side : {"left", "right"})
             if (before.text(other_side + "_edge") == edge)
                 x_before = before.text(other_side);
     }
     if (slope && !x_before.empty())
-        text += fmt::format("{} {} = ", x_before,
-                            replay.trace().canvas.down() > 0 ? plus(*slope) : minus(*slope));
+        text += fmt::format("{} {} = ", x_before, goes_up ? plus(*slope) : minus(*slope));
     else if (slope && ends)
         text +=
             fmt::format("{} {} ({} {}) = ", ends->from[0], plus(*slope), y, minus(ends->from[1]));
@@ -414,9 +422,9 @@ constexpr Part parts[] = {
     {"rows_of_half", rows_of_half},
     {"samples",
      [](const Context& context) {
-         const bool is_at_center = context.replay.trace().method_value("sample") == "center";
-         return is_at_center ? fmt::format(", samples at y = {} + 1/2", context.step.text("y"))
-                             : std::string();
+         return sgn(sample_offset(context.replay.trace())) != 0
+                    ? fmt::format(", samples at y = {} + 1/2", context.step.text("y"))
+                    : std::string();
      }},
     {"left_end",
      [](const Context& context) { return end_of_row(context, "left", context.step.text("from")); }},

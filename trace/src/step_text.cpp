@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 
 namespace rastertrace {
@@ -54,9 +55,13 @@ std::string text(const Rational& number) {
     constexpr std::size_t longest = 15;
     constexpr int largest_denominator = 1000;
     const std::string fraction = number.get_str();
-    return fraction.size() <= longest && number.get_den() < largest_denominator
-               ? fraction
-               : fmt::format("{:.7g}", nearest_double(number));
+    if (fraction.size() <= longest && number.get_den() < largest_denominator)
+        return fraction;
+    const double near = nearest_double(number);
+    if (!std::isfinite(near))
+        return in_sentence(fraction);
+    const std::string decimal = fmt::format("{:.15g}", near);
+    return number_in(decimal) == number ? decimal : fmt::format("{:.7g}", near);
 }
 
 std::string text(const Vec2& v) {
@@ -75,6 +80,13 @@ std::string plus(const std::string& number) {
 std::string minus(const std::string& number) {
     return number.starts_with('-') ? fmt::format("+ {}", number.substr(1))
                                    : fmt::format("- {}", number);
+}
+
+std::string quotient(const std::string& above, const std::string& below) {
+    const auto in_brackets = [](const std::string& number) {
+        return number.find('/') == std::string::npos ? number : fmt::format("({})", number);
+    };
+    return fmt::format("{} / {}", in_brackets(above), in_brackets(below));
 }
 
 std::string six_places(double number) {
@@ -113,7 +125,8 @@ std::optional<EdgeEnds> ends_of_edge(const PrimitiveText& primitive, const std::
 }
 
 std::optional<std::array<Vec2, 3>> corners_of(const PrimitiveText& primitive) {
-    if (primitive.kind != "triangle" || primitive.positions.size() != 3)
+    if (primitive.kind != "triangle" || primitive.vertices.size() != 3 ||
+        primitive.positions.size() != 3)
         return std::nullopt;
     std::array<Vec2, 3> corners;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -170,11 +183,13 @@ std::optional<Vec2> sample_of(const Trace& trace, const StepView& step) {
     const auto y = number_in(step, "y");
     if (!x || !y)
         return std::nullopt;
-    const Rational offset = trace.method_value("sample") == "center" ? Rational(1, 2) : Rational(0);
+    const Rational offset = sample_offset(trace);
     return Vec2{*x + offset, *y + offset};
 }
 
 std::size_t reason_of_pixel(const Replay& replay) {
+    if (replay.primitive() == 0)
+        return 0; // a trace of some steps only
     for (std::size_t n = replay.step() - 1; n > replay.primitive(); --n) {
         const auto kind = replay.trace().kind_of(n);
         if (kind != StepKind::pixel && kind != StepKind::depth && kind != StepKind::reject)

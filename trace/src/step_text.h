@@ -30,7 +30,7 @@ using Vec3 = Vec<Rational, 3>;
 std::optional<Vec2> vec2_in(const std::vector<std::string>& texts);
 std::optional<Vec3> vec3_in(const std::vector<std::string>& texts);
 
-/// A fraction that a reader would write, or seven digits of it.
+/// A fraction that a reader would write, a decimal of up to fifteen digits, or seven digits of it.
 std::string text(const Rational& number);
 std::string text(const Vec2& v);
 std::string text(const Vec3& v);
@@ -40,6 +40,9 @@ std::string plus(const std::string& number);
 
 /// `- 3` for "3" and `+ 3` for "-3": a number that is taken away.
 std::string minus(const std::string& number);
+
+/// `1 / 3`, with brackets around fractions.
+std::string quotient(const std::string& above, const std::string& below);
 
 /// A number to six places, without zeros at its end.
 std::string six_places(double number);

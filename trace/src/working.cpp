@@ -7,6 +7,8 @@
 #include <rastertrace/core/numbers/number.h>
 #include <rastertrace/core/numbers/scalar.h>
 #include <rastertrace/core/numbers/vec.h>
+#include <rastertrace/core/scene/stages.h>
+#include <rastertrace/trace/scene_file.h>
 #include <rastertrace/trace/text.h>
 
 #include <fmt/core.h>
@@ -62,13 +64,22 @@ bool agrees(const Rational& worked_out, const Rational& told) {
     return difference <= 1e-9 * std::max(1.0, std::abs(nearest_double(told)));
 }
 
+/// The square root of what a double can hold.
+std::optional<Rational> root_of(const Rational& square) {
+    return std::isnormal(nearest_double(square)) || sgn(square) == 0
+               ? std::optional(square_root(square))
+               : std::nullopt;
+}
+
 /// sqrt(83/9) = 3.036811
 std::string length_of(const Vec3& v) {
     const Rational square = dot(v, v);
-    const Rational root = square_root(square);
+    const auto root = root_of(square);
+    if (!root)
+        return fmt::format("sqrt({})", text(square));
     return has_rational_root(square)
-               ? text(root)
-               : fmt::format("sqrt({}) = {}", text(square), six_places(nearest_double(root)));
+               ? text(*root)
+               : fmt::format("sqrt({}) = {}", text(square), six_places(nearest_double(*root)));
 }
 
 // Corners.
@@ -129,12 +140,14 @@ void matrix(Sheet& sheet) {
         return;
     std::optional<Matrix4> together;
     std::string names;
+    std::string last_name;
     for (std::size_t n = 1; n <= sheet.replay.step(); ++n) {
         const StepView step = sheet.trace().step(n);
         const auto one =
             sheet.trace().kind_of(n) == StepKind::matrix ? matrix_in(step) : std::nullopt;
-        if (!one || step.field("object")) // several objects have several products
-            return;
+        if (!one || step.field("object") || last_name == step.text("name"))
+            return; // several objects have several products
+        last_name = step.text("name");
         together = together ? product(*one, *together) : *one;
         names = names.empty() ? step.text("name") : step.text("name") + " x " + names;
     }
@@ -166,9 +179,15 @@ void vertex(Sheet& sheet) {
         return;
     constexpr std::array names{"x", "y", "z", "w"};
     if (sheet.step.text("space") == "canonical" && from.size() == 4 && at.size() == 3) {
-        for (std::size_t i = 0; i < 3; ++i)
-            sheet.put(
-                fmt::format("{} = {} / {} = {}", names[i], from[i], from[3], in_sentence(at[i])));
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto clip = number_in(from[i]);
+            const auto w = number_in(from[3]);
+            const auto told = number_in(at[i]);
+            if (clip && w && told && sgn(*w) != 0 && agrees(*clip / *w, *told))
+                sheet.put(fmt::format("{} = {} = {}", names[i],
+                                      quotient(in_sentence(from[i]), in_sentence(from[3])),
+                                      in_sentence(at[i])));
+        }
         return;
     }
     if (from.size() == 3)
@@ -212,6 +231,12 @@ void order(Sheet& sheet) {
         sheet.put(fmt::format("{}. {} at {}", i + 1, names[i], in_sentence(distances[i])));
 }
 
+/// AB, or A1-B1.
+std::string side_name(const PrimitiveText& primitive, std::size_t from, std::size_t to) {
+    const std::vector<std::string_view> names(primitive.vertices.begin(), primitive.vertices.end());
+    return fmt::format("{}{}{}", names[from], name_separator(names), names[to]);
+}
+
 /// Which way a triangle is turned: each vertex against the edge before it.
 void primitive(Sheet& sheet) {
     const auto corners = corners_of(sheet.primitive);
@@ -226,13 +251,13 @@ void primitive(Sheet& sheet) {
         const Vec2& p = (*corners)[(i + 2) % 3];
         const Rational value = doubled_area(a, b, p);
         const bool is_left = (sgn(value) > 0) == is_y_up;
-        sheet.put(fmt::format("{0} x {1} = {2} - {3} = {4}: {5} lies {6}",
-                              names[i] + names[(i + 1) % 3], names[i] + names[(i + 2) % 3],
-                              product(b.x - a.x, p.y - a.y), product(b.y - a.y, p.x - a.x),
-                              text(value), names[(i + 2) % 3],
-                              sgn(value) == 0 ? "on it"
-                              : is_left       ? "left of it"
-                                              : "right of it"));
+        sheet.put(fmt::format(
+            "{0} x {1} = {2} - {3} = {4}: {5} lies {6}", side_name(sheet.primitive, i, (i + 1) % 3),
+            side_name(sheet.primitive, i, (i + 2) % 3), product(b.x - a.x, p.y - a.y),
+            product(b.y - a.y, p.x - a.x), text(value), names[(i + 2) % 3],
+            sgn(value) == 0 ? "on it"
+            : is_left       ? "left of it"
+                            : "right of it"));
     }
     const std::string_view turn = sgn(area) == 0               ? "no area"
                                   : (sgn(area) > 0) == is_y_up ? "counter-clockwise"
@@ -249,14 +274,16 @@ std::string cross_written_out(const Vec3& a, const Vec3& b) {
 /// normal . v, the lengths of both, and the angle between them.
 void put_angle(Sheet& sheet, const Vec3& normal, const Vec3& v, std::string_view name) {
     const Rational value = dot(normal, v);
+    const auto told = number_in(sheet.step, "dot");
+    if (!told || !agrees(value, *told))
+        return;
     sheet.put(fmt::format("normal . {} = {} + {} + {} = {}", name, product(normal.x, v.x),
                           product(normal.y, v.y), product(normal.z, v.z), text(value)));
     sheet.put(fmt::format("|normal| = {}, |{}| = {}", length_of(normal), name, length_of(v)));
-    const Rational squares = dot(normal, normal) * dot(v, v);
-    if (sgn(squares) == 0)
+    const auto lengths = root_of(dot(normal, normal) * dot(v, v));
+    if (!lengths || sgn(*lengths) == 0)
         return;
-    const double cosine =
-        std::clamp(nearest_double(value) / nearest_double(square_root(squares)), -1.0, 1.0);
+    const double cosine = std::clamp(nearest_double(value / *lengths), -1.0, 1.0);
     sheet.put(fmt::format("cosine = {} / (|normal| |{}|) = {}, an angle of {:.2f} degrees",
                           text(value), name, six_places(cosine),
                           std::acos(cosine) * 180 / std::numbers::pi));
@@ -336,11 +363,15 @@ void edge(Sheet& sheet) {
     for (std::size_t i = 0; i < 3; ++i) {
         const Vec2& p = (*corners)[i];
         const Rational value = *a * (p.x - from->x) + *b * (p.y - from->y);
-        if (sgn(value) != 0)
+        const bool is_end = (p.x == from->x && p.y == from->y) || (p.x == to->x && p.y == to->y);
+        if (!is_end)
             sheet.put(fmt::format("E at {} = {} + {} = {}: {} 0, {}", sheet.primitive.vertices[i],
                                   product(*a, p.x - from->x), product(*b, p.y - from->y),
-                                  text(value), sgn(value) > 0 ? ">" : "<",
-                                  sgn(value) > 0 ? "inside" : "outside"));
+                                  text(value),
+                                  sgn(value) < 0   ? "<"
+                                  : sgn(value) > 0 ? ">"
+                                                   : "=",
+                                  sgn(value) < 0 ? "outside" : "inside"));
     }
 }
 
@@ -351,7 +382,9 @@ void put_crossing(Sheet& sheet, const std::string& side) {
     const auto to = ends ? vec2_in(ends->to) : std::nullopt;
     const auto told = number_in(sheet.step, side);
     const auto row = number_in(sheet.step, "y");
-    if (!from || !to || !told || !row || sgn(to->y - from->y) == 0)
+    // A row that adds to the one before says so in its sentence.
+    const bool adds = sheet.trace().method_value("lerp") == "incremental";
+    if (adds || !from || !to || !told || !row || sgn(to->y - from->y) == 0)
         return;
     const Rational y = *row + sample_offset(sheet.trace());
     const Rational slope = (to->x - from->x) / (to->y - from->y);
@@ -415,9 +448,9 @@ void scanline(Sheet& sheet) {
             minus(text(*left)), text(*left_depth),
             plus(text((*right_depth - *left_depth) / (*right - *left))), minus(text(*left))));
     if (from <= to)
-        sheet.put(fmt::format("x = {} to {}: {} - {} + 1 = {} pixels", from, to, to,
+        sheet.put(fmt::format("x = {} to {}: {} - {} + 1 = {}", from, to, to,
                               from < 0 ? fmt::format("({})", from) : std::to_string(from),
-                              to - from + 1));
+                              counted(static_cast<std::uint64_t>(to - from + 1), "pixel")));
 }
 
 /// Twice the areas that a point makes with the edges of a triangle, by one cross product (T3).
@@ -428,9 +461,10 @@ void put_cross_of_sample(Sheet& sheet, const Vec2& p) {
         return;
     const auto& names = sheet.primitive.vertices;
     const auto& [xs, ys, weights] = *cross;
-    sheet.put(fmt::format("P = {}: {}{} = {}, {}{} = {}, P{} = {}", text(p), names[0], names[1],
-                          text(Vec2{xs.x, ys.x}), names[0], names[2], text(Vec2{xs.y, ys.y}),
-                          names[0], text(Vec2{xs.z, ys.z})));
+    sheet.put(fmt::format("P = {}: {} = {}, {} = {}, P to {} = {}", text(p),
+                          side_name(sheet.primitive, 0, 1), text(Vec2{xs.x, ys.x}),
+                          side_name(sheet.primitive, 0, 2), text(Vec2{xs.y, ys.y}), names[0],
+                          text(Vec2{xs.z, ys.z})));
     sheet.put(fmt::format("{} x {} = {}", text(xs), text(ys), text(weights)));
     const Rational u = weights.x / weights.z;
     const Rational v = weights.y / weights.z;
@@ -446,6 +480,8 @@ void sample(Sheet& sheet) {
 
 /// The depth of a pixel on the plane through the three corners, if that is what decided.
 void depth(Sheet& sheet) {
+    if (sheet.replay.primitive() == 0)
+        return;
     const auto corners = corners_of(sheet.primitive);
     const auto depths = numbers_in<3>(sheet.trace().step(sheet.replay.primitive()).texts("depths"));
     const auto p = sample_of(sheet.trace(), sheet.step);
@@ -513,13 +549,15 @@ void along(Sheet& sheet) {
         return;
     const std::string_view major = is_x_major ? "x" : "y";
     const std::string_view minor = is_x_major ? "y" : "x";
-    sheet.put(fmt::format("m = d{} / d{} = {} / {} = {}, b = {} - {} = {}", minor, major,
-                          text(rise), text(run), text(m),
+    sheet.put(fmt::format("m = d{} / d{} = {} = {}, b = {} - {} = {}", minor, major,
+                          quotient(text(rise), text(run)), text(m),
                           text(is_x_major ? ends->from.y : ends->from.x),
                           product(m, is_x_major ? ends->from.x : ends->from.y), text(b)));
     sheet.put(fmt::format("{} = m {} + b = {} {} = {}", minor, major, product(m, *at),
                           plus(text(b)), text(*value)));
 }
+
+void write_working(Sheet& sheet);
 
 /// Why the pixel is drawn, once more, and where it lies in memory: four bytes a pixel, row by row from
 /// the top left (T2).
@@ -531,10 +569,11 @@ void pixel(Sheet& sheet) {
         return;
     const std::size_t reason = reason_of_pixel(sheet.replay);
     if (reason != 0) {
-        Replay before(sheet.trace());
-        before.go_to(reason);
+        // The row or the sample is of the same primitive, with the same edges.
+        Sheet of_reason{sheet.replay, sheet.trace().step(reason), sheet.primitive};
+        write_working(of_reason);
         sheet.put(fmt::format("because of step {}", reason));
-        for (std::string& line : working_of(before))
+        for (std::string& line : of_reason.lines)
             sheet.put(std::move(line));
     }
     const Index column = *x - canvas.left();
@@ -556,16 +595,21 @@ constexpr Row rows[] = {
     {StepKind::pixel, pixel},
 };
 
+/// The working of the sheet's step.
+void write_working(Sheet& sheet) {
+    const auto kind = sheet.step.kind();
+    for (const Row& row : rows)
+        if (kind == row.kind)
+            row.write(sheet);
+}
+
 } // namespace
 
 std::vector<std::string> working_of(const Replay& replay) {
     if (replay.step() == 0)
         return {};
     Sheet sheet{replay, replay.trace().step(replay.step()), primitive_of(replay)};
-    const auto kind = replay.trace().kind_of(replay.step());
-    for (const Row& row : rows)
-        if (kind == row.kind)
-            row.write(sheet);
+    write_working(sheet);
     for (std::string& line : sheet.lines)
         line = printable(line);
     return std::move(sheet.lines);

@@ -36,7 +36,7 @@ struct Window {
 };
 
 std::size_t length_of(int number) {
-    return fmt::formatted_size("{}", number);
+    return std::to_string(number).size();
 }
 
 /// Where in `all` places to begin to show `shown` of them, so that `center` is in the middle.
