@@ -18,20 +18,21 @@ fail() {
 # pane COLUMNS LINES ENVIRONMENT ARGUMENTS: what the program leaves on a screen of that size, as $folder/pane; with
 # its escape sequences as $folder/colors.
 pane() {
-    rm -f "$folder/done"
-    tmux -L "$server" -f /dev/null new-session -d -s one -x "$1" -y "$2" \
-        "env $3 '$program' show $4; touch '$folder/done'; sleep 60"
+    tmux -L "$server" new-session -d -s one -x "$1" -y "$2" \
+        "env $3 '$program' show $4; printf '%s' '\$ the prompt'; sleep 60"
     tries=0
-    while [ ! -e "$folder/done" ]; do
+    until tmux -L "$server" capture-pane -p -t one >"$folder/pane" &&
+        grep -q '^\$ the prompt' "$folder/pane"; do
         tries=$((tries + 1))
-        [ "$tries" -lt 300 ] || fail "$4 at $1x$2 does not end"
+        [ "$tries" -lt 600 ] || fail "$4 at $1x$2 does not end"
         sleep 0.1
     done
-    sleep 0.2
-    tmux -L "$server" capture-pane -p -t one >"$folder/pane"
     tmux -L "$server" capture-pane -p -e -t one >"$folder/colors"
     tmux -L "$server" kill-session -t one
 }
+
+# A server without a session ends; this one lasts as long as the test.
+tmux -L "$server" -f /dev/null new-session -d -s waiting "sleep 600"
 
 # A triangle on a canvas of so many columns and rows.
 canvas() {
@@ -57,7 +58,7 @@ for size in "80 24" "40 12" "200 60"; do
         case $title in
         "{"*) title=$(sed -n 's/.*"title": "\([^"]*\)".*/\1/p' "$scene" | cut -c 1-12) ;;
         esac
-        # The whole frame fits: its first line has not been pushed off the screen, nor any row broken in two.
+        # The whole frame fits: its first line has not been pushed off the screen.
         head -n 1 "$folder/pane" | grep -qF "$title" || fail "$scene at $columns x $lines: no title on top"
         rows=$(grep -cE '^[> ]*-?[0-9]+  ' "$folder/pane" || true)
         [ "$rows" -ge 1 ] || fail "$scene at $columns x $lines: no rows"
