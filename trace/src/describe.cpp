@@ -13,7 +13,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -53,13 +52,6 @@ std::string corners(const Context& context) {
     return text;
 }
 
-/// (1, 2, 3) / 4
-std::string over_w(const std::vector<std::string>& clip) {
-    const std::string w = in_sentence(clip[3]);
-    return point({clip[0], clip[1], clip[2]}) +
-           (w.find('/') == std::string::npos ? fmt::format(" / {}", w) : fmt::format(" / ({})", w));
-}
-
 /// The space that a vertex goes on to comes of the one before: by a matrix, or by dividing by w.
 std::string place(const Context& context) {
     const auto& [replay, step, primitive] = context;
@@ -72,7 +64,8 @@ std::string place(const Context& context) {
         return at;
     const auto from = before.texts("at");
     if (step.text("space") == "canonical" && from.size() == 4)
-        return fmt::format("{} = {}", over_w(from), at);
+        return fmt::format("{} = {}",
+                           quotient(point({from[0], from[1], from[2]}), in_sentence(from[3])), at);
     return fmt::format("{}, from {} {}", at, space_before, point(from));
 }
 
@@ -299,15 +292,10 @@ std::string slope_form(const Context& context) {
     const auto at = number_in(context.step, is_x_major ? "x" : "y");
     if (!ends || !value || !at)
         return {};
-    const Rational dx = ends->to.x - ends->from.x;
-    const Rational dy = ends->to.y - ends->from.y;
-    if (sgn(is_x_major ? dx : dy) == 0)
-        return {};
-    const Rational m = is_x_major ? dy / dx : dx / dy;
-    const Rational b = is_x_major ? Rational(ends->from.y - m * ends->from.x)
-                                  : Rational(ends->from.x - m * ends->from.y);
-    return m * *at + b == *value
-               ? fmt::format("{} {} {} = ", text(m), is_x_major ? "x" : "y", plus(text(b)))
+    const auto form = slope_form_of(*ends, is_x_major);
+    return form && form->m * *at + form->b == *value
+               ? fmt::format("{} {} {} = ", text(form->m), is_x_major ? "x" : "y",
+                             plus(text(form->b)))
                : std::string();
 }
 
@@ -406,10 +394,9 @@ constexpr Part parts[] = {
      [](const Context& context) {
          const std::string cosine = context.step.text("cosine");
          const auto value = nearest_double_in(cosine);
-         return value
-                    ? fmt::format(", cosine {} ({:.2f} degrees)", six_places(*value),
-                                  std::acos(std::clamp(*value, -1.0, 1.0)) * 180 / std::numbers::pi)
-                    : std::string();
+         return value ? fmt::format(", cosine {} ({:.2f} degrees)", six_places(*value),
+                                    degrees_of_cosine(*value))
+                      : std::string();
      }},
     {"level", level},
     {"inside",

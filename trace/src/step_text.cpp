@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string_view>
 
 namespace rastertrace {
@@ -84,9 +85,14 @@ std::string minus(const std::string& number) {
 
 std::string quotient(const std::string& above, const std::string& below) {
     const auto in_brackets = [](const std::string& number) {
-        return number.find('/') == std::string::npos ? number : fmt::format("({})", number);
+        const bool has_brackets = number.starts_with('(') || number.find('/') == std::string::npos;
+        return has_brackets ? number : fmt::format("({})", number);
     };
     return fmt::format("{} / {}", in_brackets(above), in_brackets(below));
+}
+
+double degrees_of_cosine(double cosine) {
+    return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi;
 }
 
 std::string six_places(double number) {
@@ -146,6 +152,16 @@ std::optional<LineEnds> ends_of_line(const PrimitiveText& primitive) {
     if (!from || !to)
         return std::nullopt;
     return LineEnds{*from, *to};
+}
+
+std::optional<SlopeForm> slope_form_of(const LineEnds& ends, bool is_x_major) {
+    const Rational dx = ends.to.x - ends.from.x;
+    const Rational dy = ends.to.y - ends.from.y;
+    if (sgn(is_x_major ? dx : dy) == 0)
+        return std::nullopt;
+    const Rational m = is_x_major ? dy / dx : dx / dy;
+    return SlopeForm{m, is_x_major ? Rational(ends.from.y - m * ends.from.x)
+                                   : Rational(ends.from.x - m * ends.from.y)};
 }
 
 std::optional<Rational> increment_of(const PrimitiveText& primitive, const Rational& d) {

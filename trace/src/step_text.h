@@ -41,11 +41,14 @@ std::string plus(const std::string& number);
 /// `- 3` for "3" and `+ 3` for "-3": a number that is taken away.
 std::string minus(const std::string& number);
 
-/// `1 / 3`, with brackets around fractions.
+/// `1 / 3`, with brackets around fractions that have none.
 std::string quotient(const std::string& above, const std::string& below);
 
 /// A number to six places, without zeros at its end.
 std::string six_places(double number);
+
+/// The angle of a cosine, in degrees.
+double degrees_of_cosine(double cosine);
 
 /// (2, 5)
 std::string point(std::vector<std::string> coordinates);
@@ -78,6 +81,13 @@ struct LineEnds {
     Vec2 to;
 };
 std::optional<LineEnds> ends_of_line(const PrimitiveText& primitive);
+
+/// A line as y = m x + b, or, where y is the longer direction, as x = m y + b.
+struct SlopeForm {
+    Rational m;
+    Rational b;
+};
+std::optional<SlopeForm> slope_form_of(const LineEnds& ends, bool is_x_major);
 
 /// What Bresenham adds to d, if the line's ends are pixels.
 std::optional<Rational> increment_of(const PrimitiveText& primitive, const Rational& d);

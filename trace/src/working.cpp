@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <string_view>
 
@@ -285,8 +284,7 @@ void put_angle(Sheet& sheet, const Vec3& normal, const Vec3& v, std::string_view
         return;
     const double cosine = std::clamp(nearest_double(value / *lengths), -1.0, 1.0);
     sheet.put(fmt::format("cosine = {} / (|normal| |{}|) = {}, an angle of {:.2f} degrees",
-                          text(value), name, six_places(cosine),
-                          std::acos(cosine) * 180 / std::numbers::pi));
+                          text(value), name, six_places(cosine), degrees_of_cosine(cosine)));
 }
 
 /// The normal of a face from its corners in the world, and the plane that it lies in.
@@ -454,14 +452,15 @@ void scanline(Sheet& sheet) {
 }
 
 /// Twice the areas that a point makes with the edges of a triangle, by one cross product (T3).
-void put_cross_of_sample(Sheet& sheet, const Vec2& p) {
+void sample(Sheet& sheet) {
+    const auto p = sample_of(sheet.trace(), sheet.step);
     const auto corners = corners_of(sheet.primitive);
-    const auto cross = corners ? cross_of_point(*corners, p) : std::nullopt;
+    const auto cross = corners && p ? cross_of_point(*corners, *p) : std::nullopt;
     if (!cross)
         return;
     const auto& names = sheet.primitive.vertices;
     const auto& [xs, ys, weights] = *cross;
-    sheet.put(fmt::format("P = {}: {} = {}, {} = {}, P to {} = {}", text(p),
+    sheet.put(fmt::format("P = {}: {} = {}, {} = {}, P to {} = {}", text(*p),
                           side_name(sheet.primitive, 0, 1), text(Vec2{xs.x, ys.x}),
                           side_name(sheet.primitive, 0, 2), text(Vec2{xs.y, ys.y}), names[0],
                           text(Vec2{xs.z, ys.z})));
@@ -471,11 +470,6 @@ void put_cross_of_sample(Sheet& sheet, const Vec2& p) {
     sheet.put(fmt::format("divided by {}: u = {} of {}, v = {} of {}, 1 - u - v = {} of {}",
                           text(weights.z), text(u), names[1], text(v), names[2], text(1 - u - v),
                           names[0]));
-}
-
-void sample(Sheet& sheet) {
-    if (const auto p = sample_of(sheet.trace(), sheet.step))
-        put_cross_of_sample(sheet, *p);
 }
 
 /// The depth of a pixel on the plane through the three corners, if that is what decided.
@@ -488,12 +482,13 @@ void depth(Sheet& sheet) {
     const auto told = number_in(sheet.step, "depth");
     if (!corners || !depths || !p || !told)
         return;
-    const auto& [a, b, c] = *corners;
-    const Rational area = doubled_area(a, b, c);
-    if (sgn(area) == 0)
+    const auto cross = cross_of_point(*corners, *p);
+    if (!cross)
         return;
-    const Rational u = doubled_area(a, *p, c) / area;
-    const Rational v = doubled_area(a, b, *p) / area;
+    const auto& [a, b, c] = *corners;
+    const Rational& area = cross->weights.z;
+    const Rational u = cross->weights.x / area;
+    const Rational v = cross->weights.y / area;
     const Rational w = 1 - u - v;
     const Rational value = w * (*depths)[0] + u * (*depths)[1] + v * (*depths)[2];
     if (!agrees(value, *told))
@@ -538,19 +533,14 @@ void along(Sheet& sheet) {
         return;
     const Rational dx = ends->to.x - ends->from.x;
     const Rational dy = ends->to.y - ends->from.y;
-    const Rational& run = is_x_major ? dx : dy;
-    const Rational& rise = is_x_major ? dy : dx;
-    if (sgn(run) == 0)
+    const auto form = slope_form_of(*ends, is_x_major);
+    if (!form || !agrees(form->m * *at + form->b, *value))
         return;
-    const Rational m = rise / run;
-    const Rational b = is_x_major ? Rational(ends->from.y - m * ends->from.x)
-                                  : Rational(ends->from.x - m * ends->from.y);
-    if (!agrees(m * *at + b, *value))
-        return;
+    const auto& [m, b] = *form;
     const std::string_view major = is_x_major ? "x" : "y";
     const std::string_view minor = is_x_major ? "y" : "x";
     sheet.put(fmt::format("m = d{} / d{} = {} = {}, b = {} - {} = {}", minor, major,
-                          quotient(text(rise), text(run)), text(m),
+                          quotient(text(is_x_major ? dy : dx), text(is_x_major ? dx : dy)), text(m),
                           text(is_x_major ? ends->from.y : ends->from.x),
                           product(m, is_x_major ? ends->from.x : ends->from.y), text(b)));
     sheet.put(fmt::format("{} = m {} + b = {} {} = {}", minor, major, product(m, *at),

@@ -297,9 +297,6 @@ private:
         });
     }
 
-    /// True if an option of `show` is about the grid.
-    bool asks_for_frames() const { return show_.view || show_.region || show_.is_overview; }
-
     void add_show() {
         CLI::App& command = add_command(
             "show", "Print frames of a trace as text",
@@ -379,7 +376,7 @@ private:
                 if (show_.has_working && show_.format != TableFormat::table)
                     refuse("--working", "sentences, without --format " + table_format_,
                            "--working");
-                if (show_.bare || show_.has_frames || asks_for_frames())
+                if (show_.bare || show_.asks_for_frames())
                     refuse("--format",
                            "a table, without --bare, --frames, --view, --region and --overview",
                            table_format_);

@@ -85,6 +85,9 @@ struct ShowCommand {
     ColorChoice color = ColorChoice::automatic;
     MethodOverrides method;
     InputLimits input;
+
+    /// True if an option is about the grid of a frame.
+    bool asks_for_frames() const { return has_frames || view || region || is_overview; }
 };
 int run(const ShowCommand& command);
 

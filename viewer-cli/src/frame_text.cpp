@@ -415,11 +415,13 @@ std::string frame_text(const Replay& replay, const FrameText& about, TextSize si
 
     // Which row is meant, and which part of the canvas is looked at.
     const std::optional<Index> current_row = row_of_step(replay.trace(), about.first_step);
+    const bool is_around_step = !about.is_overview && !about.region;
+    const auto center =
+        is_around_step ? center_of(replay, about.first_step) : std::optional<Pixel>();
     const auto window_below = [&](std::size_t lines) {
         return about.is_overview ? overview_of(canvas, size, margin, lines)
                : about.region    ? window_of(canvas, *about.region)
-                                 : window_around(canvas, size, margin, cell, lines,
-                                                 center_of(replay, about.first_step));
+                                 : window_around(canvas, size, margin, cell, lines, center);
     };
     // The line that tells the part takes a row itself.
     Window window = window_below(taken);

@@ -131,10 +131,8 @@ void print_table(const Trace& trace, const std::vector<Shown>& shown, const Show
 
 /// True if steps are to be told as a table: asked for, or of a kind that there are many of.
 bool is_table(const ShowCommand& command, const Trace& trace, const std::vector<Shown>& shown) {
-    if (command.which != ShowCommand::Which::every || command.bare || command.has_frames)
+    if (command.which != ShowCommand::Which::every || command.bare || command.asks_for_frames())
         return false;
-    if (command.view || command.region || command.is_overview)
-        return false; // they are about frames
     const std::size_t first = shown.front().first;
     const auto kind = first == 0 ? std::nullopt : trace.kind_of(first);
     if (command.format && !kind)
