@@ -367,25 +367,73 @@ void tell_vertices(const Scene& scene, const Transforms<Scalar>& transforms,
         });
 }
 
+template <typename Scalar> bool is_finite(const Scalar& number) {
+    if constexpr (std::floating_point<Scalar>)
+        return std::isfinite(number);
+    else
+        return true;
+}
+
+/// Tells a matrix, what it is a product of, and the camera of a view.
+template <typename Scalar>
+void tell_matrix(std::string_view name, std::string_view object,
+                 const std::optional<Matrix<Scalar>>& matrix,
+                 const std::vector<MatrixFactor<Rational>>& exact_factors, const Camera* camera,
+                 const Listener& listener) {
+    if (!matrix)
+        return;
+    bool are_finite = true;
+    std::vector<MatrixFactor<Scalar>> factors;
+    for (const MatrixFactor<Rational>& factor : exact_factors) {
+        factors.push_back({factor.name, rounded<Scalar>(factor.matrix)});
+        for (const auto& row : factors.back().matrix.rows)
+            are_finite = are_finite && std::all_of(row.begin(), row.end(), is_finite<Scalar>);
+    }
+    std::vector<Vec<Scalar, 3>> vectors;
+    if (camera != nullptr)
+        for (const Numbers3& numbers : {camera->position, camera->look_at, camera->up}) {
+            const Vec<Rational, 3> v = exact(numbers);
+            vectors.push_back({nearest_scalar<Scalar>(v.x), nearest_scalar<Scalar>(v.y),
+                               nearest_scalar<Scalar>(v.z)});
+            for (const Scalar& coordinate : {vectors.back().x, vectors.back().y, vectors.back().z})
+                are_finite = are_finite && is_finite(coordinate);
+        }
+    if (!are_finite) {
+        factors.clear();
+        vectors.clear();
+    }
+    ListenerSink{listener}(MatrixSetUp<Scalar>{
+        .name = name, .object = object, .matrix = *matrix, .factors = factors, .camera = vectors});
+}
+
+/// Tells the matrices of a scene.
+template <typename Scalar>
+void tell_matrices(const Scene& scene, const Transforms<Scalar>& transforms,
+                   const Listener& listener) {
+    if (!listener.takes<MatrixSetUp<Scalar>>())
+        return;
+    for (std::size_t i = 0; i < transforms.models.size(); ++i)
+        tell_matrix<Scalar>("model", scene.objects[i].name, transforms.models[i],
+                            factors_of(scene.objects[i].model), nullptr, listener);
+    if (scene.objects.empty())
+        tell_matrix<Scalar>("model", {}, transforms.rest_model, {}, nullptr, listener);
+    tell_matrix<Scalar>("view", {}, transforms.view,
+                        scene.camera
+                            ? factors_of(*scene.camera, view_axis_of(scene.projection.type))
+                            : std::vector<MatrixFactor<Rational>>(),
+                        scene.camera ? &*scene.camera : nullptr, listener);
+    tell_matrix<Scalar>("projection", {}, transforms.projection,
+                        factors_of(scene.projection, scene.canvas), nullptr, listener);
+    tell_matrix<Scalar>("viewport", {}, transforms.viewport,
+                        factors_of(scene.viewport, scene.canvas), nullptr, listener);
+}
+
 /// Tells the matrices, then the vertices, then what the painter has sorted.
 template <typename Scalar>
 void tell_geometry(const Scene& scene, const ScreenList<Scalar>& list, const Listener& listener) {
     const ListenerSink sink(listener);
     const Transforms<Scalar>& transforms = list.transforms;
-    for (std::size_t i = 0; i < transforms.models.size(); ++i)
-        if (transforms.models[i])
-            sink(MatrixSetUp<Scalar>{
-                .name = "model", .object = scene.objects[i].name, .matrix = *transforms.models[i]});
-    if (transforms.rest_model && scene.objects.empty())
-        sink(MatrixSetUp<Scalar>{.name = "model", .object = {}, .matrix = *transforms.rest_model});
-    if (transforms.view)
-        sink(MatrixSetUp<Scalar>{.name = "view", .object = {}, .matrix = *transforms.view});
-    if (transforms.projection)
-        sink(MatrixSetUp<Scalar>{
-            .name = "projection", .object = {}, .matrix = *transforms.projection});
-    if (transforms.viewport)
-        sink(MatrixSetUp<Scalar>{.name = "viewport", .object = {}, .matrix = *transforms.viewport});
-
+    tell_matrices(scene, transforms, listener);
     if (scene.has_transforms() || scene.keeps_transforms())
         tell_vertices(scene, transforms, listener);
     if (list.order) {

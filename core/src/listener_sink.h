@@ -27,6 +27,12 @@ template <typename Scalar> Vec<Quantity, 2> quantities(const Vec<Scalar, 2>& at)
 template <typename Scalar> Vec<Quantity, 3> quantities(const Vec<Scalar, 3>& at) {
     return {at.x, at.y, at.z};
 }
+template <typename Scalar> Matrix<Quantity> quantities(const Matrix<Scalar>& matrix) {
+    Matrix<Quantity> result;
+    for (std::size_t row = 0; row < 4; ++row)
+        std::copy(matrix.rows[row].begin(), matrix.rows[row].end(), result.rows[row].begin());
+    return result;
+}
 
 /// Steps without numbers are told as they are.
 template <typename Step> void tell(const Step& step, const Listener& listener) {
@@ -34,11 +40,17 @@ template <typename Step> void tell(const Step& step, const Listener& listener) {
 }
 
 template <typename Scalar> void tell(const MatrixSetUp<Scalar>& step, const Listener& listener) {
-    Matrix<Quantity> matrix;
-    for (std::size_t row = 0; row < 4; ++row)
-        std::copy(step.matrix.rows[row].begin(), step.matrix.rows[row].end(),
-                  matrix.rows[row].begin());
-    listener(MatrixSetUp<Quantity>{.name = step.name, .object = step.object, .matrix = matrix});
+    std::vector<MatrixFactor<Quantity>> factors;
+    for (const MatrixFactor<Scalar>& factor : step.factors)
+        factors.push_back({factor.name, quantities(factor.matrix)});
+    std::vector<Vec<Quantity, 3>> camera;
+    for (const Vec<Scalar, 3>& vector : step.camera)
+        camera.push_back(quantities<Scalar>(vector));
+    listener(MatrixSetUp<Quantity>{.name = step.name,
+                                   .object = step.object,
+                                   .matrix = quantities(step.matrix),
+                                   .factors = factors,
+                                   .camera = camera});
 }
 
 template <typename Scalar> void tell(const VertexPlaced<Scalar>& step, const Listener& listener) {

@@ -4,11 +4,63 @@
 #include <rastertrace/core/transform/transform.h>
 #include <rastertrace/core/transform/viewport.h>
 
+#include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace rastertrace {
+
+// matrix.h
+
+namespace {
+
+/// A matrix as whole numbers over one denominator. Products of many stay cheap: fractions would be
+/// reduced in each of their sums.
+struct WholeMatrix {
+    std::array<std::array<mpz_class, 4>, 4> above;
+    mpz_class below = 1;
+};
+
+WholeMatrix whole(const Matrix<Rational>& matrix) {
+    WholeMatrix result;
+    for (const auto& row : matrix.rows)
+        for (const Rational& entry : row)
+            result.below = lcm(result.below, entry.get_den());
+    for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t j = 0; j < 4; ++j)
+            result.above[i][j] =
+                matrix.rows[i][j].get_num() * mpz_class(result.below / matrix.rows[i][j].get_den());
+    return result;
+}
+
+WholeMatrix operator*(const WholeMatrix& a, const WholeMatrix& b) {
+    WholeMatrix product;
+    for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t j = 0; j < 4; ++j)
+            product.above[i][j] = a.above[i][0] * b.above[0][j] + a.above[i][1] * b.above[1][j] +
+                                  a.above[i][2] * b.above[2][j] + a.above[i][3] * b.above[3][j];
+    product.below = a.below * b.below;
+    return product;
+}
+
+} // namespace
+
+Matrix<Rational> product_of(std::span<const MatrixFactor<Rational>> factors) {
+    WholeMatrix product = whole(identity<Rational>());
+    for (const MatrixFactor<Rational>& factor : factors)
+        product = product * whole(factor.matrix);
+
+    Matrix<Rational> matrix;
+    for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t j = 0; j < 4; ++j)
+            matrix.rows[i][j] = quotient_of(product.above[i][j], product.below);
+    return matrix;
+}
 
 // transform.h
 
@@ -73,47 +125,35 @@ Matrix<Rational> matrix_of(const Shear& shear) {
 
 namespace {
 
-/// A matrix as whole numbers over one denominator. Products of many stay cheap: fractions would be
-/// reduced in each of their sums.
-struct WholeMatrix {
-    std::array<std::array<mpz_class, 4>, 4> above;
-    mpz_class below = 1;
-};
-
-WholeMatrix whole(const Matrix<Rational>& matrix) {
-    WholeMatrix result;
-    for (const auto& row : matrix.rows)
-        for (const Rational& entry : row)
-            result.below = lcm(result.below, entry.get_den());
-    for (std::size_t i = 0; i < 4; ++i)
-        for (std::size_t j = 0; j < 4; ++j)
-            result.above[i][j] =
-                matrix.rows[i][j].get_num() * mpz_class(result.below / matrix.rows[i][j].get_den());
-    return result;
+std::string_view name_of(const Scale&) {
+    return "scale";
 }
-
-WholeMatrix operator*(const WholeMatrix& a, const WholeMatrix& b) {
-    WholeMatrix product;
-    for (std::size_t i = 0; i < 4; ++i)
-        for (std::size_t j = 0; j < 4; ++j)
-            product.above[i][j] = a.above[i][0] * b.above[0][j] + a.above[i][1] * b.above[1][j] +
-                                  a.above[i][2] * b.above[2][j] + a.above[i][3] * b.above[3][j];
-    product.below = a.below * b.below;
-    return product;
+std::string_view name_of(const Translate&) {
+    return "translate";
+}
+std::string_view name_of(const Rotate&) {
+    return "rotate";
+}
+std::string_view name_of(const Shear&) {
+    return "shear";
 }
 
 } // namespace
 
-Matrix<Rational> model_matrix(std::span<const ModelStep> steps) {
-    WholeMatrix product = whole(identity<Rational>());
+std::vector<MatrixFactor<Rational>> factors_of(std::span<const ModelStep> steps) {
+    std::vector<MatrixFactor<Rational>> factors;
     for (const ModelStep& step : steps)
-        product = whole(std::visit([](const auto& one) { return matrix_of(one); }, step)) * product;
+        factors.push_back(std::visit(
+            [](const auto& one) {
+                return MatrixFactor<Rational>{name_of(one), matrix_of(one)};
+            },
+            step));
+    std::reverse(factors.begin(), factors.end());
+    return factors;
+}
 
-    Matrix<Rational> matrix;
-    for (std::size_t i = 0; i < 4; ++i)
-        for (std::size_t j = 0; j < 4; ++j)
-            matrix.rows[i][j] = quotient_of(product.above[i][j], product.below);
-    return matrix;
+Matrix<Rational> model_matrix(std::span<const ModelStep> steps) {
+    return product_of(factors_of(steps));
 }
 
 // camera.h
@@ -141,7 +181,7 @@ bool is_rounded(const Camera& camera) {
            has_irrational_length(axes.back);
 }
 
-Matrix<Rational> view_matrix(const Camera& camera, ViewAxis axis) {
+std::vector<MatrixFactor<Rational>> factors_of(const Camera& camera, ViewAxis axis) {
     const CameraAxes axes = axes_of(camera);
     const auto x = unit_vector(axes.right);
     const auto y = unit_vector(axes.up);
@@ -151,7 +191,12 @@ Matrix<Rational> view_matrix(const Camera& camera, ViewAxis axis) {
                                       {y.x, y.y, y.z, 0},
                                       {sign * back.x, sign * back.y, sign * back.z, 0},
                                       {0, 0, 0, 1}}}};
-    return rotation * translation<Rational>(Vec<Rational, 3>{} - exact(camera.position));
+    return {{"rotate", rotation},
+            {"translate", translation<Rational>(Vec<Rational, 3>{} - exact(camera.position))}};
+}
+
+Matrix<Rational> view_matrix(const Camera& camera, ViewAxis axis) {
+    return product_of(factors_of(camera, axis));
 }
 
 // projection.h
@@ -173,7 +218,7 @@ std::optional<Rational> far_of(const Projection& projection) {
     return projection.far ? std::optional(projection.far->exact()) : std::nullopt;
 }
 
-Matrix<Rational> projection_matrix(const Projection& projection, const Canvas& canvas) {
+std::vector<MatrixFactor<Rational>> factors_of(const Projection& projection, const Canvas& canvas) {
     const Rational d = projection.distance.exact();
     const Rational left = projection.left.exact();
     const Rational right = projection.right.exact();
@@ -183,18 +228,18 @@ Matrix<Rational> projection_matrix(const Projection& projection, const Canvas& c
     const auto far = far_of(projection);
     switch (projection.type) {
     case ProjectionType::orthographic: {
-        const Rational z_scale = near && far ? Rational(-2 / (*far - *near)) : Rational(-1);
-        const Rational z_shift =
-            near && far ? Rational(-(*far + *near) / (*far - *near)) : Rational(0);
-        return {{{{2 / (right - left), 0, 0, -(right + left) / (right - left)},
-                  {0, 2 / (top - bottom), 0, -(top + bottom) / (top - bottom)},
-                  {0, 0, z_scale, z_shift},
-                  {0, 0, 0, 1}}}};
+        const bool has_depth = near && far;
+        const Rational z_scale = has_depth ? Rational(-2 / (*far - *near)) : Rational(-1);
+        const Rational z_middle = has_depth ? Rational(-(*far + *near) / 2) : Rational(0);
+        return {{"scale", diagonal<Rational>(2 / (right - left), 2 / (top - bottom), z_scale, 1)},
+                {"translate",
+                 translation<Rational>({-(left + right) / 2, -(bottom + top) / 2, -z_middle})}};
     }
     case ProjectionType::pinhole:
-        return {{{{d, 0, 0, 0}, {0, d, 0, 0}, {0, 0, 1, -d}, {0, 0, 1, 0}}}};
+        return {{"perspective", {{{{d, 0, 0, 0}, {0, d, 0, 0}, {0, 0, 1, -d}, {0, 0, 1, 0}}}}}};
     case ProjectionType::view_plane:
-        return {{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, d}, {0, 0, -1 / d, 0}}}};
+        return {{"perspective", {{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, -1 / d, 1}}}}},
+                {"translate", translation<Rational>({0, 0, d})}};
     case ProjectionType::frustum: {
         // Infinitely far is the limit of the finite formulas.
         const Rational z_scale = far ? Rational(-(*far + *near) / (*far - *near)) : Rational(-1);
@@ -202,20 +247,26 @@ Matrix<Rational> projection_matrix(const Projection& projection, const Canvas& c
             far ? Rational(-2 * *far * *near / (*far - *near)) : Rational(-2 * *near);
         if (projection.fov_y) {
             const Rational scale = cotangent_of_degrees(projection.fov_y->exact() / 2);
-            return {{{{scale * canvas.height / canvas.width, 0, 0, 0},
-                      {0, scale, 0, 0},
-                      {0, 0, z_scale, z_shift},
-                      {0, 0, -1, 0}}}};
+            return {{"perspective",
+                     {{{{scale * canvas.height / canvas.width, 0, 0, 0},
+                        {0, scale, 0, 0},
+                        {0, 0, z_scale, z_shift},
+                        {0, 0, -1, 0}}}}}};
         }
-        return {{{{2 * *near / (right - left), 0, (right + left) / (right - left), 0},
-                  {0, 2 * *near / (top - bottom), (top + bottom) / (top - bottom), 0},
-                  {0, 0, z_scale, z_shift},
-                  {0, 0, -1, 0}}}};
+        return {{"perspective",
+                 {{{{2 * *near / (right - left), 0, (right + left) / (right - left), 0},
+                    {0, 2 * *near / (top - bottom), (top + bottom) / (top - bottom), 0},
+                    {0, 0, z_scale, z_shift},
+                    {0, 0, -1, 0}}}}}};
     }
     case ProjectionType::none:
         break;
     }
-    return identity<Rational>();
+    return {};
+}
+
+Matrix<Rational> projection_matrix(const Projection& projection, const Canvas& canvas) {
+    return product_of(factors_of(projection, canvas));
 }
 
 std::vector<ClipPlane<Rational>> clip_planes(const Projection& projection,
@@ -244,23 +295,34 @@ std::vector<ClipPlane<Rational>> clip_planes(const Projection& projection,
 
 // viewport.h
 
-Matrix<Rational> viewport_matrix(const Viewport& viewport, const Canvas& canvas) {
-    Matrix<Rational> matrix = identity<Rational>();
-    const Rational half_width = Rational(canvas.width - 1) / 2;
-    const Rational half_height = Rational(canvas.height - 1) / 2;
+std::vector<MatrixFactor<Rational>> factors_of(const Viewport& viewport, const Canvas& canvas) {
+    std::vector<MatrixFactor<Rational>> factors;
     switch (viewport.type) {
-    case ViewportType::fit:
-        matrix.rows[0] = {half_width, 0, 0, canvas.left() + half_width};
-        matrix.rows[1] = {0, -canvas.down() * half_height, 0,
-                          canvas.top() + canvas.down() * half_height};
+    case ViewportType::fit: {
+        const Rational lowest_y = std::min(canvas.top(), canvas.bottom());
+        if (canvas.left() != 0 || lowest_y != 0)
+            factors.push_back(
+                {"translate", translation<Rational>({canvas.left(), lowest_y, Rational(0)})});
+        factors.push_back({"scale", diagonal<Rational>(Rational(canvas.width - 1) / 2,
+                                                       Rational(canvas.height - 1) / 2, 1, 1)});
+        factors.push_back({"translate", translation<Rational>({1, 1, 0})});
+        if (canvas.down() > 0)
+            factors.push_back({"flip", diagonal<Rational>(1, -1, 1, 1)});
         break;
-    case ViewportType::pixels_per_unit:
-        matrix.rows[0][0] = matrix.rows[1][1] = viewport.pixels_per_unit.exact();
+    }
+    case ViewportType::pixels_per_unit: {
+        const Rational scale = viewport.pixels_per_unit.exact();
+        factors.push_back({"scale", diagonal<Rational>(scale, scale, 1, 1)});
         break;
+    }
     case ViewportType::none:
         break;
     }
-    return matrix;
+    return factors;
+}
+
+Matrix<Rational> viewport_matrix(const Viewport& viewport, const Canvas& canvas) {
+    return product_of(factors_of(viewport, canvas));
 }
 
 Rational half_extent(const Viewport& viewport, int extent) {

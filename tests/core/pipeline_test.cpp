@@ -12,6 +12,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -27,6 +28,8 @@
 
 namespace rastertrace {
 namespace {
+
+using ::testing::ElementsAre;
 
 /// Keeps where each vertex was placed, and the matrices.
 template <typename Scalar> struct PlaceSink {
@@ -376,6 +379,115 @@ RC_GTEST_PROP(Pipeline, IsTheProductOfItsMatrices, ()) {
     for (std::size_t i = 0; i < 4; ++i)
         RC_ASSERT(std::abs(in_double.at("A", Space::clip)[i] -
                            placed.at("A", Space::clip)[i].get_d()) <= bound);
+}
+
+/// Keeps each matrix with the product of the factors that are told with it.
+struct FactorSink {
+    struct Told {
+        Matrix<Rational> matrix;
+        std::vector<std::string> names;
+        Matrix<Rational> product;
+        std::vector<Vec<Rational, 3>> camera;
+    };
+    std::map<std::string, Told> told = {};
+
+    static Matrix<Rational> exact(const Matrix<Quantity>& matrix) {
+        Matrix<Rational> result;
+        for (std::size_t i = 0; i < 4; ++i)
+            for (std::size_t j = 0; j < 4; ++j)
+                result.rows[i][j] = matrix.rows[i][j].exact();
+        return result;
+    }
+
+    void operator()(const MatrixSetUp<Quantity>& step) {
+        Told& one = told[std::string(step.name)];
+        one.matrix = exact(step.matrix);
+        one.product = identity<Rational>();
+        for (const auto& factor : step.factors) {
+            one.names.emplace_back(factor.name);
+            one.product = one.product * exact(factor.matrix);
+        }
+        for (const auto& v : step.camera)
+            one.camera.push_back({v.x.exact(), v.y.exact(), v.z.exact()});
+    }
+};
+
+template <typename Scalar> FactorSink factors_in(const Scene& scene) {
+    FactorSink sink;
+    tell_geometry(scene, screen_list_of(scene, geometry_of<Scalar>(scene)), sink);
+    return sink;
+}
+
+// Whatever the projection, the viewport and the way y points.
+RC_GTEST_PROP(Pipeline, EachMatrixIsTheProductOfTheFactorsThatAreTold, ()) {
+    Scene scene = scene_of_points({{1, 2, -3}});
+    scene.canvas = {.width = *rc::gen::inRange(1, 40),
+                    .height = *rc::gen::inRange(1, 40),
+                    .origin =
+                        *rc::gen::element(Origin::top_left, Origin::bottom_left, Origin::center)};
+    std::vector<ModelStep> model;
+    for (int i = *rc::gen::inRange(1, 4); i > 0; --i)
+        model.push_back(random_step());
+    scene.objects = {{"", 1, model}};
+    scene.camera = random_camera();
+    const int low = *rc::gen::inRange(-9, 9);
+    scene.projection = {.type =
+                            *rc::gen::element(ProjectionType::orthographic, ProjectionType::pinhole,
+                                              ProjectionType::view_plane, ProjectionType::frustum),
+                        .distance = *rc::gen::inRange(1, 9),
+                        .left = low,
+                        .right = low + *rc::gen::inRange(1, 9),
+                        .bottom = low + 1,
+                        .top = low + 1 + *rc::gen::inRange(1, 9)};
+    if (scene.projection.type == ProjectionType::frustum || *rc::gen::arbitrary<bool>()) {
+        scene.projection.near = Number(1);
+        scene.projection.far = Number(*rc::gen::inRange(2, 9));
+    }
+    scene.viewport.type = *rc::gen::element(ViewportType::fit, ViewportType::pixels_per_unit);
+    scene.viewport.pixels_per_unit = *rc::gen::inRange(1, 9);
+    scene.keep = StageSet::all();
+
+    const FactorSink sink = factors_in<Rational>(scene);
+    RC_ASSERT(sink.told.size() == 4u);
+    for (const auto& [name, told] : sink.told) {
+        RC_LOG() << name << "\n";
+        RC_ASSERT(told.product == told.matrix);
+        RC_ASSERT(!told.names.empty());
+        RC_ASSERT(told.camera.empty() == (name != "view"));
+    }
+    RC_ASSERT(sink.told.at("model").names.size() == model.size());
+    const auto& camera = sink.told.at("view").camera;
+    RC_ASSERT(camera.size() == 3u);
+    RC_ASSERT(is_zero(camera[0] - exact(scene.camera->position)));
+    RC_ASSERT(is_zero(camera[1] - exact(scene.camera->look_at)));
+    RC_ASSERT(is_zero(camera[2] - exact(scene.camera->up)));
+}
+
+// T4: Mpt = Mp Mt, and S((W - 1)/2, (H - 1)/2) T(1, 1) S(1, -1).
+TEST(Pipeline, FactorsOfT4) {
+    const Canvas canvas{.width = 512, .height = 512, .origin = Origin::top_left};
+    const auto projection = factors_of(view_plane(2), canvas);
+    ASSERT_EQ(projection.size(), 2u);
+    EXPECT_EQ(projection[0].name, "perspective");
+    EXPECT_TRUE(
+        (projection[0].matrix.rows[3] == std::array<Rational, 4>{0, 0, Rational(-1, 2), 1}));
+    EXPECT_EQ(projection[1].name, "translate");
+    EXPECT_TRUE(projection[1].matrix == translation<Rational>({0, 0, 2}));
+    const auto viewport = factors_of(fit, canvas);
+    ASSERT_EQ(viewport.size(), 3u);
+    EXPECT_TRUE(viewport[0].matrix == diagonal<Rational>(Rational(511, 2), Rational(511, 2), 1, 1));
+    EXPECT_TRUE(viewport[1].matrix == translation<Rational>({1, 1, 0}));
+    EXPECT_TRUE(viewport[2].matrix == diagonal<Rational>(1, -1, 1, 1));
+}
+
+TEST(Pipeline, FactorsBeyondTheScalarAreNotTold) {
+    Scene scene = scene_of_points({{1, 2, -3}});
+    scene.objects = {
+        {"", 1, {Scale{{Number::decimal(1, 60), 1, 1}}, Scale{{Number::decimal(1, -60), 1, 1}}}}};
+    scene.keep = StageSet::all();
+    EXPECT_THAT(factors_in<double>(scene).told.at("model").names, ElementsAre("scale", "scale"));
+    EXPECT_THAT(factors_in<float>(scene).told.at("model").names, ElementsAre());
+    EXPECT_TRUE(factors_in<float>(scene).told.at("model").matrix == identity<Rational>());
 }
 
 TEST(Model, GoesInTheOrderListed) {

@@ -127,7 +127,11 @@ TEST(Working, TheDepthOnThePlaneThroughTheCorners) {
     const Trace right = example("t0-hidden/middle-of-an-edge.json");
     EXPECT_THAT(working(right, StepKind::depth, 5, 0),
                 ElementsAre("plane through the corners: depth = -1/15 x + 0 y + 1/2",
-                            "depth = 1/6 (1/2) + 5/6 (1/10) + 0 (1/2) = 1/6"));
+                            "depth = 1/6 (1/2) + 5/6 (1/10) + 0 (1/2) = 1/6",
+                            "plane in camera space: -24 x + 0 y + 90 z - 180 = 0",
+                            "seen at x' = 5/2, y' = 0 on the view plane z = d = 1",
+                            "z = -d D / (A x' + B y' + d C) = 180 / ((-24) (5/2) + 0 (0) + 1 (90)) "
+                            "= 6"));
     const Trace wrong = example("t0-hidden/middle-of-an-edge.json", Depth::linear_z);
     EXPECT_EQ(working(wrong, StepKind::depth, 5, 0).back(),
               "depth = 1/6 (2) + 5/6 (10) + 0 (2) = 26/3");
@@ -145,14 +149,54 @@ TEST(Working, EdgeFunctionsAtTheSamplesOfARow) {
 TEST(Working, OfMatricesAndVertices) {
     const Trace trace = example("t4-pipeline/six-spaces.json");
     EXPECT_THAT(working(trace, StepKind::matrix, "projection"),
-                ElementsAre("projection x view x model:", "[0 -1 0 1]", "[2 0 0 0]", "[0 0 1 -3]",
+                ElementsAre("perspective:  [1 0 0 0]  [0 1 0 0]  [0 0 1 0]  [0 0 -1 1]",
+                            "translate:  [1 0 0 0]  [0 1 0 0]  [0 0 1 1]  [0 0 0 1]",
+                            "projection x view x model:", "[0 -1 0 1]", "[2 0 0 0]", "[0 0 1 -3]",
                             "[0 0 -1 4]"));
+    EXPECT_THAT(working(trace, StepKind::matrix, "viewport"),
+                ElementsAre("scale:  [20 0 0 0]  [0 10 0 0]  [0 0 1 0]  [0 0 0 1]",
+                            "translate:  [1 0 0 1]  [0 1 0 1]  [0 0 1 0]  [0 0 0 1]",
+                            "flip:  [1 0 0 0]  [0 -1 0 0]  [0 0 1 0]  [0 0 0 1]"));
     EXPECT_THAT(working(trace, StepKind::vertex, "A", "camera"),
                 ElementsAre("x = 1 (0) + 0 (2) + 0 (1) + 0 (1) = 0",
                             "y = 0 (0) + 1 (2) + 0 (1) + 0 (1) = 2",
                             "z = 0 (0) + 0 (2) + 1 (1) + (-4) (1) = -3"));
     EXPECT_THAT(working(trace, StepKind::vertex, "A", "canonical"),
                 ElementsAre("x = 0 / 3 = 0", "y = 2 / 3 = 2/3", "z = -2 / 3 = -2/3"));
+}
+
+/// T4's camera at (0, 0, 4), and one whose lengths are no fractions: d = (1, 2, 3), up x d = (0, -3, 2)
+/// for an up of (1, 0, 0), d x (up x d) = (2 (2) - 3 (-3), 3 (0) - 1 (2), 1 (-3) - 2 (0)).
+TEST(Working, TheAxesOfACamera) {
+    EXPECT_THAT(
+        working(example("t4-pipeline/six-spaces.json"), StepKind::matrix, "view"),
+        IsSupersetOf(Working{
+            "d = p - l = (0, 0, 4) - (0, 0, 0) = (0, 0, 4), |d| = 4",
+            "up x d = (1 (4) - 0 (0), 0 (0) - 0 (4), 0 (0) - 1 (0))", "= (4, 0, 0), |up x d| = 4",
+            "d x (up x d) = (0 (0) - 4 (0), 4 (4) - 0 (0), 0 (0) - 0 (4))",
+            "= (0, 16, 0), |d x (up x d)| = 16", "x = (up x d) / |up x d| = (1, 0, 0)",
+            "y = d x (up x d) / |d x (up x d)| = (0, 1, 0)", "z = d / |d| = (0, 0, 1)",
+            "rotate:  [1 0 0 0]  [0 1 0 0]  [0 0 1 0]  [0 0 0 1]",
+            "translate:  [1 0 0 0]  [0 1 0 0]  [0 0 1 -4]  [0 0 0 1]"}));
+    const auto camera_of =
+        [](const std::string& projection) {
+            return working(trace_of(scene_in(R"({
+  "canvas": {"width": 9, "height": 9},
+  "vertices": {"A": [0, 0, 0], "B": [1, 0, 0], "C": [0, 1, 0]},
+  "triangles": ["ABC"],
+  "camera": {"position": [1, 2, 4], "look_at": [0, 0, 1], "up": [1, 0, 0]},
+  "method": {"scalar": "double"},
+  "projection": {"type": ")" + projection + R"(", "distance": 1}})")),
+                           StepKind::matrix, "view");
+        };
+    EXPECT_THAT(camera_of("view-plane"),
+                IsSupersetOf(Working{
+                    "d = p - l = (1, 2, 4) - (0, 0, 1) = (1, 2, 3), |d| = sqrt(14) = 3.741657",
+                    "= (0, -3, 2), |up x d| = sqrt(13) = 3.605551",
+                    "= (13, -2, -3), |d x (up x d)| = sqrt(182) = 13.490738",
+                    "z = d / |d| = (0.2672612, 0.5345225, 0.8017837)"}));
+    EXPECT_THAT(camera_of("pinhole"),
+                Contains("z = -d / |d| = (-0.2672612, -0.5345225, -0.8017837)"));
 }
 
 /// T2: index = 4 (512 y + x).

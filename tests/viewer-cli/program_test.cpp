@@ -197,10 +197,12 @@ TEST_F(ProgramTest, ShowWalksAVertexThroughSixSpaces) {
                            "  10  vertex A in screen space: (20, 10/3), from canonical "
                            "(0, 2/3, -2/3)\n"
                            "  11  vertex B in object space: (1, -1, -1)\n"));
-    EXPECT_THAT(shell("$rastertrace show $examples/t4-pipeline/six-spaces.json --every matrix").out,
-                StartsWith("A vertex through six spaces\n"
-                           "\n"
-                           "   1  model matrix:  [0 -1 0 1]  [2 0 0 0]  [0 0 1 0]  [0 0 0 1]\n"));
+    EXPECT_THAT(
+        shell("$rastertrace show $examples/t4-pipeline/six-spaces.json --every matrix").out,
+        StartsWith("A vertex through six spaces\n"
+                   "\n"
+                   "   1  model matrix = translate x rotate x scale:  [0 -1 0 1]  [2 0 0 0]  "
+                   "[0 0 1 0]  [0 0 0 1]\n"));
     EXPECT_THAT(
         shell("$rastertrace show $examples/t4-pipeline/behind-the-eye.json --every clip").out,
         HasSubstr("wing clipped at the near plane: 2 of 3 vertices inside, 4 left\n"));
@@ -1351,11 +1353,11 @@ TEST_F(ProgramTest, WorkingIsWrittenBelowTheSentence) {
     EXPECT_THAT(worked, HasSubstr("\n> 2   . . . "));
     EXPECT_THAT(shell(show + "--every scanline --format table --working").out,
                 HasSubstr("-> floor -> 3\n          " + crossing));
-    EXPECT_THAT(
-        shell("$rastertrace show $examples/t4-pipeline/six-spaces.json --every matrix "
-              "--working")
-            .out,
-        HasSubstr("  [0 0 1 -4]  [0 0 0 1]\n          view x model:\n          [0 -1 0 1]\n"));
+    EXPECT_THAT(shell("$rastertrace show $examples/t4-pipeline/six-spaces.json --every matrix "
+                      "--working")
+                    .out,
+                HasSubstr("  [0 0 1 -4]  [0 0 0 1]\n"
+                          "          d = p - l = (0, 0, 4) - (0, 0, 0) = (0, 0, 4), |d| = 4\n"));
     for (const std::string beside : {"--bare", "--every edge --format csv"}) {
         const Outcome refused = shell(show + "--working " + beside);
         EXPECT_EQ(refused.status, 2) << beside;

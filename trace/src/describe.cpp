@@ -364,6 +364,11 @@ constexpr Part parts[] = {
          const std::string object = context.step.text("object");
          return object.empty() ? object : " of " + object;
      }},
+    {"factors",
+     [](const Context& context) {
+         const auto factors = context.step.texts("factors");
+         return factors.empty() ? std::string() : " = " + joined(factors, " x ");
+     }},
     {"rows",
      [](const Context& context) {
          std::string text;

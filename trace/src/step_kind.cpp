@@ -13,8 +13,9 @@ using enum FieldRole;
 // clang-format off
 const std::array<StepRow, step_kinds> table{{
     {StepKind::matrix, "matrix", "a transform is set up",
-     "{name} matrix{@of_object}:{@rows}",
-     {{"name", string, key, true}, {"object", string, key}, {"rows", list, told}}},
+     "{name} matrix{@of_object}{@factors}:{@rows}",
+     {{"name", string, key, true}, {"object", string, key}, {"rows", list, told}, {"factors", list, told},
+      {"factor_rows", list, told}, {"camera", list, told}}},
 
     {StepKind::vertex, "vertex", "a vertex enters a space",
      "vertex {name} in {space} space: {@place}{@snapped}",

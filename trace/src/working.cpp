@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <optional>
 #include <string_view>
 
@@ -83,8 +84,10 @@ std::string length_of(const Vec3& v) {
 
 // Corners.
 
-/// Where they are in the world: as the `vertex` steps before the first primitive tell.
-std::optional<std::array<Vec3, 3>> world_corners_of(const Sheet& sheet) {
+/// Where they are in one of these spaces, the last that they have been in: as the `vertex` steps before
+/// the first primitive tell.
+std::optional<std::array<Vec3, 3>>
+corners_in_space(const Sheet& sheet, std::initializer_list<std::string_view> spaces) {
     const auto& names = sheet.primitive.vertices;
     if (names.size() != 3)
         return std::nullopt;
@@ -98,8 +101,7 @@ std::optional<std::array<Vec3, 3>> world_corners_of(const Sheet& sheet) {
         const StepView vertex = sheet.trace().step(n);
         const std::string space = vertex.text("space");
         const auto corner = std::find(names.begin(), names.end(), vertex.text("name"));
-        // Without a model, objects stand in the world as they are.
-        if (corner != names.end() && (space == "world" || space == "object"))
+        if (corner != names.end() && std::find(spaces.begin(), spaces.end(), space) != spaces.end())
             found[static_cast<std::size_t>(corner - names.begin())] = vec3_in(vertex.texts("at"));
     }
     if (!found[0] || !found[1] || !found[2])
@@ -107,20 +109,35 @@ std::optional<std::array<Vec3, 3>> world_corners_of(const Sheet& sheet) {
     return std::array{*found[0], *found[1], *found[2]};
 }
 
+/// Without a model, objects stand in the world as they are.
+std::optional<std::array<Vec3, 3>> world_corners_of(const Sheet& sheet) {
+    return corners_in_space(sheet, {"object", "world"});
+}
+
+/// Without a camera, it stands at the origin of the world.
+std::optional<std::array<Vec3, 3>> camera_corners_of(const Sheet& sheet) {
+    return corners_in_space(sheet, {"object", "world", "camera"});
+}
+
 // Kinds of steps.
 
 using Matrix4 = std::array<std::array<Rational, 4>, 4>;
 
-std::optional<Matrix4> matrix_in(const StepView& step) {
+/// The four rows from `first` on.
+std::optional<Matrix4> matrix_of(const std::vector<std::vector<std::string>>& rows,
+                                 std::size_t first = 0) {
     Matrix4 matrix;
-    const auto rows = step.text_rows("rows");
     for (std::size_t i = 0; i < 4; ++i) {
-        const auto row = i < rows.size() ? numbers_in<4>(rows[i]) : std::nullopt;
+        const auto row = first + i < rows.size() ? numbers_in<4>(rows[first + i]) : std::nullopt;
         if (!row)
             return std::nullopt;
         matrix[i] = *row;
     }
     return matrix;
+}
+
+std::optional<Matrix4> matrix_in(const StepView& step) {
+    return matrix_of(step.text_rows("rows"));
 }
 
 Matrix4 product(const Matrix4& a, const Matrix4& b) {
@@ -132,9 +149,89 @@ Matrix4 product(const Matrix4& a, const Matrix4& b) {
     return result;
 }
 
-/// The matrices up to this one as one: view x model, projection x view x model.
+/// The matrices that a `matrix` step tells its matrix to be the product of; none if it is not.
+std::vector<Matrix4> factors_in(const StepView& step) {
+    const auto rows = step.text_rows("factor_rows");
+    std::vector<Matrix4> factors;
+    std::optional<Matrix4> together;
+    for (std::size_t first = 0; first < rows.size(); first += 4) {
+        const auto factor = matrix_of(rows, first);
+        if (!factor)
+            return {};
+        together = together ? product(*together, *factor) : *factor;
+        factors.push_back(*factor);
+    }
+    const auto told = matrix_in(step);
+    if (!together || !told)
+        return {};
+    for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t j = 0; j < 4; ++j)
+            if (!agrees((*together)[i][j], (*told)[i][j]))
+                return {};
+    return factors;
+}
+
+/// [1 0 0 4]
+std::string row_text(const std::array<Rational, 4>& row) {
+    return fmt::format("[{} {} {} {}]", text(row[0]), text(row[1]), text(row[2]), text(row[3]));
+}
+
+/// (y1 z2 - z1 y2, z1 x2 - x1 z2, x1 y2 - y1 x2)
+std::string cross_written_out(const Vec3& a, const Vec3& b) {
+    return fmt::format("({} - {}, {} - {}, {} - {})", product(a.y, b.z), product(a.z, b.y),
+                       product(a.z, b.x), product(a.x, b.z), product(a.x, b.y), product(a.y, b.x));
+}
+
+/// The axes of a camera: d = p - l, up x d, d x (up x d), each divided by its length. They are the rows
+/// of its rotation.
+void put_camera(Sheet& sheet, const Matrix4& rotation) {
+    const auto vectors = sheet.step.text_rows("camera");
+    const auto p = vectors.size() == 3 ? vec3_in(vectors[0]) : std::nullopt;
+    const auto l = vectors.size() == 3 ? vec3_in(vectors[1]) : std::nullopt;
+    const auto up = vectors.size() == 3 ? vec3_in(vectors[2]) : std::nullopt;
+    if (!p || !l || !up)
+        return;
+    const Vec3 d = *p - *l;
+    const Vec3 right = cross(*up, d);
+    const Vec3 upward = cross(d, right);
+    const Vec3 z{rotation[2][0], rotation[2][1], rotation[2][2]};
+    const bool looks_along_z = sgn(dot(z, d)) < 0; // as T0's pinhole does
+    const auto is_along = [](const std::array<Rational, 4>& row, const Vec3& v) {
+        const auto length = root_of(dot(v, v));
+        return length && sgn(*length) != 0 && agrees(v.x / *length, row[0]) &&
+               agrees(v.y / *length, row[1]) && agrees(v.z / *length, row[2]);
+    };
+    if (!is_along(rotation[0], right) || !is_along(rotation[1], upward) ||
+        !is_along(rotation[2], looks_along_z ? *l - *p : d))
+        return;
+    const auto axis = [&rotation](std::size_t row) {
+        return text(Vec3{rotation[row][0], rotation[row][1], rotation[row][2]});
+    };
+    sheet.put(fmt::format("d = p - l = {} - {} = {}, |d| = {}", text(*p), text(*l), text(d),
+                          length_of(d)));
+    sheet.put(fmt::format("up x d = {}", cross_written_out(*up, d)));
+    sheet.put(fmt::format("= {}, |up x d| = {}", text(right), length_of(right)));
+    sheet.put(fmt::format("d x (up x d) = {}", cross_written_out(d, right)));
+    sheet.put(fmt::format("= {}, |d x (up x d)| = {}", text(upward), length_of(upward)));
+    sheet.put(fmt::format("x = (up x d) / |up x d| = {}", axis(0)));
+    sheet.put(fmt::format("y = d x (up x d) / |d x (up x d)| = {}", axis(1)));
+    sheet.put(fmt::format("z = {} / |d| = {}", looks_along_z ? "-d" : "d", axis(2)));
+}
+
+/// What a matrix is a product of, and the camera that it comes of; then the matrices up to this one as
+/// one: view x model, projection x view x model.
 void matrix(Sheet& sheet) {
     const std::string name = sheet.step.text("name");
+    const auto factors = factors_in(sheet.step);
+    const auto factor_names = sheet.step.texts("factors");
+    if (name == "view" && !factors.empty())
+        put_camera(sheet, factors.front());
+    for (std::size_t i = 0; factors.size() > 1 && i < std::min(factors.size(), factor_names.size());
+         ++i) {
+        const auto& rows = factors[i];
+        sheet.put(fmt::format("{}:  {}  {}  {}  {}", factor_names[i], row_text(rows[0]),
+                              row_text(rows[1]), row_text(rows[2]), row_text(rows[3])));
+    }
     if (name == "viewport" || name == "model")
         return;
     std::optional<Matrix4> together;
@@ -154,8 +251,7 @@ void matrix(Sheet& sheet) {
         return;
     sheet.put(fmt::format("{}:", names));
     for (const auto& row : *together)
-        sheet.put(
-            fmt::format("[{} {} {} {}]", text(row[0]), text(row[1]), text(row[2]), text(row[3])));
+        sheet.put(row_text(row));
 }
 
 /// The matrix that leads into a space.
@@ -262,12 +358,6 @@ void primitive(Sheet& sheet) {
                                   : (sgn(area) > 0) == is_y_up ? "counter-clockwise"
                                                                : "clockwise";
     sheet.put(fmt::format("area = |{}| / 2 = {}, {}", text(area), text(abs(area) / 2), turn));
-}
-
-/// (y1 z2 - z1 y2, z1 x2 - x1 z2, x1 y2 - y1 x2)
-std::string cross_written_out(const Vec3& a, const Vec3& b) {
-    return fmt::format("({} - {}, {} - {}, {} - {})", product(a.y, b.z), product(a.z, b.y),
-                       product(a.z, b.x), product(a.x, b.z), product(a.x, b.y), product(a.y, b.x));
 }
 
 /// normal . v, the lengths of both, and the angle between them.
@@ -472,6 +562,64 @@ void sample(Sheet& sheet) {
                           names[0]));
 }
 
+/// The matrix of this name, if there is one before the current step.
+std::optional<Matrix4> matrix_named(const Sheet& sheet, std::string_view name) {
+    for (std::size_t n = 1; n < sheet.replay.step(); ++n) {
+        const auto kind = sheet.trace().kind_of(n);
+        if (kind == StepKind::primitive)
+            break;
+        const StepView step = sheet.trace().step(n);
+        if (kind == StepKind::matrix && step.text("name") == name)
+            return matrix_in(step);
+    }
+    return std::nullopt;
+}
+
+/// z of a pixel from the plane of its face in the camera's space, A x + B y + C z + D = 0, and from where
+/// it is seen on the view plane: z = -d D / (A x' + B y' + d C) (T0).
+void put_plane_in_camera_space(Sheet& sheet, const Vec2& sample, const Rational& told) {
+    const auto corners = camera_corners_of(sheet);
+    const auto projection = matrix_named(sheet, "projection");
+    const auto viewport = matrix_named(sheet, "viewport");
+    if (!corners || !projection)
+        return;
+    const auto& rows = *projection;
+    const Rational& w_of_z = rows[3][2]; // w = 1 z, -z or -z/d
+    if (sgn(w_of_z) == 0 || sgn(rows[0][0]) == 0 || sgn(rows[1][1]) == 0)
+        return; // nothing converges
+    const auto canonical = [&](std::size_t i, const Rational& on_screen) {
+        return viewport && sgn((*viewport)[i][i]) != 0
+                   ? Rational((on_screen - (*viewport)[i][3]) / (*viewport)[i][i])
+                   : on_screen;
+    };
+    // The view plane where canonical coordinates are lengths; if those of x and of y are not the same,
+    // the one at the distance 1.
+    const bool is_uniform =
+        rows[0][0] == rows[1][1] && sgn(rows[0][2]) == 0 && sgn(rows[1][2]) == 0;
+    const Rational d = (is_uniform ? rows[0][0] : Rational(1)) / w_of_z;
+    const auto on_plane = [&](std::size_t i, const Rational& on_screen) {
+        return Rational(d * (canonical(i, on_screen) * w_of_z - rows[i][2]) / rows[i][i]);
+    };
+    const Rational x = on_plane(0, sample.x);
+    const Rational y = on_plane(1, sample.y);
+    const auto& [a, b, c] = *corners;
+    const Vec3 normal = cross(b - a, c - a);
+    const Rational constant = -dot(normal, a);
+    const Rational divisor = normal.x * x + normal.y * y + d * normal.z;
+    if (sgn(divisor) == 0 || sgn(constant) == 0)
+        return; // the plane leads through the eye
+    const Rational z = -d * constant / divisor;
+    if (!agrees(1 / abs(z), told))
+        return;
+    sheet.put(fmt::format("plane in camera space: {} x {} y {} z {} = 0", text(normal.x),
+                          plus(text(normal.y)), plus(text(normal.z)), plus(text(constant))));
+    sheet.put(fmt::format("seen at x' = {}, y' = {} on the view plane z = d = {}", text(x), text(y),
+                          text(d)));
+    sheet.put(fmt::format("z = -d D / (A x' + B y' + d C) = {} / ({} + {} + {}) = {}",
+                          text(-d * constant), product(normal.x, x), product(normal.y, y),
+                          product(d, normal.z), text(z)));
+}
+
 /// The depth of a pixel on the plane through the three corners, if that is what decided.
 void depth(Sheet& sheet) {
     if (sheet.replay.primitive() == 0)
@@ -501,6 +649,7 @@ void depth(Sheet& sheet) {
                           plus(text(dy)), plus(text((*depths)[0] - dx * a.x - dy * a.y))));
     sheet.put(fmt::format("depth = {} + {} + {} = {}", product(w, (*depths)[0]),
                           product(u, (*depths)[1]), product(v, (*depths)[2]), text(*told)));
+    put_plane_in_camera_space(sheet, *p, *told);
 }
 
 /// Bresenham's increments, if the ends are pixels.

@@ -109,12 +109,27 @@ public:
         put(R"({"step":"matrix","name":")", step.name, "\"");
         if (!step.object.empty())
             put(R"(,"object":)", std::string_view(json_quoted(step.object)));
-        std::string_view before = R"(,"rows":[)";
-        for (const auto& row : step.matrix.rows) {
-            put(before, "[", row[0], ",", row[1], ",", row[2], ",", row[3], "]");
+        put(R"(,"rows":[)");
+        put_rows("", step.matrix);
+        put("]");
+        std::string_view before = R"(,"factors":[)";
+        for (const auto& factor : step.factors) {
+            put(before, "\"", factor.name, "\"");
             before = ",";
         }
-        put("]}");
+        before = R"(],"factor_rows":[)";
+        for (const auto& factor : step.factors) {
+            put_rows(before, factor.matrix);
+            before = ",";
+        }
+        if (!step.factors.empty())
+            put("]");
+        before = R"(,"camera":[)";
+        for (const auto& vector : step.camera) {
+            put(before, "[", vector.x, ",", vector.y, ",", vector.z, "]");
+            before = ",";
+        }
+        put(step.camera.empty() ? std::string_view("}") : std::string_view("]}"));
     }
 
     void operator()(const VertexPlaced<Quantity>& step) {
@@ -361,6 +376,14 @@ private:
             before = ",";
         }
         put("]");
+    }
+
+    /// The rows of a matrix, without brackets around them all.
+    void put_rows(std::string_view before, const Matrix<Quantity>& matrix) {
+        for (const auto& row : matrix.rows) {
+            put(before, "[", row[0], ",", row[1], ",", row[2], ",", row[3], "]");
+            before = ",";
+        }
     }
 
     /// True for two different fractions with one nearest double.

@@ -31,6 +31,11 @@ template <typename Scalar> struct MatrixSetUp {
     std::string_view name;   ///< model, view, projection or viewport
     std::string_view object; ///< the mesh that a model belongs to; "" for the scene's own vertices
     const Matrix<Scalar>& matrix;
+    /// What `matrix` is the product of, the last of which moves a point first, each rounded by itself. None
+    /// if an entry is too large for a Scalar.
+    std::span<const MatrixFactor<Scalar>> factors;
+    /// Of a view: the camera's position, what it looks at, and what is up for it.
+    std::span<const Vec<Scalar, 3>> camera;
 };
 
 /// The spaces that a vertex passes on its way to the screen.

@@ -12,6 +12,8 @@
 #include <rastertrace/core/transform/matrix.h>
 #include <rastertrace/core/transform/transform.h>
 
+#include <vector>
+
 namespace rastertrace {
 
 /// Where the eye is and where it looks.
@@ -43,8 +45,11 @@ CameraFault fault_of(const Camera& camera);
 /// True if the matrix of this camera is not exact.
 bool is_rounded(const Camera& camera);
 
-/// The rows of the rotation are the camera's axes, each of length 1; the translation, by
-/// -position, comes first. The camera must have no fault.
+/// A rotation, whose rows are the camera's axes, each of length 1, and a translation by -position, which
+/// moves a point first. The camera must have no fault.
+std::vector<MatrixFactor<Rational>> factors_of(const Camera& camera, ViewAxis axis);
+
+/// The product of the factors.
 Matrix<Rational> view_matrix(const Camera& camera, ViewAxis axis);
 
 } // namespace rastertrace

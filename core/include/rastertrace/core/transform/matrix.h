@@ -12,6 +12,8 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
+#include <string_view>
 
 namespace rastertrace {
 
@@ -63,5 +65,15 @@ template <typename Scalar> Matrix<Scalar> translation(const Vec<Scalar, 3>& by) 
     matrix.rows[2][3] = by.z;
     return matrix;
 }
+
+/// One of the matrices whose product leads from one space to the next.
+template <typename Scalar> struct MatrixFactor {
+    std::string_view name; ///< scale, translate, rotate, shear, perspective, flip
+    Matrix<Scalar> matrix;
+};
+
+/// The product of the factors in this order, so that the last one moves a point first. Of none, the
+/// identity.
+Matrix<Rational> product_of(std::span<const MatrixFactor<Rational>> factors);
 
 } // namespace rastertrace

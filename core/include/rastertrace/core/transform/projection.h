@@ -64,7 +64,12 @@ std::optional<Rational> near_of(const Projection& projection);
 
 std::optional<Rational> far_of(const Projection& projection);
 
-/// Rows in maths order. The canvas gives the frustum of a field of view its width.
+/// What a projection is a product of: T4's Mp Mt of a view plane, scale and translation of an
+/// orthographic one; the others are one matrix. The canvas gives the frustum of a field of view its
+/// width.
+std::vector<MatrixFactor<Rational>> factors_of(const Projection& projection, const Canvas& canvas);
+
+/// The product of the factors.
 Matrix<Rational> projection_matrix(const Projection& projection, const Canvas& canvas);
 
 /// A side of the space that can be seen. A point in clip space lies on the side that is seen, or on

@@ -18,6 +18,7 @@
 #include <array>
 #include <span>
 #include <variant>
+#include <vector>
 
 namespace rastertrace {
 
@@ -76,8 +77,10 @@ Matrix<Rational> matrix_of(const Rotate& rotate);
 
 Matrix<Rational> matrix_of(const Shear& shear);
 
-/// The steps of a model as one matrix: the first listed moves a point first, so it stands on the
-/// right of the product.
+/// The steps of a model: the first listed moves a point first, so it is the last factor.
+std::vector<MatrixFactor<Rational>> factors_of(std::span<const ModelStep> steps);
+
+/// The product of the factors.
 Matrix<Rational> model_matrix(std::span<const ModelStep> steps);
 
 /// The matrix with each entry rounded to a Scalar.

@@ -14,6 +14,8 @@
 #include <rastertrace/core/raster/canvas.h>
 #include <rastertrace/core/transform/matrix.h>
 
+#include <vector>
+
 namespace rastertrace {
 
 enum class ViewportType {
@@ -35,6 +37,11 @@ enum class Snap {
     nearest,  ///< a half goes as `ties` says, up if it says nothing
 };
 
+/// What a viewport is a product of: T4's scale, translation and flip of `fit`, or the scale of
+/// `pixels-per-unit`.
+std::vector<MatrixFactor<Rational>> factors_of(const Viewport& viewport, const Canvas& canvas);
+
+/// The product of the factors.
 Matrix<Rational> viewport_matrix(const Viewport& viewport, const Canvas& canvas);
 
 /// Half the canvas in canonical units (all of it without a viewport): `extent` is its width or height.
