@@ -3,15 +3,17 @@
 #
 #     scripts/make-models.sh [FOLDER]             # examples/models if no folder is given
 #     scripts/make-models.sh torus RINGS SIDES    # a torus of any size, to standard output
+#     scripts/make-models.sh head RINGS SIDES     # a head, its mouth behind its lips
 #
 # y points up, and every face is counter-clockwise seen from outside (x right, z toward the viewer).
-# A torus has RINGS x SIDES quads, that is twice as many triangles. Exit status: 0 fine, 2 bad usage.
+# A torus has RINGS x SIDES quads, that is twice as many triangles; a head has its rings from chin to crown,
+# and two triangles a side fewer, at its ends. Exit status: 0 fine, 2 bad usage.
 set -eu
 export LC_ALL=C
 
 usage() {
     echo "usage: scripts/make-models.sh [FOLDER]" >&2
-    echo "       scripts/make-models.sh torus RINGS SIDES    (each from 3 to 10000)" >&2
+    echo "       scripts/make-models.sh torus|head RINGS SIDES    (each from 3 to 10000)" >&2
     exit 2
 }
 
@@ -75,6 +77,54 @@ model() {
                     on_torus(ring + 1, side + 1), on_torus(ring + 1, side)))
     }
 
+    # What a feature adds to the radius of a head: height in its middle, less and less around it.
+    function feature(across, up, width, height_of_it, height) {
+        return height * exp(-(across / width) ^ 2 - (up / height_of_it) ^ 2)
+    }
+
+    # How far the surface lies from the middle of the head; angles to the side from the nose, and upward. The
+    # mouth is a cavity between two lips.
+    function radius_of_head(aside, up,    side) {
+        side = aside < 0 ? -aside : aside
+        return 1 + feature(aside, up - 0.02, 0.16, 0.24, 0.3) \
+            + feature(side - 0.38, up - 0.28, 0.17, 0.13, -0.14) \
+            + feature(aside, up - 0.45, 0.5, 0.1, 0.05) \
+            + feature(aside, up + 0.36, 0.3, 0.07, 0.16) \
+            + feature(aside, up + 0.58, 0.26, 0.08, 0.14) \
+            + feature(aside, up + 0.47, 0.24, 0.06, -0.5) \
+            + feature(aside, up + 0.85, 0.35, 0.16, 0.12) \
+            + feature(side - 1.55, up - 0.05, 0.1, 0.22, 0.22)
+    }
+
+    # The vertex of a ring below the crown and a side; the first and the last one are crown and chin.
+    function on_head(ring, side) {
+        return ring == 0 ? 1 : ring == rings ? (rings - 1) * sides + 2 : (ring - 1) * sides + side % sides + 2
+    }
+
+    # Rings lie around the y axis, from the crown down; the nose points along z.
+    function head(    ring, side, pi, up, aside, radius) {
+        pi = 4 * atan2(1, 1)
+        printf "# A head with a mouth behind its lips: %d vertices, %d triangles.\n",
+            (rings - 1) * sides + 2, 2 * (rings - 1) * sides
+        for (ring = 0; ring <= rings; ++ring)
+            for (side = 0; side < (ring == 0 || ring == rings ? 1 : sides); ++side) {
+                up = pi / 2 - pi * ring / rings
+                aside = 2 * pi * side / sides
+                if (aside > pi)
+                    aside -= 2 * pi
+                radius = radius_of_head(aside, up)
+                vertex(0.78 * radius * cos(up) * sin(aside), 1.05 * radius * sin(up),
+                    0.9 * radius * cos(up) * cos(aside))
+            }
+        for (ring = 0; ring < rings; ++ring)
+            for (side = 0; side < sides; ++side) {
+                if (ring < rings - 1)
+                    face(on_head(ring, side) " " on_head(ring + 1, side) " " on_head(ring + 1, side + 1))
+                if (ring > 0)
+                    face(on_head(ring, side) " " on_head(ring + 1, side + 1) " " on_head(ring, side + 1))
+            }
+    }
+
     # A new vertex on the sphere of radius 1, in the direction of (x, y, z).
     function on_sphere(x, y, z,    norm) {
         norm = sqrt(x * x + y * y + z * z)
@@ -129,6 +179,7 @@ model() {
         if (name == "cube") cube()
         if (name == "tetrahedron") tetrahedron()
         if (name == "torus") torus()
+        if (name == "head") head()
         if (name == "icosphere") icosphere()
     }'
 }
@@ -142,10 +193,10 @@ is_count() {
 }
 
 case $#,${1:-} in
-3,torus)
+3,torus | 3,head)
     is_count "$2" || usage
     is_count "$3" || usage
-    model torus "$2" "$3"
+    model "$1" "$2" "$3"
     exit
     ;;
 1,-* | 1,) usage ;;

@@ -184,7 +184,7 @@ std::vector<std::size_t> drawing_order(const Scene& scene) {
     return order;
 }
 
-void draw_triangles(const Scene& scene, std::vector<Color>& picture) {
+void draw_triangles(const Scene& scene, Colors& picture) {
     const Rational offset = sample_offset_of(scene.method).exact();
     const Depth depth = scene.depth();
     const bool has_buffer = scene.has_depth_buffer();
@@ -219,7 +219,7 @@ void draw_triangles(const Scene& scene, std::vector<Color>& picture) {
 }
 
 void plot(const Scene& scene, const mpz_class& x, const mpz_class& y, Color color,
-          std::vector<Color>& picture) {
+          Colors& picture) {
     if (!x.fits_slong_p() || !y.fits_slong_p() || !scene.canvas.contains(x.get_si(), y.get_si()))
         return;
     picture[scene.canvas.offset_of({static_cast<int>(x.get_si()), static_cast<int>(y.get_si())})] =
@@ -227,7 +227,7 @@ void plot(const Scene& scene, const mpz_class& x, const mpz_class& y, Color colo
 }
 
 /// A pixel for each whole number along the major axis, the other coordinate exact and rounded.
-void draw_line(const Scene& scene, const ScenePrimitive& line, std::vector<Color>& picture) {
+void draw_line(const Scene& scene, const ScenePrimitive& line, Colors& picture) {
     const auto whole = [&scene, &line](std::size_t i) {
         const SceneVertex& vertex = scene.vertices[line.vertices[i]];
         return std::pair(floor_of(vertex.x.exact()), floor_of(vertex.y.exact()));
@@ -292,10 +292,10 @@ CoveredPixels covered_by_polygon(const std::vector<ExactPoint>& polygon, const C
     return covered_samples(polygon, false, Rational(1, 2), canvas);
 }
 
-std::vector<Color> reference_picture(const Scene& scene) {
-    std::vector<Color> picture(static_cast<std::size_t>(scene.canvas.width) *
-                                   static_cast<std::size_t>(scene.canvas.height),
-                               no_color);
+Colors reference_picture(const Scene& scene) {
+    Colors picture(static_cast<std::size_t>(scene.canvas.width) *
+                       static_cast<std::size_t>(scene.canvas.height),
+                   no_color);
     draw_triangles(scene, picture);
     for (const ScenePrimitive& primitive : scene.primitives) {
         if (primitive.kind == PrimitiveKind::line)

@@ -34,7 +34,7 @@ CoveredPixels covered_by_polygon(const std::vector<ExactPoint>& polygon, const C
 
 /// The picture of a scene without matrices: its triangles, hidden as its method says, then its lines
 /// and points. Lines must run between integer points.
-std::vector<Color> reference_picture(const Scene& scene);
+Colors reference_picture(const Scene& scene);
 
 /// The scene with every vertex at the nearest multiple of 1/parts pixel, a half up.
 Scene snapped_to_grid(Scene scene, int parts = 256);

@@ -27,7 +27,7 @@ const MethodOverrides linear_z{{"depth", "linear-z"}};
 const Color red{255, 0, 0};
 
 /// The picture by 1/z, which is linear on the screen, whatever the scene's own depth.
-std::vector<Color> by_inverse_z(const Scene& scene) {
+Colors by_inverse_z(const Scene& scene) {
     Scene right = scene;
     right.method.depth = Depth::inverse_z;
     return reference_picture(right);
@@ -39,7 +39,7 @@ void add_against_inverse_z(StressRows& rows, std::string_view json, std::string_
     rows.add_pictures(json, label, method, std::nullopt, by_inverse_z, documented);
 }
 
-std::uint64_t count_of(const std::vector<Color>& picture, Color color) {
+std::uint64_t count_of(const Colors& picture, Color color) {
     return static_cast<std::uint64_t>(std::count(picture.begin(), picture.end(), color));
 }
 
@@ -321,8 +321,8 @@ std::vector<StressScene> random_pairs() {
 /// The pictures of all pairs by exact 1/z.
 struct PairReferences {
     std::vector<StressScene> pairs = random_pairs();
-    std::vector<std::vector<Color>> typed;
-    std::vector<std::vector<Color>> on_grid;
+    std::vector<Colors> typed;
+    std::vector<Colors> on_grid;
     std::uint64_t drawn = 0;
 
     PairReferences() {

@@ -216,8 +216,8 @@ constexpr std::string_view l13 = R"({
 })";
 
 /// L13: the levels of red from A to B, rounded to the nearest, a half up.
-std::vector<Color> levels_of_l13(const Scene& scene) {
-    std::vector<Color> levels;
+Colors levels_of_l13(const Scene& scene) {
+    Colors levels;
     for (int i = 0; i < scene.canvas.width; ++i)
         levels.emplace_back(static_cast<std::uint8_t>((2 * (10 * (7 - i) + 200 * i) + 7) / 14), 0,
                             0);

@@ -71,14 +71,14 @@ CoveredPixels covered_in_space(const Scene& scene) {
     return covered_by_polygon(polygon, scene.canvas);
 }
 
-std::vector<Color> picture_of(const CoveredPixels& covered, Color color) {
-    std::vector<Color> picture;
+Colors picture_of(const CoveredPixels& covered, Color color) {
+    Colors picture;
     for (const bool is_covered : covered)
         picture.push_back(is_covered ? color : no_color);
     return picture;
 }
 
-std::vector<Color> by_clipping(const Scene& scene) {
+Colors by_clipping(const Scene& scene) {
     return picture_of(covered_in_space(scene), scene.primitives[0].color);
 }
 
@@ -265,8 +265,8 @@ constexpr std::string_view p10 = R"({
 })";
 
 /// P10: (x + 1) 63/2, a half up: columns 63, 32 and 0 of row 32.
-std::vector<Color> canonical_points(const Scene& scene) {
-    std::vector<Color> picture(64 * 64, no_color);
+Colors canonical_points(const Scene& scene) {
+    Colors picture(64 * 64, no_color);
     for (const SceneVertex& vertex : scene.vertices) {
         const auto column = [](const Rational& x) {
             return floor_index(Rational((x + 1) * 63 / 2 + Rational(1, 2)));

@@ -78,13 +78,12 @@ std::uint64_t count_of(const Trace& trace, StepKind kind) {
     return count;
 }
 
-std::vector<Color> drawn_picture(const Scene& scene) {
+Colors drawn_picture(const Scene& scene) {
     return drawn(scene, plan_for(scene)).colors();
 }
 
-std::vector<Color> moved_picture(const std::vector<Color>& picture, const Canvas& canvas,
-                                 Index right, Index down) {
-    std::vector<Color> moved(picture.size(), no_color);
+Colors moved_picture(const Colors& picture, const Canvas& canvas, Index right, Index down) {
+    Colors moved(picture.size(), no_color);
     const auto width = static_cast<Index>(canvas.width);
     for (Index row = 0; row < canvas.height; ++row)
         for (Index column = 0; column < width; ++column) {
@@ -98,7 +97,7 @@ std::vector<Color> moved_picture(const std::vector<Color>& picture, const Canvas
     return moved;
 }
 
-std::uint64_t differing(const std::vector<Color>& a, const std::vector<Color>& b) {
+std::uint64_t differing(const Colors& a, const Colors& b) {
     assert(a.size() == b.size());
     std::uint64_t count = 0;
     for (std::size_t i = 0; i < a.size(); ++i)
@@ -106,7 +105,7 @@ std::uint64_t differing(const std::vector<Color>& a, const std::vector<Color>& b
     return count;
 }
 
-std::uint64_t drawn_in(const std::vector<Color>& picture) {
+std::uint64_t drawn_in(const Colors& picture) {
     return picture.size() -
            static_cast<std::uint64_t>(std::count(picture.begin(), picture.end(), no_color));
 }
@@ -136,8 +135,8 @@ void StressRows::add_pictures(std::string_view json, std::string_view label,
                               ReferenceOf reference_of, const DocumentedOfScalars& documented) {
     // The exact picture, of the vertices as typed and as `fixed` has them.
     const Scene typed = readable_scene(json, with_scalar_named(method, "exact"));
-    const std::vector<Color> reference = reference_of(typed);
-    const std::vector<Color> on_grid = reference_of(snapped_to_grid(typed));
+    const Colors reference = reference_of(typed);
+    const Colors on_grid = reference_of(snapped_to_grid(typed));
     if (pixels)
         expect_same("reference", label, drawn_in(reference), *pixels, "pixel");
 

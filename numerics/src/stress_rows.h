@@ -189,7 +189,7 @@ public:
                       const DocumentedOfScalars& documented = {});
 
     /// The same against another reference, given for a scene and, with `fixed`, for the scene snapped.
-    using ReferenceOf = std::vector<Color> (*)(const Scene& scene);
+    using ReferenceOf = Colors (*)(const Scene& scene);
     void add_pictures(std::string_view json, std::string_view label, const MethodOverrides& method,
                       std::optional<std::uint64_t> pixels, ReferenceOf reference,
                       const DocumentedOfScalars& documented = {});
@@ -206,17 +206,17 @@ private:
 };
 
 /// A scene's picture.
-std::vector<Color> drawn_picture(const Scene& scene);
+Colors drawn_picture(const Scene& scene);
 
 /// A picture moved on its canvas; what was outside comes in empty.
-std::vector<Color> moved_picture(const std::vector<Color>& picture, const Canvas& canvas,
+Colors moved_picture(const Colors& picture, const Canvas& canvas,
                                  Index right, Index down);
 
 /// How many pixels differ.
-std::uint64_t differing(const std::vector<Color>& a, const std::vector<Color>& b);
+std::uint64_t differing(const Colors& a, const Colors& b);
 
 /// How many pixels are drawn.
-std::uint64_t drawn_in(const std::vector<Color>& picture);
+std::uint64_t drawn_in(const Colors& picture);
 
 // The families: each a table at the end of its file, below one function for each case.
 std::span<const StressCase> line_cases();

@@ -27,7 +27,23 @@ std::size_t most_held = 0;
 
 } // namespace
 
-// Every allocation of this program is counted.
+// Every allocation of this program is counted: those by `new`, and those of pictures (BlankVector), which
+// are made by calloc. The linker puts __wrap_calloc and __wrap_free in the place of calloc and free.
+extern "C" {
+void* __real_calloc(std::size_t count, std::size_t size); // NOLINT: the linker's names
+void __real_free(void* place);                            // NOLINT
+
+[[gnu::noinline]] void* __wrap_calloc(std::size_t count, std::size_t size) { // NOLINT
+    void* const place = __real_calloc(count, size);
+    held += malloc_usable_size(place);
+    most_held = std::max(most_held, held);
+    return place;
+}
+[[gnu::noinline]] void __wrap_free(void* place) { // NOLINT
+    held -= malloc_usable_size(place);
+    __real_free(place);
+}
+}
 [[gnu::noinline]] void* operator new(std::size_t size) {
     void* const place = std::malloc(size);
     if (place == nullptr)
@@ -37,7 +53,6 @@ std::size_t most_held = 0;
     return place;
 }
 [[gnu::noinline]] void operator delete(void* place) noexcept {
-    held -= malloc_usable_size(place);
     std::free(place);
 }
 [[gnu::noinline]] void operator delete(void* place, std::size_t) noexcept {

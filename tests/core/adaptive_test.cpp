@@ -87,7 +87,7 @@ private:
     bool has_just_begun_ = false; ///< a primitive, and nothing else was told of it
 };
 
-Decisions decisions_of(Scene scene, ScalarKind scalar, std::vector<Color>& picture) {
+Decisions decisions_of(Scene scene, ScalarKind scalar, Colors& picture) {
     scene.method.scalar = scalar;
     Decisions decisions;
     picture = draw_as_planned(scene, decisions).colors();
@@ -128,7 +128,7 @@ TEST(Adaptive, DecidesAsExact) {
         if (find_unfit(scene))
             continue;
         ++drawn;
-        std::vector<Color> exact_picture, adaptive_picture;
+        Colors exact_picture, adaptive_picture;
         const Decisions exact = decisions_of(scene, ScalarKind::exact, exact_picture);
         const Decisions adaptive = decisions_of(scene, ScalarKind::adaptive, adaptive_picture);
         ASSERT_EQ(exact.all, adaptive.all) << scene_text(scene);
@@ -169,7 +169,7 @@ TEST(Adaptive, DecidesWithinAnUlpOfAnEdge) {
         for (const Fill fill :
              {Fill::scanline, Fill::two_halves, Fill::barycentric, Fill::top_left}) {
             scene.method.fill = fill;
-            std::vector<Color> exact_picture, adaptive_picture;
+            Colors exact_picture, adaptive_picture;
             const Decisions exact = decisions_of(scene, ScalarKind::exact, exact_picture);
             const Decisions adaptive = decisions_of(scene, ScalarKind::adaptive, adaptive_picture);
             ASSERT_EQ(exact.all, adaptive.all) << scene_text(scene);
@@ -336,7 +336,7 @@ TEST(Adaptive, DepthsOfAnySizeAreDecidedAsExact) {
         for (const Fill fill :
              {Fill::scanline, Fill::two_halves, Fill::barycentric, Fill::top_left}) {
             Scene scene = triangles_in_depth(triangles, fill);
-            std::vector<Color> exact_picture, adaptive_picture;
+            Colors exact_picture, adaptive_picture;
             const Decisions exact = decisions_of(scene, ScalarKind::exact, exact_picture);
             const Decisions adaptive = decisions_of(scene, ScalarKind::adaptive, adaptive_picture);
             EXPECT_EQ(exact.all, adaptive.all) << triangles.front()[2];

@@ -517,7 +517,7 @@ TEST_F(MakeModels, RefuseBadUsage) {
         EXPECT_EQ(make(arguments + " 2>usage"s), 2) << arguments;
     EXPECT_EQ(text_of(folder_ / "usage"),
               "usage: scripts/make-models.sh [FOLDER]\n"
-              "       scripts/make-models.sh torus RINGS SIDES    (each from 3 to 10000)\n");
+              "       scripts/make-models.sh torus|head RINGS SIDES    (each from 3 to 10000)\n");
 }
 
 TEST_F(MakeModels, TorusOfAnySize) {
@@ -563,8 +563,7 @@ struct Facts {
     double volume;
 };
 
-void expect_closed(const std::string& model, const Facts& facts) {
-    const ObjMesh mesh = mesh_in(text_of(models / (model + ".obj")));
+void expect_closed(const ObjMesh& mesh, const Facts& facts) {
     EXPECT_EQ(mesh.vertices.size(), facts.vertices);
     EXPECT_EQ(mesh.faces(), facts.faces);
 
@@ -582,23 +581,39 @@ void expect_closed(const std::string& model, const Facts& facts) {
 }
 
 TEST(Models, CubeIsClosedAndFacesOutward) {
-    expect_closed("cube", {8, 12, 2, 8});
+    expect_closed(mesh_in(text_of(models / "cube.obj")), {8, 12, 2, 8});
 }
 
 TEST(Models, TetrahedronIsClosedAndFacesOutward) {
-    expect_closed("tetrahedron", {4, 4, 2, 8.0 / 3});
+    expect_closed(mesh_in(text_of(models / "tetrahedron.obj")), {4, 4, 2, 8.0 / 3});
 }
 
 TEST(Models, TorusIsClosedAndFacesOutward) {
     // A tube of 12 flat sides has the area 6 r^2 sin 30 deg. Pappus turns it by 2 pi R, and 24
     // straight steps turn it by 24 R sin 15 deg.
     const double sine_of_15_degrees = (std::sqrt(6) - std::sqrt(2)) / 4;
-    expect_closed("torus", {288, 288, 0, 24 * sine_of_15_degrees * 6 * 0.4 * 0.4 * 0.5});
+    expect_closed(mesh_in(text_of(models / "torus.obj")),
+                  {288, 288, 0, 24 * sine_of_15_degrees * 6 * 0.4 * 0.4 * 0.5});
 }
 
 TEST(Models, IcosphereIsClosedAndFacesOutward) {
     // Measured by a few lines of Python; the ball has 4/3 pi = 4.19.
-    expect_closed("icosphere", {162, 320, 2, 4.047044});
+    expect_closed(mesh_in(text_of(models / "icosphere.obj")), {162, 320, 2, 4.047044});
+}
+
+// 180 rings: one a degree, the crown at 90. The volume was summed up by a few lines of Python.
+TEST_F(MakeModels, AHeadIsClosedAndItsMouthLiesBehindItsLips) {
+    ASSERT_EQ(make("head 180 12 >head.obj"), 0);
+    const ObjMesh mesh = mesh_in(text_of(folder_ / "head.obj"));
+    expect_closed(mesh, {179 * 12 + 2, 2 * 179 * 12, 2, 3.061912});
+
+    const auto depth_at = [&mesh](int degrees) { // of the vertex in the middle of the face
+        return mesh.vertices[static_cast<std::size_t>(90 - degrees - 1) * 12 + 1][2]
+            .nearest_double();
+    };
+    EXPECT_GT(depth_at(-21), depth_at(-27) + 0.2) << "the upper lip";
+    EXPECT_GT(depth_at(-33), depth_at(-27) + 0.2) << "the lower lip";
+    EXPECT_GT(depth_at(1), depth_at(-21)) << "the nose";
 }
 
 } // namespace

@@ -58,19 +58,24 @@ std::string shown(const Trace& trace, View view, FrameText about = {}, TextSize 
 }
 
 TEST(Views, FacesAreLettersOfWhatIsSeen) {
-    // T10 covers all of A1, and the corner A. Digits compare as numbers.
-    const Trace trace =
-        trace_in(primitive("A1") + pixel(0, 0) + "," + primitive("T10") + pixel(0, 0) +
-                 pixel(1, 0) + "," + primitive("T9") + pixel(2, 0) + pixel(2, 1));
-    EXPECT_EQ(grid(trace, View::faces), "bba..\n"
-                                        "..a..\n");
+    // T10 covers all of A1, and the corner A.
+    const std::string steps = primitive("A1") + pixel(0, 0) + "," + primitive("T10") + pixel(0, 0) +
+                              pixel(1, 0) + "," + primitive("T9") + pixel(2, 0) + pixel(2, 1);
+    const Trace trace = trace_in(steps);
+    EXPECT_EQ(grid(trace, View::faces), "aab..\n"
+                                        "..b..\n");
     EXPECT_EQ(shown(trace, View::faces), "said\n"
                                          "\n"
                                          "      0 1 2 3 4\n"
-                                         "  0   b b a . .  B\n"
-                                         "> 1   . .[a]. .  C\n"
+                                         "  0   a a b . .  B\n"
+                                         "> 1   . .[b]. .  C\n"
                                          "\n"
-                                         "a T9  b T10\n");
+                                         "a T10  b T9\n");
+
+    // The painter's order is not the scene's: by name, and digits compare as numbers.
+    const Trace painted = trace_in(steps, "painter");
+    EXPECT_EQ(grid(painted, View::faces), "bba..\n"
+                                          "..a..\n");
 }
 
 TEST(Views, PartsOfAClippedFaceShareItsLetter) {

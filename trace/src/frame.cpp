@@ -4,6 +4,7 @@
 #include <rastertrace/trace/color_text.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace rastertrace {
 
@@ -85,7 +86,7 @@ std::size_t Replay::primitive_of(std::size_t step) const {
 Frame frame_after(const Trace& trace, std::size_t n) {
     Replay replay(trace);
     replay.go_to(n);
-    return replay.frame();
+    return std::move(replay).frame();
 }
 
 } // namespace rastertrace

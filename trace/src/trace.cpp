@@ -534,7 +534,9 @@ private:
         const EndRecord& end = *trace_.end;
         if (has_stray_pixel_ || (!end.pixels && end.frame.empty()))
             return;
-        const Image image = frame_after(trace_, trace_.size()).image;
+        Replay replay(trace_);
+        replay.go_to(trace_.size());
+        const Image& image = replay.frame().image;
         const std::uint64_t pixels = image.drawn();
         if (end.pixels && has_every_pixel_ && *end.pixels != pixels)
             disagree(fmt::format("{}", *end.pixels), "pixels", pixels);

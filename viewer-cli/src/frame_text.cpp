@@ -56,8 +56,6 @@ Window window_around(const Canvas& canvas, TextSize size, std::size_t margin, st
     Window window;
     window.columns = fitting(size.columns, margin, cell, canvas.width);
     window.rows = fitting(size.lines, taken, 1, canvas.height);
-    if (window.columns < canvas.width || window.rows < canvas.height) // a line says so
-        window.rows = fitting(size.lines, taken + 1, 1, canvas.height);
     const Pixel middle{canvas.left() + canvas.width / 2, canvas.y_of(canvas.height / 2)};
     const Pixel pixel = center.value_or(middle);
     window.first_column = window_start(canvas.width, window.columns, pixel.x - canvas.left());
@@ -81,7 +79,7 @@ Window window_of(const Canvas& canvas, const Region& region) {
 Window overview_of(const Canvas& canvas, TextSize size, std::size_t margin, std::size_t taken) {
     const bool is_page = size.columns == TextSize().columns;
     const int columns = fitting(is_page ? page_columns : size.columns, margin, 1, canvas.width);
-    const int lines = fitting(size.lines, taken + 1, 1, canvas.height);
+    const int lines = fitting(size.lines, taken, 1, canvas.height);
     const auto blocks = [](int pixels, int each) { return (pixels + each - 1) / each; };
     Window window;
     while (blocks(canvas.width, window.block_width) > columns ||
@@ -325,16 +323,18 @@ public:
         const int end_row = std::min(top + window.block_height, canvas.height);
         std::map<std::string, int> counts;
         MarkedCell most{"."};
-        for (int y = top; y < end_row; ++y)
+        for (int y = top; y < end_row; ++y) {
+            const auto* const drawn_by =
+                &replay_.frame().drawn_by[canvas.offset_of({left, canvas.y_of(y)})];
             for (int x = left; x <= right; ++x) {
-                const Pixel pixel{x, canvas.y_of(y)};
-                if (replay_.frame().drawn_by[canvas.offset_of(pixel)] == 0)
+                if (drawn_by[x - left] == 0)
                     continue;
-                const MarkedCell cell = at(pixel);
+                const MarkedCell cell = at({x, canvas.y_of(y)});
                 const int count = ++counts[cell.text];
                 if (count > counts[most.text])
                     most = cell;
             }
+        }
         most.is_new = false;
         return most;
     }

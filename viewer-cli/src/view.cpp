@@ -68,12 +68,6 @@ bool comes_before(std::string_view a, std::string_view b) {
     return a.size() < b.size();
 }
 
-struct NaturalOrder {
-    bool operator()(const std::string& a, const std::string& b) const {
-        return comes_before(a, b) || (!comes_before(b, a) && a < b);
-    }
-};
-
 /// The face that a primitive's step is about: "ABC" of a part "ABC/1".
 std::string face_of(const StepView& primitive) {
     const std::string name = primitive.text("name");
@@ -97,6 +91,19 @@ struct Grouping {
 };
 constexpr std::array<Grouping, 3> groupings{
     {{"", face_of}, {"meshes: ", mesh_of}, {"colors: ", color_of}}};
+
+/// What the letters stand for, in the scene's order. The painter has changed it: then by name.
+std::vector<std::string> groups_of(const std::set<std::size_t>& primitives,
+                                   const Grouping& grouping, const Trace& trace) {
+    std::vector<std::string> groups;
+    std::set<std::string> known;
+    for (const std::size_t step : primitives)
+        if (auto group = grouping.group_of(trace.step(step)); known.insert(group).second)
+            groups.push_back(std::move(group));
+    if (trace.method_value("depth") == "painter")
+        std::stable_sort(groups.begin(), groups.end(), comes_before);
+    return groups;
+}
 
 /// True if a nearer depth is a larger one, as far as the tests of a trace tell.
 bool larger_is_nearer(const Trace& trace) {
@@ -221,33 +228,34 @@ void FrameCells::set_up_faces() {
             visible.insert(replay_.primitive_of(step));
     visible.erase(0);
 
-    std::map<std::string, char, NaturalOrder> letters;
+    std::vector<std::string> groups;
     const Grouping* grouping = nullptr;
     for (const Grouping& one : groupings) {
-        letters.clear();
-        for (const std::size_t step : visible)
-            letters.emplace(one.group_of(replay_.trace().step(step)), '#');
+        groups = groups_of(visible, one, replay_.trace());
         grouping = &one;
         // One mesh says no more than `plotted`.
-        if (letters.size() <= face_letters.size() && (letters.size() > 1 || visible.size() <= 1))
+        if (groups.size() <= face_letters.size() && (groups.size() > 1 || visible.size() <= 1))
             break;
     }
-    if (letters.size() <= face_letters.size()) {
-        std::size_t next = 0;
-        for (auto& [group, letter] : letters) {
-            letter = face_letters[next++];
+    std::unordered_map<std::string, char> letters;
+    if (groups.size() <= face_letters.size()) {
+        for (const std::string& group : groups) {
+            const char letter = face_letters[letters.size()];
+            letters.emplace(group, letter);
             legend_.push_back(fmt::format("{} {}", letter, printable(group)));
         }
         if (!legend_.empty())
             legend_.front().insert(0, grouping->heading);
     } else {
         legend_ = {fmt::format("{} faces, {} colors: too many for letters", visible.size(),
-                               letters.size())};
+                               groups.size())};
     }
 
     std::unordered_map<std::size_t, char> letter_of;
     for (const std::size_t step : visible)
-        letter_of.emplace(step, letters.at(grouping->group_of(replay_.trace().step(step))));
+        if (const auto letter = letters.find(grouping->group_of(replay_.trace().step(step)));
+            letter != letters.end())
+            letter_of.emplace(step, letter->second);
     cell_ = [this, &frame, letter_of = std::move(letter_of)](std::size_t offset, Pixel) {
         const std::size_t drawn_by = frame.drawn_by[offset];
         if (drawn_by == 0)

@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace rastertrace {
@@ -26,14 +27,14 @@ struct FrameParts {
 /// A picture, and which step drew each of its pixels.
 struct Frame {
     explicit Frame(const Canvas& canvas, FrameParts parts = {})
-        : image(canvas), drawn_by(image.colors().size(), 0),
+        : image(canvas), drawn_by(image.colors().size()),
           writes(parts.writes ? drawn_by.size() : 0),
           stored_by(parts.depths ? drawn_by.size() : 0) {}
 
     Image image;
-    std::vector<std::size_t> drawn_by; ///< the last step that plotted the pixel; 0 for none
-    std::vector<std::uint32_t> writes; ///< how often the pixel was plotted
-    std::vector<std::size_t>
+    BlankVector<std::size_t> drawn_by; ///< the last step that plotted the pixel; 0 for none
+    BlankVector<std::uint32_t> writes; ///< how often the pixel was plotted
+    BlankVector<std::size_t>
         stored_by; ///< the depth test that the buffer has its depth from; 0 for none
 };
 
@@ -46,7 +47,8 @@ public:
     const Trace& trace() const { return trace_; }
 
     /// The picture after the current step.
-    const Frame& frame() const { return frame_; }
+    const Frame& frame() const& { return frame_; }
+    Frame frame() && { return std::move(frame_); }
 
     /// The number of the current step; 0 before the first.
     std::size_t step() const { return step_; }

@@ -6,12 +6,12 @@
 //     Image image(canvas);
 //     image.at({2, 5}) = Color{255, 0, 0, 255};
 
+#include <rastertrace/core/raster/blank_vector.h>
 #include <rastertrace/core/raster/canvas.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 namespace rastertrace {
 
@@ -51,16 +51,19 @@ struct ImageRow {
     Color& at(int x) const { return colors[x - left]; }
 };
 
-/// The colors of a canvas, row-major, top row first.
+/// The colors of all pixels of a canvas, row-major, top row first.
+using Colors = BlankVector<Color>;
+
+/// A canvas and its colors.
 class Image {
 public:
     explicit Image(const Canvas& canvas)
         : canvas_(canvas), left_(canvas.left()), top_(canvas.top()), down_(canvas.down()),
-          colors_(static_cast<std::size_t>(canvas.width) * static_cast<std::size_t>(canvas.height),
-                  no_color) {}
+          colors_(static_cast<std::size_t>(canvas.width) *
+                  static_cast<std::size_t>(canvas.height)) {}
 
     const Canvas& canvas() const { return canvas_; }
-    const std::vector<Color>& colors() const { return colors_; }
+    const Colors& colors() const { return colors_; }
 
     /// The color of a pixel of the canvas.
     Color& at(Pixel pixel) { return colors_[canvas_.offset_of(pixel)]; }
@@ -84,7 +87,7 @@ private:
     int left_; ///< of the canvas, worked out once: a row of a small triangle is soon filled
     int top_;
     int down_;
-    std::vector<Color> colors_;
+    Colors colors_; ///< of zeros at first: no_color
 };
 
 } // namespace rastertrace
