@@ -594,7 +594,7 @@ void keep_each_once(DrawnPrimitive& primitive) {
 }
 
 void compare_with_corners(const Trace& trace, std::span<const DrawnPrimitive> drawn, Stats& stats) {
-    const bool is_center = trace.method_value("sample") == "center";
+    const bool is_center = trace.samples_at_centers();
     const Grid grid{trace.canvas, is_center ? mpq_class(1, 2) : mpq_class(0)};
 
     // The triangles and the outlines whose corners are known.

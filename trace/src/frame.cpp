@@ -15,6 +15,7 @@ void Replay::go_to(std::size_t n) {
         vertex_ = vertex_before_ = 0;
         edges_.clear();
         primitives_.clear();
+        matrices_.clear();
     }
     while (step_ < n)
         apply_next();
@@ -34,6 +35,9 @@ void Replay::apply_next() {
         scanline_ = scanline_before_ = 0;
         edges_.clear();
         color_ = parse_color(step.text("color")).value_or(Color{});
+        break;
+    case StepKind::matrix:
+        matrices_.push_back(step_);
         break;
     case StepKind::vertex:
         vertex_before_ = vertex_;
@@ -81,6 +85,18 @@ void Replay::apply_next() {
 std::size_t Replay::primitive_of(std::size_t step) const {
     const auto next = std::upper_bound(primitives_.begin(), primitives_.end(), step);
     return next == primitives_.begin() ? 0 : *(next - 1);
+}
+
+const std::vector<std::size_t>& Replay::places_of(const std::string& vertex) const {
+    if (!places_) {
+        places_.emplace();
+        for (std::size_t n = 1; n <= trace_.size(); ++n)
+            if (trace_.kind_of(n) == StepKind::vertex)
+                (*places_)[trace_.step(n).text("name")].push_back(n);
+    }
+    static const std::vector<std::size_t> none;
+    const auto found = places_->find(vertex);
+    return found == places_->end() ? none : found->second;
 }
 
 Frame frame_after(const Trace& trace, std::size_t n) {

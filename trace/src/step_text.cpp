@@ -191,7 +191,7 @@ std::optional<CrossOfPoint> cross_of_point(const std::array<Vec2, 3>& corners, c
 }
 
 Rational sample_offset(const Trace& trace) {
-    return trace.method_value("sample") == "center" ? Rational(1, 2) : Rational(0);
+    return trace.samples_at_centers() ? Rational(1, 2) : Rational(0);
 }
 
 std::optional<Vec2> sample_of(const Trace& trace, const StepView& step) {

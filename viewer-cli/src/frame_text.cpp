@@ -146,7 +146,7 @@ std::vector<VertexMark> vertex_marks(const Replay& replay) {
     const auto names = step.texts("vertices");
     const auto positions = step.text_rows("at");
     // Where pixels are sampled at their centers, a pixel reaches from its point to the next one.
-    const double half = trace.method_value("sample") == "center" ? 0 : 0.5;
+    const double half = trace.samples_at_centers() ? 0 : 0.5;
     for (std::size_t i = 0; i < names.size() && i < positions.size(); ++i) {
         if (positions[i].size() < 2)
             continue;

@@ -332,7 +332,7 @@ void FrameCells::set_up_coverage() {
         corners = corners_of(trace.step(replay_.primitive()));
     legend_ = {corners.size() == 3 ? "0..9: tenths of a pixel from the sample to the nearest edge"
                                    : "coverage is that of a triangle"};
-    const double offset = trace.method_value("sample") == "center" ? 0.5 : 0.0;
+    const double offset = trace.samples_at_centers() ? 0.5 : 0.0;
     cell_ = [corners, offset](std::size_t, Pixel pixel) {
         const Point sample{pixel.x + offset, pixel.y + offset};
         if (corners.size() != 3)

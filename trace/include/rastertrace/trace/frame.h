@@ -13,6 +13,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -74,6 +76,12 @@ public:
     /// The last place of a vertex before the current step.
     std::size_t vertex_before() const { return vertex_before_; }
 
+    /// The `matrix` steps so far, by number.
+    const std::vector<std::size_t>& matrices() const { return matrices_; }
+
+    /// All steps of the trace that tell where a vertex is on its way to the screen, by number.
+    const std::vector<std::size_t>& places_of(const std::string& vertex) const;
+
     /// The edges of the current primitive that have been set up, by number of their step.
     const std::vector<std::size_t>& edges() const { return edges_; }
 
@@ -100,6 +108,9 @@ private:
     std::size_t vertex_before_ = 0;
     std::vector<std::size_t> edges_;
     std::vector<std::size_t> primitives_;
+    std::vector<std::size_t> matrices_;
+    /// By name, once someone has asked.
+    mutable std::optional<std::unordered_map<std::string, std::vector<std::size_t>>> places_;
     Color color_; ///< of the current primitive
 };
 

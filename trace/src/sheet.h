@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What the workings of all kinds of steps are written on, and the numbers in them.
+
+#include "step_text.h"
+
+#include <rastertrace/core/numbers/scalar.h>
+#include <rastertrace/trace/frame.h>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rastertrace {
+
+/// What a working is made of, and its lines so far.
+struct Sheet {
+    const Replay& replay;
+    StepView step;
+    PrimitiveText primitive;
+    std::vector<std::string> lines = {};
+
+    void put(std::string line) { lines.push_back(std::move(line)); }
+
+    const Trace& trace() const { return replay.trace(); }
+};
+
+template <std::size_t size>
+std::optional<std::array<Rational, size>> numbers_in(const std::vector<std::string>& texts) {
+    std::array<Rational, size> numbers;
+    if (texts.size() < size)
+        return std::nullopt;
+    for (std::size_t i = 0; i < size; ++i) {
+        const auto number = number_in(texts[i]);
+        if (!number)
+            return std::nullopt;
+        numbers[i] = *number;
+    }
+    return numbers;
+}
+
+/// 2 (-3), (-2) (-3)
+std::string product(const Rational& a, const Rational& b);
+
+/// True if a result is what the trace tells: as far as doubles go.
+bool agrees(const Rational& worked_out, const Rational& told);
+
+// The workings of steps in space (working_in_space.cpp): matrices and vertices on their way to the screen,
+// faces and their light.
+void write_matrix(Sheet& sheet);
+void write_vertex(Sheet& sheet);
+void write_face(Sheet& sheet);
+void write_light(Sheet& sheet);
+
+/// z of a pixel from the plane of its face in the camera's space, A x + B y + C z + D = 0, and from where
+/// it is seen on the view plane: z = -d D / (A x' + B y' + d C) (T0). `told` is the 1/z of the trace.
+void write_plane_in_camera_space(Sheet& sheet, const Vec2& sample, const Rational& told);
+
+} // namespace rastertrace
