@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <random>
 #include <string>
 
@@ -110,7 +111,7 @@ void picture(benchmark::State& state, Scene scene, ScalarKind scalar) {
 const bool are_registered = [] {
     struct Case {
         std::string name;
-        Scene scene;
+        std::function<Scene()> scene;
         bool has_exact; ///< in a time worth waiting for
     };
     std::vector<Case> cases;
@@ -120,10 +121,12 @@ const bool are_registered = [] {
             for (const int digits : {2, 15})
                 cases.push_back({name + std::string("/") + std::to_string(pixels) + "px/" +
                                      std::to_string(digits) + "digits",
-                                 flat_triangles(pixels, digits, fill), digits == 2});
-    cases.push_back({"torus/top-left", torus(Fill::top_left, Shade::flat), false});
-    cases.push_back({"torus/scanline", torus(Fill::scanline, Shade::flat), false});
-    cases.push_back({"torus/top-left/colors", torus(Fill::top_left, Shade::interpolate), false});
+                                 [=, fill = fill] { return flat_triangles(pixels, digits, fill); },
+                                 digits == 2});
+    cases.push_back({"torus/top-left", [] { return torus(Fill::top_left, Shade::flat); }, false});
+    cases.push_back({"torus/scanline", [] { return torus(Fill::scanline, Shade::flat); }, false});
+    cases.push_back(
+        {"torus/top-left/colors", [] { return torus(Fill::top_left, Shade::interpolate); }, false});
     for (const Case& one : cases)
         for (const auto& [scalar, word] :
              {std::pair(ScalarKind::double_precision, "double"),
@@ -132,7 +135,7 @@ const bool are_registered = [] {
                 benchmark::RegisterBenchmark(
                     ("scalars/" + one.name + "/" + word).c_str(),
                     [scene = one.scene, scalar = scalar](benchmark::State& state) {
-                        picture(state, scene, scalar);
+                        picture(state, scene(), scalar);
                     })
                     ->Unit(benchmark::kMillisecond);
     return true;
