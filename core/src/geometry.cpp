@@ -438,10 +438,14 @@ void tell_geometry(const Scene& scene, const ScreenList<Scalar>& list, const Lis
         tell_vertices(scene, transforms, listener);
     if (list.order) {
         std::vector<std::string_view> names;
+        std::vector<std::size_t> indices;
         for (const std::size_t i : list.order->primitives)
-            if (scene.primitives[i].kind == PrimitiveKind::triangle)
+            if (scene.primitives[i].kind == PrimitiveKind::triangle) {
                 names.push_back(scene.primitives[i].name);
-        sink(PrimitivesOrdered<Scalar>{.names = names, .distances = list.order->keys});
+                indices.push_back(i);
+            }
+        sink(PrimitivesOrdered<Scalar>{
+            .names = names, .distances = list.order->keys, .indices = indices});
     }
 }
 

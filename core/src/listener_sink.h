@@ -67,7 +67,8 @@ template <typename Scalar> void tell(const VertexPlaced<Scalar>& step, const Lis
 template <typename Scalar>
 void tell(const PrimitivesOrdered<Scalar>& step, const Listener& listener) {
     const std::vector<Quantity> distances(step.distances.begin(), step.distances.end());
-    listener(PrimitivesOrdered<Quantity>{.names = step.names, .distances = distances});
+    listener(PrimitivesOrdered<Quantity>{
+        .names = step.names, .distances = distances, .indices = step.indices});
 }
 
 template <typename Scalar> void tell(const FaceTested<Scalar>& step, const Listener& listener) {

@@ -72,8 +72,11 @@ TEST(Views, FacesAreLettersOfWhatIsSeen) {
                                          "\n"
                                          "a T10  b T9\n");
 
-    // The painter's order is not the scene's: by name, and digits compare as numbers.
-    const Trace painted = trace_in(steps, "painter");
+    // The painter has changed the scene's order.
+    const Trace painted = trace_in(
+        R"({"step":"order","names":["A1","T10","T9"],"distances":[3,2,1],"listed":[3,2,1]},)" +
+            steps,
+        "painter");
     EXPECT_EQ(grid(painted, View::faces), "bba..\n"
                                           "..a..\n");
 }

@@ -12,7 +12,7 @@ void Replay::go_to(std::size_t n) {
     if (n < step_) {
         frame_ = Frame(trace_.canvas, parts_);
         step_ = primitive_ = scanline_ = scanline_before_ = drew_over_ = stored_before_ = 0;
-        vertex_ = vertex_before_ = 0;
+        order_ = vertex_ = vertex_before_ = 0;
         edges_.clear();
         primitives_.clear();
         matrices_.clear();
@@ -38,6 +38,9 @@ void Replay::apply_next() {
         break;
     case StepKind::matrix:
         matrices_.push_back(step_);
+        break;
+    case StepKind::order:
+        order_ = step_;
         break;
     case StepKind::vertex:
         vertex_before_ = vertex_;

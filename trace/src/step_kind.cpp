@@ -24,7 +24,7 @@ const std::array<StepRow, step_kinds> table{{
 
     {StepKind::order, "order", "the painter has sorted the triangles",
      "the painter draws, farthest first:{@farthest_first}",
-     {{"names", list, decision}, {"distances", list, reason}}},
+     {{"names", list, decision}, {"distances", list, reason}, {"listed", list, told}}},
 
     {StepKind::primitive, "primitive", "a primitive begins",
      "{kind} {name}{@corners}{@octant}",

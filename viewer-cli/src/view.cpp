@@ -40,44 +40,23 @@ char ramp_at(double share) {
         std::clamp(step, 0.0, static_cast<double>(ramp.size() - 1)))];
 }
 
-/// "T9" before "T10": digits compare as numbers.
-bool comes_before(std::string_view a, std::string_view b) {
-    const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
-    const auto digits_of = [&](std::string_view text) {
-        const auto end = std::find_if_not(text.begin(), text.end(), is_digit);
-        return text.substr(0, static_cast<std::size_t>(end - text.begin()));
-    };
-    while (!a.empty() && !b.empty()) {
-        std::string_view from_a = digits_of(a), from_b = digits_of(b);
-        if (!from_a.empty() && !from_b.empty()) {
-            a.remove_prefix(from_a.size());
-            b.remove_prefix(from_b.size());
-            from_a.remove_prefix(std::min(from_a.find_first_not_of('0'), from_a.size()));
-            from_b.remove_prefix(std::min(from_b.find_first_not_of('0'), from_b.size()));
-            if (from_a.size() != from_b.size())
-                return from_a.size() < from_b.size();
-            if (from_a != from_b)
-                return from_a < from_b;
-            continue;
-        }
-        if (a.front() != b.front())
-            return a.front() < b.front();
-        a.remove_prefix(1);
-        b.remove_prefix(1);
-    }
-    return a.size() < b.size();
-}
-
 /// The face that a primitive's step is about: "ABC" of a part "ABC/1".
 std::string face_of(const StepView& primitive) {
     const std::string name = primitive.text("name");
     return primitive.text("part") == "true" ? name.substr(0, name.rfind('/')) : name;
 }
 
-/// The mesh of a face: "torus" of "torus.f12".
+/// The mesh of a face: "torus" of "torus.f12", and of "torus.f12.1", a triangle of a face.
 std::string mesh_of(const StepView& primitive) {
-    const std::string face = face_of(primitive);
-    return face.substr(0, face.rfind('.'));
+    std::string name = face_of(primitive);
+    const auto is_face = [&name](std::size_t dot) {
+        return dot + 1 < name.size() && name[dot + 1] == 'f' &&
+               name.find_first_not_of("0123456789.", dot + 2) == std::string::npos;
+    };
+    for (std::size_t dot = name.find('.'); dot != std::string::npos; dot = name.find('.', dot + 1))
+        if (is_face(dot))
+            return name.substr(0, dot);
+    return name;
 }
 
 std::string color_of(const StepView& primitive) {
@@ -92,16 +71,38 @@ struct Grouping {
 constexpr std::array<Grouping, 3> groupings{
     {{"", face_of}, {"meshes: ", mesh_of}, {"colors: ", color_of}}};
 
-/// What the letters stand for, in the scene's order. The painter has changed it: then by name.
-std::vector<std::string> groups_of(const std::set<std::size_t>& primitives,
+/// The primitives whose pixels can be seen, by number of their step, in the scene's order: that in which they
+/// are drawn, unless the painter has sorted them.
+std::vector<std::size_t> visible_primitives(const Replay& replay) {
+    std::set<std::size_t> seen;
+    for (const std::size_t step : replay.frame().drawn_by)
+        if (step != 0)
+            seen.insert(replay.primitive_of(step));
+    seen.erase(0);
+    std::vector<std::size_t> visible(seen.begin(), seen.end());
+    if (replay.order() == 0)
+        return visible;
+    const StepView order = replay.trace().step(replay.order());
+    const auto sorted = order.texts("names");
+    const auto listed = order.texts("listed");
+    std::unordered_map<std::string, double> place_of;
+    for (std::size_t i = 0; i < std::min(sorted.size(), listed.size()); ++i)
+        place_of.emplace(sorted[i], nearest_double_in(listed[i]).value_or(0));
+    std::stable_sort(visible.begin(), visible.end(), [&](std::size_t a, std::size_t b) {
+        return place_of[face_of(replay.trace().step(a))] <
+               place_of[face_of(replay.trace().step(b))];
+    });
+    return visible;
+}
+
+/// What the letters stand for, in the order of the primitives.
+std::vector<std::string> groups_of(const std::vector<std::size_t>& primitives,
                                    const Grouping& grouping, const Trace& trace) {
     std::vector<std::string> groups;
     std::set<std::string> known;
     for (const std::size_t step : primitives)
         if (auto group = grouping.group_of(trace.step(step)); known.insert(group).second)
             groups.push_back(std::move(group));
-    if (trace.method_value("depth") == "painter")
-        std::stable_sort(groups.begin(), groups.end(), comes_before);
     return groups;
 }
 
@@ -222,19 +223,14 @@ Cell FrameCells::at(Pixel pixel) const {
 /// A letter for each face that can be seen; if there are too many, for each mesh, or for each color.
 void FrameCells::set_up_faces() {
     const Frame& frame = replay_.frame();
-    std::set<std::size_t> visible;
-    for (const std::size_t step : frame.drawn_by)
-        if (step != 0)
-            visible.insert(replay_.primitive_of(step));
-    visible.erase(0);
-
+    const std::vector<std::size_t> visible = visible_primitives(replay_);
     std::vector<std::string> groups;
     const Grouping* grouping = nullptr;
     for (const Grouping& one : groupings) {
         groups = groups_of(visible, one, replay_.trace());
         grouping = &one;
-        // One mesh says no more than `plotted`.
-        if (groups.size() <= face_letters.size() && (groups.size() > 1 || visible.size() <= 1))
+        // One mesh says no more than `plotted`; one face has a name.
+        if (groups.size() <= face_letters.size() && (groups.size() > 1 || &one == groupings.data()))
             break;
     }
     std::unordered_map<std::string, char> letters;

@@ -82,6 +82,9 @@ public:
     /// All steps of the trace that tell where a vertex is on its way to the screen, by number.
     const std::vector<std::size_t>& places_of(const std::string& vertex) const;
 
+    /// The step that told how the painter sorts the triangles; 0 if there was none.
+    std::size_t order() const { return order_; }
+
     /// The edges of the current primitive that have been set up, by number of their step.
     const std::vector<std::size_t>& edges() const { return edges_; }
 
@@ -104,6 +107,7 @@ private:
     std::size_t scanline_before_ = 0;
     std::size_t drew_over_ = 0;
     std::size_t stored_before_ = 0;
+    std::size_t order_ = 0;
     std::size_t vertex_ = 0;
     std::size_t vertex_before_ = 0;
     std::vector<std::size_t> edges_;

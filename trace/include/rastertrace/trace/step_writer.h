@@ -202,6 +202,11 @@ public:
                 before = ",";
             }
         }
+        before = R"(],"listed":[)";
+        for (const std::size_t index : step.indices) {
+            put(before, static_cast<std::int64_t>(index + 1));
+            before = ",";
+        }
         put("]}");
     }
 

@@ -52,7 +52,8 @@ template <typename Scalar> struct VertexPlaced {
 /// The painter has sorted the triangles: this is the order in which they are drawn.
 template <typename Scalar> struct PrimitivesOrdered {
     std::span<const std::string_view> names;
-    std::span<const Scalar> distances; ///< from the eye: the key that each was sorted by
+    std::span<const Scalar> distances;    ///< from the eye: the key that each was sorted by
+    std::span<const std::size_t> indices; ///< in Scene::primitives
 };
 
 /// A face was asked whether it is turned to the eye, or to the light.
