@@ -2,8 +2,8 @@
 # Writes the small closed models cube.obj, tetrahedron.obj, torus.obj and icosphere.obj:
 #
 #     scripts/make-models.sh [FOLDER]             # examples/models if no folder is given
-#     scripts/make-models.sh torus RINGS SIDES    # a torus of any size, to standard output
-#     scripts/make-models.sh head RINGS SIDES     # a head, its mouth behind its lips
+#     scripts/make-models.sh torus [RINGS SIDES]  # a torus of any size, to standard output
+#     scripts/make-models.sh head [RINGS SIDES]   # a head, its mouth behind its lips
 #
 # y points up, and every face is counter-clockwise seen from outside (x right, z toward the viewer).
 # A torus has RINGS x SIDES quads, that is twice as many triangles; a head has its rings from chin to crown,
@@ -13,7 +13,7 @@ export LC_ALL=C
 
 usage() {
     echo "usage: scripts/make-models.sh [FOLDER]" >&2
-    echo "       scripts/make-models.sh torus|head RINGS SIDES    (each from 3 to 10000)" >&2
+    echo "       scripts/make-models.sh torus|head [RINGS SIDES]    (each from 3 to 10000)" >&2
     exit 2
 }
 
@@ -193,6 +193,8 @@ is_count() {
 }
 
 case $#,${1:-} in
+1,torus) model torus 24 12; exit ;;
+1,head) model head 120 160; exit ;;
 3,torus | 3,head)
     is_count "$2" || usage
     is_count "$3" || usage

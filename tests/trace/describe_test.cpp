@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "picture.h"
+#include "traces.h"
 
 #include <rastertrace/trace/describe.h>
 #include <rastertrace/trace/write_trace.h>
@@ -156,6 +157,64 @@ TEST(Describe, DoublesThatAreNoShortFractions) {
                                        {.scalar = ScalarKind::double_precision});
     for (std::size_t n = 1; n < 12; ++n)
         EXPECT_EQ(description(scene, n).find("= 1/10"), std::string::npos) << n;
+}
+
+/// A scene of rows and lines names two roundings; each end and each pixel is rounded by its own.
+TEST(Describe, TheRoundingOfRowsAndThatOfLines) {
+    Scene scene = first_triangle();
+    scene.method.line = LineMethod::naive;
+    scene.primitives.push_back(
+        {.kind = PrimitiveKind::line, .name = "AB", .vertices = {0, 1}, .color = {}});
+    EXPECT_EQ(description(scene, 14),
+              "scanline y=2   left AB: x = 2 + 3/4 (2 - 5) = -1/4 -> floor -> -1   "
+              "right AC: x = 2 - 3/8 (2 - 5) = 25/8 -> floor -> 3");
+    const std::size_t line = 63;
+    EXPECT_EQ(description(scene, line), "line AB   A (2, 5)   B (-4, -3)   octant 6");
+    EXPECT_EQ(description(scene, line + 3), "y = 4: x = 3/4 y - 7/4 = 5/4 -> nearest -> 1");
+    EXPECT_EQ(description(scene, line + 5),
+              "y = 3: x = 3/4 y - 7/4 = 1/2 -> nearest, ties start -> 1");
+}
+
+/// Thirty degrees make fractions of thirty digits; a formula shows seven.
+TEST(Describe, LongFractionsInFormulas) {
+    const Scene scene = triangle_scene(
+        {"2", "5.0000000000000000000000001", "-4", "-3.0000000000000000000000001", "5", "-3"},
+        {.width = 17, .height = 11}, {.scalar = ScalarKind::exact});
+    for (std::size_t n = 2; n < 20; ++n)
+        EXPECT_LT(description(scene, n).size(), 260u) << description(scene, n);
+    EXPECT_EQ(description(scene, 2),
+              "edge AC: dx/dy = (5 - 2) / (-3 - 5) = -1000000.../26666666... = -0.375; "
+              "x = 2 - 0.375 (y - 5); y = -2.666667 x + 10.33333");
+    EXPECT_EQ(description(scene, 5),
+              "scanline y=5   left AB: x = 2 + 0.75 (5 - 5) = 79999999.../40000000..., just below "
+              "2 -> floor -> 1   right AC: x = 2 - 0.375 (5 - 5) = 53333333.../26666666..., just "
+              "above 2 -> floor -> 2");
+}
+
+/// T2's colors, step by step or by the distance.
+TEST(Describe, TheColorOfALinesPixel) {
+    Scene scene = scene_in(R"({
+  "canvas": {"width": 6, "height": 3, "origin": "bottom-left"},
+  "vertices": {"A": [0, 0], "B": [5, 2]},
+  "colors": {"A": "#000000", "B": "#ff0000"},
+  "lines": ["AB"]})");
+    EXPECT_EQ(description(scene, 4),
+              "pixel (1, 0) #330000 (step 1 of 5)   d = -1 <= 0, straight on");
+    scene.method.color_lerp = ColorLerp::distance;
+    EXPECT_EQ(description(scene, 4),
+              "pixel (1, 0) #2b0000 (0.169545 of the distance)   d = -1 <= 0, straight on");
+}
+
+/// A trace of some steps only does not know what kind of primitive was skipped.
+TEST(Describe, ASkippedPrimitiveOfUnknownKind) {
+    const auto trace = read_trace(
+        {"t",
+         "{\"rastertrace\":1,\"canvas\":{\"width\":3,\"height\":3},\"only\":[\"skip\"]}\n"
+         "{\"step\":\"skip\",\"name\":\"DGH\",\"why\":\"culled\"}\n{\"end\":{\"steps\":1}}\n"});
+    ASSERT_TRUE(trace);
+    Replay replay(trace.value());
+    replay.go_to(1);
+    EXPECT_EQ(describe_step(replay), "primitive DGH: skipped, culled");
 }
 
 TEST(Describe, StepsThatAreUnknown) {

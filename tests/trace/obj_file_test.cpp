@@ -517,11 +517,13 @@ TEST_F(MakeModels, RefuseBadUsage) {
         EXPECT_EQ(make(arguments + " 2>usage"s), 2) << arguments;
     EXPECT_EQ(text_of(folder_ / "usage"),
               "usage: scripts/make-models.sh [FOLDER]\n"
-              "       scripts/make-models.sh torus|head RINGS SIDES    (each from 3 to 10000)\n");
+              "       scripts/make-models.sh torus|head [RINGS SIDES]    (each from 3 to 10000)\n");
 }
 
 TEST_F(MakeModels, TorusOfAnySize) {
     ASSERT_EQ(make("torus 24 12 >torus.obj"), 0);
+    EXPECT_EQ(text_of(folder_ / "torus.obj"), text_of(models / "torus.obj"));
+    ASSERT_EQ(make("torus >torus.obj"), 0);
     EXPECT_EQ(text_of(folder_ / "torus.obj"), text_of(models / "torus.obj"));
     ASSERT_EQ(make("torus 7 3 >torus.obj"), 0);
     const ObjMesh mesh = mesh_in(text_of(folder_ / "torus.obj"));

@@ -90,7 +90,8 @@ TEST(SceneFile, WrongType) {
     EXPECT_EQ(complaint(R"({"vertices": {"A": [1, 2, 3, 4]}, "triangles": ["AAA"]})"),
               "scene.json:1:20: expected [x, y] or [x, y, z], found an array of 4\n"
               "{\"vertices\": {\"A\": [1, 2, 3, 4]}, \"triangles\": [\"AAA\"]}\n"
-              "                   ^");
+              "                   ^\n"
+              "hint: decimal commas? JSON has a point: 5.5");
     EXPECT_EQ(complaint(R"({"title": 5})"), "scene.json:1:11: expected a title in quotes, found 5\n"
                                             "{\"title\": 5}\n"
                                             "          ^");

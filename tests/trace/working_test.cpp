@@ -199,6 +199,79 @@ TEST(Working, TheAxesOfACamera) {
                 Contains("z = -d / |d| = (-0.2672612, -0.5345225, -0.8017837)"));
 }
 
+/// T2's line of (0, 0) to (5, 2), from level 0 to 255: 51 a step, or 43.2, 105.3, 149.1, 207.7 by the distance
+/// (sources.md).
+TEST(Working, TheColorsOfALine) {
+    const Trace by_distance = example("t2-lines/colors.json");
+    EXPECT_THAT(working(by_distance, StepKind::pixel, 1, 0),
+                IsSupersetOf(Working{
+                    "to the far end sqrt(20), the whole line sqrt(29): 0.830455 of the color of A",
+                    "red = 0.830455 (0) + 0.169545 (255) = 43.234026 -> 43"}));
+    EXPECT_THAT(working(by_distance, StepKind::pixel, 2, 1),
+                Contains(HasSubstr(" = 105.258844 -> 105")));
+    EXPECT_THAT(working(by_distance, StepKind::pixel, 3, 1),
+                Contains(HasSubstr(" = 149.117013 -> 149")));
+    EXPECT_THAT(working(by_distance, StepKind::pixel, 4, 2), Contains(HasSubstr(" = 207.647")));
+    const Trace by_steps = trace_of(scene_in(R"({
+  "canvas": {"width": 6, "height": 3, "origin": "bottom-left"},
+  "vertices": {"A": [0, 0], "B": [5, 2]},
+  "colors": {"A": "#000000", "B": "#ff0000"},
+  "lines": ["AB"]})"));
+    EXPECT_THAT(working(by_steps, StepKind::pixel, 1, 0),
+                Contains("red = 0 + 1 (255 - 0) / 5 = 51 -> 51"));
+    EXPECT_THAT(working(by_steps, StepKind::pixel, 4, 2),
+                Contains("red = 0 + 4 (255 - 0) / 5 = 204 -> 204"));
+}
+
+/// A third of the way from A to each of B and C, all three colors weigh the same.
+TEST(Working, TheColorsOfATriangle) {
+    const Trace trace = trace_of(scene_in(R"({
+  "canvas": {"width": 4, "height": 4, "origin": "bottom-left"},
+  "vertices": {"A": [0, 0], "B": [3, 0], "C": [0, 3]},
+  "colors": {"A": "#000000", "B": "#ff0000", "C": "#0000f0"},
+  "triangles": ["ABC"]})"));
+    EXPECT_THAT(
+        working(trace, StepKind::pixel, 1, 1),
+        IsSupersetOf(Working{"red = 0.333333 (0) + 0.333333 (255) + 0.333333 (0) = 85 -> 85",
+                             "blue = 0.333333 (0) + 0.333333 (0) + 0.333333 (240) = 80 -> 80"}));
+}
+
+/// The sides of an outline, and the lines of a fan, have increments as lines have.
+TEST(Working, BresenhamOnSidesAndInFans) {
+    EXPECT_THAT(working(example("t2-lines/outline.json"), StepKind::decide, 2, 5),
+                ElementsAre("dx = 6, dy = 8: d begins at 2 dx - dy = 4",
+                            "straight on adds 2 dx = 12, diagonally 2 (dx - dy) = -4",
+                            "next d = 4 - 4 = 0"));
+    EXPECT_THAT(working(example("t4-fan/first-triangle.json"), StepKind::decide, -4, -3),
+                ElementsAre("dx = 9, dy = 0: d begins at 2 dy - dx = -9",
+                            "straight on adds 2 dy = 0, diagonally 2 (dy - dx) = -18",
+                            "next d = -9 + 0 = -9"));
+}
+
+TEST(Working, ADdaLineAddsToTheLast) {
+    const Trace trace = example("t2-lines/dda.json");
+    const auto along = [&](int x) {
+        return working(trace, step_of(trace,
+                                      [x](const StepView& step) {
+                                          return step.kind() == StepKind::along &&
+                                                 step.whole("x") == x;
+                                      }))
+            .back();
+    };
+    EXPECT_EQ(along(0), "y = m x + b = 3/7 (0) + 0 = 0");
+    EXPECT_EQ(along(2), "y = the last one + m = 3/7 + 3/7 = 6/7");
+}
+
+/// T0's first LERP, of the depths of an edge: 17/75 at y = 1 between 1/3 and 1/5.
+TEST(Working, TheDepthsAtTheEndsOfARow) {
+    const Trace trace = example("t0-hidden/cube-inverse-z.json");
+    const std::size_t row = step_of(trace, [](const StepView& step) {
+        return step.kind() == StepKind::scanline && step.text("right_depth") == "17/75";
+    });
+    EXPECT_THAT(working(trace, row), Contains(HasSubstr("  depth = 1/5 + ")));
+    EXPECT_THAT(working(trace, row), Contains(::testing::EndsWith(" = 17/75")));
+}
+
 /// T2: index = 4 (512 y + x).
 TEST(Working, WhereAPixelLiesInMemory) {
     Scene scene = triangle_scene({"0", "0", "511", "511", "0", "1"},

@@ -24,27 +24,27 @@ std::string frame(const Trace& trace, std::size_t first, std::size_t last, TextS
 TEST(FrameText, OfARowOfTheFirstTriangle) {
     Scene scene = first_triangle();
     scene.title = "First triangle";
-    EXPECT_EQ(
-        frame(trace_of(scene), 14, 19),
-        "First triangle                                             steps 14 to 19 of 62\n"
-        "scanline y=2   left AB: x = 2 + 3/4 (2 - 5) = -1/4 -> floor -> -1   right AC: x = 2 - 3/8 (2 - 5) "
-        "= 25/8 -> floor -> 3\n"
-        "\n"
-        "     -8-7-6-5-4-3-2-1 0 1 2 3 4 5 6 7 8\n"
-        "  7   . . . . . . . . . . . . . . . . .\n"
-        "  6   . . . . . . . . . . . . . . . . .\n"
-        "  5   . . . . . . . . . . A . . . . . .\n"
-        "  4   . . . . . . . . . # # . . . . . .\n"
-        "  3   . . . . . . . . # # # . . . . . .\n"
-        "> 2   . . . . . . . @ @ @ @ @ . . . . .\n"
-        "  1   . . . . . . . . . . . . . . . . .\n"
-        "  0   . . . . . . . . . . . . . . . . .\n"
-        " -1   . . . . . . . . . . . . . . . . .\n"
-        " -2   . . . . . . . . . . . . . . . . .\n"
-        " -3   . . . . b . . . . . . . . c . . .\n"
-        " -4   . . . . . . . . . . . . . . . . .\n"
-        " -5   . . . . . . . . . . . . . . . . .\n"
-        " -6   . . . . . . . . . . . . . . . . .\n");
+    EXPECT_EQ(frame(trace_of(scene), 14, 19),
+              "First triangle                                             steps 14 to 19 of 62\n"
+              "scanline y=2   left AB: x = 2 + 3/4 (2 - 5) = -1/4 -> floor -> -1   right AC: x = 2 "
+              "- 3/8 (2 - 5) "
+              "= 25/8 -> floor -> 3\n"
+              "\n"
+              "     -8-7-6-5-4-3-2-1 0 1 2 3 4 5 6 7 8\n"
+              "  7   . . . . . . . . . . . . . . . . .\n"
+              "  6   . . . . . . . . . . . . . . . . .\n"
+              "  5   . . . . . . . . . . A . . . . . .\n"
+              "  4   . . . . . . . . . # # . . . . . .\n"
+              "  3   . . . . . . . . # # # . . . . . .\n"
+              "> 2   . . . . . . . @ @ @ @ @ . . . . .\n"
+              "  1   . . . . . . . . . . . . . . . . .\n"
+              "  0   . . . . . . . . . . . . . . . . .\n"
+              " -1   . . . . . . . . . . . . . . . . .\n"
+              " -2   . . . . . . . . . . . . . . . . .\n"
+              " -3   . . . . b . . . . . . . . c . . .\n"
+              " -4   . . . . . . . . . . . . . . . . .\n"
+              " -5   . . . . . . . . . . . . . . . . .\n"
+              " -6   . . . . . . . . . . . . . . . . .\n");
 }
 
 TEST(FrameText, WideCanvasDropsTheGapsAndThinsTheLabels) {

@@ -43,7 +43,7 @@ TEST_F(ProgramTest, ShowLooksAtAFrameInManyWays) {
     const Outcome colored =
         shell("TERM=xterm COLORTERM= $rastertrace show $examples/t2-lines/points.json --view shade "
               "--color always | tail -3 | head -1");
-    EXPECT_EQ(colored.out, "> 2   . . . . \x1b[97;40;7m-\x1b[0m  D\n");
+    EXPECT_EQ(colored.out, "> 2   . . . . \x1b[97;40;7m-\x1b[0m  D x=4\n");
     const Outcome plain = shell("$rastertrace show $examples/t2-lines/points.json --view shade");
     EXPECT_EQ(plain.out.find('\x1b'), std::string::npos);
 
@@ -246,8 +246,8 @@ TEST_F(ProgramTest, StatsCountsHiddenPixelsAsCovered) {
     EXPECT_THAT(
         shell("$rastertrace stats hidden.json").out,
         EndsWith("triangle ABC: 10 writes\n"
-                 "triangle DEF: 0 writes\n"
-                 "triangle GHI: 0 writes\n"
+                 "triangle DEF: 0 writes, 10 hidden\n"
+                 "triangle GHI: 0 writes, 10 hidden\n"
                  "depth ties: 10 pixels would have another color in another order: "
                  "(3, 3) (2, 2) (3, 2) (1, 1) (2, 1) (3, 1) (0, 0) (1, 0) (2, 0) (3, 0)\n"));
     write("culled.json", R"({"vertices":{"A":[0,0,1],"B":[3,0,1],"C":[3,3,1]},
@@ -1024,7 +1024,8 @@ TEST_F(ProgramTest, CaretsAndTitlesCountColumns) {
                                 "\"]],"
                                 "\"canvas\":{\"width\":5,\"height\":5}}");
         std::string out = shell("$rastertrace show scene.json").out;
-        return out.replace(0, title.size(), "TITLE");
+        EXPECT_THAT(out, HasSubstr("\n\n* " + name + " (1, 1)\n"));
+        return out.substr(0, out.find("* ")).replace(0, title.size(), "TITLE");
     };
     EXPECT_EQ(shown("三角e\u0301", "三"), shown("abcde", "long"));
 }

@@ -58,8 +58,10 @@ std::string shown(const Trace& trace, View view, FrameText about = {}, TextSize 
 }
 
 TEST(Views, FacesAreLettersOfWhatIsSeen) {
-    // T10 covers all of A1, and the corner A.
-    const std::string steps = primitive("A1") + pixel(0, 0) + "," + primitive("T10") + pixel(0, 0) +
+    // T10, with corners of its own, covers all of A1, and the corner A.
+    std::string t10 = primitive("T10");
+    t10.replace(t10.find(R"("A","B","C")"), 11, R"("D","E","F")");
+    const std::string steps = primitive("A1") + pixel(0, 0) + "," + t10 + pixel(0, 0) +
                               pixel(1, 0) + "," + primitive("T9") + pixel(2, 0) + pixel(2, 1);
     const Trace trace = trace_in(steps);
     EXPECT_EQ(grid(trace, View::faces), "aab..\n"
@@ -67,8 +69,8 @@ TEST(Views, FacesAreLettersOfWhatIsSeen) {
     EXPECT_EQ(shown(trace, View::faces), "said\n"
                                          "\n"
                                          "      0 1 2 3 4\n"
-                                         "  0   a a b . .  B\n"
-                                         "> 1   . .[b]. .  C\n"
+                                         "  0   a a b . .  B x=4\n"
+                                         "> 1   . .[b]. .  C x=0\n"
                                          "\n"
                                          "a T10  b T9\n");
 
@@ -138,8 +140,8 @@ TEST(Views, DepthIsTheBuffer) {
               "said\n"
               "\n"
               "     0 2 4\n"
-              "> 0  .-x..  A  B\n"
-              "  1  .....  C\n"
+              "> 0  .-x..  A x=0  B x=4\n"
+              "  1  .....  C x=0\n"
               "\n"
               "far 3 -~:+=*o%8& 2 near\n"
               "x tested, not drawn\n");
@@ -173,17 +175,18 @@ TEST(Views, PlottedMarksWhatIsNewAndWhatIsNotDrawn) {
                                                   "\n"
                                                   "x tested, not drawn\n");
     about.first_step = 3;
-    EXPECT_NE(shown(trace, View::writes, about).find("> 0   1[1 1]x .  A  B\n"), std::string::npos);
+    EXPECT_NE(shown(trace, View::writes, about).find("> 0   1[1 1]x .  A x=0  B x=4\n"),
+              std::string::npos);
 }
 
 TEST(Views, ColorsAreEscapesOnlyWhenAskedFor) {
     const Trace trace = trace_in(primitive("ABC", "#ff0000") + pixel(0, 0) + pixel(1, 0));
     FrameText about;
     about.colors = ColorDepth::truecolor;
-    EXPECT_NE(
-        shown(trace, View::shade, about)
-            .find(" \x1b[30;48;2;255;0;0m*\x1b[0m \x1b[30;48;2;255;0;0;7m*\x1b[0m . . .  A  B"),
-        std::string::npos);
+    EXPECT_NE(shown(trace, View::shade, about)
+                  .find(" \x1b[30;48;2;255;0;0m*\x1b[0m \x1b[30;48;2;255;0;0;7m*\x1b[0m . . .  A "
+                        "x=0  B x=4"),
+              std::string::npos);
     about.colors = ColorDepth::palette256;
     EXPECT_NE(shown(trace, View::shade, about).find("\x1b[30;48;5;196m*\x1b[0m"),
               std::string::npos);
@@ -212,7 +215,7 @@ TEST(Views, RegionAndOverview) {
               "(1 cell = 2x4 pixels, the most frequent of those drawn)\n"
               "\n"
               "     0 4\n"
-              "> 0  a.b  B  C\n"
+              "> 0  a.b  A x=0  B x=4  C x=0\n"
               "\n"
               "a A  b B\n");
 }

@@ -79,11 +79,21 @@ std::string farthest_first(const Context& context) {
     return text;
 }
 
+/// A double that is a short fraction with it: `-0.25 = -1/4`.
+std::string with_fraction(const std::string& number) {
+    constexpr int largest_denominator = 64;
+    const auto exact = number.find('.') == std::string::npos ? std::nullopt : number_in(number);
+    const bool is_dyadic = exact && exact->get_den() <= largest_denominator &&
+                           Rational(nearest_double(*exact)) == *exact;
+    return is_dyadic ? fmt::format("{} = {}", number, exact->get_str()) : in_sentence(number);
+}
+
 std::string edge_function(const StepView& step, const std::optional<EdgeEnds>& ends) {
     const bool is_top_left = step.text("top_left") == "true";
+    const std::string x = ends ? minus(in_formula(ends->from[0])) : "- x1";
+    const std::string y = ends ? minus(in_formula(ends->from[1])) : "- y1";
     return fmt::format("edge {}: E(x, y) = {} (x {}) {} (y {}), {}", step.text("edge"),
-                       step.text("a"), ends ? minus(ends->from[0]) : "- x1", plus(step.text("b")),
-                       ends ? minus(ends->from[1]) : "- y1",
+                       in_formula(step.text("a")), x, plus(in_formula(step.text("b"))), y,
                        is_top_left ? "top or left: samples where E = 0 belong to the triangle"
                                    : "samples where E = 0 do not belong to the triangle");
 }
@@ -110,10 +120,13 @@ std::string edge(const Context& context) {
     if (slope == "null")
         return fmt::format("edge {}: horizontal, it has no dx/dy", name);
     if (!ends)
-        return fmt::format("edge {}: dx/dy = {}", name, slope);
+        return fmt::format("edge {}: dx/dy = {}", name, with_fraction(slope));
+    const std::string x1 = in_formula(ends->from[0]);
+    const std::string y1 = in_formula(ends->from[1]);
     return fmt::format("edge {}: dx/dy = ({} {}) / ({} {}) = {}; x = {} {} (y {}){}", name,
-                       ends->to[0], minus(ends->from[0]), ends->to[1], minus(ends->from[1]), slope,
-                       ends->from[0], plus(slope), minus(ends->from[1]), line_form(*ends));
+                       in_formula(ends->to[0]), minus(x1), in_formula(ends->to[1]), minus(y1),
+                       with_fraction(slope), x1, plus(in_formula(slope)), minus(y1),
+                       line_form(*ends));
 }
 
 std::string rows_of_half(const Context& context) {
@@ -135,8 +148,8 @@ std::string weights(const Context& context) {
         text = fmt::format(" {} / {}:", rastertrace::text(cross->weights),
                            rastertrace::text(cross->weights.z));
     for (std::size_t i = 0; i < weights.size(); ++i)
-        text +=
-            fmt::format(" {} {}", i < vertices.size() ? vertices[i] : "?", in_sentence(weights[i]));
+        text += fmt::format(" {} {}", i < vertices.size() ? vertices[i] : "?",
+                            with_fraction(weights[i]));
     return text;
 }
 
@@ -182,6 +195,9 @@ std::string depth_rule(const Context& context) {
     if (kind == "inverse-z" && depth && *depth != 0)
         text += "; z = " + inverse_of(step.text("depth")) +
                 (stored && *stored != 0 ? " against " + inverse_of(step.text("stored")) : "");
+    if (step.text("depth") == step.text("stored"))
+        text += step.text("pass") == "true" ? "; of equals the last stays"
+                                            : "; of equals the first stays";
     return text + ")";
 }
 
@@ -216,16 +232,38 @@ std::optional<std::string> slope_of(const Replay& replay, const std::string& edg
     return std::nullopt;
 }
 
+/// ` -> floor`; of a number halfway between two pixels, ` -> nearest, ties up`.
+std::string rounded_by(const Trace& trace, std::string_view rule,
+                       const std::optional<Rational>& number) {
+    if (rule.empty())
+        return {};
+    const std::string ties = trace.method_value("ties");
+    const bool is_tie = number && rule == "nearest" && Rational(*number * 2).get_den() == 1 &&
+                        number->get_den() == 2;
+    return fmt::format(" -> {}{}", rule, is_tie ? ", ties " + (ties.empty() ? "up" : ties) : "");
+}
+
+/// The rules by which the ends of rows and the pixels of lines are rounded: a scene with both names both,
+/// as in `floor+nearest`.
+std::string rule_of_rows(const Trace& trace) {
+    const std::string rounding = trace.method_value("rounding");
+    return rounding.substr(0, rounding.find('+'));
+}
+std::string rule_of_lines(const Trace& trace) {
+    const std::string rounding = trace.method_value("rounding");
+    return rounding.substr(rounding.find('+') + 1);
+}
+
 /// How the end of a row becomes its pixel: the rounding by its name, or how it lies to the pixel's sample.
 std::string rule_of_end(const Context& context, const std::string& side, const std::string& pixel) {
     const Trace& trace = context.replay.trace();
     const bool is_left = side == "left";
-    const std::string rounding = trace.method_value("rounding");
+    const std::string rounding = rule_of_rows(trace);
+    const auto x = number_in(context.step, side);
     if (rounding == "inside")
         return is_left ? " -> ceil" : " -> floor";
     if (!rounding.empty())
-        return " -> " + rounding;
-    const auto x = number_in(context.step, side);
+        return rounded_by(trace, rounding, x);
     const auto column = number_in(pixel);
     if (!x || !column || trace.method_value("fill") != "top-left")
         return {};
@@ -235,15 +273,6 @@ std::string rule_of_end(const Context& context, const std::string& side, const s
         return {};
     return fmt::format(" {} sample {}{}", is_left ? "<=" : ">", pixel,
                        sgn(offset) != 0 ? " + 1/2" : "");
-}
-
-/// A double that is a short fraction with it: `-0.25 = -1/4`.
-std::string with_fraction(const std::string& number) {
-    constexpr int largest_denominator = 64;
-    const auto exact = number.find('.') == std::string::npos ? std::nullopt : number_in(number);
-    const bool is_dyadic = exact && exact->get_den() <= largest_denominator &&
-                           Rational(nearest_double(*exact)) == *exact;
-    return is_dyadic ? fmt::format("{} = {}", number, exact->get_str()) : in_sentence(number);
 }
 
 /// One end of a row: `left AB: x = 2 + 3/4 (2 - 5) = -1/4 -> floor -> -1`.
@@ -267,10 +296,11 @@ std::string end_of_row(const Context& context, const std::string& side, const st
                 x_before = before.text(other_side);
     }
     if (slope && !x_before.empty())
-        text += fmt::format("{} {} = ", x_before, goes_up ? plus(*slope) : minus(*slope));
+        text += fmt::format("{} {} = ", in_formula(x_before),
+                            goes_up ? plus(in_formula(*slope)) : minus(in_formula(*slope)));
     else if (slope && ends)
-        text +=
-            fmt::format("{} {} ({} {}) = ", ends->from[0], plus(*slope), y, minus(ends->from[1]));
+        text += fmt::format("{} {} ({} {}) = ", in_formula(ends->from[0]), plus(in_formula(*slope)),
+                            y, minus(in_formula(ends->from[1])));
     return text +
            fmt::format("{}{} -> {}", with_fraction(x), rule_of_end(context, side, pixel), pixel);
 }
@@ -284,16 +314,30 @@ std::string depths_of_row(const Context& context) {
                : fmt::format("   depth {} to {}", in_sentence(left), in_sentence(right));
 }
 
-/// What a line goes by, where the numbers of the trace say so: `1/2 x + 0 = `.
+/// What a line goes by: `1/2 x + 0 = `, or the number before and m, for `dda`: `3/7 + 3/7 = `.
 std::string slope_form(const Context& context) {
-    const auto ends = ends_of_line(context.primitive);
-    const auto value = number_in(context.step, "value");
-    const bool is_x_major = context.step.field("x").has_value();
-    const auto at = number_in(context.step, is_x_major ? "x" : "y");
-    if (!ends || !value || !at)
+    const auto& [replay, step, primitive] = context;
+    const auto ends = ends_of_line(replay, primitive);
+    const auto value = number_in(step, "value");
+    const bool is_x_major = step.field("x").has_value();
+    const auto at = number_in(step, is_x_major ? "x" : "y");
+    const auto form = ends ? slope_form_of(*ends, is_x_major) : std::nullopt;
+    if (!form || !value || !at)
         return {};
-    const auto form = slope_form_of(*ends, is_x_major);
-    return form && form->m * *at + form->b == *value
+    const std::size_t before =
+        replay.trace().method_value("line") == "dda" ? along_before(replay) : 0;
+    if (before != 0) {
+        const StepView last = replay.trace().step(before);
+        const auto last_value = number_in(last, "value");
+        const auto last_at = number_in(last, is_x_major ? "x" : "y");
+        if (!last_value || !last_at)
+            return {};
+        const Rational moved = (*at - *last_at) * form->m;
+        return agrees(*last_value + moved, *value, replay.trace())
+                   ? fmt::format("{} {} = ", in_formula(last.text("value")), plus(text(moved)))
+                   : std::string();
+    }
+    return agrees(form->m * *at + form->b, *value, replay.trace())
                ? fmt::format("{} {} {} = ", text(form->m), is_x_major ? "x" : "y",
                              plus(text(form->b)))
                : std::string();
@@ -302,7 +346,8 @@ std::string slope_form(const Context& context) {
 /// What Bresenham's d becomes: `; d - 6 = -3`.
 std::string next_d(const Context& context) {
     const auto d = number_in(context.step, "d");
-    const auto increment = d ? increment_of(context.primitive, *d) : std::nullopt;
+    const auto ends = ends_of_line(context.replay, context.primitive);
+    const auto increment = d && ends ? increment_of(*ends, *d) : std::nullopt;
     return increment ? fmt::format("; d {} = {}", plus(text(*increment)), text(*d + *increment))
                      : std::string();
 }
@@ -327,6 +372,19 @@ std::string sign_of_d(const StepView& step) {
     const std::string d = step.text("d");
     const bool goes_straight = d.starts_with('-') || d == "0";
     return goes_straight ? "<= 0, straight on" : "> 0, diagonally";
+}
+
+/// The color of a pixel that has its own; on a line, how far it has come from one end's to the other's.
+std::string color(const Context& context) {
+    if (!context.step.field("color"))
+        return {};
+    const std::string told = " " + context.step.text("color");
+    const auto on_line = color_on_line(context.replay, context.primitive);
+    if (!on_line)
+        return told;
+    return on_line->is_by_distance
+               ? fmt::format("{} ({} of the distance)", told, six_places(on_line->share()))
+               : fmt::format("{} (step {} of {})", told, text(on_line->step), text(on_line->steps));
 }
 
 /// Why a pixel is drawn, once more: its row, its decision or its sample.
@@ -372,8 +430,10 @@ constexpr Part parts[] = {
     {"rows",
      [](const Context& context) {
          std::string text;
-         for (const auto& row : context.step.text_rows("rows"))
+         for (auto row : context.step.text_rows("rows")) {
+             std::transform(row.begin(), row.end(), row.begin(), in_formula);
              text += fmt::format("  [{}]", joined(row, " "));
+         }
          return text;
      }},
     {"place", place},
@@ -389,7 +449,10 @@ constexpr Part parts[] = {
          return context.step.field("octant") ? "   octant " + context.step.text("octant")
                                              : std::string();
      }},
-    {"kind", [](const Context& context) { return context.primitive.kind; }},
+    {"kind",
+     [](const Context& context) {
+         return context.primitive.kind.empty() ? "primitive" : context.primitive.kind;
+     }},
     {"primitive", name_of_primitive},
     {"toward",
      [](const Context& context) {
@@ -437,19 +500,15 @@ constexpr Part parts[] = {
     {"slope_form", slope_form},
     {"rule_of_line",
      [](const Context& context) {
-         const std::string rounding = context.replay.trace().method_value("rounding");
-         return rounding.empty() ? rounding : " -> " + rounding;
+         const Trace& trace = context.replay.trace();
+         return rounded_by(trace, rule_of_lines(trace), number_in(context.step, "value"));
      }},
     {"sign_of_d", [](const Context& context) { return sign_of_d(context.step); }},
     {"next_d", next_d},
     {"weights", weights},
     {"against", against},
     {"depth_rule", depth_rule},
-    {"color",
-     [](const Context& context) {
-         return context.step.field("color") ? fmt::format(" {}", context.step.text("color"))
-                                            : std::string();
-     }},
+    {"color", color},
     {"reason", reason},
     {"drawn_over", drawn_over},
     {"dropped", dropped},

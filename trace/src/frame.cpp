@@ -12,7 +12,7 @@ void Replay::go_to(std::size_t n) {
     if (n < step_) {
         frame_ = Frame(trace_.canvas, parts_);
         step_ = primitive_ = scanline_ = scanline_before_ = drew_over_ = stored_before_ = 0;
-        order_ = vertex_ = vertex_before_ = 0;
+        order_ = ray_ = vertex_ = vertex_before_ = 0;
         edges_.clear();
         primitives_.clear();
         matrices_.clear();
@@ -32,7 +32,7 @@ void Replay::apply_next() {
     case StepKind::primitive:
         primitive_ = step_;
         primitives_.push_back(step_);
-        scanline_ = scanline_before_ = 0;
+        ray_ = scanline_ = scanline_before_ = 0;
         edges_.clear();
         color_ = parse_color(step.text("color")).value_or(Color{});
         break;
@@ -48,6 +48,10 @@ void Replay::apply_next() {
         break;
     case StepKind::edge:
         edges_.push_back(step_);
+        ray_ = 0;
+        break;
+    case StepKind::ray:
+        ray_ = step_;
         break;
     case StepKind::scanline:
         scanline_before_ = scanline_;

@@ -191,7 +191,8 @@ private:
             const JsonElements coordinates = json_.array_in(place, "[x, y] or [x, y, z]");
             const std::size_t count = coordinates.size();
             if (count != 2 && count != 3)
-                json_.fail_expecting(place, "[x, y] or [x, y, z]");
+                json_.fail_expecting(place, "[x, y] or [x, y, z]",
+                                     count == 4 ? "decimal commas? JSON has a point: 5.5" : "");
             auto& first_alike = count == 3 ? first_with_z_ : first_without_z_;
             first_alike = first_alike.value_or(place.begin);
             const auto vertex = static_cast<std::uint32_t>(scene_.vertices.size());

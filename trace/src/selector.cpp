@@ -315,14 +315,6 @@ std::string some_of(const std::vector<std::string>& list) {
            (all.size() > most_named ? ", ..." : "");
 }
 
-/// The first few of some steps.
-std::string some_of(const std::vector<std::size_t>& steps) {
-    std::vector<std::string> numbers;
-    for (std::size_t n = 0; n < std::min(steps.size(), most_named + 1); ++n)
-        numbers.push_back(std::to_string(steps[n]));
-    return some_of(numbers);
-}
-
 /// The values that a field has in the steps that `selector` means, nearest to the condition first.
 std::vector<std::string> values_near(const FieldCondition& condition, const Selector& selector,
                                      const Trace& trace) {
@@ -411,11 +403,24 @@ Result<std::size_t> matching_step(const Selector& selector, const Trace& trace, 
     const auto steps = matching_steps(selector, trace);
     if (!steps)
         return steps.problem();
-    if (const std::size_t count = steps.value().size(); count > 1)
-        return problem_in(
-            selector.source, 0,
-            fmt::format("expected one step, found {}: {}", count, some_of(steps.value())),
-            std::move(hint));
+    if (const std::size_t count = steps.value().size(); count > 1) {
+        // By the names of their primitives too, if they are not all of one.
+        std::vector<std::string> numbers;
+        std::vector<std::string> named;
+        std::unordered_set<std::string> names;
+        for_each_match(selector, trace, [&](std::size_t n, std::size_t primitive) {
+            if (named.size() > most_named)
+                return;
+            const std::string name = primitive == 0 ? "" : trace.step(primitive).text("name");
+            names.insert(name);
+            numbers.push_back(std::to_string(n));
+            named.push_back(name.empty() ? numbers.back() : fmt::format("{} of {}", n, name));
+        });
+        return problem_in(selector.source, 0,
+                          fmt::format("expected one step, found {}: {}", count,
+                                      some_of(names.size() > 1 ? named : numbers)),
+                          std::move(hint));
+    }
     return steps.value().front();
 }
 

@@ -27,6 +27,11 @@ struct Sheet {
     void put(std::string line) { lines.push_back(std::move(line)); }
 
     const Trace& trace() const { return replay.trace(); }
+
+    /// True if a result is what the trace tells.
+    bool agrees(const Rational& worked_out, const Rational& told) const {
+        return rastertrace::agrees(worked_out, told, trace());
+    }
 };
 
 template <std::size_t size>
@@ -45,9 +50,6 @@ std::optional<std::array<Rational, size>> numbers_in(const std::vector<std::stri
 
 /// 2 (-3), (-2) (-3)
 std::string product(const Rational& a, const Rational& b);
-
-/// True if a result is what the trace tells: as far as doubles go.
-bool agrees(const Rational& worked_out, const Rational& told);
 
 // The workings of steps in space (working_in_space.cpp): matrices and vertices on their way to the screen,
 // faces and their light.

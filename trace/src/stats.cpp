@@ -144,6 +144,7 @@ Stats stats_of(const Trace& trace) {
     for (std::size_t i = 0; i < drawn.size(); ++i) {
         keep_each_once(drawn[i]);
         stats.primitives[i].pixels = drawn[i].pixels.size();
+        stats.primitives[i].hidden = drawn[i].covering().size() - drawn[i].pixels.size();
     }
     if (trace.end)
         rows.close();

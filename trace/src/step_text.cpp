@@ -2,6 +2,7 @@
 #include "step_text.h"
 
 #include <rastertrace/core/numbers/number.h>
+#include <rastertrace/trace/color_text.h>
 #include <rastertrace/trace/scene_file.h>
 #include <rastertrace/trace/text.h>
 
@@ -26,8 +27,22 @@ std::string in_sentence(const std::string& number) {
     const auto value = nearest_double_in(number);
     if (!value)
         return number; // a name with a slash
-    return fmt::format("{}/{} = {:.7g}", first_digits(number.substr(0, bar)),
-                       first_digits(number.substr(bar + 1)), *value);
+    const std::string digits_of_value = fmt::format("{:.7g}", *value);
+    // What lies beside a whole number or a half is rounded otherwise than that.
+    const auto near = number_in(digits_of_value);
+    const auto exact = number_in(number);
+    const bool is_close = near && exact && *near != *exact && near->get_den() <= 2;
+    return fmt::format("{}/{}{} {}", first_digits(number.substr(0, bar)),
+                       first_digits(number.substr(bar + 1)),
+                       !is_close        ? " ="
+                       : *exact < *near ? ", just below"
+                                        : ", just above",
+                       digits_of_value);
+}
+
+std::string in_formula(const std::string& number) {
+    const auto value = in_sentence(number) == number ? std::nullopt : nearest_double_in(number);
+    return value ? fmt::format("{:.7g}", *value) : number;
 }
 
 std::optional<Rational> number_in(std::string_view text) {
@@ -81,6 +96,12 @@ std::string plus(const std::string& number) {
 std::string minus(const std::string& number) {
     return number.starts_with('-') ? fmt::format("+ {}", number.substr(1))
                                    : fmt::format("- {}", number);
+}
+
+bool agrees(const Rational& worked_out, const Rational& told, const Trace& trace) {
+    const double tolerance = trace.method_value("scalar") == "float" ? 1e-4 : 1e-9;
+    const double difference = std::abs(nearest_double(worked_out - told));
+    return difference <= tolerance * std::max(1.0, std::abs(nearest_double(told)));
 }
 
 std::string quotient(const std::string& above, const std::string& below) {
@@ -144,14 +165,72 @@ std::optional<std::array<Vec2, 3>> corners_of(const PrimitiveText& primitive) {
     return corners;
 }
 
-std::optional<LineEnds> ends_of_line(const PrimitiveText& primitive) {
-    if (primitive.kind != "line" || primitive.positions.size() != 2)
+namespace {
+
+std::optional<LineEnds> line_between(const std::vector<std::string>& from,
+                                     const std::vector<std::string>& to) {
+    const auto a = vec2_in(from);
+    const auto b = vec2_in(to);
+    return a && b ? std::optional(LineEnds{*a, *b}) : std::nullopt;
+}
+
+} // namespace
+
+std::optional<LineEnds> ends_of_line(const Replay& replay, const PrimitiveText& primitive) {
+    const auto& positions = primitive.positions;
+    if (primitive.kind == "line" && positions.size() == 2)
+        return line_between(positions[0], positions[1]);
+    if (replay.edges().empty())
         return std::nullopt;
-    const auto from = vec2_in(primitive.positions[0]);
-    const auto to = vec2_in(primitive.positions[1]);
-    if (!from || !to)
+    const std::string edge = replay.trace().step(replay.edges().back()).text("edge");
+    const auto ends = ends_of_edge(primitive, edge);
+    if (!ends)
         return std::nullopt;
-    return LineEnds{*from, *to};
+    if (primitive.kind == "outline")
+        return line_between(ends->from, ends->to);
+    if (replay.ray() == 0)
+        return std::nullopt;
+    const StepView ray = replay.trace().step(replay.ray());
+    for (const auto& apex : positions)
+        if (apex != ends->from && apex != ends->to)
+            return line_between({ray.text("x"), ray.text("y")}, apex);
+    return std::nullopt;
+}
+
+double ColorOnLine::share() const {
+    if (is_by_distance)
+        return 1 - std::sqrt(nearest_double(to_end / length));
+    return nearest_double(step / steps);
+}
+
+std::optional<ColorOnLine> color_on_line(const Replay& replay, const PrimitiveText& primitive) {
+    if (primitive.kind != "line")
+        return std::nullopt;
+    const auto ends = ends_of_line(replay, primitive);
+    const auto colors = replay.trace().step(replay.primitive()).texts("colors");
+    const auto from = colors.size() == 2 ? parse_color(colors[0]) : std::nullopt;
+    const auto to = colors.size() == 2 ? parse_color(colors[1]) : std::nullopt;
+    const StepView pixel = replay.trace().step(replay.step());
+    const auto x = number_in(pixel, "x");
+    const auto y = number_in(pixel, "y");
+    if (!ends || !from || !to || !x || !y)
+        return std::nullopt;
+    const auto square_of = [](const Rational& dx, const Rational& dy) {
+        return Rational(dx * dx + dy * dy);
+    };
+    const Rational dx = ends->to.x - ends->from.x;
+    const Rational dy = ends->to.y - ends->from.y;
+    ColorOnLine color{.from = *from,
+                      .to = *to,
+                      .from_name = primitive.vertices.front(),
+                      .step = abs(abs(dx) < abs(dy) ? *y - ends->from.y : *x - ends->from.x),
+                      .steps = std::max<Rational>(abs(dx), abs(dy)),
+                      .to_end = square_of(ends->to.x - *x, ends->to.y - *y),
+                      .length = square_of(dx, dy),
+                      .is_by_distance = replay.trace().method_value("color_lerp") == "distance"};
+    if (sgn(color.steps) == 0)
+        return std::nullopt;
+    return color;
 }
 
 std::optional<SlopeForm> slope_form_of(const LineEnds& ends, bool is_x_major) {
@@ -164,12 +243,9 @@ std::optional<SlopeForm> slope_form_of(const LineEnds& ends, bool is_x_major) {
                                    : Rational(ends.from.x - m * ends.from.y)};
 }
 
-std::optional<Rational> increment_of(const PrimitiveText& primitive, const Rational& d) {
-    const auto ends = ends_of_line(primitive);
-    if (!ends)
-        return std::nullopt;
-    const Rational dx = abs(ends->to.x - ends->from.x);
-    const Rational dy = abs(ends->to.y - ends->from.y);
+std::optional<Rational> increment_of(const LineEnds& ends, const Rational& d) {
+    const Rational dx = abs(ends.to.x - ends.from.x);
+    const Rational dy = abs(ends.to.y - ends.from.y);
     if (dx.get_den() != 1 || dy.get_den() != 1)
         return std::nullopt;
     const Rational straight = 2 * std::min(dx, dy);
@@ -201,6 +277,17 @@ std::optional<Vec2> sample_of(const Trace& trace, const StepView& step) {
         return std::nullopt;
     const Rational offset = sample_offset(trace);
     return Vec2{*x + offset, *y + offset};
+}
+
+std::size_t along_before(const Replay& replay) {
+    for (std::size_t n = replay.step() - 1; n > replay.primitive(); --n) {
+        const auto kind = replay.trace().kind_of(n);
+        if (kind == StepKind::along)
+            return n;
+        if (kind != StepKind::pixel && kind != StepKind::reject)
+            break;
+    }
+    return 0;
 }
 
 std::size_t reason_of_pixel(const Replay& replay) {

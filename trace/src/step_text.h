@@ -6,6 +6,7 @@
 
 #include <rastertrace/core/numbers/scalar.h>
 #include <rastertrace/core/numbers/vec.h>
+#include <rastertrace/core/raster/image.h>
 #include <rastertrace/trace/frame.h>
 
 #include <array>
@@ -17,8 +18,12 @@
 
 namespace rastertrace {
 
-/// A long fraction as its first digits, and what it is: 49977918.../10141204... = 4.928204.
+/// A long fraction as its first digits, and what it is: 49977918.../10141204... = 4.928204, or
+/// 79999999.../40000000..., just below 2.
 std::string in_sentence(const std::string& number);
+
+/// A long fraction as seven digits of it; any other number as it is.
+std::string in_formula(const std::string& number);
 
 /// A number of a trace, exactly as it is written there.
 std::optional<Rational> number_in(std::string_view text);
@@ -40,6 +45,9 @@ std::string plus(const std::string& number);
 
 /// `- 3` for "3" and `+ 3` for "-3": a number that is taken away.
 std::string minus(const std::string& number);
+
+/// True if a number that was worked out is the one that a trace tells, as far as the trace's numbers go.
+bool agrees(const Rational& worked_out, const Rational& told, const Trace& trace);
 
 /// `1 / 3`, with brackets around fractions that have none.
 std::string quotient(const std::string& above, const std::string& below);
@@ -80,7 +88,26 @@ struct LineEnds {
     Vec2 from;
     Vec2 to;
 };
-std::optional<LineEnds> ends_of_line(const PrimitiveText& primitive);
+
+/// Those of the line that is being drawn: the primitive, a side of an outline, or a line of a `fan`, from its
+/// edge to the vertex beyond.
+std::optional<LineEnds> ends_of_line(const Replay& replay, const PrimitiveText& primitive);
+
+/// What mixes the colors of a line's ends in the current step's pixel.
+struct ColorOnLine {
+    Color from;
+    Color to;
+    std::string from_name;
+    Rational step;        ///< along the longer direction ...
+    Rational steps;       ///< ... of so many
+    Rational to_end = {}; ///< squares of the distance to the far end, and of the line's length
+    Rational length = {};
+    bool is_by_distance = false;
+
+    /// What part of the color is that of the end `to`.
+    double share() const;
+};
+std::optional<ColorOnLine> color_on_line(const Replay& replay, const PrimitiveText& primitive);
 
 /// A line as y = m x + b, or, where y is the longer direction, as x = m y + b.
 struct SlopeForm {
@@ -89,8 +116,8 @@ struct SlopeForm {
 };
 std::optional<SlopeForm> slope_form_of(const LineEnds& ends, bool is_x_major);
 
-/// What Bresenham adds to d, if the line's ends are pixels.
-std::optional<Rational> increment_of(const PrimitiveText& primitive, const Rational& d);
+/// What Bresenham adds to d, if the ends are pixels.
+std::optional<Rational> increment_of(const LineEnds& ends, const Rational& d);
 
 /// Twice the area of a triangle, above 0 if it is counter-clockwise where y points up.
 Rational doubled_area(const Vec2& a, const Vec2& b, const Vec2& c);
@@ -108,6 +135,9 @@ Rational sample_offset(const Trace& trace);
 
 /// The sample point of the pixel that a step is about.
 std::optional<Vec2> sample_of(const Trace& trace, const StepView& step);
+
+/// The `along` step before the current one on the same line; 0 if there is none.
+std::size_t along_before(const Replay& replay);
 
 /// The row, line or sample that the pixel of the current step belongs to: the last step before it in its
 /// primitive that is not about a pixel; 0 if there is none.

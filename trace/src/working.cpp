@@ -6,6 +6,7 @@
 #include <rastertrace/core/numbers/scalar.h>
 #include <rastertrace/core/numbers/vec.h>
 #include <rastertrace/core/scene/stages.h>
+#include <rastertrace/trace/color_text.h>
 #include <rastertrace/trace/scene_file.h>
 #include <rastertrace/trace/text.h>
 
@@ -22,11 +23,6 @@ namespace rastertrace {
 std::string product(const Rational& a, const Rational& b) {
     return sgn(a) < 0 ? fmt::format("({}) ({})", text(a), text(b))
                       : fmt::format("{} ({})", text(a), text(b));
-}
-
-bool agrees(const Rational& worked_out, const Rational& told) {
-    const double difference = std::abs(nearest_double(worked_out - told));
-    return difference <= 1e-9 * std::max(1.0, std::abs(nearest_double(told)));
 }
 
 namespace {
@@ -148,12 +144,32 @@ void put_crossing(Sheet& sheet, const std::string& side) {
     const Rational y = *row + sample_offset(sheet.trace());
     const Rational slope = (to->x - from->x) / (to->y - from->y);
     const Rational way = slope * (y - from->y);
-    if (!agrees(from->x + way, *told))
+    if (!sheet.agrees(from->x + way, *told))
         return;
     sheet.put(fmt::format("{} {}: x = {} {} ({} {}) = {} {} = {}", side,
                           sheet.step.text(side + "_edge"), text(from->x), plus(text(slope)),
                           text(y), minus(text(from->y)), text(from->x), plus(text(way)),
                           text(*told)));
+
+    // The same LERP for the depth there.
+    const auto depth_of = [&](const std::vector<std::string>& end) -> std::optional<Rational> {
+        const auto& positions = sheet.primitive.positions;
+        const auto depths = sheet.trace().step(sheet.replay.primitive()).texts("depths");
+        const auto corner = std::find(positions.begin(), positions.end(), end);
+        const auto i = static_cast<std::size_t>(corner - positions.begin());
+        return i < depths.size() ? number_in(depths[i]) : std::nullopt;
+    };
+    const auto d1 = depth_of(ends->from);
+    const auto d2 = depth_of(ends->to);
+    const auto depth = number_in(sheet.step, side + "_depth");
+    if (!d1 || !d2 || !depth)
+        return;
+    const Rational depth_slope = (*d2 - *d1) / (to->y - from->y);
+    const Rational depth_way = depth_slope * (y - from->y);
+    if (sheet.agrees(*d1 + depth_way, *depth))
+        sheet.put(fmt::format("  depth = {} {} ({} {}) = {} {} = {}", text(*d1),
+                              plus(text(depth_slope)), text(y), minus(text(from->y)), text(*d1),
+                              plus(text(depth_way)), text(*depth)));
 }
 
 /// What the edge function of an end of a row says of the sample of its pixel, where there are such functions.
@@ -242,7 +258,7 @@ void depth(Sheet& sheet) {
     const Rational v = cross->weights.y / area;
     const Rational w = 1 - u - v;
     const Rational value = w * (*depths)[0] + u * (*depths)[1] + v * (*depths)[2];
-    if (!agrees(value, *told))
+    if (!sheet.agrees(value, *told))
         return;
     const Rational dx = ((*depths)[1] - (*depths)[0]) * (c.y - a.y) / area -
                         ((*depths)[2] - (*depths)[0]) * (b.y - a.y) / area;
@@ -257,10 +273,10 @@ void depth(Sheet& sheet) {
 
 /// Bresenham's increments, if the ends are pixels.
 void decide(Sheet& sheet) {
-    const auto ends = ends_of_line(sheet.primitive);
+    const auto ends = ends_of_line(sheet.replay, sheet.primitive);
     const auto d = number_in(sheet.step, "d");
-    const auto increment = d ? increment_of(sheet.primitive, *d) : std::nullopt;
-    if (!ends || !increment)
+    const auto increment = d && ends ? increment_of(*ends, *d) : std::nullopt;
+    if (!increment)
         return;
     const Rational dx = abs(ends->to.x - ends->from.x);
     const Rational dy = abs(ends->to.y - ends->from.y);
@@ -277,7 +293,7 @@ void decide(Sheet& sheet) {
 }
 
 void along(Sheet& sheet) {
-    const auto ends = ends_of_line(sheet.primitive);
+    const auto ends = ends_of_line(sheet.replay, sheet.primitive);
     const auto value = number_in(sheet.step, "value");
     const bool is_x_major = sheet.step.field("x").has_value();
     const auto at = number_in(sheet.step, is_x_major ? "x" : "y");
@@ -286,7 +302,7 @@ void along(Sheet& sheet) {
     const Rational dx = ends->to.x - ends->from.x;
     const Rational dy = ends->to.y - ends->from.y;
     const auto form = slope_form_of(*ends, is_x_major);
-    if (!form || !agrees(form->m * *at + form->b, *value))
+    if (!form || !sheet.agrees(form->m * *at + form->b, *value))
         return;
     const auto& [m, b] = *form;
     const std::string_view major = is_x_major ? "x" : "y";
@@ -295,11 +311,94 @@ void along(Sheet& sheet) {
                           quotient(text(is_x_major ? dy : dx), text(is_x_major ? dx : dy)), text(m),
                           text(is_x_major ? ends->from.y : ends->from.x),
                           product(m, is_x_major ? ends->from.x : ends->from.y), text(b)));
-    sheet.put(fmt::format("{} = m {} + b = {} {} = {}", minor, major, product(m, *at),
-                          plus(text(b)), text(*value)));
+    const std::size_t before =
+        sheet.trace().method_value("line") == "dda" ? along_before(sheet.replay) : 0;
+    const auto last = before == 0 ? std::nullopt : number_in(sheet.trace().step(before), "value");
+    if (last)
+        sheet.put(fmt::format("{} = the last one {} = {} {} = {}", minor,
+                              (*value < *last) == (sgn(m) < 0) ? "+ m" : "- m", text(*last),
+                              plus(text(*value - *last)), text(*value)));
+    else
+        sheet.put(fmt::format("{} = m {} + b = {} {} = {}", minor, major, product(m, *at),
+                              plus(text(b)), text(*value)));
 }
 
 void write_working(Sheet& sheet);
+
+/// A channel of a color.
+struct Channel {
+    std::string_view name;
+    std::uint8_t (Color::*of)() const;
+};
+constexpr Channel channels[] = {
+    {"red", &Color::red}, {"green", &Color::green}, {"blue", &Color::blue}};
+
+/// True if a level rounds to the one that the trace tells.
+bool rounds_to(double level, int told) {
+    return std::abs(std::clamp(level, 0.0, 255.0) - told) <= 0.5 + 1e-6;
+}
+
+/// The levels of a pixel on a line with a color at each end: step by step (T2), or by its distance.
+void put_color_on_line(Sheet& sheet, const ColorOnLine& line, Color told) {
+    if (line.is_by_distance)
+        sheet.put(fmt::format(
+            "to the far end sqrt({}), the whole line sqrt({}): {} of the color of {}",
+            text(line.to_end), text(line.length), six_places(1 - line.share()), line.from_name));
+    for (const Channel& channel : channels) {
+        const int from = (line.from.*channel.of)();
+        const int to = (line.to.*channel.of)();
+        const int level = (told.*channel.of)();
+        const double worked_out = from + line.share() * (to - from);
+        if (from == to || !rounds_to(worked_out, level))
+            continue;
+        sheet.put(line.is_by_distance
+                      ? fmt::format("{} = {} ({}) + {} ({}) = {} -> {}", channel.name,
+                                    six_places(1 - line.share()), from, six_places(line.share()),
+                                    to, six_places(worked_out), level)
+                      : fmt::format("{} = {} + {} ({} - {}) / {} = {} -> {}", channel.name, from,
+                                    text(line.step), to, from, text(line.steps),
+                                    six_places(worked_out), level));
+    }
+}
+
+/// The levels of a pixel in a triangle, mixed by the weights that its corners have there on the screen.
+void put_mixed_color(Sheet& sheet, Color told) {
+    const auto corners = corners_of(sheet.primitive);
+    const auto p = sample_of(sheet.trace(), sheet.step);
+    const auto cross = corners && p ? cross_of_point(*corners, *p) : std::nullopt;
+    const auto names = sheet.trace().step(sheet.replay.primitive()).texts("colors");
+    if (!cross || names.size() != 3)
+        return;
+    const double u = nearest_double(cross->weights.x / cross->weights.z);
+    const double v = nearest_double(cross->weights.y / cross->weights.z);
+    const std::array weights{1 - u - v, u, v};
+    for (const Channel& channel : channels) {
+        const int level = (told.*channel.of)();
+        std::vector<std::string> terms;
+        double worked_out = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto corner = parse_color(names[i]);
+            if (!corner)
+                return;
+            worked_out += weights[i] * ((*corner).*channel.of)();
+            terms.push_back(
+                fmt::format("{} ({})", six_places(weights[i]), ((*corner).*channel.of)()));
+        }
+        if (rounds_to(worked_out, level)) // in a perspective the weights in space are others
+            sheet.put(fmt::format("{} = {} = {} -> {}", channel.name, joined(terms, " + "),
+                                  six_places(worked_out), level));
+    }
+}
+
+void put_color(Sheet& sheet) {
+    const auto told = parse_color(sheet.step.text("color"));
+    if (!told)
+        return;
+    if (const auto line = color_on_line(sheet.replay, sheet.primitive))
+        put_color_on_line(sheet, *line, *told);
+    else if (sheet.primitive.kind == "triangle" && sheet.replay.ray() == 0)
+        put_mixed_color(sheet, *told);
+}
 
 /// Why the pixel is drawn, once more, and where it lies in memory: four bytes a pixel, row by row from
 /// the top left (T2).
@@ -318,6 +417,7 @@ void pixel(Sheet& sheet) {
         for (std::string& line : of_reason.lines)
             sheet.put(std::move(line));
     }
+    put_color(sheet);
     const Index column = *x - canvas.left();
     const Index row = canvas.row_of(*y);
     sheet.put(fmt::format("column {}, row {} from the top left: byte 4 ({} ({}) + {}) = {}", column,

@@ -86,8 +86,8 @@ std::optional<Matrix<Rational>> matrix_in(const StepView& step) {
 }
 
 /// The matrices that a `matrix` step tells its matrix to be the product of; none if it is not.
-std::vector<Matrix<Rational>> factors_in(const StepView& step) {
-    const auto rows = step.text_rows("factor_rows");
+std::vector<Matrix<Rational>> factors_in(const Sheet& sheet) {
+    const auto rows = sheet.step.text_rows("factor_rows");
     std::vector<Matrix<Rational>> factors;
     std::optional<Matrix<Rational>> together;
     for (std::size_t first = 0; first < rows.size(); first += 4) {
@@ -97,12 +97,12 @@ std::vector<Matrix<Rational>> factors_in(const StepView& step) {
         together = together ? *together * *factor : *factor;
         factors.push_back(*factor);
     }
-    const auto told = matrix_in(step);
+    const auto told = matrix_in(sheet.step);
     if (!together || !told)
         return {};
     for (std::size_t i = 0; i < 4; ++i)
         for (std::size_t j = 0; j < 4; ++j)
-            if (!agrees(together->rows[i][j], told->rows[i][j]))
+            if (!sheet.agrees(together->rows[i][j], told->rows[i][j]))
                 return {};
     return factors;
 }
@@ -132,10 +132,10 @@ void put_camera(Sheet& sheet, const Matrix<Rational>& rotation) {
     const Vec3 upward = cross(d, right);
     const Vec3 z{rotation.rows[2][0], rotation.rows[2][1], rotation.rows[2][2]};
     const bool looks_along_z = sgn(dot(z, d)) < 0; // as T0's pinhole does
-    const auto is_along = [](const std::array<Rational, 4>& row, const Vec3& v) {
+    const auto is_along = [&sheet](const std::array<Rational, 4>& row, const Vec3& v) {
         const auto length = root_of(dot(v, v));
-        return length && sgn(*length) != 0 && agrees(v.x / *length, row[0]) &&
-               agrees(v.y / *length, row[1]) && agrees(v.z / *length, row[2]);
+        return length && sgn(*length) != 0 && sheet.agrees(v.x / *length, row[0]) &&
+               sheet.agrees(v.y / *length, row[1]) && sheet.agrees(v.z / *length, row[2]);
     };
     if (!is_along(rotation.rows[0], right) || !is_along(rotation.rows[1], upward) ||
         !is_along(rotation.rows[2], looks_along_z ? *l - *p : d))
@@ -167,7 +167,7 @@ std::string_view matrix_into(std::string_view space) {
 void put_angle(Sheet& sheet, const Vec3& normal, const Vec3& v, std::string_view name) {
     const Rational value = dot(normal, v);
     const auto told = number_in(sheet.step, "dot");
-    if (!told || !agrees(value, *told))
+    if (!told || !sheet.agrees(value, *told))
         return;
     sheet.put(fmt::format("normal . {} = {} + {} + {} = {}", name, product(normal.x, v.x),
                           product(normal.y, v.y), product(normal.z, v.z), text(value)));
@@ -190,8 +190,8 @@ void put_normal(Sheet& sheet, const Vec3& normal) {
     const Vec3 first = b - a;
     const Vec3 second = c - a;
     const Vec3 worked_out = cross(first, second);
-    if (!agrees(worked_out.x, normal.x) || !agrees(worked_out.y, normal.y) ||
-        !agrees(worked_out.z, normal.z))
+    if (!sheet.agrees(worked_out.x, normal.x) || !sheet.agrees(worked_out.y, normal.y) ||
+        !sheet.agrees(worked_out.z, normal.z))
         return;
     for (std::size_t i = 0; i < 3; ++i)
         sheet.put(fmt::format("{} = {}", names[i], text((*corners)[i])));
@@ -220,7 +220,7 @@ std::optional<Matrix<Rational>> matrix_named(const Sheet& sheet, std::string_vie
 /// one: view x model, projection x view x model.
 void write_matrix(Sheet& sheet) {
     const std::string name = sheet.step.text("name");
-    const auto factors = factors_in(sheet.step);
+    const auto factors = factors_in(sheet);
     const auto factor_names = sheet.step.texts("factors");
     if (name == "view" && !factors.empty())
         put_camera(sheet, factors.front());
@@ -268,7 +268,7 @@ void write_vertex(Sheet& sheet) {
             const auto clip = number_in(from[i]);
             const auto w = number_in(from[3]);
             const auto told = number_in(at[i]);
-            if (clip && w && told && sgn(*w) != 0 && agrees(*clip / *w, *told))
+            if (clip && w && told && sgn(*w) != 0 && sheet.agrees(*clip / *w, *told))
                 sheet.put(fmt::format("{} = {} = {}", names[i],
                                       quotient(in_sentence(from[i]), in_sentence(from[3])),
                                       in_sentence(at[i])));
@@ -294,7 +294,7 @@ void write_vertex(Sheet& sheet) {
             for (std::size_t k = 0; k < 4; ++k)
                 sum += row[k] * (*vector)[k];
             const auto told = number_in(at[i]);
-            is_this = is_this && told && agrees(sum, *told);
+            is_this = is_this && told && sheet.agrees(sum, *told);
             lines.push_back(
                 fmt::format("{} = {} + {} + {} + {} = {}", names[i], product(row[0], (*vector)[0]),
                             product(row[1], (*vector)[1]), product(row[2], (*vector)[2]),
@@ -357,7 +357,7 @@ void write_plane_in_camera_space(Sheet& sheet, const Vec2& sample, const Rationa
     if (sgn(divisor) == 0 || sgn(constant) == 0)
         return; // the plane leads through the eye
     const Rational z = -d * constant / divisor;
-    if (!agrees(1 / abs(z), told))
+    if (!sheet.agrees(1 / abs(z), told))
         return;
     sheet.put(fmt::format("plane in camera space: {} x {} y {} z {} = 0", text(normal.x),
                           plus(text(normal.y)), plus(text(normal.z)), plus(text(constant))));

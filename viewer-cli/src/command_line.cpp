@@ -340,6 +340,7 @@ private:
                 "--format", table_format_,
                 fmt::format("With --every: the steps as {}", joined(table_format_names(), ", ")))
             ->type_name("NAME");
+        command.add_flag("--json", is_json_table_, "With --every: short for --format json");
         command.add_option("--color", color_, "auto, always or never: colors, on a terminal")
             ->type_name("WHEN");
         show_method_.add_to(command);
@@ -366,6 +367,8 @@ private:
                 refuse("--bare", "only the grid, without --working", "--bare");
             if (show_.region && show_.is_overview)
                 refuse("--overview", "no --region beside it", show_region_);
+            if (is_json_table_ && table_format_.empty())
+                table_format_ = "json";
             if (!table_format_.empty()) {
                 show_.format = table_format_named(table_format_);
                 if (!show_.format)
@@ -694,6 +697,7 @@ private:
     std::string show_region_;
     std::string color_;
     std::string table_format_;
+    bool is_json_table_ = false;
     std::string every_;
     bool last_ = false;
     bool all_ = false;

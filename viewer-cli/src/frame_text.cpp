@@ -131,6 +131,19 @@ std::optional<Pixel> pixel_of(const Trace& trace, std::size_t n) {
     return Pixel{static_cast<int>(*x), static_cast<int>(*y)};
 }
 
+/// The pixel of the canvas that is nearest to a point; none if there is none.
+std::optional<Pixel> pixel_at(const Trace& trace, const std::vector<std::string>& position) {
+    const auto x = position.size() < 2 ? std::nullopt : nearest_double_in(position[0]);
+    const auto y = position.size() < 2 ? std::nullopt : nearest_double_in(position[1]);
+    if (!x || !y || !(std::abs(*x) < largest_canvas_side) || !(std::abs(*y) < largest_canvas_side))
+        return std::nullopt;
+    // Where pixels are sampled at their centers, a pixel reaches from its point to the next one.
+    const double half = trace.samples_at_centers() ? 0 : 0.5;
+    const Pixel pixel{static_cast<int>(std::floor(*x + half)),
+                      static_cast<int>(std::floor(*y + half))};
+    return trace.canvas.contains(pixel.x, pixel.y) ? std::optional(pixel) : std::nullopt;
+}
+
 /// A vertex of the current primitive, at the nearest pixel of the canvas.
 struct VertexMark {
     Pixel pixel;
@@ -145,24 +158,19 @@ std::vector<VertexMark> vertex_marks(const Replay& replay) {
     const StepView step = trace.step(replay.primitive());
     const auto names = step.texts("vertices");
     const auto positions = step.text_rows("at");
-    // Where pixels are sampled at their centers, a pixel reaches from its point to the next one.
-    const double half = trace.samples_at_centers() ? 0 : 0.5;
     for (std::size_t i = 0; i < names.size() && i < positions.size(); ++i) {
-        if (positions[i].size() < 2)
+        const auto pixel = pixel_at(trace, positions[i]);
+        if (!pixel)
             continue;
-        const auto x = nearest_double_in(positions[i][0]);
-        const auto y = nearest_double_in(positions[i][1]);
-        if (!x || !y || !(std::abs(*x) < largest_canvas_side) ||
-            !(std::abs(*y) < largest_canvas_side))
-            continue;
-        const Pixel pixel{static_cast<int>(std::floor(*x + half)),
-                          static_cast<int>(std::floor(*y + half))};
-        if (!trace.canvas.contains(pixel.x, pixel.y))
-            continue;
-        // One that another primitive hides does not shine through.
-        const std::size_t drawn_by = replay.frame().drawn_by[trace.canvas.offset_of(pixel)];
-        if (drawn_by == 0 || drawn_by >= replay.primitive())
-            marks.push_back({pixel, printable(names[i])});
+        // One that another primitive hides does not shine through; at a corner of both, it is that one's too.
+        const std::size_t drawn_by = replay.frame().drawn_by[trace.canvas.offset_of(*pixel)];
+        const auto has_it_too = [&](std::size_t primitive) {
+            const auto corners = trace.step(primitive).texts("vertices");
+            return std::find(corners.begin(), corners.end(), names[i]) != corners.end();
+        };
+        if (drawn_by == 0 || drawn_by >= replay.primitive() ||
+            has_it_too(replay.primitive_of(drawn_by)))
+            marks.push_back({*pixel, printable(names[i])});
     }
     return marks;
 }
@@ -209,6 +217,8 @@ std::optional<Pixel> center_of(const Replay& replay, std::size_t n) {
     if (const auto own = pixel_of(trace, n))
         return own;
     const Canvas& canvas = trace.canvas;
+    if (n != 0 && trace.kind_of(n) == StepKind::vertex && trace.step(n).text("space") == "screen")
+        return pixel_at(trace, trace.step(n).texts("at"));
     if (n != 0) {
         const StepView step = trace.step(n);
         const auto y = step.whole("y");
@@ -299,8 +309,11 @@ public:
         : replay_(replay), about_(about), cells_(about.view, replay, room),
           not_drawn_(pixels_not_drawn(replay.trace(), about.first_step, about.last_step)) {
         if (about.view == View::plotted)
-            for (const VertexMark& mark : vertex_marks(replay))
+            for (const VertexMark& mark : vertex_marks(replay)) {
                 vertices_.emplace(replay.trace().canvas.offset_of(mark.pixel), mark.name);
+                if (columns_in(mark.name) != 1)
+                    long_names_.push_back(mark);
+            }
     }
 
     std::size_t width() const { return cells_.width(); }
@@ -309,6 +322,8 @@ public:
         auto legend = cells_.legend();
         if (!not_drawn_.empty())
             legend.emplace_back("x tested, not drawn");
+        for (const VertexMark& mark : long_names_)
+            legend.push_back(fmt::format("* {} ({}, {})", mark.name, mark.pixel.x, mark.pixel.y));
         return legend;
     }
 
@@ -360,6 +375,7 @@ private:
     FrameCells cells_;
     std::set<std::size_t> not_drawn_;             ///< offsets of pixels
     std::map<std::size_t, std::string> vertices_; ///< names by offset, in `plotted`
+    std::vector<VertexMark> long_names_;          ///< those that do not fit a cell
 };
 
 /// A row of cells. New ones stand between brackets where there are gaps, and no colors.
@@ -437,7 +453,8 @@ std::string frame_text(const Replay& replay, const FrameText& about, TextSize si
         for (const VertexMark& mark : vertex_marks(replay)) {
             const int column = mark.pixel.x - canvas.left() - window.first_column;
             if (0 <= column && column < window.columns * window.block_width)
-                names_in_row[canvas.row_of(mark.pixel.y)] += "  " + mark.name;
+                names_in_row[canvas.row_of(mark.pixel.y)] +=
+                    fmt::format("  {} x={}", mark.name, mark.pixel.x);
         }
 
     for (int row = 0; row < window.rows; ++row) {

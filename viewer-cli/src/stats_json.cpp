@@ -104,9 +104,10 @@ std::string stats_json(const Trace& trace, const Stats& stats) {
     text += R"(,"primitives":[)";
     separator = "";
     for (const PrimitiveStats& primitive : stats.primitives) {
-        text += fmt::format(R"({}{{"kind":{},"name":{},"writes":{},"pixels":{},"over":{})",
-                            separator, json_quoted(primitive.kind), json_quoted(primitive.name),
-                            primitive.writes, primitive.pixels, primitive.over);
+        text +=
+            fmt::format(R"({}{{"kind":{},"name":{},"writes":{},"pixels":{},"over":{},"hidden":{})",
+                        separator, json_quoted(primitive.kind), json_quoted(primitive.name),
+                        primitive.writes, primitive.pixels, primitive.over, primitive.hidden);
         if (!primitive.skipped.empty())
             text += fmt::format(R"(,"skipped":{})", json_quoted(primitive.skipped));
         if (const auto& coverage = primitive.coverage)

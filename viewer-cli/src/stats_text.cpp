@@ -29,8 +29,8 @@ std::string shown(std::string_view name) {
     return shortened(printable(name), 60);
 }
 
-std::string counted(std::uint64_t count) {
-    return fmt::format("{} pixel{}", count, count == 1 ? "" : "s");
+std::string counted(std::uint64_t count, std::string_view what = "pixel") {
+    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
 /// The coordinates of what was found, behind a colon; "" if nothing was.
@@ -54,8 +54,8 @@ std::string as_text(const std::vector<PixelCause>& causes) {
     return text;
 }
 
-/// What a triangle missed and what it drew too much, a line each, and why.
-std::string as_text(const Coverage& coverage) {
+/// What a triangle missed and what it drew too much, a line each, and why. What is hidden counts as drawn.
+std::string as_text(const Coverage& coverage, bool has_hidden) {
     const auto line = [](const PixelList& pixels, std::string_view what) {
         return pixels.count == 0
                    ? std::string()
@@ -63,7 +63,8 @@ std::string as_text(const Coverage& coverage) {
     };
     return line(coverage.holes, "inside not drawn") +
            line(coverage.open_edge, "on its boundary not drawn") +
-           line(coverage.outside, "drawn outside") + as_text(coverage.causes);
+           line(coverage.outside, has_hidden ? "drawn or hidden outside" : "drawn outside") +
+           as_text(coverage.causes);
 }
 
 // Primitives and edges. The parts of a mesh, which may be thousands, are added up.
@@ -98,15 +99,18 @@ void add(Coverage& sum, const Coverage& more) {
 }
 
 std::string as_text(const PrimitiveStats& primitive) {
-    std::string text = fmt::format("{} {}: {} writes", shortened(printable(primitive.kind), 30),
-                                   shown(primitive.name), primitive.writes);
+    std::string text = fmt::format("{} {}: {}", shortened(printable(primitive.kind), 30),
+                                   shown(primitive.name), counted(primitive.writes, "write"));
     if (primitive.pixels != primitive.writes)
         text += fmt::format(" to {}", counted(primitive.pixels));
+    if (primitive.hidden > 0)
+        text += fmt::format(", {} hidden", primitive.hidden);
     if (primitive.over > 0)
         text += fmt::format(", {} over a pixel drawn before", primitive.over);
     if (!primitive.skipped.empty())
         text += fmt::format(", skipped: {}", printable(primitive.skipped));
-    return text + '\n' + (primitive.coverage ? as_text(*primitive.coverage) : "");
+    return text + '\n' +
+           (primitive.coverage ? as_text(*primitive.coverage, primitive.hidden > 0) : "");
 }
 
 /// The faces of a mesh that follow each other.
@@ -116,19 +120,24 @@ std::string as_text(std::string_view mesh, std::span<const PrimitiveStats> faces
     std::map<std::string, std::size_t> skipped;
     for (const PrimitiveStats& face : faces) {
         sum.writes += face.writes;
+        sum.hidden += face.hidden;
         sum.over += face.over;
         if (!face.skipped.empty())
             ++skipped[face.skipped];
         if (face.coverage)
             add(coverage, *face.coverage);
     }
-    std::string text =
-        fmt::format("mesh {}: {} primitives, {} writes", shown(mesh), faces.size(), sum.writes);
+    std::string text = fmt::format("mesh {}: {} primitives, {}", shown(mesh), faces.size(),
+                                   counted(sum.writes, "write"));
+    if (sum.hidden > 0)
+        text += fmt::format(", {} hidden", sum.hidden);
     if (sum.over > 0)
         text += fmt::format(", {} over a pixel drawn before", sum.over);
     for (const auto& [why, count] : skipped)
         text += fmt::format(", {} skipped: {}", count, printable(why));
-    return text + '\n' + as_text(coverage);
+    // What one face leaves on its boundary is for its neighbor: see the shared edges.
+    coverage.open_edge = {};
+    return text + '\n' + as_text(coverage, sum.hidden > 0);
 }
 
 std::string as_text(const std::vector<PrimitiveStats>& primitives) {

@@ -118,17 +118,27 @@ bool larger_is_nearer(const Trace& trace) {
 /// A number in a cell: as it was written if that is short.
 std::string short_number(const std::string& text) {
     constexpr std::size_t longest = 6;
+    constexpr double most_whole_digits = 1e6;
     const auto number = nearest_double_in(text);
-    return text.size() <= longest || !number ? text : fmt::format("{:.3g}", *number);
+    if (text.size() <= longest || !number)
+        return text;
+    const bool is_large = 1000 <= std::abs(*number) && std::abs(*number) < most_whole_digits;
+    return is_large ? fmt::format("{:.0f}", *number) : fmt::format("{:.3g}", *number);
 }
 
-/// What an untouched cell of the buffer holds.
+/// What an untouched cell of the buffer holds: what the first depth of all is compared with.
 std::string cleared_depth(const Trace& trace) {
-    const std::string depth = trace.method_value("depth");
-    const std::string asked = trace.method_value("depth_compare");
-    if (depth == "linear-z" && asked != "greater")
-        return "inf";
-    return depth == "inverse-z" && asked != "less" ? "0" : std::string(empty_cell);
+    for (std::size_t n = 1; n <= trace.size(); ++n)
+        if (trace.kind_of(n) == StepKind::depth) {
+            const std::string stored = trace.step(n).text("stored");
+            if (stored == "null")
+                break;
+            return short_number(stored);
+        }
+    return trace.method_value("depth") == "linear-z" &&
+                   trace.method_value("depth_compare") != "greater"
+               ? "inf"
+               : std::string(empty_cell);
 }
 
 /// How far `p` lies from the line through two points; positive on the left side with y up.

@@ -88,6 +88,9 @@ public:
     /// The edges of the current primitive that have been set up, by number of their step.
     const std::vector<std::size_t>& edges() const { return edges_; }
 
+    /// Where the current line of a `fan` began, by number of its step; 0 if none did.
+    std::size_t ray() const { return ray_; }
+
     /// If the current step is a depth test: the one that the buffer had its depth from, if depths are
     /// remembered (FrameParts); 0 for none.
     std::size_t stored_before() const { return stored_before_; }
@@ -108,6 +111,7 @@ private:
     std::size_t drew_over_ = 0;
     std::size_t stored_before_ = 0;
     std::size_t order_ = 0;
+    std::size_t ray_ = 0;
     std::size_t vertex_ = 0;
     std::size_t vertex_before_ = 0;
     std::vector<std::size_t> edges_;

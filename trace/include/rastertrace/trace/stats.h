@@ -46,7 +46,8 @@ struct PixelCause {
 struct Coverage {
     PixelList holes;     ///< not drawn, though the sample point lies strictly inside
     PixelList open_edge; ///< not drawn, and the sample point lies on the boundary
-    PixelList outside;   ///< drawn, though the sample point lies outside the closed triangle
+    PixelList
+        outside; ///< drawn, or hidden, though the sample point lies outside the closed triangle
     std::vector<PixelCause> causes; ///< of those outside: each of them has one
 };
 
@@ -57,6 +58,7 @@ struct PrimitiveStats {
     std::uint64_t writes = 0;         ///< pixel steps
     std::uint64_t pixels = 0;         ///< different pixels among them
     std::uint64_t over = 0;           ///< writes onto pixels that were drawn already
+    std::uint64_t hidden = 0;         ///< pixels that it would have drawn, had nothing been nearer
     std::string skipped;              ///< why it drew nothing, if it was skipped
     std::optional<Coverage> coverage; ///< of a triangle with area whose positions are known
 };
