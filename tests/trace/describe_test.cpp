@@ -127,7 +127,7 @@ TEST(Describe, EdgeFunctionsSamplesHalvesAndRays) {
         description(first_triangle({.scalar = ScalarKind::exact, .fill = Fill::two_halves}), 6),
         "upper half: rows y=-3 to 5");
     EXPECT_EQ(description(first_triangle({.scalar = ScalarKind::exact, .fill = Fill::fan}), 3),
-              "a line begins at (-4, -3)");
+              "a line begins at (-4, -3), to (5, -3)");
 }
 
 /// T3: a level of 128 is 21.6 % of the light, not half of it.

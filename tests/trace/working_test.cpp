@@ -161,6 +161,9 @@ TEST(Working, OfMatricesAndVertices) {
                 ElementsAre("x = 1 (0) + 0 (2) + 0 (1) + 0 (1) = 0",
                             "y = 0 (0) + 1 (2) + 0 (1) + 0 (1) = 2",
                             "z = 0 (0) + 0 (2) + 1 (1) + (-4) (1) = -3"));
+    // (1, 1, 1): -1 + 1, 2, 1 - 3, -1 + 4.
+    EXPECT_EQ(working(trace, StepKind::vertex, "A", "clip").back(),
+              "at once: projection x view x model times (1, 1, 1) = (0, 2, -2, 3)");
     EXPECT_THAT(working(trace, StepKind::vertex, "A", "canonical"),
                 ElementsAre("x = 0 / 3 = 0", "y = 2 / 3 = 2/3", "z = -2 / 3 = -2/3"));
 }

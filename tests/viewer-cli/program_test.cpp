@@ -101,7 +101,12 @@ TEST_F(ProgramTest, TablesOfNothingAndOfNegativeFractions) {
     EXPECT_EQ(before.err, "rastertrace: --format: expected steps of a kind that has a table, found "
                           "another\n");
     EXPECT_EQ(shell(show + "--every scanline --bare --format csv").status, 2);
-    EXPECT_EQ(shell(show + "--bare --region 0,0,1,1").status, 2);
+    EXPECT_EQ(shell(show + "--bare --region 1,3,3,5").out, ".#.\n"
+                                                           "##.\n"
+                                                           "##.\n");
+    EXPECT_EQ(shell(show + "--bare --overview").status, 2);
+    EXPECT_EQ(shell(show + "--every scanline --json").out,
+              shell(show + "--every scanline --format json").out);
     write(
         "empty.json",
         R"({"rastertrace":1,"canvas":{"width":2,"height":1,"origin":"top-left"},"method":{},"steps":[]})");

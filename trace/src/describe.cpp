@@ -466,6 +466,12 @@ constexpr Part parts[] = {
                                     degrees_of_cosine(*value))
                       : std::string();
      }},
+    {"intensity",
+     [](const Context& context) {
+         const std::string intensity = context.step.text("intensity");
+         const auto value = nearest_double_in(intensity);
+         return value ? six_places(*value) : intensity;
+     }},
     {"level", level},
     {"inside",
      [](const Context& context) {
@@ -475,6 +481,11 @@ constexpr Part parts[] = {
      }},
     {"edge", edge},
     {"rows_of_half", rows_of_half},
+    {"line_to",
+     [](const Context& context) {
+         const auto ends = ends_of_line(context.replay, context.primitive);
+         return ends ? ", to " + text(ends->to) : std::string();
+     }},
     {"samples",
      [](const Context& context) {
          return sgn(sample_offset(context.replay.trace())) != 0

@@ -40,7 +40,7 @@ const std::array<StepRow, step_kinds> table{{
       {"opposite", boolean, told}}},
 
     {StepKind::light, "light", "a face is lit",
-     "light on {@primitive}: normal {normal} . light {light} = {dot}, intensity {intensity}, color {color}{@level}",
+     "light on {@primitive}: normal {normal} . light {light} = {dot}, intensity {@intensity}, color {color}{@level}",
      {{"name", string, key}, {"normal", list, reason}, {"light", list, reason},
       {"dot", quantity, reason}, {"intensity", quantity, told, true}, {"color", string, decision}}},
 
@@ -59,7 +59,7 @@ const std::array<StepRow, step_kinds> table{{
      {{"half", string, key, true}, {"from_y", whole, decision}, {"to_y", whole, decision}}},
 
     {StepKind::ray, "ray", "a line of the fan begins",
-     "a line begins at ({x}, {y})",
+     "a line begins at ({x}, {y}){@line_to}",
      {{"x", whole, key, true}, {"y", whole, key, true}}},
 
     {StepKind::scanline, "scanline", "the two ends of a row are known",

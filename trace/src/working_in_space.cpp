@@ -118,6 +118,35 @@ std::string cross_written_out(const Vec3& a, const Vec3& b) {
                        product(a.z, b.x), product(a.x, b.z), product(a.x, b.y), product(a.y, b.x));
 }
 
+/// The matrices so far as one: view x model, projection x view x model.
+struct Product {
+    std::string names;
+    Matrix<Rational> matrix;
+};
+
+/// None if there is but one matrix, or if several objects have models, and so several products.
+std::optional<Product> product_so_far(const Sheet& sheet) {
+    std::optional<Product> product;
+    std::string last_name;
+    std::size_t count = 0;
+    for (const std::size_t n : sheet.replay.matrices()) {
+        const StepView step = sheet.trace().step(n);
+        const std::string name = step.text("name");
+        const auto matrix = matrix_in(step);
+        if (!matrix || last_name == name)
+            return std::nullopt;
+        if (name == "viewport")
+            break;
+        last_name = name;
+        const std::string object = step.text("object");
+        const std::string named = object.empty() ? name : name + " of " + object;
+        product = product ? Product{named + " x " + product->names, *matrix * product->matrix}
+                          : Product{named, *matrix};
+        ++count;
+    }
+    return count > 1 ? product : std::nullopt;
+}
+
 /// The axes of a camera: d = p - l, up x d, d x (up x d), each divided by its length. They are the rows
 /// of its rotation.
 void put_camera(Sheet& sheet, const Matrix<Rational>& rotation) {
@@ -214,6 +243,25 @@ std::optional<Matrix<Rational>> matrix_named(const Sheet& sheet, std::string_vie
     return std::nullopt;
 }
 
+/// All matrices at once, from object space to clip space.
+void put_whole_way(Sheet& sheet) {
+    const auto together = product_so_far(sheet);
+    const std::string name = sheet.step.text("name");
+    const auto& places = sheet.replay.places_of(name);
+    if (!together || places.empty() || sheet.step.text("space") != "clip")
+        return;
+    // Where no matrix leads to a space, it is not told: the first one is where the vertex was typed.
+    const auto at = vec3_in(sheet.trace().step(places.front()).texts("at"));
+    const auto told = numbers_in<4>(sheet.step.texts("at"));
+    if (!at || !told)
+        return;
+    const auto clip = together->matrix * Vec<Rational, 4>{at->x, at->y, at->z, Rational(1)};
+    if (sheet.agrees(clip.x, (*told)[0]) && sheet.agrees(clip.y, (*told)[1]) &&
+        sheet.agrees(clip.z, (*told)[2]) && sheet.agrees(clip.w, (*told)[3]))
+        sheet.put(fmt::format("at once: {} times {} = ({}, {}, {}, {})", together->names, text(*at),
+                              text(clip.x), text(clip.y), text(clip.z), text(clip.w)));
+}
+
 } // namespace
 
 /// What a matrix is a product of, and the camera that it comes of; then the matrices up to this one as
@@ -232,24 +280,11 @@ void write_matrix(Sheet& sheet) {
     }
     if (name == "viewport" || name == "model")
         return;
-    std::optional<Matrix<Rational>> together;
-    std::string names;
-    std::string last_name;
-    for (const std::size_t n : sheet.replay.matrices()) {
-        const StepView step = sheet.trace().step(n);
-        const auto one = matrix_in(step);
-        if (!one || last_name == step.text("name"))
-            return; // several objects have several products
-        last_name = step.text("name");
-        together = together ? *one * *together : *one;
-        const std::string object = step.text("object");
-        names = last_name + (object.empty() ? "" : " of " + object) +
-                (names.empty() ? "" : " x " + names);
-    }
-    if (!together || sheet.replay.matrices().size() < 2)
+    const auto together = product_so_far(sheet);
+    if (!together)
         return;
-    sheet.put(fmt::format("{}:", names));
-    for (const auto& row : together->rows)
+    sheet.put(fmt::format("{}:", together->names));
+    for (const auto& row : together->matrix.rows)
         sheet.put(row_text(row));
 }
 
@@ -302,6 +337,7 @@ void write_vertex(Sheet& sheet) {
         }
         if (is_this) { // of several objects, the one that this vertex belongs to
             sheet.lines = std::move(lines);
+            put_whole_way(sheet);
             return;
         }
     }

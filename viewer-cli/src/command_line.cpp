@@ -361,8 +361,8 @@ private:
             }
             if (!show_region_.empty())
                 show_.region = region_in(show_region_);
-            if (show_.bare && (show_.region || show_.is_overview))
-                refuse("--bare", "all of the canvas, without --region and --overview", "--bare");
+            if (show_.bare && show_.is_overview)
+                refuse("--overview", "a frame, without --bare", "--bare");
             if (show_.bare && show_.has_working)
                 refuse("--bare", "only the grid, without --working", "--bare");
             if (show_.region && show_.is_overview)

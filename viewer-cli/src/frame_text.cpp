@@ -486,17 +486,20 @@ std::string bare_frame_text(const Frame& frame) {
     return text;
 }
 
-std::string bare_frame_text(const Replay& replay, View view) {
-    if (view == View::plotted)
+std::string bare_frame_text(const Replay& replay, View view, const std::optional<Region>& region) {
+    if (view == View::plotted && !region)
         return bare_frame_text(replay.frame());
     const Canvas& canvas = replay.trace().canvas;
+    const Window window = region ? window_of(canvas, *region)
+                                 : Window{.columns = canvas.width, .rows = canvas.height};
     const FrameCells cells(view, replay, std::string::npos);
     std::string text;
-    for (int row = 0; row < canvas.height; ++row) {
-        for (int x = canvas.left(); x <= canvas.right(); ++x) {
-            if (cells.width() > 1 && x > canvas.left())
+    for (int row = window.first_row; row < window.first_row + window.rows; ++row) {
+        for (int column = 0; column < window.columns; ++column) {
+            if (cells.width() > 1 && column > 0)
                 text += ' ';
-            text += fmt::format("{:>{}}", cells.at({x, canvas.y_of(row)}).text, cells.width());
+            const Pixel pixel{canvas.left() + window.first_column + column, canvas.y_of(row)};
+            text += fmt::format("{:>{}}", cells.at(pixel).text, cells.width());
         }
         text += '\n';
     }

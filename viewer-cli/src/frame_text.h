@@ -49,8 +49,9 @@ struct FrameText {
 /// window around the pixels that the step is about, and a line says so.
 std::string frame_text(const Replay& replay, const FrameText& about, TextSize size);
 
-/// Only the grid, top row first: `.` empty, `#` plotted; or the cells of another view.
+/// Only the grid, or a part of it, top row first: `.` empty, `#` plotted; or the cells of another view.
 std::string bare_frame_text(const Frame& frame);
-std::string bare_frame_text(const Replay& replay, View view);
+std::string bare_frame_text(const Replay& replay, View view,
+                            const std::optional<Region>& region = {});
 
 } // namespace rastertrace

@@ -185,8 +185,8 @@ int run(const ShowCommand& command) {
         }
         replay.go_to(steps.last);
         const std::string blank_line = is_first ? "" : "\n";
-        print(blank_line +
-              (command.bare ? bare_frame_text(replay, view) : frame_text(replay, about, size)));
+        print(blank_line + (command.bare ? bare_frame_text(replay, view, command.region)
+                                         : frame_text(replay, about, size)));
         is_first = false;
     }
     if (!command.bare) {
