@@ -1419,8 +1419,19 @@ TEST_F(ProgramTest, ShowSaysHowMuchLiesOffTheCanvas) {
     EXPECT_EQ(shell("$rastertrace show down.json --bare").out, "....\n....\n....\n....\n");
     write("up.json", R"({"canvas":{"width":4,"height":4,"origin":"bottom-left"},)" + points);
     EXPECT_THAT(shell("$rastertrace show up.json").out,
-                EndsWith("\n\n4 pixels lie below the canvas, none drawn: does y point down? "
+                EndsWith("\n\n4 pixels lie below the canvas, none drawn: is the origin in the "
+                         "middle? (\"origin\": \"center\")\n"));
+    // A screen's coordinates on a canvas with its origin in the middle are too far up; what is too large for
+    // either raises no question.
+    write("middle.json", R"({"canvas":{"width":4,"height":4},"vertices":{"A":[0,2],"B":[0,3]},)"
+                         R"("lines":["AB"]})");
+    EXPECT_THAT(shell("$rastertrace show middle.json").out,
+                EndsWith("\n\n1 pixel lies above the canvas, none drawn: does y point down? "
                          "(\"origin\": \"top-left\")\n"));
+    write("large.json", R"({"canvas":{"width":4,"height":4,"origin":"top-left"},)"
+                        R"("vertices":{"A":[0,3],"B":[0,5]},"lines":["AB"]})");
+    EXPECT_THAT(shell("$rastertrace show large.json").out,
+                EndsWith("\n\n2 pixels lie below the canvas, none drawn\n"));
 
     // Rows are dropped whole, triangles too; beside the canvas y is not asked for.
     const auto triangle = [this](const std::string& vertices) {

@@ -86,6 +86,28 @@ std::string in_words(const Dropped& dropped) {
     return text;
 }
 
+/// What one would ask where the vertices seem to be meant for a canvas of another origin: those of a center
+/// have negative y, and those of a corner have none. What is too large either way raises no question.
+std::string_view origin_question(const Canvas& canvas, const std::array<Dropped, sides>& dropped) {
+    const auto is_there = [&dropped](Side side) {
+        return dropped[static_cast<std::size_t>(side)] != Dropped{};
+    };
+    if (is_there(Side::above) == is_there(Side::below))
+        return "";
+    switch (canvas.origin) {
+    case Origin::top_left:
+        return is_there(Side::above) ? R"(: does y point up? ("origin": "center"))" : "";
+    case Origin::bottom_left:
+        return is_there(Side::below) ? R"(: is the origin in the middle? ("origin": "center"))"
+                                     : "";
+    case Origin::center:
+        break;
+    }
+    return is_there(Side::above) && !is_there(Side::left)
+               ? R"(: does y point down? ("origin": "top-left"))"
+               : "";
+}
+
 } // namespace
 
 std::string off_canvas_text(const Trace& trace) {
@@ -122,12 +144,8 @@ std::string off_canvas_text(const Trace& trace) {
         return text;
     text += ", none drawn";
 
-    const auto is_there = [&dropped](Side side) {
-        return dropped[static_cast<std::size_t>(side)] != Dropped{};
-    };
-    if (!is_moved && is_there(Side::above) != is_there(Side::below))
-        text += canvas.down() > 0 ? R"(: does y point up? ("origin": "center"))"
-                                  : R"(: does y point down? ("origin": "top-left"))";
+    if (!is_moved)
+        text += origin_question(canvas, dropped);
     return text + "\n";
 }
 
