@@ -209,8 +209,7 @@ private:
 Colors drawn_picture(const Scene& scene);
 
 /// A picture moved on its canvas; what was outside comes in empty.
-Colors moved_picture(const Colors& picture, const Canvas& canvas,
-                                 Index right, Index down);
+Colors moved_picture(const Colors& picture, const Canvas& canvas, Index right, Index down);
 
 /// How many pixels differ.
 std::uint64_t differing(const Colors& a, const Colors& b);

@@ -5,6 +5,7 @@
 #include <rastertrace/trace/describe.h>
 #include <rastertrace/trace/write_trace.h>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -173,6 +174,12 @@ TEST(Describe, TheRoundingOfRowsAndThatOfLines) {
     EXPECT_EQ(description(scene, line + 3), "y = 4: x = 3/4 y - 7/4 = 5/4 -> nearest -> 1");
     EXPECT_EQ(description(scene, line + 5),
               "y = 3: x = 3/4 y - 7/4 = 1/2 -> nearest, ties start -> 1");
+
+    // Both nearest, each with its own ties.
+    scene.method.rounding = Rounding::nearest;
+    EXPECT_THAT(description(scene, 10), ::testing::HasSubstr(" = 1/2 -> nearest, ties up -> 1 "));
+    EXPECT_THAT(description(scene, line + 5),
+                ::testing::HasSubstr(" = 1/2 -> nearest, ties start -> 1"));
 }
 
 /// Thirty degrees make fractions of thirty digits; a formula shows seven.
@@ -186,9 +193,24 @@ TEST(Describe, LongFractionsInFormulas) {
               "edge AC: dx/dy = (5 - 2) / (-3 - 5) = -1000000.../26666666... = -0.375; "
               "x = 2 - 0.375 (y - 5); y = -2.666667 x + 10.33333");
     EXPECT_EQ(description(scene, 5),
-              "scanline y=5   left AB: x = 2 + 0.75 (5 - 5) = 79999999.../40000000..., just below "
-              "2 -> floor -> 1   right AC: x = 2 - 0.375 (5 - 5) = 53333333.../26666666..., just "
-              "above 2 -> floor -> 2");
+              "scanline y=5   left AB: x = 2 + 0.75 (5 - 5) = 79999999.../40000000... < 2 -> "
+              "floor -> 1   right AC: x = 2 - 0.375 (5 - 5) = 53333333.../26666666... > 2 -> "
+              "floor -> 2");
+}
+
+/// A number that is large is not beside a whole number because seven digits are.
+TEST(Describe, LargeNumbersAreNotBesideWholeOnes) {
+    const Scene scene = triangle_scene({"12345678.3", "0", "12345679.3", "0", "12345678.3", "3.3"},
+                                       {.width = 8, .height = 8}, {.scalar = ScalarKind::exact});
+    EXPECT_EQ(description(scene, 1).find(" < "), std::string::npos);
+}
+
+/// A fan's lines go to the pixel nearest to the apex.
+TEST(Describe, AFansLineGoesToAPixel) {
+    const Scene scene = triangle_scene({"0", "0", "4", "0", "6.5", "5.5"},
+                                       {.width = 9, .height = 9, .origin = Origin::bottom_left},
+                                       {.scalar = ScalarKind::exact, .fill = Fill::fan});
+    EXPECT_EQ(description(scene, 3), "a line begins at (0, 0), to (7, 6)");
 }
 
 /// T2's colors, step by step or by the distance.

@@ -5,10 +5,13 @@
 #include <rastertrace/trace/describe.h>
 #include <rastertrace/trace/working.h>
 
+#include <fmt/core.h>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <functional>
 #include <iterator>
@@ -226,6 +229,34 @@ TEST(Working, TheColorsOfALine) {
                 Contains("red = 0 + 4 (255 - 0) / 5 = 204 -> 204"));
 }
 
+/// Colors are mixed between the pixels of the ends, from the one that is drawn first: for each pixel of a line
+/// with whatever ends and from whichever, three channels that lead to the color told.
+RC_GTEST_PROP(Working, TheColorsOfALineAreAlwaysExplained, ()) {
+    const auto side = [] {
+        return fmt::format("{}.{}", *rc::gen::inRange(0, 30), *rc::gen::inRange(0, 10));
+    };
+    const auto method = *rc::gen::element<std::string>("bresenham", "naive", "dda");
+    const auto from = *rc::gen::element<std::string>("first", "low");
+    const auto lerp = *rc::gen::element<std::string>("axis", "distance");
+    const Trace trace = trace_of(scene_in(fmt::format(
+        R"({{"canvas": {{"width": 32, "height": 32, "origin": "bottom-left"}},
+"vertices": {{"A": [{}, {}], "B": [{}, {}]}}, "colors": {{"A": "#ff8000", "B": "#0040ff"}},
+"lines": ["AB"], "method": {{"line": "{}", "from": "{}", "color_lerp": "{}"}}}})",
+        side(), side(), side(), side(), method, from, lerp)));
+    std::size_t pixels = 0;
+    for (std::size_t n = 1; n <= trace.size(); ++n)
+        pixels += trace.kind_of(n) == StepKind::pixel ? 1 : 0;
+    for (std::size_t n = 1; n <= trace.size() && pixels > 1; ++n)
+        if (trace.kind_of(n) == StepKind::pixel && trace.step(n).field("color")) {
+            const Working lines = working(trace, n);
+            RC_LOG() << trace.step(n).json() << trace.step(1).json() << method << from << lerp;
+            for (const std::string channel : {"red", "green", "blue"})
+                RC_ASSERT(std::any_of(lines.begin(), lines.end(), [&](const std::string& line) {
+                    return line.starts_with(channel + " = ");
+                }));
+        }
+}
+
 /// A third of the way from A to each of B and C, all three colors weigh the same.
 TEST(Working, TheColorsOfATriangle) {
     const Trace trace = trace_of(scene_in(R"({
@@ -263,6 +294,8 @@ TEST(Working, ADdaLineAddsToTheLast) {
     };
     EXPECT_EQ(along(0), "y = m x + b = 3/7 (0) + 0 = 0");
     EXPECT_EQ(along(2), "y = the last one + m = 3/7 + 3/7 = 6/7");
+    EXPECT_THAT(working(trace, StepKind::pixel, 2, 1),
+                Contains("y = the last one + m = 3/7 + 3/7 = 6/7"));
 }
 
 /// T0's first LERP, of the depths of an edge: 17/75 at y = 1 between 1/3 and 1/5.
@@ -320,6 +353,8 @@ TEST(Working, OfStepsWithoutWhatTheyReferTo) {
 {"step":"light","normal":[1e-200,0,0],"light":[1e-200,0,0],"intensity":1}
 {"step":"matrix","name":"view","rows":[[1,2],[3]]}
 {"step":"order","names":["A","B"],"distances":[1]}
+{"step":"primitive","kind":"line","name":"AB","at":[[0,0],[5,2]],"colors":["#000000","#ffffff"]}
+{"step":"pixel","x":1,"y":0,"color":"#333333"}
 )";
     const std::string header = R"({"rastertrace":1,"canvas":{"width":8,"height":8}})"
                                "\n";
@@ -331,6 +366,29 @@ TEST(Working, OfStepsWithoutWhatTheyReferTo) {
                 EXPECT_THAT(line, Not(HasSubstr("inf"))) << n;
             }
     }
+}
+
+/// A matrix of more factors than any scene has is not multiplied out; nor is one that they do not make.
+TEST(Working, OfFactorsThatAreNone) {
+    const auto lines_of = [](std::size_t factors, const std::string& corner) {
+        std::string names, rows;
+        for (std::size_t i = 0; i < factors; ++i) {
+            names += std::string(i == 0 ? "" : ",") + R"("scale")";
+            rows += std::string(i == 0 ? "" : ",") + "[" + corner +
+                    ",0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]";
+        }
+        return working(
+            readable_trace(
+                R"({"rastertrace":1,"canvas":{"width":8,"height":8}})"
+                "\n"
+                R"({"step":"matrix","name":"model","rows":[[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]],)"
+                R"("factors":[)" +
+                names + R"(],"factor_rows":[)" + rows + "]}\n"),
+            1);
+    };
+    EXPECT_EQ(lines_of(2, "1").size(), 2u);
+    EXPECT_THAT(lines_of(2, "2"), ElementsAre());
+    EXPECT_THAT(lines_of(100'000, "1"), ElementsAre());
 }
 
 /// The models of two objects are no factors of one product.

@@ -107,6 +107,8 @@ TEST_F(ProgramTest, TablesOfNothingAndOfNegativeFractions) {
     EXPECT_EQ(shell(show + "--bare --overview").status, 2);
     EXPECT_EQ(shell(show + "--every scanline --json").out,
               shell(show + "--every scanline --format json").out);
+    for (const std::string other : {"--every scanline --format csv", "", "--every scanline --bare"})
+        EXPECT_THAT(shell(show + "--json " + other).err, HasSubstr("--json: expected ")) << other;
     write(
         "empty.json",
         R"({"rastertrace":1,"canvas":{"width":2,"height":1,"origin":"top-left"},"method":{},"steps":[]})");

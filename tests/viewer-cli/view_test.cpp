@@ -81,6 +81,12 @@ TEST(Views, FacesAreLettersOfWhatIsSeen) {
         "painter");
     EXPECT_EQ(grid(painted, View::faces), "bba..\n"
                                           "..a..\n");
+
+    // A pixel before any primitive hides nothing, and is of none.
+    EXPECT_EQ(
+        grid(trace_in(pixel(0, 0).substr(1) + "," + primitive("A1") + pixel(1, 0)), View::faces),
+        "#a...\n"
+        ".....\n");
 }
 
 TEST(Views, PartsOfAClippedFaceShareItsLetter) {

@@ -196,8 +196,9 @@ std::string depth_rule(const Context& context) {
         text += "; z = " + inverse_of(step.text("depth")) +
                 (stored && *stored != 0 ? " against " + inverse_of(step.text("stored")) : "");
     if (step.text("depth") == step.text("stored"))
-        text += step.text("pass") == "true" ? "; of equals the last stays"
-                                            : "; of equals the first stays";
+        text += replay.stored_before() == 0   ? "; equal to the empty buffer"
+                : step.text("pass") == "true" ? "; of equals the last stays"
+                                              : "; of equals the first stays";
     return text + ")";
 }
 
@@ -232,38 +233,36 @@ std::optional<std::string> slope_of(const Replay& replay, const std::string& edg
     return std::nullopt;
 }
 
+/// A method names one rule for the rows of triangles and one for lines, as in `floor+nearest`, if it needs
+/// both.
+std::string rule_of_rows(const Trace& trace, std::string_view key) {
+    const std::string rules = trace.method_value(key);
+    return rules.substr(0, rules.find('+'));
+}
+std::string rule_of_lines(const Trace& trace, std::string_view key) {
+    const std::string rules = trace.method_value(key);
+    return rules.substr(rules.find('+') + 1);
+}
+
 /// ` -> floor`; of a number halfway between two pixels, ` -> nearest, ties up`.
-std::string rounded_by(const Trace& trace, std::string_view rule,
+std::string rounded_by(const std::string& rule, const std::string& ties,
                        const std::optional<Rational>& number) {
     if (rule.empty())
         return {};
-    const std::string ties = trace.method_value("ties");
-    const bool is_tie = number && rule == "nearest" && Rational(*number * 2).get_den() == 1 &&
-                        number->get_den() == 2;
+    const bool is_tie = number && rule == "nearest" && number->get_den() == 2;
     return fmt::format(" -> {}{}", rule, is_tie ? ", ties " + (ties.empty() ? "up" : ties) : "");
-}
-
-/// The rules by which the ends of rows and the pixels of lines are rounded: a scene with both names both,
-/// as in `floor+nearest`.
-std::string rule_of_rows(const Trace& trace) {
-    const std::string rounding = trace.method_value("rounding");
-    return rounding.substr(0, rounding.find('+'));
-}
-std::string rule_of_lines(const Trace& trace) {
-    const std::string rounding = trace.method_value("rounding");
-    return rounding.substr(rounding.find('+') + 1);
 }
 
 /// How the end of a row becomes its pixel: the rounding by its name, or how it lies to the pixel's sample.
 std::string rule_of_end(const Context& context, const std::string& side, const std::string& pixel) {
     const Trace& trace = context.replay.trace();
     const bool is_left = side == "left";
-    const std::string rounding = rule_of_rows(trace);
+    const std::string rounding = rule_of_rows(trace, "rounding");
     const auto x = number_in(context.step, side);
     if (rounding == "inside")
         return is_left ? " -> ceil" : " -> floor";
     if (!rounding.empty())
-        return rounded_by(trace, rounding, x);
+        return rounded_by(rounding, rule_of_rows(trace, "ties"), x);
     const auto column = number_in(pixel);
     if (!x || !column || trace.method_value("fill") != "top-left")
         return {};
@@ -325,7 +324,7 @@ std::string slope_form(const Context& context) {
     if (!form || !value || !at)
         return {};
     const std::size_t before =
-        replay.trace().method_value("line") == "dda" ? along_before(replay) : 0;
+        replay.trace().method_value("line") == "dda" ? along_before(replay, replay.step()) : 0;
     if (before != 0) {
         const StepView last = replay.trace().step(before);
         const auto last_value = number_in(last, "value");
@@ -512,7 +511,8 @@ constexpr Part parts[] = {
     {"rule_of_line",
      [](const Context& context) {
          const Trace& trace = context.replay.trace();
-         return rounded_by(trace, rule_of_lines(trace), number_in(context.step, "value"));
+         return rounded_by(rule_of_lines(trace, "rounding"), rule_of_lines(trace, "ties"),
+                           number_in(context.step, "value"));
      }},
     {"sign_of_d", [](const Context& context) { return sign_of_d(context.step); }},
     {"next_d", next_d},

@@ -20,6 +20,7 @@ namespace rastertrace {
 /// What a working is made of, and its lines so far.
 struct Sheet {
     const Replay& replay;
+    std::size_t number; ///< of the step
     StepView step;
     PrimitiveText primitive;
     std::vector<std::string> lines = {};

@@ -2,6 +2,7 @@
 #include "step_text.h"
 
 #include <rastertrace/core/numbers/number.h>
+#include <rastertrace/core/raster/rounding.h>
 #include <rastertrace/trace/color_text.h>
 #include <rastertrace/trace/scene_file.h>
 #include <rastertrace/trace/text.h>
@@ -28,15 +29,17 @@ std::string in_sentence(const std::string& number) {
     if (!value)
         return number; // a name with a slash
     const std::string digits_of_value = fmt::format("{:.7g}", *value);
-    // What lies beside a whole number or a half is rounded otherwise than that.
+    // What lies a hair beside a whole number or a half is rounded otherwise than that.
+    constexpr double hair = 1e-6;
     const auto near = number_in(digits_of_value);
     const auto exact = number_in(number);
-    const bool is_close = near && exact && *near != *exact && near->get_den() <= 2;
-    return fmt::format("{}/{}{} {}", first_digits(number.substr(0, bar)),
+    const bool is_close = near && exact && *near != *exact && near->get_den() <= 2 &&
+                          std::abs(nearest_double(*exact - *near)) < hair;
+    return fmt::format("{}/{} {} {}", first_digits(number.substr(0, bar)),
                        first_digits(number.substr(bar + 1)),
-                       !is_close        ? " ="
-                       : *exact < *near ? ", just below"
-                                        : ", just above",
+                       !is_close        ? "="
+                       : *exact < *near ? "<"
+                                        : ">",
                        digits_of_value);
 }
 
@@ -99,9 +102,13 @@ std::string minus(const std::string& number) {
 }
 
 bool agrees(const Rational& worked_out, const Rational& told, const Trace& trace) {
-    const double tolerance = trace.method_value("scalar") == "float" ? 1e-4 : 1e-9;
+    const bool is_float = trace.method_value("scalar") == "float";
+    const double tolerance = is_float ? 1e-4 : 1e-9;
+    const double nothing = is_float ? 1e-9 : 1e-12; // what is left of numbers that cancel
     const double difference = std::abs(nearest_double(worked_out - told));
-    return difference <= tolerance * std::max(1.0, std::abs(nearest_double(told)));
+    const double size =
+        std::max(std::abs(nearest_double(told)), std::abs(nearest_double(worked_out)));
+    return difference <= std::max(nothing, tolerance * size);
 }
 
 std::string quotient(const std::string& above, const std::string& below) {
@@ -174,12 +181,22 @@ std::optional<LineEnds> line_between(const std::vector<std::string>& from,
     return a && b ? std::optional(LineEnds{*a, *b}) : std::nullopt;
 }
 
+/// A line as it is drawn between pixels: each end is rounded, a half up.
+LineEnds between_nearest_pixels(const LineEnds& ends) {
+    const auto nearest = [](const Rational& x) { return Rational(nearest_index(x, Ties::up)); };
+    return {{nearest(ends.from.x), nearest(ends.from.y)}, {nearest(ends.to.x), nearest(ends.to.y)}};
+}
+
 } // namespace
 
 std::optional<LineEnds> ends_of_line(const Replay& replay, const PrimitiveText& primitive) {
     const auto& positions = primitive.positions;
+    const bool is_bresenham = replay.trace().method_value("line") == "bresenham";
+    const auto as_drawn = [](const std::optional<LineEnds>& ends, bool between_pixels) {
+        return ends && between_pixels ? between_nearest_pixels(*ends) : ends;
+    };
     if (primitive.kind == "line" && positions.size() == 2)
-        return line_between(positions[0], positions[1]);
+        return as_drawn(line_between(positions[0], positions[1]), is_bresenham);
     if (replay.edges().empty())
         return std::nullopt;
     const std::string edge = replay.trace().step(replay.edges().back()).text("edge");
@@ -187,13 +204,13 @@ std::optional<LineEnds> ends_of_line(const Replay& replay, const PrimitiveText& 
     if (!ends)
         return std::nullopt;
     if (primitive.kind == "outline")
-        return line_between(ends->from, ends->to);
+        return as_drawn(line_between(ends->from, ends->to), is_bresenham);
     if (replay.ray() == 0)
         return std::nullopt;
     const StepView ray = replay.trace().step(replay.ray());
     for (const auto& apex : positions)
         if (apex != ends->from && apex != ends->to)
-            return line_between({ray.text("x"), ray.text("y")}, apex);
+            return as_drawn(line_between({ray.text("x"), ray.text("y")}, apex), true);
     return std::nullopt;
 }
 
@@ -204,30 +221,43 @@ double ColorOnLine::share() const {
 }
 
 std::optional<ColorOnLine> color_on_line(const Replay& replay, const PrimitiveText& primitive) {
-    if (primitive.kind != "line")
+    if (primitive.kind != "line" || primitive.vertices.size() != 2)
         return std::nullopt;
-    const auto ends = ends_of_line(replay, primitive);
+    const auto exact_ends = ends_of_line(replay, primitive);
     const auto colors = replay.trace().step(replay.primitive()).texts("colors");
-    const auto from = colors.size() == 2 ? parse_color(colors[0]) : std::nullopt;
-    const auto to = colors.size() == 2 ? parse_color(colors[1]) : std::nullopt;
+    const auto first = colors.size() == 2 ? parse_color(colors[0]) : std::nullopt;
+    const auto second = colors.size() == 2 ? parse_color(colors[1]) : std::nullopt;
     const StepView pixel = replay.trace().step(replay.step());
     const auto x = number_in(pixel, "x");
     const auto y = number_in(pixel, "y");
-    if (!ends || !from || !to || !x || !y)
+    if (!exact_ends || !first || !second || !x || !y)
         return std::nullopt;
+    // Colors are mixed between the pixels of the ends, from the one that is drawn first.
+    auto [start, end] = between_nearest_pixels(*exact_ends);
+    const auto is_x_major = [](const Vec2& a, const Vec2& b) {
+        return abs(b.x - a.x) >= abs(b.y - a.y);
+    };
+    const bool runs_down = is_x_major(start, end) ? end.x < start.x : end.y < start.y;
+    const bool is_reversed = replay.trace().method_value("from") == "low" && runs_down;
+    if (is_reversed)
+        std::swap(start, end);
     const auto square_of = [](const Rational& dx, const Rational& dy) {
         return Rational(dx * dx + dy * dy);
     };
-    const Rational dx = ends->to.x - ends->from.x;
-    const Rational dy = ends->to.y - ends->from.y;
-    ColorOnLine color{.from = *from,
-                      .to = *to,
-                      .from_name = primitive.vertices.front(),
-                      .step = abs(abs(dx) < abs(dy) ? *y - ends->from.y : *x - ends->from.x),
-                      .steps = std::max<Rational>(abs(dx), abs(dy)),
-                      .to_end = square_of(ends->to.x - *x, ends->to.y - *y),
-                      .length = square_of(dx, dy),
+    const bool along_x = is_x_major(exact_ends->from, exact_ends->to);
+    ColorOnLine color{.from = is_reversed ? *second : *first,
+                      .to = is_reversed ? *first : *second,
+                      .from_name = primitive.vertices[is_reversed ? 1 : 0],
+                      .step = along_x ? abs(*x - start.x) : abs(*y - start.y),
+                      .steps = along_x ? abs(end.x - start.x) : abs(end.y - start.y),
+                      .to_end = square_of(end.x - *x, end.y - *y),
+                      .length = square_of(end.x - start.x, end.y - start.y),
                       .is_by_distance = replay.trace().method_value("color_lerp") == "distance"};
+    // The first and the last pixel have the colors of the ends, wherever rounding has put them.
+    if (color.step == 0)
+        color.to_end = color.length;
+    if (color.step == color.steps)
+        color.to_end = 0;
     if (sgn(color.steps) == 0)
         return std::nullopt;
     return color;
@@ -279,11 +309,12 @@ std::optional<Vec2> sample_of(const Trace& trace, const StepView& step) {
     return Vec2{*x + offset, *y + offset};
 }
 
-std::size_t along_before(const Replay& replay) {
-    for (std::size_t n = replay.step() - 1; n > replay.primitive(); --n) {
-        const auto kind = replay.trace().kind_of(n);
+std::size_t along_before(const Replay& replay, std::size_t n) {
+    for (std::size_t before = n; before > replay.primitive() + 1;) {
+        --before;
+        const auto kind = replay.trace().kind_of(before);
         if (kind == StepKind::along)
-            return n;
+            return before;
         if (kind != StepKind::pixel && kind != StepKind::reject)
             break;
     }

@@ -19,7 +19,7 @@
 namespace rastertrace {
 
 /// A long fraction as its first digits, and what it is: 49977918.../10141204... = 4.928204, or
-/// 79999999.../40000000..., just below 2.
+/// 79999999.../40000000... < 2 where it lies a hair beside.
 std::string in_sentence(const std::string& number);
 
 /// A long fraction as seven digits of it; any other number as it is.
@@ -90,7 +90,7 @@ struct LineEnds {
 };
 
 /// Those of the line that is being drawn: the primitive, a side of an outline, or a line of a `fan`, from its
-/// edge to the vertex beyond.
+/// edge to the vertex beyond. Where lines are drawn between pixels, those.
 std::optional<LineEnds> ends_of_line(const Replay& replay, const PrimitiveText& primitive);
 
 /// What mixes the colors of a line's ends in the current step's pixel.
@@ -136,8 +136,8 @@ Rational sample_offset(const Trace& trace);
 /// The sample point of the pixel that a step is about.
 std::optional<Vec2> sample_of(const Trace& trace, const StepView& step);
 
-/// The `along` step before the current one on the same line; 0 if there is none.
-std::size_t along_before(const Replay& replay);
+/// The `along` step before step n of the current primitive on the same line; 0 if there is none.
+std::size_t along_before(const Replay& replay, std::size_t n);
 
 /// The row, line or sample that the pixel of the current step belongs to: the last step before it in its
 /// primitive that is not about a pixel; 0 if there is none.

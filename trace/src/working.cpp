@@ -312,12 +312,15 @@ void along(Sheet& sheet) {
                           text(is_x_major ? ends->from.y : ends->from.x),
                           product(m, is_x_major ? ends->from.x : ends->from.y), text(b)));
     const std::size_t before =
-        sheet.trace().method_value("line") == "dda" ? along_before(sheet.replay) : 0;
+        sheet.trace().method_value("line") == "dda" ? along_before(sheet.replay, sheet.number) : 0;
+    const std::string major_field = is_x_major ? "x" : "y";
     const auto last = before == 0 ? std::nullopt : number_in(sheet.trace().step(before), "value");
-    if (last)
+    const auto last_at =
+        before == 0 ? std::nullopt : number_in(sheet.trace().step(before), major_field);
+    if (last && last_at)
         sheet.put(fmt::format("{} = the last one {} = {} {} = {}", minor,
-                              (*value < *last) == (sgn(m) < 0) ? "+ m" : "- m", text(*last),
-                              plus(text(*value - *last)), text(*value)));
+                              *at > *last_at ? "+ m" : "- m", text(*last),
+                              plus(text(m * (*at - *last_at))), text(*value)));
     else
         sheet.put(fmt::format("{} = m {} + b = {} {} = {}", minor, major, product(m, *at),
                               plus(text(b)), text(*value)));
@@ -340,25 +343,30 @@ bool rounds_to(double level, int told) {
 
 /// The levels of a pixel on a line with a color at each end: step by step (T2), or by its distance.
 void put_color_on_line(Sheet& sheet, const ColorOnLine& line, Color told) {
-    if (line.is_by_distance)
-        sheet.put(fmt::format(
-            "to the far end sqrt({}), the whole line sqrt({}): {} of the color of {}",
-            text(line.to_end), text(line.length), six_places(1 - line.share()), line.from_name));
+    std::vector<std::string> lines;
     for (const Channel& channel : channels) {
         const int from = (line.from.*channel.of)();
         const int to = (line.to.*channel.of)();
         const int level = (told.*channel.of)();
         const double worked_out = from + line.share() * (to - from);
-        if (from == to || !rounds_to(worked_out, level))
-            continue;
-        sheet.put(line.is_by_distance
-                      ? fmt::format("{} = {} ({}) + {} ({}) = {} -> {}", channel.name,
-                                    six_places(1 - line.share()), from, six_places(line.share()),
-                                    to, six_places(worked_out), level)
-                      : fmt::format("{} = {} + {} ({} - {}) / {} = {} -> {}", channel.name, from,
-                                    text(line.step), to, from, text(line.steps),
-                                    six_places(worked_out), level));
+        if (!rounds_to(worked_out, level))
+            return;
+        if (from != to)
+            lines.push_back(line.is_by_distance
+                                ? fmt::format("{} = {} ({}) + {} ({}) = {} -> {}", channel.name,
+                                              six_places(1 - line.share()), from,
+                                              six_places(line.share()), to, six_places(worked_out),
+                                              level)
+                                : fmt::format("{} = {} + {} ({} - {}) / {} = {} -> {}",
+                                              channel.name, from, text(line.step), to, from,
+                                              text(line.steps), six_places(worked_out), level));
     }
+    if (line.is_by_distance && !lines.empty())
+        sheet.put(fmt::format(
+            "to the far end sqrt({}), the whole line sqrt({}): {} of the color of {}",
+            text(line.to_end), text(line.length), six_places(1 - line.share()), line.from_name));
+    for (std::string& one : lines)
+        sheet.put(std::move(one));
 }
 
 /// The levels of a pixel in a triangle, mixed by the weights that its corners have there on the screen.
@@ -372,6 +380,7 @@ void put_mixed_color(Sheet& sheet, Color told) {
     const double u = nearest_double(cross->weights.x / cross->weights.z);
     const double v = nearest_double(cross->weights.y / cross->weights.z);
     const std::array weights{1 - u - v, u, v};
+    std::vector<std::string> lines;
     for (const Channel& channel : channels) {
         const int level = (told.*channel.of)();
         std::vector<std::string> terms;
@@ -384,10 +393,13 @@ void put_mixed_color(Sheet& sheet, Color told) {
             terms.push_back(
                 fmt::format("{} ({})", six_places(weights[i]), ((*corner).*channel.of)()));
         }
-        if (rounds_to(worked_out, level)) // in a perspective the weights in space are others
-            sheet.put(fmt::format("{} = {} = {} -> {}", channel.name, joined(terms, " + "),
-                                  six_places(worked_out), level));
+        if (!rounds_to(worked_out, level))
+            return; // in a perspective the weights in space are others
+        lines.push_back(fmt::format("{} = {} = {} -> {}", channel.name, joined(terms, " + "),
+                                    six_places(worked_out), level));
     }
+    for (std::string& line : lines)
+        sheet.put(std::move(line));
 }
 
 void put_color(Sheet& sheet) {
@@ -411,7 +423,7 @@ void pixel(Sheet& sheet) {
     const std::size_t reason = reason_of_pixel(sheet.replay);
     if (reason != 0) {
         // The row or the sample is of the same primitive, with the same edges.
-        Sheet of_reason{sheet.replay, sheet.trace().step(reason), sheet.primitive};
+        Sheet of_reason{sheet.replay, reason, sheet.trace().step(reason), sheet.primitive};
         write_working(of_reason);
         sheet.put(fmt::format("because of step {}", reason));
         for (std::string& line : of_reason.lines)
@@ -452,7 +464,7 @@ void write_working(Sheet& sheet) {
 std::vector<std::string> working_of(const Replay& replay) {
     if (replay.step() == 0)
         return {};
-    Sheet sheet{replay, replay.trace().step(replay.step()), primitive_of(replay)};
+    Sheet sheet{replay, replay.step(), replay.trace().step(replay.step()), primitive_of(replay)};
     write_working(sheet);
     for (std::string& line : sheet.lines)
         line = printable(line);

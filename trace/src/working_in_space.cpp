@@ -88,6 +88,9 @@ std::optional<Matrix<Rational>> matrix_in(const StepView& step) {
 /// The matrices that a `matrix` step tells its matrix to be the product of; none if it is not.
 std::vector<Matrix<Rational>> factors_in(const Sheet& sheet) {
     const auto rows = sheet.step.text_rows("factor_rows");
+    constexpr std::size_t most_factors = 256; // as many rotations as a scene may have
+    if (rows.size() > 4 * most_factors)
+        return {};
     std::vector<Matrix<Rational>> factors;
     std::optional<Matrix<Rational>> together;
     for (std::size_t first = 0; first < rows.size(); first += 4) {
@@ -399,9 +402,10 @@ void write_plane_in_camera_space(Sheet& sheet, const Vec2& sample, const Rationa
                           plus(text(normal.y)), plus(text(normal.z)), plus(text(constant))));
     sheet.put(fmt::format("seen at x' = {}, y' = {} on the view plane z = d = {}", text(x), text(y),
                           text(d)));
-    sheet.put(fmt::format("z = -d D / (A x' + B y' + d C) = {} / ({} + {} + {}) = {}",
+    sheet.put(fmt::format("z = -d D / (A x' + B y' + d C) = {} / ({} + {} + {}) = {}{}",
                           text(-d * constant), product(normal.x, x), product(normal.y, y),
-                          product(d, normal.z), text(z)));
+                          product(d, normal.z), text(z),
+                          sgn(z) < 0 ? ", at a distance of " + text(-z) : ""));
 }
 
 } // namespace rastertrace

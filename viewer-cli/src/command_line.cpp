@@ -367,8 +367,14 @@ private:
                 refuse("--bare", "only the grid, without --working", "--bare");
             if (show_.region && show_.is_overview)
                 refuse("--overview", "no --region beside it", show_region_);
-            if (is_json_table_ && table_format_.empty())
+            if (is_json_table_) {
+                if (!table_format_.empty())
+                    refuse("--json", "no --format beside it", table_format_);
+                if (show_.which != ShowCommand::Which::every || show_.bare ||
+                    show_.asks_for_frames())
+                    refuse("--json", "--every beside it, and no grid", "--json");
                 table_format_ = "json";
+            }
             if (!table_format_.empty()) {
                 show_.format = table_format_named(table_format_);
                 if (!show_.format)

@@ -165,6 +165,8 @@ std::vector<VertexMark> vertex_marks(const Replay& replay) {
         // One that another primitive hides does not shine through; at a corner of both, it is that one's too.
         const std::size_t drawn_by = replay.frame().drawn_by[trace.canvas.offset_of(*pixel)];
         const auto has_it_too = [&](std::size_t primitive) {
+            if (primitive == 0)
+                return false;
             const auto corners = trace.step(primitive).texts("vertices");
             return std::find(corners.begin(), corners.end(), names[i]) != corners.end();
         };
@@ -295,6 +297,10 @@ std::string title_line(const Trace& trace, const FrameText& about, std::size_t c
     return fmt::format("{}{:>{}}", title, steps, width - columns_in(title));
 }
 
+bool has(const Region& region, Pixel pixel) {
+    return region.has_row(pixel.y) && region.meets(pixel.x, pixel.x);
+}
+
 /// What stands in a cell of the frame, and how it is marked.
 struct MarkedCell {
     std::string text;
@@ -310,8 +316,11 @@ public:
           not_drawn_(pixels_not_drawn(replay.trace(), about.first_step, about.last_step)) {
         if (about.view == View::plotted)
             for (const VertexMark& mark : vertex_marks(replay)) {
-                vertices_.emplace(replay.trace().canvas.offset_of(mark.pixel), mark.name);
-                if (columns_in(mark.name) != 1)
+                const std::size_t offset = replay.trace().canvas.offset_of(mark.pixel);
+                const bool is_marked = vertices_.emplace(offset, mark.name).second;
+                const bool is_shown =
+                    !about.is_overview && (!about.region || has(*about.region, mark.pixel));
+                if (is_marked && is_shown && columns_in(mark.name) != 1)
                     long_names_.push_back(mark);
             }
     }
@@ -323,7 +332,12 @@ public:
         if (!not_drawn_.empty())
             legend.emplace_back("x tested, not drawn");
         for (const VertexMark& mark : long_names_)
-            legend.push_back(fmt::format("* {} ({}, {})", mark.name, mark.pixel.x, mark.pixel.y));
+            legend.push_back(fmt::format(
+                "{} {} ({}, {})",
+                letter_of(mark.name,
+                          replay_.frame().drawn_by[replay_.trace().canvas.offset_of(mark.pixel)] !=
+                              0),
+                mark.name, mark.pixel.x, mark.pixel.y));
         return legend;
     }
 

@@ -41,9 +41,8 @@ struct FrameText {
 /// A cell shows what its view says (view.h). New pixels are `@` in `plotted`, and elsewhere `[a b]` where there
 /// are gaps, or reversed in colors; `x` is a pixel that one of these steps has tested and not drawn. `>` is the
 /// row that the first of them is about. In `plotted`, a vertex of the current primitive is its letter, small
-/// where its pixel is not drawn, and `*` if its name is longer, which the legend tells; elsewhere names stand behind their row,
-/// with their x. A vertex
-/// that another primitive hides is not shown.
+/// where its pixel is not drawn, and `*` if its name is longer, which the legend tells; elsewhere names stand
+/// behind their row, with their x. A vertex that a primitive hides which has no such corner is not shown.
 ///
 /// A canvas too wide for `size` loses the gaps between its columns; one that still does not fit is cut to a
 /// window around the pixels that the step is about, and a line says so.

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 #include <unordered_map>
@@ -88,10 +89,13 @@ std::vector<std::size_t> visible_primitives(const Replay& replay) {
     std::unordered_map<std::string, double> place_of;
     for (std::size_t i = 0; i < std::min(sorted.size(), listed.size()); ++i)
         place_of.emplace(sorted[i], nearest_double_in(listed[i]).value_or(0));
-    std::stable_sort(visible.begin(), visible.end(), [&](std::size_t a, std::size_t b) {
-        return place_of[face_of(replay.trace().step(a))] <
-               place_of[face_of(replay.trace().step(b))];
-    });
+    // Only triangles are sorted; what is not in the list comes behind it.
+    const auto place = [&](std::size_t step) {
+        const auto found = place_of.find(face_of(replay.trace().step(step)));
+        return found == place_of.end() ? std::numeric_limits<double>::infinity() : found->second;
+    };
+    std::stable_sort(visible.begin(), visible.end(),
+                     [&](std::size_t a, std::size_t b) { return place(a) < place(b); });
     return visible;
 }
 

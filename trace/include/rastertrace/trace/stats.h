@@ -55,11 +55,11 @@ struct Coverage {
 struct PrimitiveStats {
     std::string kind;
     std::string name;
-    std::uint64_t writes = 0;         ///< pixel steps
-    std::uint64_t pixels = 0;         ///< different pixels among them
-    std::uint64_t over = 0;           ///< writes onto pixels that were drawn already
-    std::uint64_t hidden = 0;         ///< pixels that it would have drawn, had nothing been nearer
-    std::string skipped;              ///< why it drew nothing, if it was skipped
+    std::uint64_t writes = 0; ///< pixel steps
+    std::uint64_t pixels = 0; ///< different pixels among them
+    std::uint64_t over = 0;   ///< writes onto pixels that were drawn already
+    std::uint64_t hidden = 0; ///< pixels that failed the depth test and that it has not drawn
+    std::string skipped;      ///< why it drew nothing, if it was skipped
     std::optional<Coverage> coverage; ///< of a triangle with area whose positions are known
 };
 
