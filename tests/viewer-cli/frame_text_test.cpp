@@ -69,16 +69,19 @@ TEST(FrameText, LargeCanvasIsAWindowAroundTheNewestPixel) {
                                 {.width = 1000, .height = 1000, .origin = Origin::top_left}, {}));
     const std::string text = frame(trace, trace.size(), trace.size(), {.columns = 27, .lines = 17});
     EXPECT_EQ(text.substr(text.find('\n') + 1),
-              "pixel (500, 300)   row y=300: 500 to 500\n"
-              "(x 490 to 510, y 297 to 302 of a canvas of 1000 x 1000)\n"
+              "pixel (500, 300)   row\n"
+              "y=300: 500 to 500\n"
+              "(x 490 to 510, y 296 to 303 of a canvas of 1000 x 1000)\n"
               "\n"
               "    490  495  500  505  510\n"
+              " 296  .....................\n"
               " 297  .....................\n"
               " 298  .....................\n"
               " 299  .....................\n"
               ">300  ..........@..........\n"
               " 301  .....................\n"
-              " 302  .....................\n");
+              " 302  .....................\n"
+              " 303  .....................\n");
 }
 
 TEST(FrameText, TitleIsCutAndMadeSafe) {

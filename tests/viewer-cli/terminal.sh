@@ -53,15 +53,17 @@ for size in "80 24" "40 12" "200 60"; do
     lines=${size#* }
     for scene in "$folder/1x1.json" "$folder/512x512.json" "$folder/16384x4096.json" \
         "$examples/t0-fill/first-triangle.json" "$examples/t0-hidden/painters-cycle.json"; do
-        pane "$columns" "$lines" "COLORTERM=" "'$scene' --step 1"
         title=$(sed 's/.*"title": "\([^"]*\)".*/\1/;q' "$scene" | cut -c 1-12)
         case $title in
         "{"*) title=$(sed -n 's/.*"title": "\([^"]*\)".*/\1/p' "$scene" | cut -c 1-12) ;;
         esac
-        # The whole frame fits: its first line has not been pushed off the screen.
-        head -n 1 "$folder/pane" | grep -qF "$title" || fail "$scene at $columns x $lines: no title on top"
-        rows=$(grep -cE '^[> ]*-?[0-9]+  ' "$folder/pane" || true)
-        [ "$rows" -ge 1 ] || fail "$scene at $columns x $lines: no rows"
+        for step in "--step 1" --last; do
+            pane "$columns" "$lines" "COLORTERM=" "'$scene' $step"
+            # The whole frame fits: its first line has not been pushed off the screen.
+            head -n 1 "$folder/pane" | grep -qF "$title" || fail "$scene $step at $columns x $lines: no title on top"
+            rows=$(grep -cE '^[> ]*-?[0-9]+  ' "$folder/pane" || true)
+            [ "$rows" -ge 1 ] || fail "$scene $step at $columns x $lines: no rows"
+        done
     done
 done
 

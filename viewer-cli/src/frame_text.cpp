@@ -21,9 +21,8 @@ namespace {
 /// The longest title line, and the width that plain output is laid out for.
 constexpr std::size_t page_columns = 79;
 
-/// Lines around the grid beside title and caption: two blank ones, the coordinates, the stages, and the prompt
-/// below.
-constexpr std::size_t lines_around_grid = 5;
+/// Lines around the grid beside title, caption and legend: a blank one, the coordinates, and the prompt below.
+constexpr std::size_t lines_around_grid = 3;
 
 /// Columns and rows of the canvas, counted from its left and top. A cell is a block of pixels.
 struct Window {
@@ -253,11 +252,9 @@ std::string legend_lines(const std::vector<std::string>& words, std::size_t colu
     return line.empty() ? text : text + line + "\n";
 }
 
-/// A sentence in one line, as long as it may be; one of a page, like a painter's order, in lines.
+/// A sentence in one line, if the terminal has one as long, else in lines.
 std::vector<std::string> caption_lines(const std::string& caption, std::size_t columns) {
-    constexpr std::size_t most_lines = 2;
-    return columns_in(caption) <= most_lines * columns ? std::vector{caption}
-                                                       : wrapped(caption, columns);
+    return columns_in(caption) <= columns ? std::vector{caption} : wrapped(caption, columns);
 }
 
 /// How many lines of a terminal some lines take: what is longer than a line goes on in the next.
@@ -440,9 +437,6 @@ std::string frame_text(const Replay& replay, const FrameText& about, TextSize si
         text += line + "\n";
     for (const std::string& line : about.working)
         text += fmt::format("    {}\n", line);
-    const std::size_t taken =
-        lines_around_grid + lines_on_terminal(text, page) + lines_on_terminal(legend, page);
-
     // Which row is meant, and which part of the canvas is looked at.
     const std::optional<Index> current_row = row_of_step(replay.trace(), about.first_step);
     const bool is_around_step = !about.is_overview && !about.region;
@@ -453,11 +447,23 @@ std::string frame_text(const Replay& replay, const FrameText& about, TextSize si
                : about.region    ? window_of(canvas, *about.region)
                                  : window_around(canvas, size, margin, cell, lines, center);
     };
-    // The line that tells the part takes a row itself.
-    Window window = window_below(taken);
-    const std::size_t lines_of_part = lines_on_terminal(part_text(canvas, about, window), page);
-    if (lines_of_part > 0)
-        window = window_below(taken + lines_of_part);
+    // The line that tells the part takes a row itself. Where not even one row fits, the legend has to go.
+    const auto window_beside = [&](const std::string& legend_lines) {
+        const std::size_t taken = lines_around_grid + lines_on_terminal(text, page) +
+                                  lines_on_terminal(legend_lines, page) +
+                                  lines_on_terminal(about.below, page);
+        const auto lines_of_part = [&](const Window& window) {
+            return lines_on_terminal(part_text(canvas, about, window), page);
+        };
+        Window window = window_below(taken);
+        if (const std::size_t lines = lines_of_part(window); lines > 0)
+            window = window_below(taken + lines);
+        const auto rows = static_cast<std::size_t>(window.rows);
+        return std::pair(window, taken + lines_of_part(window) + rows <= size.lines);
+    };
+    if (!window_beside(legend).second && !about.region)
+        legend.clear();
+    const Window window = window_beside(legend).first;
     text += part_text(canvas, about, window);
     text += "\n" + column_labels(canvas, window, margin, cell) + "\n";
 

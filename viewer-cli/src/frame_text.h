@@ -34,6 +34,7 @@ struct FrameText {
     std::optional<Region> region = {};     ///< show this part, whatever the terminal's size
     bool is_overview = false;              ///< show all of the canvas, many pixels to a cell
     std::vector<std::string> working = {}; ///< lines below the caption, see working_of
+    std::string below = {}; ///< what will be printed below the frame, for which it leaves room
 };
 
 /// The frame that a replay has reached, with title, caption, coordinates along the borders, and a legend.

@@ -140,6 +140,13 @@ bool is_table(const ShowCommand& command, const Trace& trace, const std::vector<
     return kind && (command.format || (is_told_as_table(*kind) && shown.size() > 1));
 }
 
+/// What stands below the last frame: what lies off the canvas, and the stages.
+std::string text_below(const Trace& trace) {
+    const std::string off_canvas = off_canvas_text(trace);
+    return (off_canvas.empty() ? "" : "\n" + off_canvas) +
+           (trace.stages.empty() ? "" : fmt::format("\nstages: {}\n", joined(trace.stages, ", ")));
+}
+
 } // namespace
 
 int run(const ShowCommand& command) {
@@ -156,6 +163,7 @@ int run(const ShowCommand& command) {
                       : command.bare ? View::plotted
                                      : default_view(trace);
 
+    const std::string below = text_below(trace);
     Replay replay(trace, parts_for(view, trace));
     bool is_first = true;
     for (const Shown& steps : shown) {
@@ -165,7 +173,8 @@ int run(const ShowCommand& command) {
                         .view = view,
                         .colors = output_colors(command.color),
                         .region = command.region,
-                        .is_overview = command.is_overview};
+                        .is_overview = command.is_overview,
+                        .below = below};
         if (!command.bare) {
             replay.go_to(steps.first);
             about.caption = describe_step(replay);
@@ -189,12 +198,8 @@ int run(const ShowCommand& command) {
                                          : frame_text(replay, about, size)));
         is_first = false;
     }
-    if (!command.bare) {
-        if (const std::string text = off_canvas_text(trace); !text.empty())
-            print("\n" + text);
-        if (!trace.stages.empty())
-            print(fmt::format("\nstages: {}\n", joined(trace.stages, ", ")));
-    }
+    if (!command.bare)
+        print(below);
     return report_damage(trace);
 }
 
