@@ -244,7 +244,11 @@ std::optional<ColorOnLine> color_on_line(const Replay& replay, const PrimitiveTe
     const auto square_of = [](const Rational& dx, const Rational& dy) {
         return Rational(dx * dx + dy * dy);
     };
-    const bool along_x = is_x_major(exact_ends->from, exact_ends->to);
+    // Which direction is the longer one, the step that led to the pixel says: doubles may not tell.
+    const std::size_t reason = reason_of_pixel(replay);
+    const bool along_x = reason != 0 && replay.trace().kind_of(reason) == StepKind::along
+                             ? replay.trace().step(reason).field("x").has_value()
+                             : is_x_major(exact_ends->from, exact_ends->to);
     ColorOnLine color{.from = is_reversed ? *second : *first,
                       .to = is_reversed ? *first : *second,
                       .from_name = primitive.vertices[is_reversed ? 1 : 0],
