@@ -265,6 +265,16 @@ void put_whole_way(Sheet& sheet) {
                               text(clip.x), text(clip.y), text(clip.z), text(clip.w)));
 }
 
+/// The normal of a face, and its angle to the vector in a field of the step.
+void put_face_toward(Sheet& sheet, std::string_view field, std::string_view name) {
+    const auto normal = vec3_in(sheet.step.texts("normal"));
+    const auto toward = vec3_in(sheet.step.texts(field));
+    if (!normal || !toward)
+        return;
+    put_normal(sheet, *normal);
+    put_angle(sheet, *normal, *toward, name);
+}
+
 } // namespace
 
 /// What a matrix is a product of, and the camera that it comes of; then the matrices up to this one as
@@ -347,21 +357,11 @@ void write_vertex(Sheet& sheet) {
 }
 
 void write_face(Sheet& sheet) {
-    const auto normal = vec3_in(sheet.step.texts("normal"));
-    const auto view = vec3_in(sheet.step.texts("view"));
-    if (!normal || !view)
-        return;
-    put_normal(sheet, *normal);
-    put_angle(sheet, *normal, *view, sheet.step.text("by") == "light" ? "light" : "view");
+    put_face_toward(sheet, "view", sheet.step.text("by") == "light" ? "light" : "view");
 }
 
 void write_light(Sheet& sheet) {
-    const auto normal = vec3_in(sheet.step.texts("normal"));
-    const auto light = vec3_in(sheet.step.texts("light"));
-    if (!normal || !light)
-        return;
-    put_normal(sheet, *normal);
-    put_angle(sheet, *normal, *light, "light");
+    put_face_toward(sheet, "light", "light");
 }
 
 void write_plane_in_camera_space(Sheet& sheet, const Vec2& sample, const Rational& told) {

@@ -163,7 +163,7 @@ int run(const ShowCommand& command) {
                       : command.bare ? View::plotted
                                      : default_view(trace);
 
-    const std::string below = text_below(trace);
+    const std::string below = command.bare ? std::string() : text_below(trace);
     Replay replay(trace, parts_for(view, trace));
     bool is_first = true;
     for (const Shown& steps : shown) {
@@ -198,8 +198,7 @@ int run(const ShowCommand& command) {
                                          : frame_text(replay, about, size)));
         is_first = false;
     }
-    if (!command.bare)
-        print(below);
+    print(below);
     return report_damage(trace);
 }
 
