@@ -125,7 +125,7 @@ private:
         put_list("triangles", 3, random_.whole(1, 4));
         if (random_.chance(3))
             put_list("outlines", 3, 1);
-        if (random_.chance(3))
+        if (random_.chance(2))
             put_list("lines", 2, random_.whole(1, 3));
         if (random_.chance(6))
             put_list("points", 1, 2);
@@ -176,12 +176,15 @@ private:
         put_choice("fill", {"scanline", "two-halves", "barycentric", "top-left", "fan"});
         put_choice("line", {"naive", "dda", "bresenham"}, 2);
         put_choice("from", {"first", "low"}, 4);
-        put_choice("rounding", {"floor", "nearest", "truncate", "inside"}, 2);
+        put_choice("rounding", {"floor", "nearest", "truncate", "inside", "half-open"}, 2);
+        put_choice("ties", {"start", "up", "away", "even", "step"}, 4);
+        put_choice("ends", {"both", "first"}, 4);
         put_choice("sample", {"integer", "center"}, 3);
         put_choice("lerp", {"direct", "incremental"}, 3);
         put_choice("snap", {"none", "floor", "truncate", "nearest"}, 6);
         put_choice("depth", {"none", "painter", "linear-z", "inverse-z", "ndc-z"}, 2);
         put_choice("depth_compare", {"less", "greater"}, 6);
+        put_choice("depth_at", {"pixel", "rounded-ends"}, 3);
         if (is_in_space_)
             put_choice("cull", {"none", "back", "front", "both"}, 3);
         if (has_light_)
@@ -189,6 +192,7 @@ private:
         else
             put_choice("shade", {"flat", "faces", "interpolate", "affine"}, 2);
         put_choice("color_lerp", {"axis", "distance"}, 4);
+        put_choice("color_rounding", {"nearest", "truncate"}, 4);
         out_ << '}';
     }
 

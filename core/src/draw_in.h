@@ -4,7 +4,9 @@
 // Drawing in one kind of number: every primitive in its turn, by the method that the scene names.
 // Compiled once for each kind, in draw_in_*.cpp.
 
+#include "line_painter.h"
 #include "listener_sink.h"
+#include "target.h"
 
 #include <rastertrace/core/draw/draw.h>
 
@@ -41,14 +43,6 @@
 
 namespace rastertrace {
 
-/// What pixels are drawn on and tested against, and where their samples lie.
-template <typename Scalar, typename OfPixels = Scalar> struct Target {
-    Image& image;
-    SampleGrid<Scalar> grid;
-    DepthBuffer<DepthOf<OfPixels>>* depth = nullptr; ///< if depths are tested
-    Exactness* exactness = nullptr;                  ///< of `adaptive`
-};
-
 /// The sink that tells a listener; none keeps none.
 template <typename Sink> Sink sink_to(const Listener& listener) {
     if constexpr (keeps_steps<Sink>)
@@ -57,9 +51,9 @@ template <typename Sink> Sink sink_to(const Listener& listener) {
         return {};
 }
 
-/// Draws the line between two vertices of a primitive.
+/// Draws the line between two vertices of a primitive; false if it has no pixel to draw.
 template <typename Scalar, typename Sink>
-void draw_line(const Piece<Scalar>& primitive, EdgeName side, const Method& method,
+bool draw_line(const Piece<Scalar>& primitive, EdgeName side, const Method& method,
                const Canvas& canvas, Sink&& sink) {
     Segment<Scalar> segment{primitive.positions[side.from], primitive.positions[side.to]};
     GridLine line{nearest_pixel(segment.from.x, segment.from.y),
@@ -75,11 +69,19 @@ void draw_line(const Piece<Scalar>& primitive, EdgeName side, const Method& meth
     }
 
     if (method.line == LineMethod::bresenham)
-        draw_bresenham(line, method.color_lerp, canvas, sink);
-    else
-        draw_line_by_lerp(segment,
-                          method.line == LineMethod::naive ? LineForm::naive : LineForm::dda,
-                          line_rounding(method), line, method.color_lerp, canvas, sink);
+        return draw_bresenham(line, line_rules(method), canvas, sink);
+    return draw_line_by_lerp(segment,
+                             method.line == LineMethod::naive ? LineForm::naive : LineForm::dda,
+                             line_rounding(method), line, line_rules(method), canvas, sink);
+}
+
+/// Doubles can tell the depths along an edge only if they hold the difference of its ends, with some to spare
+/// for what is rounded.
+inline void require_finite_differences(const std::array<Adaptive, 3>& depths) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < 3; ++i)
+        if (!std::isfinite(2 * (depths[i].value() - depths[(i + 1) % 3].value())))
+            Adaptive::leave_open(infinity, infinity);
 }
 
 /// All that is worked out about a triangle before it is filled: what its pixels go through, what their
@@ -88,7 +90,8 @@ template <typename Scalar, typename OfPixels> class TrianglePaint {
 public:
     TrianglePaint(const Piece<Scalar>& primitive, const Scene& scene, const Plan& plan,
                   const Target<Scalar, OfPixels>& target)
-        : stages_(plan.stages.pixels[primitive.primitive]), flat_(primitive.color) {
+        : stages_(plan.stages.pixels[primitive.primitive]), flat_(primitive.color),
+          depth_at_(scene.method.depth_at) {
         // Without area, and where its vertices agree, it has one color.
         const Triangle<Scalar> triangle{primitive.positions};
         const auto& [a, b, c] = primitive.colors;
@@ -99,10 +102,11 @@ public:
             if (barycentric.area2() == scalar_from<Scalar>(0))
                 stages_.colors = ColorStage::flat;
             else if constexpr (std::same_as<OfPixels, Adaptive>)
-                mixed_ = mixed_colors(primitive, stages_.colors, *target.exactness);
+                mixed_ = mixed_colors(primitive, stages_.colors, scene.method.color_rounding,
+                                      *target.exactness);
             else
                 mixed_ = {primitive.colors, barycentric, target.grid.sample_offset(),
-                          primitive.inverse_w};
+                          primitive.inverse_w, scene.method.color_rounding};
         }
         if (!stages_.tests_depth)
             return;
@@ -119,15 +123,19 @@ public:
     template <typename Sink, typename FillWith>
     void with_painter(Target<Scalar, OfPixels>& target, const Sink& sink, FillWith&& fill_with) {
         // The plain loop, if that is all.
-        if constexpr (!keeps_steps<Sink>)
+        if constexpr (!keeps_steps<Sink>) {
+            if (!stages_.is_painted && !stages_.tests_depth)
+                return;
             if (stages_.colors == ColorStage::flat && !stages_.tests_depth)
                 return fill_with(FlatPainter<>(target.image, flat_, {}, stages_.tests_canvas));
+        }
 
         PixelPainter<OfPixels, Sink> pixels{.image = target.image,
                                             .stages = stages_,
                                             .flat = flat_,
                                             .mixed = mixed_ ? &*mixed_ : nullptr,
                                             .buffer = stages_.tests_depth ? target.depth : nullptr,
+                                            .depth_at = depth_at_,
                                             .sink = sink};
         using Painter = RowPainter<Scalar, OfPixels, Sink>;
         fill_with(plane_   ? Painter(pixels, *plane_)
@@ -136,17 +144,9 @@ public:
     }
 
 private:
-    /// Doubles can tell the depths along an edge only if they hold the difference of its ends, with some
-    /// to spare for what is rounded.
-    static void require_finite_differences(const std::array<Adaptive, 3>& depths) {
-        constexpr double infinity = std::numeric_limits<double>::infinity();
-        for (std::size_t i = 0; i < 3; ++i)
-            if (!std::isfinite(2 * (depths[i].value() - depths[(i + 1) % 3].value())))
-                Adaptive::leave_open(infinity, infinity);
-    }
-
     PixelStages stages_;
     Color flat_;
+    DepthAt depth_at_;
     std::optional<MixedColors<OfPixels>> mixed_;
     std::optional<TriangleDepth<DepthOf<Scalar>>> depth_;
     std::optional<DepthPlane<DepthOf<Scalar>>> plane_;
@@ -160,19 +160,26 @@ template <typename Scalar> int octant_of(const Piece<Scalar>& primitive, EdgeNam
     return octant_of(pixel_of(primitive, side.from), pixel_of(primitive, side.to));
 }
 
-/// Draws what is no triangle: a point, a line, or the three lines of an outline.
-template <typename Scalar, typename Sink>
+/// Draws what is no triangle: a point, a line, or the three lines of an outline. `painter_of(side)` makes the
+/// painter of each; a point's side leads from its corner to itself.
+template <typename Scalar, typename PainterOf>
 void draw_lines(const Piece<Scalar>& primitive, const Method& method, const Canvas& canvas,
-                Sink&& sink) {
+                PainterOf&& painter_of) {
     switch (primitive.kind) {
     case PrimitiveKind::point:
-        return draw_point(pixel_of(primitive, 0), primitive.colors[0], canvas, sink);
-    case PrimitiveKind::line:
-        return draw_line(primitive, {0, 1}, method, canvas, sink);
+        return draw_point(pixel_of(primitive, 0), primitive.colors[0], canvas,
+                          painter_of(EdgeName{0, 0}));
+    case PrimitiveKind::line: {
+        auto&& painter = painter_of(EdgeName{0, 1});
+        if (!draw_line(primitive, {0, 1}, method, canvas, painter))
+            painter(PrimitiveSkipped{.why = SkipReason::last_pixel_only});
+        return;
+    }
     case PrimitiveKind::outline:
         for (const EdgeName side : {EdgeName{0, 1}, EdgeName{1, 2}, EdgeName{2, 0}}) {
-            sink(SideBegan{.edge = side, .octant = octant_of(primitive, side)});
-            draw_line(primitive, side, method, canvas, sink);
+            auto&& painter = painter_of(side);
+            painter(SideBegan{.edge = side, .octant = octant_of(primitive, side)});
+            draw_line(primitive, side, method, canvas, painter);
         }
         return;
     case PrimitiveKind::triangle:
@@ -193,7 +200,22 @@ void tell_beginning(const Piece<Scalar>& piece, const PieceNames& names, const P
         .colors = std::span(piece.colors).first(plan.mixes_colors ? piece.count : 0),
         .octant = piece.kind == PrimitiveKind::line ? octant_of(piece, {0, 1}) : 0,
         .is_part = piece.is_part,
-        .depths = std::span(told.depths).first(has_depths ? piece.count : 0)});
+        .depths = std::span(told.depths).first(has_depths ? piece.count : 0),
+        .is_painted = plan.stages.pixels[piece.primitive].is_painted});
+}
+
+/// Draws a point, a line or an outline, tested against the depth buffer or not.
+template <typename Scalar, typename OfPixels, typename Sink>
+void draw_thin(const Piece<Scalar>& piece, const Scene& scene, const Plan& plan,
+               Target<Scalar, OfPixels>& target, const Sink& sink) {
+    const Canvas& canvas = target.image.canvas();
+    if (!plan.stages.pixels[piece.primitive].tests_depth)
+        return draw_lines(piece, scene.method, canvas,
+                          [&](EdgeName) { return FlatPainter(target.image, piece.color, sink); });
+    draw_lines(piece, scene.method, canvas, [&](EdgeName side) {
+        target.begin_side(side);
+        return LinePainter<Scalar, OfPixels, Sink>(piece, side, scene, target, sink);
+    });
 }
 
 /// Draws a primitive, or a part of one, with its numbers ready to draw.
@@ -208,7 +230,7 @@ void draw_piece(const Piece<Scalar>& piece, const Scene& scene, const Plan& plan
                      canvas, painter);
             });
     else
-        draw_lines(piece, scene.method, canvas, FlatPainter(target.image, piece.color, sink));
+        draw_thin(piece, scene, plan, target, sink);
 }
 
 /// Tells of a piece and draws it. The corners of `adaptive` are told as what they stand for: all
@@ -218,7 +240,7 @@ void tell_and_draw(const AList& list, const ScreenPrimitive& one, const AFace& f
                    const Piece<Scalar>& piece, const Scene& scene, const Plan& plan,
                    Target<Scalar, OfPixels>& target, const Sink& sink) {
     const PieceNames names(scene, list, one); // a listener may refer to them until the piece ends
-    const bool has_depths = target.depth && piece.kind == PrimitiveKind::triangle;
+    const bool has_depths = target.depth != nullptr;
     if constexpr (!std::same_as<Scalar, Adaptive>)
         tell_beginning(piece, names, piece, has_depths, plan, sink);
     else if (takes<PrimitiveBegan<Adaptive>>(sink))
@@ -229,17 +251,48 @@ void tell_and_draw(const AList& list, const ScreenPrimitive& one, const AFace& f
         draw_piece(piece, scene, plan, target, sink);
 }
 
+/// A triangle of the list, in the numbers that depths are tested in.
+template <typename Scalar, typename Coordinate>
+DeepTriangle<DepthOf<Scalar>> triangle_in(const Scene& scene, const ScreenList<Coordinate>& list,
+                                          const ScreenPrimitive& one, const Plan& plan) {
+    using D = DepthOf<Scalar>;
+    DeepTriangle<D> triangle;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const ScreenVertex<Coordinate>& corner = list.vertices[corner_in_list(scene, list, one, i)];
+        triangle[i].at = {depth_scalar(on_grid<Scalar>(corner.position.x, plan)),
+                          depth_scalar(on_grid<Scalar>(corner.position.y, plan))};
+        if constexpr (std::same_as<D, Adaptive>)
+            triangle[i].depth = with_error(corner.depth);
+        else if constexpr (std::constructible_from<D, Coordinate>)
+            triangle[i].depth = D(corner.depth);
+    }
+    return triangle;
+}
+
 /// Draws the list.
 template <typename Scalar, typename AList, typename Sink>
 void draw_list(const Scene& scene, const Plan& plan, const AList& list, Target<Scalar>& target,
                const Listener& listener, const Sink& sink) {
+    if constexpr (!std::same_as<AList, TypedVertices>) {
+        target.listed = list.primitives;
+        target.triangle_of = [&](std::uint32_t owner) {
+            return triangle_in<Scalar>(scene, list, list.primitives[owner], plan);
+        };
+    }
+    const auto begin = [&target](const ScreenPrimitive& one) {
+        if (target.depth)
+            target.depth->begin(static_cast<std::uint32_t>(&one - target.listed.data()));
+    };
     if constexpr (keeps_steps<Sink>)
         tell_all_pieces(scene, list, listener, [&](const ScreenPrimitive& one, const auto& face) {
             const auto piece = piece_in<Scalar>(piece_of(scene, list, one), plan);
+            begin(one);
             tell_and_draw(list, one, face, piece, scene, plan, target, sink);
         });
     else
-        for_each_piece(scene, list, [&](const auto& piece) {
+        for_each_primitive(scene, list, [&](const ScreenPrimitive& one) {
+            const auto piece = piece_of(scene, list, one);
+            begin(one);
             if (!piece.is_skipped)
                 draw_piece(piece_in<Scalar>(piece, plan), scene, plan, target, sink);
         });
@@ -253,7 +306,8 @@ Image draw_with(const Scene& scene, const Plan& plan, const Listener& listener, 
     Target<Scalar> target{image, sample_grid<Scalar>(scene, plan)};
     std::optional<DepthBuffer<DepthOf<Scalar>>> depth;
     if (scene.has_depth_buffer())
-        target.depth = &depth.emplace(plan.stages.depth_region, depth_rule<DepthOf<Scalar>>(scene));
+        target.depth = &depth.emplace(plan.stages.depth_region, depth_rule<DepthOf<Scalar>>(scene),
+                                      scene.has_tested_lines());
     std::optional<Exactness> exactness;
     if constexpr (std::same_as<Scalar, Adaptive>)
         target.exactness = &exactness.emplace(Exactness{

@@ -137,6 +137,13 @@ public:
         });
     }
     template <typename Coordinate> void draw(const ScreenList<Coordinate>& list) {
+        target_.listed = list.primitives;
+        target_.triangle_of = [&](std::uint32_t owner) {
+            const PieceIndex& index = exactness_.drawn[owner];
+            if (!index.listed)
+                return corners_of(piece_in<Adaptive>(exactness_.pieces.piece(index), plan_));
+            return triangle_in<Adaptive>(scene_, list, list.primitives[*index.listed], plan_);
+        };
         auto next = list.primitives.begin();
         for (std::size_t turn = 0; turn < scene_.primitives.size(); ++turn) {
             const std::size_t index = primitive_at(list, turn);
@@ -200,9 +207,13 @@ private:
                 draw_piece(one, NoFace());
     }
 
-    /// What follows is about the next piece of a primitive.
-    void begin(std::size_t index) {
-        exactness_.drawn.push_back({index, parts_++});
+    /// What follows is about the next piece of a primitive; `one` if the plan's list has it.
+    void begin(std::size_t index, const ScreenPrimitive* one = nullptr) {
+        PieceIndex piece{index, parts_++};
+        if (one && !target_.listed.empty() && &target_.listed.front() <= one &&
+            one <= &target_.listed.back())
+            piece.listed = static_cast<std::uint32_t>(one - target_.listed.data());
+        exactness_.drawn.push_back(piece);
         if (target_.depth)
             target_.depth->begin(static_cast<std::uint32_t>(exactness_.drawn.size() - 1));
     }
@@ -211,7 +222,7 @@ private:
     template <typename AList, typename AFace>
     void draw_one(const AList& list, const ScreenPrimitive& one, const AFace& face,
                   const Listener& listener) {
-        begin(one.primitive);
+        begin(one.primitive, &one);
         const auto piece = piece_in<Adaptive>(piece_of(scene_, list, one), plan_);
         const auto open = keeps_steps<Sink> ? undecided_in(piece, face) : paint_if_decided(piece);
         if (open) {
@@ -237,6 +248,8 @@ private:
     std::optional<Undecided> undecided_in(const Piece<Adaptive>& piece, const AFace& face) {
         const ListenerSink sink(certifying_);
         return left_open_by([&] {
+            if (piece.kind == PrimitiveKind::line)
+                octant_of(piece, {0, 1}); // that is told even if it is not drawn
             if (!tell_face(face, sink))
                 return;
             if (piece.kind == PrimitiveKind::triangle)
@@ -264,7 +277,7 @@ private:
         if (paint)
             paint->with_painter(target_, NullSink{}, paint_with);
         else
-            paint_with(FlatPainter<>(target_.image, piece.color));
+            draw_thin(piece, scene_, plan_, target_, NullSink{});
         return std::nullopt;
     }
 
@@ -274,7 +287,13 @@ private:
             fill(Triangle<Adaptive>{piece.positions}, piece.colors, scene_.method, target_.grid,
                  canvas, decisions);
         else
-            draw_lines(piece, scene_.method, canvas, decisions);
+            draw_lines(piece, scene_.method, canvas, [&](EdgeName side) -> Decisions& {
+                if (plan_.stages.pixels[piece.primitive].tests_depth) {
+                    require_finite_differences(piece.depths);
+                    line_points(piece, side, target_.depth->larger_passes());
+                }
+                return decisions;
+            });
     }
 
     const Scene& scene_;
@@ -296,7 +315,7 @@ void draw_list(const Scene& scene, const Plan& plan, const AList& list, Target<A
                const Listener& listener, const Sink&) {
     AdaptiveDrawing<Sink>(scene, plan, target, listener).draw(list);
     if (target.depth)
-        target.exactness->fallbacks.depths = target.depth->exact_tests();
+        target.exactness->fallbacks.depths += target.depth->exact_tests();
 }
 
 template Image draw_in<Adaptive>(const Scene&, const Plan&, const Listener&, Fallbacks*);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/core/draw/exactly.h>
 
+#include "line_painter.h"
+
 #include <rastertrace/core/raster/edge.h>
 #include <rastertrace/core/raster/fill_scanline.h>
 
@@ -49,12 +51,12 @@ bool is_finite(const Vec<Quantity, 3>& at) {
 ExactPieces::Range ExactPieces::range_of(std::size_t primitive) {
     if (!geometry_) {
         geometry_ = empty_geometry<Rational>(scene_);
-        geometry_->list.transforms.divides = std::visit(
-            []<typename AList>(const AList& list) {
-                if constexpr (std::same_as<AList, TypedVertices>)
-                    return true;
-                else
-                    return list.transforms.divides;
+        std::visit(
+            [this]<typename AList>(const AList& list) {
+                if constexpr (!std::same_as<AList, TypedVertices>) {
+                    geometry_->list.transforms.divides = list.transforms.divides;
+                    geometry_->list.culled_sides = list.culled_sides;
+                }
             },
             *plan_.list);
     }
@@ -88,24 +90,39 @@ Piece<Rational> ExactPieces::piece(const PieceIndex& piece) {
                               plan_);
 }
 
-/// The turned depth of a triangle in the pixel at (x, y), as the fill that the scene names finds it.
-Rational exact_depth_at(const Scene& scene, const Piece<Rational>& primitive, int x, int y) {
-    const Triangle<Rational> triangle{primitive.positions};
-    TriangleDepth<Rational> depth(triangle.vertices, primitive.depths,
-                                  depth_rule<Rational>(scene).larger_passes);
+/// The turned depth of a piece in the pixel at (x, y), as the fill or the line that the scene names finds
+/// it; of an outline, that of a side.
+Rational exact_depth_at(const Scene& scene, const Piece<Rational>& piece, std::uint8_t side, int x,
+                        int y) {
+    const bool larger_passes = depth_rule<Rational>(scene).larger_passes;
+    if (piece.kind != PrimitiveKind::triangle) {
+        const auto end = static_cast<std::uint8_t>((side + 1U) % piece.count);
+        return line_points(piece, {side, end}, larger_passes).depth_at({x, y});
+    }
+    const Triangle<Rational> triangle{piece.positions};
+    TriangleDepth<Rational> depth(triangle.vertices, piece.depths, larger_passes);
     if (!finds_depths_along_edges(scene))
         return depth.plane(scalar_from<Rational>(sample_offset_of(scene.method))).on_row(y).at(x);
     const auto [left, right] = edges_of_row(triangle, y, scene.canvas.down());
     const Rational height = y;
-    return row_between<Rational>(left.x_at(height), depth.on_edge(left.name, height),
-                                 right.x_at(height), depth.on_edge(right.name, height))
+    Rational left_x = left.x_at(height);
+    Rational right_x = right.x_at(height);
+    if (scene.method.depth_at == DepthAt::rounded_ends) {
+        left_x = scalar_from<Rational>(first_pixel(left_x, span_rounding(scene.method)));
+        right_x = scalar_from<Rational>(last_pixel(right_x, span_rounding(scene.method)));
+    }
+    return row_between<Rational>(left_x, depth.on_edge(left.name, height), right_x,
+                                 depth.on_edge(right.name, height))
         .at(x);
 }
 
 std::optional<std::array<std::size_t, 2>> edge_of_depth(const Scene& scene, const Plan& plan,
                                                         const PieceIndex& index, int x, int y) {
-    if (!finds_depths_along_edges(scene))
+    if (!finds_depths_along_edges(scene) ||
+        scene.primitives[index.primitive].kind != PrimitiveKind::triangle)
         return std::nullopt;
+    const bool has_rounded_ends = scene.method.depth_at == DepthAt::rounded_ends;
+    const SpanRounding rounding = span_rounding(scene.method);
     std::optional<std::array<std::size_t, 2>> vertices;
     const auto find_in = [&]<typename AList>(const AList& list) {
         // Vertices as typed have no depths.
@@ -126,10 +143,21 @@ std::optional<std::array<std::size_t, 2>> edge_of_depth(const Scene& scene, cons
                 vertices = {piece.vertices[edge.name.from], piece.vertices[edge.name.to]};
                 std::sort(vertices->begin(), vertices->end());
             };
-            if (column <= left.x_at(height))
+            const Adaptive left_x = left.x_at(height);
+            const Adaptive right_x = right.x_at(height);
+            if (has_rounded_ends) {
+                // A row of one pixel has the depth of its left end.
+                const Index from = first_pixel(left_x, rounding);
+                const Index to = last_pixel(right_x, rounding);
+                if (x <= from || to <= from)
+                    hold(left);
+                else if (to <= x)
+                    hold(right);
+            } else if (column <= left_x) {
                 hold(left);
-            else if (right.x_at(height) <= column)
+            } else if (right_x <= column) {
                 hold(right);
+            }
         }
     };
     try {
@@ -145,7 +173,8 @@ bool is_nearer(const Scene& scene, const Plan& plan, Exactness& exactness, std::
                std::optional<std::uint32_t> stored, int x, int row) {
     const int y = scene.canvas.y_of(row);
     const auto depth_of = [&](std::uint32_t number) {
-        return exact_depth_at(scene, exactness.pieces.piece(exactness.drawn[number]), x, y);
+        const PieceIndex& index = exactness.drawn[number];
+        return exact_depth_at(scene, exactness.pieces.piece(index), index.side, x, y);
     };
     if (stored) {
         // Two faces that meet in an edge seen from aside have one depth there: no need to work it out.
@@ -169,8 +198,10 @@ Rational told_depth(const Scene& scene, Exactness& exactness, std::optional<std:
     const DepthRule<Rational> rule = depth_rule<Rational>(scene);
     if (!piece)
         return *rule.cleared;
-    const Piece<Rational>& asked = exactness.pieces.piece(exactness.drawn[*piece]);
-    return turned(exact_depth_at(scene, asked, x, scene.canvas.y_of(row)), rule.larger_passes);
+    const PieceIndex& index = exactness.drawn[*piece];
+    return turned(
+        exact_depth_at(scene, exactness.pieces.piece(index), index.side, x, scene.canvas.y_of(row)),
+        rule.larger_passes);
 }
 
 bool is_told_by_doubles(const VertexPlaced<Quantity>& step) {

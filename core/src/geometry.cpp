@@ -304,15 +304,16 @@ template <typename Scalar> Geometry<Scalar> geometry_of(const Scene& scene) {
     for (std::size_t i = 0; i < result.vertices.size(); ++i)
         move_to_screen(result.vertices[i], transforms, result.list.vertices[i]);
 
-    if (scene.depth() == Depth::painter) {
-        const auto distance_of = [&result](std::size_t index) -> const Scalar& {
-            return result.vertices[index].distance;
-        };
-        if (!comes_farthest_first<Scalar>(scene, distance_of))
-            transforms.needed.add(Stage::order);
-        if (transforms.needed.has(Stage::order) || scene.keep.has(Stage::order))
-            result.list.order = painter_order<Scalar>(scene, distance_of);
-    }
+    const DistanceOf<Scalar> distance_of = [&result](std::size_t index) -> const Scalar& {
+        return result.vertices[index].distance;
+    };
+    for (const DrawingOrder<Scalar>& order : drawing_orders<Scalar>)
+        if (order.depth == scene.depth()) {
+            if (!order.is_sorted(scene, distance_of))
+                transforms.needed.add(Stage::order);
+            if (transforms.needed.has(Stage::order) || scene.keep.has(Stage::order))
+                result.list.order = order.sorted(scene, distance_of);
+        }
     return result;
 }
 

@@ -104,7 +104,8 @@ template <typename Scalar> void tell(const PrimitiveBegan<Scalar>& step, const L
                                  .colors = step.colors,
                                  .octant = step.octant,
                                  .is_part = step.is_part,
-                                 .depths = std::span(depths).first(step.depths.size())});
+                                 .depths = std::span(depths).first(step.depths.size()),
+                                 .is_painted = step.is_painted});
 }
 
 template <typename Scalar> void tell(const EdgeSetUp<Scalar>& step, const Listener& listener) {
@@ -146,7 +147,9 @@ template <typename Scalar> void tell(const DepthTested<Scalar>& step, const List
     listener(DepthTested<Quantity>{.pixel = step.pixel,
                                    .depth = step.depth,
                                    .stored = quantity(step.stored),
-                                   .passes = step.passes});
+                                   .passes = step.passes,
+                                   .reason = step.reason,
+                                   .other = step.other});
 }
 
 /// A sink for every step, of every Scalar.

@@ -68,11 +68,12 @@ Face<Scalar> face_of(const Scene& scene, const Transforms<Scalar>& transforms,
         const auto cosine = cosine_between(normal, light);
         using Cosine = typename decltype(cosine)::value_type;
         const Cosine intensity = zero < product && cosine ? *cosine : Cosine(0);
-        face.lit = FaceLit<Scalar>{.normal = normal,
-                                   .light = light,
-                                   .dot = product,
-                                   .intensity = to_double(intensity),
-                                   .color = lit(primitive.color, intensity)};
+        face.lit =
+            FaceLit<Scalar>{.normal = normal,
+                            .light = light,
+                            .dot = product,
+                            .intensity = to_double(intensity),
+                            .color = lit(primitive.color, intensity, scene.method.color_rounding)};
     }
     return face;
 }
@@ -81,6 +82,48 @@ Face<Scalar> face_of(const Scene& scene, const Transforms<Scalar>& transforms,
 bool has_face(const Scene& scene, const ScenePrimitive& primitive) {
     return primitive.kind == PrimitiveKind::triangle &&
            (scene.method.cull != Cull::none || scene.method.shade == Shade::lambert);
+}
+
+/// The face of a primitive whose corners lie there in the world. Nothing is found out about one that has
+/// none, but that it is a side of culled ones.
+template <typename Scalar>
+Face<Scalar> face_in(const Scene& scene, const ScreenList<Scalar>& list, std::size_t index,
+                     const std::array<Vec<Scalar, 3>, 3>& world) {
+    const ScenePrimitive& primitive = scene.primitives[index];
+    if (has_face(scene, primitive))
+        return face_of(scene, list.transforms, primitive, world);
+    if (!list.culled_sides.empty() && list.culled_sides[index])
+        return {.skip = SkipReason::culled};
+    return {};
+}
+
+/// Which of the scene's lines are sides of faces none of which is drawn: `is_drawn(index)` tells whether a
+/// triangle is. Empty if that does not matter to any.
+template <typename IsDrawn>
+std::vector<bool> culled_sides_of(const Scene& scene, IsDrawn&& is_drawn) {
+    const auto& primitives = scene.primitives;
+    if (scene.method.cull == Cull::none ||
+        std::none_of(primitives.begin(), primitives.end(),
+                     [](const ScenePrimitive& one) { return one.is_side; }))
+        return {};
+
+    using Side = std::pair<std::size_t, std::size_t>;
+    const auto side_of = [](const ScenePrimitive& primitive, std::size_t i, std::size_t k) -> Side {
+        return std::minmax(primitive.vertices[i], primitive.vertices[k]);
+    };
+    std::vector<Side> drawn;
+    for (std::size_t i = 0; i < primitives.size(); ++i)
+        if (primitives[i].kind == PrimitiveKind::triangle && is_drawn(i)) {
+            drawn.push_back(side_of(primitives[i], 0, 1));
+            drawn.push_back(side_of(primitives[i], 1, 2));
+            drawn.push_back(side_of(primitives[i], 0, 2));
+        }
+    std::sort(drawn.begin(), drawn.end());
+    std::vector<bool> result(primitives.size());
+    for (std::size_t i = 0; i < primitives.size(); ++i)
+        result[i] = primitives[i].is_side &&
+                    !std::binary_search(drawn.begin(), drawn.end(), side_of(primitives[i], 0, 1));
+    return result;
 }
 
 /// False if a number of a face that would be told is none: a normal is a product of two lengths, and is
@@ -165,9 +208,10 @@ SkipReason reason_of(const ClipPlane<Scalar>& plane,
 /// wholly inside of is told. If nothing is left: why. Only a vertex that it begins with makes a
 /// plane cut: one that clipping has made lies, but for rounding, between two of those.
 template <typename Scalar>
-std::optional<SkipReason>
-clip_at_planes(std::string_view name, std::vector<ClipVertex<Scalar>>& polygon,
-               const std::vector<ClipPlane<Scalar>>& planes, const Listener& listener) {
+std::optional<SkipReason> clip_at_planes(std::string_view name,
+                                         std::vector<ClipVertex<Scalar>>& polygon,
+                                         const std::vector<ClipPlane<Scalar>>& planes,
+                                         ColorRounding color_rounding, const Listener& listener) {
     const std::size_t fewest = std::min<std::size_t>(polygon.size(), 3);
     const std::vector<ClipVertex<Scalar>> whole = polygon;
     for (const ClipPlane<Scalar>& plane : planes) {
@@ -185,7 +229,7 @@ clip_at_planes(std::string_view name, std::vector<ClipVertex<Scalar>>& polygon,
                         [](bool inside) { return inside; }))
             continue;
 
-        std::vector<ClipVertex<Scalar>> left = clip(polygon, plane);
+        std::vector<ClipVertex<Scalar>> left = clip(polygon, plane, color_rounding);
         if (left.size() < fewest)
             left.clear();
         listener(PrimitiveClipped{.name = name,
@@ -230,7 +274,8 @@ std::optional<SkipReason> clip_primitive(const Scene& scene, const ScreenList<Sc
                                color_of_vertex(scene, list, primitive.vertices[corner], color),
                                static_cast<int>(corner)});
         }
-        reason = clip_at_planes(primitive.name, polygon, list.transforms.planes, listener);
+        reason = clip_at_planes(primitive.name, polygon, list.transforms.planes,
+                                scene.method.color_rounding, listener);
         is_left = is_left || !polygon.empty();
         take(side, polygon);
     }
@@ -267,11 +312,10 @@ void add_primitive(const Scene& scene, Geometry<Scalar>& geometry, std::size_t i
     ScreenList<Scalar>& list = geometry.list;
     using State = ScreenPrimitive::State;
     const ScenePrimitive& primitive = scene.primitives[index];
-    Face<Scalar> face;
-    if (has_face(scene, primitive))
-        face = face_of(
-            scene, list.transforms, primitive,
-            corners_of(primitive, [&](std::size_t corner) { return geometry.world[corner]; }));
+    const auto world = corners_of(primitive, [&](std::size_t corner) {
+        return geometry.world.empty() ? Vec<Scalar, 3>{} : geometry.world[corner];
+    });
+    const Face<Scalar> face = face_in(scene, list, index, world);
     if (!is_finite(face))
         list.infinite_face = std::min(index, list.infinite_face.value_or(index));
     const Color color = color_of(scene, index, face);
@@ -328,10 +372,34 @@ void add_primitive(const Scene& scene, Geometry<Scalar>& geometry, std::size_t i
     });
 }
 
+/// True if the face of a triangle is drawn, as far as that hangs on which way it is turned. `exact` is made
+/// where doubles leave that open.
+template <typename Scalar>
+bool has_drawn_face(const Scene& scene, const Geometry<Scalar>& geometry, std::size_t index,
+                    std::optional<Transforms<Rational>>& exact) {
+    const ScenePrimitive& triangle = scene.primitives[index];
+    const auto is_drawn = [&](const auto& transforms, auto&& place_of) {
+        return !face_of(scene, transforms, triangle, corners_of(triangle, place_of)).skip;
+    };
+    try {
+        return is_drawn(geometry.list.transforms,
+                        [&](std::size_t corner) { return geometry.world[corner]; });
+    } catch (const Undecided&) {
+        if (!exact)
+            exact = empty_geometry<Rational>(scene).list.transforms;
+        return is_drawn(*exact, [&](std::size_t corner) {
+            return vertex_in_space(scene, *exact, corner).world;
+        });
+    }
+}
+
 /// What is drawn of all primitives, in the order in which they are drawn.
 template <typename Scalar>
 ScreenList<Scalar> screen_list_of(const Scene& scene, Geometry<Scalar> geometry) {
     ScreenList<Scalar>& list = geometry.list;
+    std::optional<Transforms<Rational>> exact;
+    list.culled_sides = culled_sides_of(
+        scene, [&](std::size_t index) { return has_drawn_face(scene, geometry, index, exact); });
     for (std::size_t turn = 0; turn < scene.primitives.size(); ++turn) {
         const std::size_t index = primitive_at(list, turn);
         const std::size_t count = list.primitives.size();
@@ -444,7 +512,7 @@ void tell_pieces(const Scene& scene, const ScreenList<Scalar>& list, std::size_t
     // In view, and without a face: there is nothing to tell.
     const ScenePrimitive& primitive = scene.primitives[index];
     if (is_whole(scene, list, index) && !has_face(scene, primitive))
-        return draw_next({});
+        return draw_next(face_in<Scalar>(scene, list, index, {}));
 
     const auto corners = primitive.corners();
     std::array<Vec<Scalar, 3>, 3> world;
@@ -456,9 +524,7 @@ void tell_pieces(const Scene& scene, const ScreenList<Scalar>& list, std::size_t
         vertices[i] = std::move(in_clip_space);
         is_in_view = is_in_view && vertices[i].is_in_view;
     }
-    Face<Scalar> face;
-    if (has_face(scene, primitive))
-        face = face_of(scene, list.transforms, primitive, world);
+    const Face<Scalar> face = face_in(scene, list, index, world);
     if (is_in_view)
         return draw_next(face);
 

@@ -245,11 +245,11 @@ std::optional<Unfit> unfit_of(const Piece<Coordinate>& piece, const Method& meth
     }
 
     // Depths are interpolated as differences times differences.
-    if (is_triangle && !decides_exactly(method)) {
+    if (!decides_exactly(method)) {
         double farthest = 1;
         for (const auto& [x, y] : at)
             farthest = std::max({farthest, std::abs(x), std::abs(y)});
-        for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t i = 0; i < piece.count; ++i)
             if (!(8 * std::abs(to_double(piece.depths[i])) * farthest <
                   static_cast<double>(Limits::max())))
                 return unfit(What::depth_times_size, i, i);
@@ -299,9 +299,10 @@ std::optional<Unfit> unfit_vertex(const Scene& scene, const Geometry<Coordinate>
         }
     }
     // In a perspective, clipping leaves only what lies in front of the eye. Elsewhere nothing does.
+    const bool tests_all = scene.has_depth_buffer();
     if (scene.depth() == Depth::inverse_z && !is_perspective(scene.projection.type))
         for (const ScenePrimitive& primitive : scene.primitives)
-            if (primitive.kind == PrimitiveKind::triangle)
+            if (primitive.kind == PrimitiveKind::triangle || tests_all)
                 for (const std::size_t i : primitive.corners()) {
                     const Coordinate& exact = geometry.vertices[i].distance;
                     const double distance = to_double(exact);

@@ -53,6 +53,7 @@ struct PixelBox {
                           : PixelBox{std::min(left, other.left), std::min(top, other.top),
                                      std::max(right, other.right), std::max(bottom, other.bottom)};
     }
+    PixelBox grown(int by) const { return {left - by, top - by, right + by, bottom + by}; }
     std::uint64_t area() const {
         return is_empty() ? 0
                           : static_cast<std::uint64_t>(right - left + 1) *
@@ -64,8 +65,9 @@ inline PixelBox box_of(const Canvas& canvas) {
     return {canvas.left(), 0, canvas.right(), canvas.height - 1};
 }
 
-/// What the stages of a triangle's pixels are decided from.
-struct TriangleSurvey {
+/// What the stages of a primitive's pixels are decided from.
+struct PrimitiveSurvey {
+    PrimitiveKind kind = PrimitiveKind::triangle;
     int pieces = 0;
     PixelBox box = {};           ///< it draws no pixel outside of it
     bool has_safe_depth = false; ///< no depth of it can lose against a clear buffer
@@ -74,11 +76,14 @@ struct TriangleSurvey {
 };
 
 /// One of which nothing is known: it needs all stages.
-inline constexpr TriangleSurvey unknown_triangle{.pieces = 2,
-                                                 .box = {-(1 << 30), -(1 << 30), 1 << 30, 1 << 30},
-                                                 .has_safe_depth = false,
-                                                 .w_differs = true,
-                                                 .colors_differ = true};
+inline PrimitiveSurvey unknown_survey(PrimitiveKind kind) {
+    return {.kind = kind,
+            .pieces = 2,
+            .box = {-(1 << 30), -(1 << 30), 1 << 30, 1 << 30},
+            .has_safe_depth = false,
+            .w_differs = true,
+            .colors_differ = true};
+}
 
 /// How far calculated places may lie from exact ones, for coordinates up to `farthest`: the numbers
 /// drawn with are rounded, and adding up a slope adds up its error.
@@ -116,10 +121,12 @@ WholeBounds whole_bounds(const Coordinate& coordinate, const Method& method, dou
     return {floor_index(x - off), ceil_index(x + off)};
 }
 
-/// The pixels that a triangle can reach under any rounding rule: samples lie at integers or half a
-/// pixel up, and a rounded end of a row lies less than a pixel away.
+/// The pixels that a primitive can reach under any rounding rule: samples lie at integers or half a
+/// pixel up, and a rounded end of a row, or a pixel of a line, lies less than a pixel away.
 template <typename Coordinate> PixelBox box_of(const Piece<Coordinate>& piece, const Scene& scene) {
-    const auto& [a, b, c] = piece.positions;
+    const auto& a = piece.positions[0];
+    const auto& b = piece.positions[piece.count > 1 ? 1 : 0];
+    const auto& c = piece.positions[piece.count > 2 ? 2 : 0];
     const auto farthest = [](double x, double y, double z) {
         return std::max({std::abs(x), std::abs(y), std::abs(z)});
     };
@@ -149,16 +156,16 @@ template <typename Coordinate> PixelBox box_of(const Piece<Coordinate>& piece, c
     return {side(left), side(top), side(right), side(bottom)};
 }
 
-/// True if every depth that can be calculated in the triangle passes against a clear buffer. Depths
-/// come from slopes, whose rounding error grows with the square of the triangle's extent over its
-/// area.
+/// True if every depth that can be calculated in the piece passes against a clear buffer. Depths of a
+/// triangle come from slopes, whose rounding error grows with the square of its extent over its area; those
+/// of a line lie between the depths of its ends, but for a rounding or two.
 template <typename Coordinate>
 bool has_safe_depth(const Piece<Coordinate>& piece, const DepthRule<double>& rule,
                     const Scene& scene) {
     std::array<std::array<double, 2>, 3> at{};
     double largest = 0;
     double margin = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < piece.count; ++i) {
         at[i] = {to_double(piece.positions[i].x), to_double(piece.positions[i].y)};
         const double depth = to_double(piece.depths[i]);
         largest = std::max(largest, std::abs(depth));
@@ -166,6 +173,16 @@ bool has_safe_depth(const Piece<Coordinate>& piece, const DepthRule<double>& rul
             margin = std::min(margin,
                               rule.larger_passes ? depth - *rule.cleared : *rule.cleared - depth);
     }
+    const bool is_single = scene.method.scalar == ScalarKind::single_precision;
+    const double epsilon = std::ldexp(1.0, is_single ? -18 : -46);
+    const bool has_exact_depths =
+        std::all_of(piece.depths.begin(), piece.depths.end(),
+                    [&](const auto& depth) { return error_of(depth) <= epsilon * largest / 64; });
+    if (!has_exact_depths)
+        return false;
+    if (piece.kind != PrimitiveKind::triangle)
+        return epsilon * largest < margin;
+
     const double abx = at[1][0] - at[0][0], aby = at[1][1] - at[0][1];
     const double acx = at[2][0] - at[0][0], acy = at[2][1] - at[0][1];
     const double extent =
@@ -175,13 +192,10 @@ bool has_safe_depth(const Piece<Coordinate>& piece, const DepthRule<double>& rul
     const double area2 = std::abs(abx * acy - acx * aby) - (is_snapped ? extent / 64 : 0);
     const double farthest = std::max(
         {std::abs(at[0][0]), std::abs(at[0][1]), extent}); // differences are as exact as this
-    const bool is_single = scene.method.scalar == ScalarKind::single_precision;
-    const double epsilon = std::ldexp(1.0, is_single ? -18 : -46);
     // What is known with an error: each must be as exact as the rounding that is allowed for.
     for (std::size_t i = 0; i < 3; ++i)
         if (!(error_of(piece.positions[i].x) + error_of(piece.positions[i].y) <=
-              epsilon * farthest / 64) ||
-            !(error_of(piece.depths[i]) <= epsilon * largest / 64))
+              epsilon * farthest / 64))
             return false;
     if (!(area2 > epsilon * extent * farthest))
         return false;
@@ -201,38 +215,44 @@ bool has_safe_depth(const Piece<Coordinate>& piece, const DepthRule<double>& rul
     return error < margin;
 }
 
-/// Looks at every triangle that is drawn, with its parts. Without a pipeline there are no depths and no w.
+/// Looks at every triangle that is drawn, with its parts; at points and lines too if depths are tested.
+/// Without a pipeline there are no depths and no w.
 template <typename AList>
-std::vector<TriangleSurvey> survey_of(const Scene& scene, const AList& list) {
-    std::vector<TriangleSurvey> result(scene.primitives.size());
+std::vector<PrimitiveSurvey> survey_of(const Scene& scene, const AList& list) {
+    std::vector<PrimitiveSurvey> result(scene.primitives.size());
     const bool has_depth_buffer = scene.has_depth_buffer();
     const DepthRule<double> rule = depth_rule<double>(scene);
     for_each_primitive(scene, list, [&](const ScreenPrimitive& one) {
-        TriangleSurvey& triangle = result[one.primitive];
+        PrimitiveSurvey& triangle = result[one.primitive];
         if (one.state == ScreenPrimitive::State::undecided) {
-            triangle = unknown_triangle;
+            triangle = unknown_survey(scene.primitives[one.primitive].kind);
             return;
         }
         const auto piece = piece_of(scene, list, one);
-        if (piece.kind != PrimitiveKind::triangle || piece.is_skipped)
+        if ((piece.kind != PrimitiveKind::triangle && !has_depth_buffer) || piece.is_skipped)
             return;
-        ++triangle.pieces;
-        triangle.box = triangle.box.join(box_of(piece, scene));
+        triangle.kind = piece.kind;
+        triangle.pieces += piece.kind == PrimitiveKind::outline ? 3 : 1;
+        // A face may hide a point of a line that it has only the next pixel of (line_painter.h).
+        const int around = piece.kind == PrimitiveKind::triangle ? 0 : 1;
+        triangle.box = triangle.box.join(box_of(piece, scene).grown(around));
         if constexpr (!std::same_as<AList, TypedVertices>) {
             triangle.has_safe_depth = has_depth_buffer && has_safe_depth(piece, rule, scene);
             const auto& [a, b, c] = piece.inverse_w;
             triangle.w_differs = triangle.w_differs || may_differ(a, b) || may_differ(a, c);
         }
+        if (piece.kind != PrimitiveKind::triangle)
+            return;
         const auto& [a, b, c] = piece.colors;
         triangle.colors_differ = triangle.colors_differ || a != b || a != c;
     });
     return result;
 }
 
-/// Which triangles may share a pixel with another one: their boxes meet. Boxes are sorted into the
+/// Which primitives may share a pixel with another one: their boxes meet. Boxes are sorted into the
 /// cells of a grid and compared with the first few of each cell; where more crowd, they are taken to
 /// meet.
-inline std::vector<bool> shared_pixels(const std::vector<TriangleSurvey>& triangles,
+inline std::vector<bool> shared_pixels(const std::vector<PrimitiveSurvey>& triangles,
                                        const Canvas& canvas) {
     constexpr Index cell_side = 16;
     constexpr std::size_t crowd = 16;
@@ -276,9 +296,9 @@ inline std::vector<bool> shared_pixels(const std::vector<TriangleSurvey>& triang
     return is_shared;
 }
 
-/// The stages of each triangle's pixels.
+/// The stages of each primitive's pixels.
 inline std::vector<PixelStages> pixel_stages(const Scene& scene,
-                                             const std::vector<TriangleSurvey>& triangles) {
+                                             const std::vector<PrimitiveSurvey>& triangles) {
     const bool has_depth_buffer = scene.has_depth_buffer();
     const bool mixes_colors = scene.mixes_colors();
     const bool mixes_in_perspective = scene.mixes_in_perspective();
@@ -288,10 +308,11 @@ inline std::vector<PixelStages> pixel_stages(const Scene& scene,
 
     std::vector<PixelStages> result(triangles.size());
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-        const TriangleSurvey& triangle = triangles[i];
+        const PrimitiveSurvey& triangle = triangles[i];
         PixelStages& stages = result[i];
         stages.tests_canvas = scene.keep.has(Stage::canvas) || !canvas.has(triangle.box);
-        // The parts of a clipped triangle share pixels, too.
+        stages.is_painted = scene.primitives[i].is_painted;
+        // The parts of a clipped triangle share pixels, too, and the sides of an outline.
         stages.tests_depth = has_depth_buffer && (scene.keep.has(Stage::depth) || is_shared[i] ||
                                                   triangle.pieces > 1 || !triangle.has_safe_depth);
         if (mixes_colors && (triangle.colors_differ || scene.keep.has(Stage::colors)))
@@ -371,7 +392,7 @@ inline void decide_face_stages(const Scene& scene, std::vector<StageDecision>& d
 }
 
 /// Decides about the stages of pixels, from what was decided for each triangle.
-inline void decide_pixel_stages(const Scene& scene, const std::vector<TriangleSurvey>& triangles,
+inline void decide_pixel_stages(const Scene& scene, const std::vector<PrimitiveSurvey>& triangles,
                                 std::size_t depth_size, Stages& stages) {
     const PixelBox canvas = box_of(scene.canvas);
     struct Count {
@@ -379,15 +400,22 @@ inline void decide_pixel_stages(const Scene& scene, const std::vector<TriangleSu
         std::uint64_t saved_pixels = 0;
     };
     Count in_canvas, in_depth, in_perspective, in_colors;
-    std::uint64_t all = 0, beyond = 0, differ_in_w = 0, differ_in_color = 0;
+    std::uint64_t all = 0, thin = 0, beyond = 0, differ_in_w = 0, differ_in_color = 0;
     PixelBox tested;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-        const TriangleSurvey& triangle = triangles[i];
+        const PrimitiveSurvey& triangle = triangles[i];
         if (triangle.pieces == 0)
             continue;
-        ++all;
         const PixelBox box = triangle.box.meet(canvas);
         const PixelStages& pixels = stages.pixels[i];
+        if (pixels.tests_depth && !box.is_empty())
+            tested = tested.join(box);
+        if (triangle.kind != PrimitiveKind::triangle) {
+            ++thin;
+            in_depth.kept += pixels.tests_depth ? 1 : 0;
+            continue;
+        }
+        ++all;
         const auto note = [&box](Count& count, bool is_kept) {
             count.kept += is_kept ? 1 : 0;
             count.saved_pixels += is_kept ? 0 : box.area();
@@ -399,8 +427,6 @@ inline void decide_pixel_stages(const Scene& scene, const std::vector<TriangleSu
         beyond += canvas.has(triangle.box) ? 0 : 1;
         differ_in_w += triangle.w_differs ? 1 : 0;
         differ_in_color += triangle.colors_differ ? 1 : 0;
-        if (pixels.tests_depth && !box.is_empty())
-            tested = tested.join(box);
     }
     auto& decisions = stages.decisions;
     const auto of_all = [all](std::uint64_t some) {
@@ -420,17 +446,20 @@ inline void decide_pixel_stages(const Scene& scene, const std::vector<TriangleSu
     stages.depth_region = {tested.left, tested.top, std::max(tested.right - tested.left + 1, 0),
                            std::max(tested.bottom - tested.top + 1, 0)};
     const bool has_depths = scene.has_depth_buffer();
-    decisions.push_back({Stage::depth,
-                         "",
-                         in_depth.kept > 0,
-                         !has_depths ? "the method has no depth buffer"
-                         : in_depth.kept == 0
-                             ? "no two triangles can share a pixel"
-                             : of_all(in_depth.kept) +
-                                   " may share a pixel with another, or may be as far "
-                                   "as the buffer starts",
-                         {.bytes = has_depths ? (canvas.area() - tested.area()) * depth_size : 0,
-                          .pixels = has_depths ? in_depth.saved_pixels : 0}});
+    decisions.push_back(
+        {Stage::depth,
+         "",
+         in_depth.kept > 0,
+         !has_depths ? "the method has no depth buffer"
+         : in_depth.kept == 0
+             ? (thin > 0 ? "no two primitives can share a pixel"
+                         : "no two triangles can share a pixel")
+             : (thin > 0 ? std::to_string(in_depth.kept) + " of " + counted(all + thin, "primitive")
+                         : of_all(in_depth.kept)) +
+                   " may share a pixel with another, or may be as far "
+                   "as the buffer starts",
+         {.bytes = has_depths ? (canvas.area() - tested.area()) * depth_size : 0,
+          .pixels = has_depths ? in_depth.saved_pixels : 0}});
 
     const bool mixes = scene.mixes_colors() && all > 0;
     const bool in_space = scene.mixes_in_perspective() && all > 0;
@@ -453,7 +482,7 @@ inline void decide_pixel_stages(const Scene& scene, const std::vector<TriangleSu
 /// Decides about every stage. `depth_size` is that of a number of the depth buffer, in bytes.
 template <typename AList>
 Stages stages_of(const Scene& scene, const AList& list, std::size_t depth_size) {
-    const std::vector<TriangleSurvey> triangles = survey_of(scene, list);
+    const std::vector<PrimitiveSurvey> triangles = survey_of(scene, list);
     Stages stages;
     stages.pixels = pixel_stages(scene, triangles);
     decide_vertex_stages(scene, list, stages.decisions);

@@ -31,6 +31,7 @@ mpz_class nearest_of(const Rational& x, Ties ties) {
     const mpz_class down = ceil_of(x - Rational(1, 2));
     switch (ties) {
     case Ties::up:
+    case Ties::step:
         return up;
     case Ties::start:
         return down;
@@ -119,6 +120,8 @@ CoveredPixels covered_rows(const std::array<ExactPoint, 3>& triangle, const Span
             return nearest_of(x, rule.ties);
         case Rounding::truncate:
             return sgn(x) < 0 ? ceil_of(x) : floor_of(x);
+        case Rounding::half_open:
+            return is_left ? ceil_of(x) : mpz_class(ceil_of(x) - 1);
         case Rounding::inside:
             break;
         }
@@ -240,6 +243,8 @@ void draw_line(const Scene& scene, const ScenePrimitive& line, Colors& picture) 
         std::swap(to_x, to_y);
     }
 
+    const bool begins_at_to = scene.method.from == LineStart::low && to_x < from_x;
+
     // Of a long line, only what the canvas can have.
     const Canvas& canvas = scene.canvas;
     const int low = is_x_major ? canvas.left() : std::min(canvas.top(), canvas.bottom());
@@ -254,10 +259,14 @@ void draw_line(const Scene& scene, const ScenePrimitive& line, Colors& picture) 
                                     ? Rational(from_y)
                                     : Rational(from_y + Rational(along - from_x) * (to_y - from_y) /
                                                             Rational(to_x - from_x));
-        // At a tie Bresenham's line stays on the side that it comes from.
-        const bool stays = is_bresenham || rule.ties == Ties::start;
-        const mpz_class pixel =
-            nearest_of(across, stays ? (falls ? Ties::up : Ties::start) : rule.ties);
+        // What is drawn last may be left out.
+        if (scene.method.ends == EndPixels::first && along == (begins_at_to ? from_x : to_x))
+            continue;
+        // At a tie Bresenham's line stays on the side that it comes from, or goes to the other one.
+        const bool steps = rule.ties == Ties::step;
+        const bool stays = !steps && (is_bresenham || rule.ties == Ties::start);
+        const mpz_class pixel = nearest_of(
+            across, stays || steps ? (stays == falls ? Ties::up : Ties::start) : rule.ties);
         plot(scene, is_x_major ? along : pixel, is_x_major ? pixel : along, line.color, picture);
     }
 }

@@ -405,7 +405,8 @@ TEST(Adaptive, FacesThatMeetInAnEdgeTieThere) {
         scene.canvas = {.width = 8, .height = 8, .origin = Origin::top_left};
         scene.method = {.scalar = ScalarKind::adaptive,
                         .fill = i % 2 == 0 ? Fill::scanline : Fill::two_halves,
-                        .depth = Depth::linear_z};
+                        .depth = Depth::linear_z,
+                        .depth_at = i % 3 == 0 ? DepthAt::rounded_ends : DepthAt::pixel};
         for (int corner = 0; corner < 4; ++corner)
             scene.vertices.push_back({std::string(1, static_cast<char>('A' + corner)),
                                       whole(7),
@@ -432,8 +433,8 @@ TEST(Adaptive, FacesThatMeetInAnEdgeTieThere) {
                 if (!first || first != edge_of_depth(scene, plan, {1, 0}, x, y))
                     continue;
                 ++ties;
-                ASSERT_EQ(exact_depth_at(scene, exact.piece({0, 0}), x, y),
-                          exact_depth_at(scene, exact.piece({1, 0}), x, y))
+                ASSERT_EQ(exact_depth_at(scene, exact.piece({0, 0}), 0, x, y),
+                          exact_depth_at(scene, exact.piece({1, 0}), 0, x, y))
                     << scene_text(scene) << "at " << x << ", " << y;
             }
     }

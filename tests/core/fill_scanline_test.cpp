@@ -80,6 +80,23 @@ TEST(FirstTriangle, HasThePixelsThatEachRoundingGives) {
         "...........  ...........  ...........  ...........  ...........\n");
 }
 
+TEST(FirstTriangle, HasThePixelsOfHalfOpenRows) {
+    // 41 in all (sources.md, T0): no row has a pixel at its right end, and its top row, one point, has none.
+    const Image picture = draw_as_planned(
+        small_first_triangle({.scalar = ScalarKind::exact, .rounding = Rounding::half_open}));
+    EXPECT_EQ(picture.drawn(), 41u);
+    EXPECT_EQ(picture_of(picture), "...........\n"
+                                   ".......#...\n"
+                                   "......##...\n"
+                                   ".....####..\n"
+                                   "....#####..\n"
+                                   "....#####..\n"
+                                   "...#######.\n"
+                                   "..########.\n"
+                                   ".#########.\n"
+                                   "...........\n");
+}
+
 TEST(FirstTriangle, LooksTheSameFromEveryOrigin) {
     const std::vector<std::string> shifted{"10", "11", "4", "3", "13", "3"}; // by (8, 6)
     EXPECT_EQ(picture_of(draw_as_planned(triangle_scene(
@@ -355,6 +372,8 @@ long rounded(const mpq_class& x, const Method& method, bool is_left) {
         return x < 0 ? above : below;
     case Rounding::inside:
         return is_left ? above : below;
+    case Rounding::half_open:
+        return is_left ? above : above - 1;
     case Rounding::nearest:
         break;
     }
@@ -365,6 +384,7 @@ long rounded(const mpq_class& x, const Method& method, bool is_left) {
     case Ties::start:
         return below;
     case Ties::up:
+    case Ties::step: // of lines only
         return above;
     case Ties::away:
         return x < 0 ? below : above;

@@ -2,6 +2,7 @@
 // Hidden surfaces and light: T0's and T1's numbers, numerics.md part Z, and an exact reference.
 
 #include "picture.h"
+#include "random_choice.h"
 #include "random_triangle.h"
 
 #include <rastertrace/core/raster/face.h>
@@ -67,6 +68,80 @@ std::size_t count_of(const Image& image, Color color) {
 /// The methods whose depths are right.
 Method exact_method(Depth depth, Fill fill = Fill::top_left) {
     return {.scalar = ScalarKind::exact, .fill = fill, .depth = depth};
+}
+
+/// Depths of rows, and those of their pixels.
+struct RowSink {
+    std::vector<ScanlineSpanned<Rational>> rows;
+    std::vector<std::pair<Pixel, Rational>> depths;
+    void operator()(const ScanlineSpanned<Quantity>& step) {
+        ScanlineSpanned<Rational> row{};
+        row.y = step.y;
+        row.from = step.from;
+        row.to = step.to;
+        row.left_depth = step.left_depth->exact();
+        row.right_depth = step.right_depth->exact();
+        rows.push_back(row);
+    }
+    void operator()(const DepthTested<Quantity>& step) {
+        depths.emplace_back(step.pixel, step.depth.exact());
+    }
+};
+
+TEST(DepthAt, RoundedEndsHaveTheDepthsOfTheEdges) {
+    // CGFS interpolates between the pixels that the ends are rounded to. Where it is wrong, it is wrong
+    // by less than a pixel's change of depth.
+    for (const Fill fill : {Fill::scanline, Fill::two_halves})
+        for (const Rounding rounding : {Rounding::floor, Rounding::nearest, Rounding::truncate,
+                                        Rounding::inside, Rounding::half_open}) {
+            Method method = exact_method(Depth::linear_z, fill);
+            method.rounding = rounding;
+            method.depth_at = DepthAt::rounded_ends;
+            const Face3 face{"a",
+                             {{{number("25/3"), number("7/2"), number("2")},
+                               {number("151/4"), number("31/3"), number("9")},
+                               {number("55/4"), number("40"), number("5")}}},
+                             red};
+            Face3 behind = face;
+            behind.name = "b";
+            RowSink sink;
+            draw_as_planned(scene_of({face, behind}, method), sink);
+            ASSERT_FALSE(sink.depths.empty());
+            std::size_t next = 0;
+            for (const auto& row : sink.rows)
+                for (Index x = row.from; x <= row.to; ++x, ++next) {
+                    const auto& [pixel, depth] = sink.depths.at(next);
+                    ASSERT_EQ(pixel, (Pixel{static_cast<int>(x), row.y}));
+                    const Rational part =
+                        row.from == row.to
+                            ? Rational(0)
+                            : Rational(Rational(x - row.from) / Rational(row.to - row.from));
+                    ASSERT_EQ(depth, Rational(*row.left_depth +
+                                              part * (*row.right_depth - *row.left_depth)));
+                }
+            EXPECT_EQ(next, sink.depths.size());
+        }
+}
+
+TEST(DepthAt, RoundedEndsAreDecidedAlikeByAdaptiveAndExact) {
+    Random random(8);
+    for (int i = 0; i < 200; ++i) {
+        const auto any = [&random] { return Number::fraction(Rational(random.whole(0, 320), 5)); };
+        const auto face = [&](const std::string& name, Color color) {
+            Face3 result{name, {}, color};
+            for (auto& corner : result.corners)
+                corner = {any(), any(), Number(random.whole(1, 6))};
+            return result;
+        };
+        const std::vector<Face3> faces{face("a", red), face("b", green), face("c", blue)};
+        Method method = exact_method(random.pick({Depth::linear_z, Depth::inverse_z}),
+                                     random.pick({Fill::scanline, Fill::two_halves}));
+        method.depth_at = DepthAt::rounded_ends;
+        const Scene exact = scene_of(faces, method);
+        method.scalar = ScalarKind::adaptive;
+        ASSERT_EQ(draw_as_planned(scene_of(faces, method)).colors(),
+                  draw_as_planned(exact).colors());
+    }
 }
 
 // Culling.

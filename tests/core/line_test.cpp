@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "picture.h"
+#include "random_choice.h"
 #include "random_triangle.h"
 
 #include <gtest/gtest.h>
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -340,6 +342,78 @@ TEST(NaiveAndDda, RoundAsToldAndTakeEndsBetweenPixels) {
     EXPECT_EQ(rows(Rounding::nearest), (std::vector{0, 0, 1, 1, 2, 2}));
 }
 
+// ---- Ties and ends
+
+TEST(LineTies, StepGoesWhereTheLineFromTheOtherEndStays) {
+    // (0,0)-(2,1): d = 0 at once. T2's way stays in row 0, half of the drawing libraries go to row 1.
+    EXPECT_EQ(line(0, 0, 2, 1).pixels, (Points{{0, 0}, {1, 0}, {2, 1}}));
+    EXPECT_EQ(line(0, 0, 2, 1, {.ties = Ties::step}).pixels, (Points{{0, 0}, {1, 1}, {2, 1}}));
+    for (const LineMethod method : {LineMethod::bresenham, LineMethod::naive, LineMethod::dda})
+        for (int dx = -12; dx <= 12; ++dx)
+            for (int dy = -12; dy <= 12; ++dy) {
+                const ScalarKind scalar = ScalarKind::exact;
+                const Points steps =
+                    line(0, 0, dx, dy, {.scalar = scalar, .line = method, .ties = Ties::step})
+                        .pixels;
+                Points stays = line(dx, dy, 0, 0, {.scalar = scalar, .line = method}).pixels;
+                std::reverse(stays.begin(), stays.end());
+                ASSERT_EQ(steps, stays) << dx << ", " << dy;
+            }
+}
+
+TEST(LineTies, StepIsTheSameOnACanvasThatHasOnlyAPart) {
+    // What lies off the canvas is not walked: the decisions on it are those of the whole line.
+    const Method method{.ties = Ties::step};
+    for (int dx = 1; dx <= 40; ++dx)
+        for (int dy = 0; dy <= dx; ++dy) {
+            const LineRecorder whole = line(-15, -9, -15 + dx, -9 + dy, method);
+            const LineRecorder part =
+                line(-15, -9, -15 + dx, -9 + dy, method, {.width = 13, .height = 9});
+            Points expected;
+            for (const auto& [x, y] : whole.pixels)
+                if (Canvas{.width = 13, .height = 9}.contains(x, y))
+                    expected.emplace_back(x, y);
+            ASSERT_EQ(part.pixels, expected) << dx << ", " << dy;
+        }
+}
+
+TEST(LineEndPixels, WithoutTheLastOneEveryPixelOfAnOutlineIsDrawnOnce) {
+    // 28 plots on 25 pixels, the vertices twice (sources.md, T2): so 25 plots, and the same picture.
+    for (const LineMethod method : {LineMethod::bresenham, LineMethod::naive, LineMethod::dda}) {
+        Scene scene = small_first_triangle({.scalar = ScalarKind::exact, .line = method});
+        scene.primitives[0].kind = PrimitiveKind::outline;
+        const std::string whole = picture_of(draw_as_planned(scene));
+        EXPECT_EQ(line(scene).pixels.size(), 28u);
+        scene.method.ends = EndPixels::first;
+        EXPECT_EQ(line(scene).pixels.size(), 25u);
+        EXPECT_EQ(picture_of(draw_as_planned(scene)), whole);
+    }
+}
+
+TEST(LineEndPixels, TheLastOneOfTheDrawnOrderIsLeftOut) {
+    Random random(2);
+    for (int i = 0; i < 500; ++i) {
+        const std::vector<std::string> ends{std::to_string(random.whole(-60, 60)) + "/3",
+                                            std::to_string(random.whole(-60, 60)) + "/3",
+                                            std::to_string(random.whole(-60, 60)) + "/3",
+                                            std::to_string(random.whole(-60, 60)) + "/3"};
+        Method method{.scalar = ScalarKind::exact,
+                      .line =
+                          random.pick({LineMethod::bresenham, LineMethod::naive, LineMethod::dda}),
+                      .from = random.pick({LineStart::first, LineStart::low})};
+        Points all = line(line_scene(ends, method)).pixels;
+        method.ends = EndPixels::first;
+        all.pop_back();
+        ASSERT_EQ(line(line_scene(ends, method)).pixels, all);
+    }
+    // Of one pixel, nothing is left; that is told.
+    Scene scene = line_scene(3, 4, 3, 4, {.ends = EndPixels::first});
+    std::optional<SkipReason> why;
+    EXPECT_EQ(draw_as_planned(scene, [&](const PrimitiveSkipped& step) { why = step.why; }).drawn(),
+              0u);
+    EXPECT_EQ(why, SkipReason::last_pixel_only);
+}
+
 // ---- Colors and points
 // ----------------------------------------------------------------------------
 
@@ -360,6 +434,24 @@ TEST(LineColors, ByStepAndByDistance) {
     EXPECT_EQ(reds(ColorLerp::axis), (std::vector{0, 51, 102, 153, 204, 255}));
     // 0, 43.2, 105.3, 149.1, 207.7, 255 rounded
     EXPECT_EQ(reds(ColorLerp::distance), (std::vector{0, 43, 105, 149, 208, 255}));
+}
+
+TEST(LineColors, AreCutOffWhereTheTextCutsThem) {
+    // T2: the middle of 0 to 255 is 127, and every level is the whole part of the exact one.
+    const Canvas canvas{.width = 512, .height = 1, .origin = Origin::top_left};
+    for (int length = 1; length <= 511; ++length) {
+        Scene scene = line_scene({"0", "0", std::to_string(length), "0"},
+                                 {.color_rounding = ColorRounding::truncate}, canvas);
+        scene.vertices[0].color = Color{0, 255, 10};
+        scene.vertices[1].color = Color{255, 0, 10};
+        const LineRecorder recorder = line(scene);
+        for (int step = 0; step <= length; ++step) {
+            const Color color = recorder.colors[static_cast<std::size_t>(step)];
+            ASSERT_EQ(color.red(), 255 * step / length);
+            ASSERT_EQ(color.green(), 255 * (length - step) / length);
+            ASSERT_EQ(color.blue(), 10);
+        }
+    }
 }
 
 TEST(LineColors, EndsHaveExactlyTheirColors) {

@@ -18,6 +18,18 @@ TEST(Rounding, OfTheRowInTheTable) {
     EXPECT_EQ(pixels(Rounding::nearest), std::pair(Index{0}, Index{3}));
     EXPECT_EQ(pixels(Rounding::truncate), std::pair(Index{0}, Index{3}));
     EXPECT_EQ(pixels(Rounding::inside), std::pair(Index{0}, Index{3}));
+    EXPECT_EQ(pixels(Rounding::half_open), std::pair(Index{0}, Index{3}));
+}
+
+TEST(Rounding, HalfOpenLeavesOutWhatLiesOnTheRightEnd) {
+    // T0's row y = 1: from -1 to 7/2; its lowest: from -4 to 5; its top is one point.
+    const auto pixels = [](const Fraction64& left, const Fraction64& right) {
+        const SpanRounding rule{Rounding::half_open, Ties::up};
+        return std::pair(first_pixel(left, rule), last_pixel(right, rule));
+    };
+    EXPECT_EQ(pixels({-1, 1}, {7, 2}), std::pair(Index{-1}, Index{3}));
+    EXPECT_EQ(pixels({-4, 1}, {5, 1}), std::pair(Index{-4}, Index{4}));
+    EXPECT_EQ(pixels({2, 1}, {2, 1}), std::pair(Index{2}, Index{1})) << "no pixel";
 }
 
 TEST(Rounding, SendsHalvesWhereTiesSays) {

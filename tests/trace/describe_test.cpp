@@ -39,6 +39,45 @@ TEST(Describe, EveryStepOfTheFirstTriangle) {
     EXPECT_EQ(description(scene, 15), "pixel (-1, 2)   row y=2: -1 to 3");
 }
 
+TEST(Describe, ABresenhamLineThatStepsAtTies) {
+    Scene scene;
+    scene.canvas = {.width = 5, .height = 3, .origin = Origin::bottom_left};
+    scene.vertices = {{"A", 0, 0}, {"B", 2, 1}};
+    scene.primitives = {{.kind = PrimitiveKind::line, .name = "AB", .vertices = {0, 1}}};
+    EXPECT_EQ(description(scene, 3), "at (0, 0): d = 0 <= 0, straight on to E; d + 2 = 2");
+    scene.method.ties = Ties::step;
+    EXPECT_EQ(description(scene, 3), "at (0, 0): d = 0 >= 0, diagonally to NE; d - 2 = -2");
+}
+
+TEST(Describe, HiddenLines) {
+    // A line that dives into the face: before it, on it, behind it; its side, which is hidden by nothing.
+    Scene scene = triangle_scene({"0", "0", "7", "0", "0", "7"},
+                                 {.width = 9, .height = 9, .origin = Origin::bottom_left},
+                                 {.scalar = ScalarKind::exact, .depth = Depth::linear_z});
+    scene.vertices[0].z = 4;
+    scene.vertices[1].z = 4;
+    scene.vertices[2].z = 4;
+    scene.vertices.push_back({"D", 1, 1, {}, 3});
+    scene.vertices.push_back({"E", 3, 1, {}, 5});
+    scene.primitives.push_back({.kind = PrimitiveKind::line, .name = "DE", .vertices = {3, 4}});
+    std::vector<std::string> said;
+    const Trace trace = trace_of(scene);
+    bool is_line = false;
+    for (std::size_t n = 1; n <= trace.size(); ++n) {
+        is_line = is_line || trace.step(n).text("kind") == "line";
+        if (is_line && trace.kind_of(n) == StepKind::depth)
+            said.push_back(description(scene, n));
+    }
+    EXPECT_THAT(said, testing::ElementsAre(
+                          "depth at (1, 1): 3 against 4 of ABC: passes (z, smaller is nearer)",
+                          "depth at (2, 1): 4 against 4 of ABC: passes (z, smaller is nearer; of "
+                          "equals the thinner "
+                          "one passes)",
+                          "depth at (3, 1): 5 against 4 of ABC: fails (z, smaller is nearer; ABC "
+                          "covers the line's "
+                          "own point and is nearer there)"));
+}
+
 TEST(Describe, WhatDoublesLeaveOpen) {
     const Scene scene = triangle_scene({"1e-30", "0", "2", "0", "0", "2"},
                                        {.width = 3, .height = 3, .origin = Origin::bottom_left},

@@ -91,6 +91,7 @@ Index nearest_of(const Rational& number, Ties ties) {
     case Ties::start:
         return down;
     case Ties::up:
+    case Ties::step:
         return up;
     case Ties::away:
         return number < 0 ? down : up;
@@ -107,6 +108,8 @@ Index pixel_of(const Rational& number, const SpanRounding& rule, bool is_last) {
         return nearest_of(number, rule.ties);
     case Rounding::truncate:
         return number < 0 ? ceil_of(number) : floor_of(number);
+    case Rounding::half_open:
+        return is_last ? ceil_of(number) - 1 : ceil_of(number);
     case Rounding::inside:
         break;
     }
@@ -172,7 +175,9 @@ private:
         else if (kind == "along")
             redo_along(step);
         else if (kind == "decide")
-            expect(straight(step.text("move")), *step.whole("d") <= 0, "decide");
+            expect(straight(step.text("move")),
+                   method_.ties == Ties::step ? *step.whole("d") < 0 : *step.whole("d") <= 0,
+                   "decide");
         else if (kind == "sample")
             redo_sample(step);
         else if (kind == "depth")
@@ -257,7 +262,14 @@ private:
         functions_.clear();
         walks_.clear();
         row_.reset();
-        side_ = {0, 1};
+        side_ = {0, kind_ == "point" ? 0U : 1U};
+        if (kind_ == "triangle" && at_.size() == 3 && depths_.size() == 3) {
+            FaceOnScreen& face = faces_[step.text("name")];
+            for (std::size_t i = 0; i < 3; ++i) {
+                face.corners[i] = {depth_number(at_[i][0]), depth_number(at_[i][1])};
+                face.depths[i] = depths_[i];
+            }
+        }
         along_before_.reset();
         weights_.clear();
     }
@@ -419,9 +431,12 @@ private:
     /// The depth of the primitive in a pixel, as its fill finds it.
     Depth depth_at(Index column, Index y) const {
         const Depth x = whole<Depth>(column);
+        if (kind_ != "triangle")
+            return point_of_line(column, y).depth;
         if (row_ && row_->left_depth) {
-            const Depth left = depth_number(row_->left);
-            const Depth right = depth_number(row_->right);
+            const bool is_rounded = method_.depth_at == DepthAt::rounded_ends;
+            const Depth left = is_rounded ? whole<Depth>(row_->from) : depth_number(row_->left);
+            const Depth right = is_rounded ? whole<Depth>(row_->to) : depth_number(row_->right);
             const Depth width = right - left;
             if (!(Depth(0) < width))
                 return *row_->left_depth;
@@ -469,19 +484,93 @@ private:
         if (knows_all)
             expect(depth_at(x, y), depth, "depth: depth");
         const std::string stored = step.text("stored");
-        if (stored == "null") {
+        const auto before = stored_.find({x, y});
+        const bool is_thinner = before != stored_.end() && thickness() < before->second.thickness;
+        const bool lets_pass = step.field("side_of") || step.field("beside");
+        if (step.field("behind")) {
+            expect(false, passes, "depth: behind");
+            if (knows_all)
+                redo_behind(step.text("behind"), x, y);
+        } else if (stored == "null") {
             expect(true, passes, "depth");
         } else {
             const auto other = number_of<Depth>(stored);
-            expect(larger_passes() ? other < depth : depth < other, passes, "depth");
+            const bool is_nearer = larger_passes() ? other < depth : depth < other;
+            const bool is_farther = larger_passes() ? depth < other : other < depth;
+            if (lets_pass)
+                expect(is_farther, passes, "depth: passes a nearer one");
+            else
+                expect(is_thinner ? !is_farther : is_nearer, passes, "depth");
         }
-        const auto before = stored_.find({x, y});
-        if (knows_all && before != stored_.end())
-            expect(before->second, stored, "depth: stored");
-        if (passes)
-            stored_[{x, y}] = step.text("depth");
-        else
-            stored_[{x, y}] = stored;
+        if (knows_all && before != stored_.end() && before->second.thickness > 0)
+            expect(before->second.depth, stored, "depth: stored");
+        if (passes && !lets_pass)
+            stored_[{x, y}] = {step.text("depth"), thickness()};
+        else if (before == stored_.end())
+            stored_[{x, y}] = {stored, 0};
+    }
+
+    /// A point 1, a line 2, a face 3.
+    int thickness() const { return kind_ == "point" ? 1 : kind_ == "triangle" ? 3 : 2; }
+
+    /// A line's own point at a step of its major axis, and its depth.
+    struct LinePoint {
+        std::array<Depth, 2> at;
+        Depth depth;
+    };
+    LinePoint point_of_line(Index column, Index y) const {
+        const auto place = [this](std::size_t i) {
+            return std::array<Depth, 2>{depth_number(at_[i][0]), depth_number(at_[i][1])};
+        };
+        const auto from = place(side_.from);
+        const auto to = place(side_.to);
+        const Depth& first = depths_[side_.from];
+        const Depth& last = depths_[side_.to];
+        const auto magnitude = [](const Depth& number) {
+            return number < Depth(0) ? Depth(-number) : number;
+        };
+        const std::size_t along =
+            magnitude(Depth(to[0] - from[0])) < magnitude(Depth(to[1] - from[1])) ? 1 : 0;
+        const Depth run = to[along] - from[along];
+        if (run == Depth(0))
+            return {from, larger_passes() == (first < last) ? last : first};
+        const Depth way = whole<Depth>(along == 0 ? column : y) - from[along];
+        const Depth part = std::clamp(Depth(way / run), Depth(0), Depth(1));
+        LinePoint point;
+        for (std::size_t i = 0; i < 2; ++i)
+            point.at[i] = from[i] + (to[i] - from[i]) * part;
+        point.depth = first + (last - first) * part;
+        return point;
+    }
+
+    /// A face that is told to hide a line's point covers it and is nearer there, in exact numbers.
+    void redo_behind(const std::string& face, Index x, Index y) {
+        const auto known = faces_.find(face);
+        if constexpr (std::same_as<Depth, Rational>) {
+            if (known == faces_.end())
+                return; // clipping has cut it
+            const LinePoint point = point_of_line(x, y);
+            const auto& [corners, depths] = known->second;
+            Rational area = 0;
+            Rational of_face = 0;
+            bool has_positive = false;
+            bool has_negative = false;
+            for (std::size_t i = 0; i < 3; ++i) {
+                const auto& q = corners[(i + 1) % 3];
+                const auto& r = corners[(i + 2) % 3];
+                const Rational weight = (q[0] - point.at[0]) * (r[1] - point.at[1]) -
+                                        (r[0] - point.at[0]) * (q[1] - point.at[1]);
+                has_positive = has_positive || weight > 0;
+                has_negative = has_negative || weight < 0;
+                area += weight;
+                of_face += weight * depths[i];
+            }
+            expect(has_positive && has_negative, false, "depth: behind covers");
+            expect(area != 0, true, "depth: behind covers");
+            const Rational deep = of_face / area;
+            expect(larger_passes() ? point.depth < deep : deep < point.depth, true,
+                   "depth: behind is nearer");
+        }
     }
 
     void redo_along(const StepView& step) {
@@ -516,9 +605,11 @@ private:
         if (has_long_numbers_ && from[across] == to[across])
             return; // whether it rises or falls is in digits that are not told
         SpanRounding rule = line_rounding(method_);
-        if (rule.rounding == Rounding::nearest && rule.ties == Ties::start &&
-            to[across] < from[across])
+        const bool falls = to[across] < from[across];
+        if (rule.rounding == Rounding::nearest && rule.ties == Ties::start && falls)
             rule.ties = Ties::up;
+        else if (rule.rounding == Rounding::nearest && rule.ties == Ties::step && falls)
+            rule.ties = Ties::start;
         expect(pixel_of(exactly(value), rule, false), *step.whole("pixel"), "along");
     }
 
@@ -637,8 +728,10 @@ private:
                 return static_cast<std::uint8_t>(a);
             const Weight level = Weight(Weight(0) + weights[0] * Weight(a)) +
                                  weights[1] * Weight(b) + weights[2] * Weight(c);
-            return static_cast<std::uint8_t>(
-                std::clamp<Index>(nearest_of(exactly(level), Ties::up), 0, 255));
+            const Index rounded = method_.color_rounding == ColorRounding::truncate
+                                      ? floor_of(exactly(level))
+                                      : nearest_of(exactly(level), Ties::up);
+            return static_cast<std::uint8_t>(std::clamp<Index>(rounded, 0, 255));
         };
         return {mix(&Color::red), mix(&Color::green), mix(&Color::blue),
                 std::max<std::uint8_t>(mix(&Color::alpha), 1)};
@@ -669,7 +762,16 @@ private:
     Ends side_{};
     std::optional<std::pair<Index, Real>> along_before_;
     std::vector<Real> weights_;
-    std::map<std::pair<Index, Index>, std::string> stored_;
+    struct Stored {
+        std::string depth;
+        int thickness; ///< of whose it is; 0 if that was not told
+    };
+    std::map<std::pair<Index, Index>, Stored> stored_;
+    struct FaceOnScreen {
+        std::array<std::array<Depth, 2>, 3> corners;
+        std::array<Depth, 3> depths;
+    };
+    std::map<std::string, FaceOnScreen> faces_; ///< by name
     std::map<std::string, Depth> w_;
 };
 
@@ -761,6 +863,9 @@ std::string scene_near_ties(std::uint64_t seed) {
                                 mpz_class(pick("0", "0", "1", "-1"));
         return '"' + above.get_str() + "/2" + zeros + '"';
     };
+    // A line that rounds to pixels has no right end.
+    const std::string rounding = pick("floor", "nearest", "truncate", "inside", "half-open");
+    const std::string line = rounding == "half-open" ? "bresenham" : pick("naive", "dda");
     std::string text = R"({"canvas":{"width":12,"height":12,"origin":")" +
                        pick("top-left", "bottom-left") + R"("},"vertices":{)";
     for (const char* const name : {"A", "B", "C", "D"})
@@ -769,11 +874,12 @@ std::string scene_near_ties(std::uint64_t seed) {
     return text + R"(},"triangles":["ABC","ABD"],"lines":["AB","CD"],"colors":{"A":"red"},)" +
            R"("method":{"scalar":")" + pick("float", "double", "fixed", "adaptive", "exact") +
            R"(","fill":")" + pick("scanline", "two-halves", "barycentric", "top-left", "top-left") +
-           R"(","line":")" + pick("naive", "dda") + R"(","depth":")" + pick("none", "linear-z") +
-           R"(","rounding":")" + pick("floor", "nearest", "truncate", "inside") + R"(","lerp":")" +
-           pick("direct", "incremental") + R"(","snap":")" +
-           pick("none", "none", "floor", "truncate", "nearest") + R"(","sample":")" +
-           pick("integer", "center") + R"("}})";
+           R"(","line":")" + line + R"(","depth":")" + pick("none", "linear-z") +
+           R"(","rounding":")" + rounding + R"(","depth_at":")" + pick("pixel", "rounded-ends") +
+           R"(","color_rounding":")" + pick("nearest", "truncate") + R"(","ends":")" +
+           pick("both", "first") + R"(","lerp":")" + pick("direct", "incremental") +
+           R"(","snap":")" + pick("none", "none", "floor", "truncate", "nearest") +
+           R"(","sample":")" + pick("integer", "center") + R"("}})";
 }
 
 TEST(Redo, PixelsThatTheEdgeFunctionsOnceContradicted) {

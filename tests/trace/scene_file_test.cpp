@@ -9,9 +9,14 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 namespace rastertrace {
 namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 /// What is said about a scene file with this text.
 std::string complaint(const std::string& text) {
@@ -95,13 +100,14 @@ TEST(SceneFile, WrongType) {
     EXPECT_EQ(complaint(R"({"title": 5})"), "scene.json:1:11: expected a title in quotes, found 5\n"
                                             "{\"title\": 5}\n"
                                             "          ^");
-    EXPECT_EQ(complaint("[]"),
-              "scene.json:1:1: expected an object with the keys title, canvas, "
-              "vertices, colors, triangles, outlines, lines, points, meshes, model, camera, "
-              "projection, viewport, light, "
-              "method, keep, found an empty array\n"
-              "[]\n"
-              "^");
+    EXPECT_EQ(
+        complaint("[]"),
+        "scene.json:1:1: expected an object with the keys title, canvas, "
+        "background, vertices, colors, triangles, outlines, lines, points, meshes, model, camera, "
+        "projection, viewport, light, "
+        "method, keep, found an empty array\n"
+        "[]\n"
+        "^");
 }
 
 TEST(SceneFile, MissingVertex) {
@@ -197,6 +203,54 @@ TEST(SceneFile, ValuesOfTheMethod) {
         "{\"method\": {\"scalar\": \"exat\"}}\n"
         "                      ^\n"
         "hint: did you mean \"exact\"?");
+}
+
+TEST(SceneFile, ChoicesThatDoNotGoTogether) {
+    const auto with = [](const std::string& method, const std::string& primitives) {
+        return R"({"vertices": {"A": [1, 2], "B": [5, 3], "C": [2, 4]}, )" + primitives +
+               R"(, "method": )" + method + "}";
+    };
+    EXPECT_THAT(
+        complaint(with(R"({"rounding": "half-open", "line": "dda"})", R"("lines": ["AB"])")),
+        AllOf(
+            HasSubstr("expected a rounding that lines can have, found \"half-open\": a line has no "
+                      "right end"),
+            HasSubstr("hint: say \"line\": \"bresenham\"")));
+    EXPECT_THAT(
+        complaint(with(R"({"rounding": "nearest", "ties": "step"})", R"("triangles": ["ABC"])")),
+        HasSubstr("expected ties that the rows of triangles can have, found \"step\""));
+    EXPECT_THAT(complaint(with(R"({"snap": "nearest", "ties": "step"})", R"("points": ["A"])")),
+                HasSubstr("expected ties that a snapped vertex can have, found \"step\""));
+    for (const char* const fine : {R"({"rounding": "half-open"})", R"({"ties": "step"})"})
+        EXPECT_EQ(complaint(with(fine, R"("triangles": ["ABC"], "lines": ["AB"])")),
+                  "no complaint");
+}
+
+TEST(SceneFile, HiddenLinesNeedADepthBuffer) {
+    const auto mesh = [](const std::string& draw, const std::string& more) {
+        return R"({"meshes": [{"vertices": {"A": [0, 0, 2], "B": [5, 0, 2], "C": [5, 5, 3], "D": [0, 5, 3]},
+ "faces": ["ABCD", "ABC"], "draw": ")" +
+               draw + R"("}])" + more + "}";
+    };
+    EXPECT_EQ(complaint(mesh("hidden-lines", "")),
+              "scene.json:2:37: expected a depth buffer for hidden lines, found none\n"
+              " \"faces\": [\"ABCD\", \"ABC\"], \"draw\": \"hidden-lines\"}]}\n"
+              "                                    ^\n"
+              "hint: say \"projection\": {...}, or \"method\": {\"depth\": \"linear-z\"}");
+    EXPECT_THAT(
+        complaint(mesh("hidden-lines", R"(, "method": {"depth": "linear-z", "fill": "fan"})")),
+        HasSubstr("hint: the fan has no depths: say \"fill\": \"scanline\""));
+    EXPECT_THAT(complaint(mesh("hidden-line", "")),
+                HasSubstr("expected triangles, outlines or hidden-lines, found \"hidden-line\""));
+
+    // Each side once, after all triangles; no line within a face.
+    const auto read =
+        read_scene({"scene.json", mesh("hidden-lines", R"(, "method": {"depth": "linear-z"})")});
+    ASSERT_TRUE(read) << to_text(read.problem());
+    std::vector<std::string> names;
+    for (const ScenePrimitive& primitive : read.value().scene.primitives)
+        names.push_back(primitive.name);
+    EXPECT_THAT(names, ElementsAre("ABC", "ACD", "ABC", "AB", "BC", "CD", "DA", "CA"));
 }
 
 /// A scene of one point on a canvas, and what else it says.

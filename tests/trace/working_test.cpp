@@ -229,6 +229,36 @@ TEST(Working, TheColorsOfALine) {
                 Contains("red = 0 + 4 (255 - 0) / 5 = 204 -> 204"));
 }
 
+TEST(Working, AColorThatIsCutOff) {
+    // T2: halfway from 0 to 255 is 127.
+    const Trace cut = trace_of(scene_in(R"({
+  "canvas": {"width": 3, "height": 1, "origin": "bottom-left"},
+  "vertices": {"A": [0, 0], "B": [2, 0]},
+  "colors": {"A": "#000000", "B": "#ff0000"},
+  "lines": ["AB"], "method": {"color_rounding": "truncate"}})"));
+    EXPECT_THAT(working(cut, StepKind::pixel, 1, 0),
+                Contains("red = 0 + 1 (255 - 0) / 2 = 127.5 -> 127"));
+}
+
+TEST(Working, DepthsAtRoundedEndsAndOnALine) {
+    const std::string scene = R"({
+  "canvas": {"width": 8, "height": 6, "origin": "bottom-left"},
+  "vertices": {"A": [0, 0, 2], "B": ["13/2", 0, 8], "C": [0, 4, 2], "D": [1, 2, 3], "E": [5, 2, 1]},
+  "triangles": ["ABC", "ABC"], "lines": ["DE"],
+  "method": {"scalar": "exact", "depth": "linear-z", "depth_at": "rounded-ends"}})";
+    // Row y = 0, from (0, z 2) to (13/2, z 8): its last pixel is 6, so depth grows by 1, not by 12/13.
+    const Trace trace = trace_of(scene_in(scene));
+    EXPECT_THAT(working(trace, StepKind::scanline, 0, 0),
+                Contains("depth = 2 + (8 - 2) / (6 - 0) (x - 0) = 2 + 1 (x - 0)"));
+    // The line's point at x = 2 is a quarter of its way from z = 3 to z = 1.
+    const std::size_t line = step_of(trace, [](const StepView& step) {
+        return step.kind() == StepKind::primitive && step.text("kind") == "line";
+    });
+    for (std::size_t n = line; n <= trace.size(); ++n)
+        if (trace.kind_of(n) == StepKind::depth && trace.step(n).text("x") == "2")
+            EXPECT_THAT(working(trace, n), Contains("depth = 3 + (1 - 3) (2 - 1) / (5 - 1) = 5/2"));
+}
+
 /// The trace of a line between two colors; coordinates as typed.
 Trace colored_line(const std::string& a, const std::string& b, const std::string& method) {
     return trace_of(scene_in(R"({"canvas": {"width": 32, "height": 32, "origin": "bottom-left"},

@@ -607,7 +607,10 @@ void compare_with_corners(const Trace& trace, std::span<const DrawnPrimitive> dr
         const bool is_culled = stats.primitives[place].skipped == "culled";
         if (kind != "triangle" && (kind != "outline" || is_culled))
             continue;
-        if (auto cornered = corners_of(trace.step(drawn[place].step), numbers)) {
+        const StepView step = trace.step(drawn[place].step);
+        if (step.text("painted") == "false")
+            continue; // it only hides
+        if (auto cornered = corners_of(step, numbers)) {
             cornered->drawn = &drawn[place];
             cornered->place = place;
             auto& list = kind == "outline" ? outlines : is_culled ? not_drawn : fills;

@@ -197,8 +197,16 @@ std::string depth_rule(const Context& context) {
                 (stored && *stored != 0 ? " against " + inverse_of(step.text("stored")) : "");
     if (step.text("depth") == step.text("stored"))
         text += replay.stored_before() == 0   ? "; equal to the empty buffer"
-                : step.text("pass") == "true" ? "; of equals the last stays"
+                : step.text("pass") == "true" ? "; of equals the thinner one passes"
                                               : "; of equals the first stays";
+    const std::string_view part = primitive.kind == "point" ? "corner" : "side";
+    const std::string_view own = primitive.kind == "point" ? "the point" : "the line's own point";
+    if (step.field("side_of"))
+        text += fmt::format("; {} does not hide its own {}", step.text("side_of"), part);
+    if (step.field("beside"))
+        text += fmt::format("; {} does not cover {}, or not from before", step.text("beside"), own);
+    if (step.field("behind"))
+        text += fmt::format("; {} covers {} and is nearer there", step.text("behind"), own);
     return text + ")";
 }
 
@@ -261,6 +269,8 @@ std::string rule_of_end(const Context& context, const std::string& side, const s
     const auto x = number_in(context.step, side);
     if (rounding == "inside")
         return is_left ? " -> ceil" : " -> floor";
+    if (rounding == "half-open")
+        return is_left ? " -> ceil" : " -> ceil - 1";
     if (!rounding.empty())
         return rounded_by(rounding, rule_of_rows(trace, "ties"), x);
     const auto column = number_in(pixel);
@@ -346,7 +356,8 @@ std::string slope_form(const Context& context) {
 std::string next_d(const Context& context) {
     const auto d = number_in(context.step, "d");
     const auto ends = ends_of_line(context.replay, context.primitive);
-    const auto increment = d && ends ? increment_of(*ends, *d) : std::nullopt;
+    const auto increment =
+        d && ends ? increment_of(context.replay.trace(), *ends, *d) : std::nullopt;
     return increment ? fmt::format("; d {} = {}", plus(text(*increment)), text(*d + *increment))
                      : std::string();
 }
@@ -367,10 +378,12 @@ std::string level(const Context& context) {
                        share_of_light(brightest));
 }
 
-std::string sign_of_d(const StepView& step) {
+/// Which side of 0 Bresenham's d lies on, and where it goes for that.
+std::string sign_of_d(const Trace& trace, const StepView& step) {
     const std::string d = step.text("d");
-    const bool goes_straight = d.starts_with('-') || d == "0";
-    return goes_straight ? "<= 0, straight on" : "> 0, diagonally";
+    if (steps_at_ties(trace))
+        return d.starts_with('-') ? "< 0, straight on" : ">= 0, diagonally";
+    return d.starts_with('-') || d == "0" ? "<= 0, straight on" : "> 0, diagonally";
 }
 
 /// The color of a pixel that has its own; on a line, how far it has come from one end's to the other's.
@@ -400,7 +413,7 @@ std::string reason(const Context& context) {
         return fmt::format("   {} = {}", step.field("x") ? "y" : "x",
                            in_sentence(step.text("value")));
     case StepKind::decide:
-        return fmt::format("   d = {} {}", step.text("d"), sign_of_d(step));
+        return fmt::format("   d = {} {}", step.text("d"), sign_of_d(context.replay.trace(), step));
     case StepKind::sample:
         return "   no weight is negative";
     default:
@@ -447,6 +460,11 @@ constexpr Part parts[] = {
      [](const Context& context) {
          return context.step.field("octant") ? "   octant " + context.step.text("octant")
                                              : std::string();
+     }},
+    {"painted",
+     [](const Context& context) {
+         return std::string(context.step.text("painted") == "false" ? "   only hides, not painted"
+                                                                    : "");
      }},
     {"kind",
      [](const Context& context) {
@@ -514,7 +532,8 @@ constexpr Part parts[] = {
          return rounded_by(rule_of_lines(trace, "rounding"), rule_of_lines(trace, "ties"),
                            number_in(context.step, "value"));
      }},
-    {"sign_of_d", [](const Context& context) { return sign_of_d(context.step); }},
+    {"sign_of_d",
+     [](const Context& context) { return sign_of_d(context.replay.trace(), context.step); }},
     {"next_d", next_d},
     {"weights", weights},
     {"against", against},

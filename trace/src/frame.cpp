@@ -80,7 +80,8 @@ void Replay::apply_next() {
         std::size_t& stored_by =
             frame_.stored_by[trace_.canvas.offset_of({static_cast<int>(x), static_cast<int>(y)})];
         stored_before_ = stored_by;
-        if (step.text("pass") == "true")
+        // What passes a nearer depth leaves it stored.
+        if (step.text("pass") == "true" && !step.field("side_of") && !step.field("beside"))
             stored_by = step_;
         break;
     }

@@ -23,15 +23,18 @@ constexpr std::array scalars{
 constexpr std::array lines{Word{LineMethod::naive, "naive"}, Word{LineMethod::dda, "dda"},
                            Word{LineMethod::bresenham, "bresenham"}};
 constexpr std::array starts{Word{LineStart::first, "first"}, Word{LineStart::low, "low"}};
+constexpr std::array end_pixels{Word{EndPixels::both, "both"}, Word{EndPixels::first, "first"}};
 constexpr std::array fills{Word{Fill::scanline, "scanline"}, Word{Fill::two_halves, "two-halves"},
                            Word{Fill::barycentric, "barycentric"}, Word{Fill::top_left, "top-left"},
                            Word{Fill::fan, "fan"}};
 constexpr std::array passes{Word{1, "1"}, Word{2, "2"}, Word{3, "3"}};
 constexpr std::array roundings{Word{Rounding::floor, "floor"}, Word{Rounding::nearest, "nearest"},
                                Word{Rounding::truncate, "truncate"},
-                               Word{Rounding::inside, "inside"}};
+                               Word{Rounding::inside, "inside"},
+                               Word{Rounding::half_open, "half-open"}};
 constexpr std::array tie_rules{Word{Ties::start, "start"}, Word{Ties::up, "up"},
-                               Word{Ties::away, "away"}, Word{Ties::even, "even"}};
+                               Word{Ties::away, "away"}, Word{Ties::even, "even"},
+                               Word{Ties::step, "step"}};
 constexpr std::array samples{Word{Sample::integer, "integer"}, Word{Sample::center, "center"}};
 constexpr std::array lerps{Word{LerpForm::direct, "direct"},
                            Word{LerpForm::incremental, "incremental"}};
@@ -46,6 +49,8 @@ constexpr std::array depth_kinds{Word{Depth::none, "none"}, Word{Depth::painter,
 constexpr std::array compares{Word{DepthCompare::automatic, "auto"},
                               Word{DepthCompare::less, "less"},
                               Word{DepthCompare::greater, "greater"}};
+constexpr std::array depth_places{Word{DepthAt::pixel, "pixel"},
+                                  Word{DepthAt::rounded_ends, "rounded-ends"}};
 constexpr std::array painter_keys{Word{PainterKey::nearest, "nearest"},
                                   Word{PainterKey::farthest, "farthest"},
                                   Word{PainterKey::mean, "mean"}};
@@ -54,6 +59,8 @@ constexpr std::array shades{Word{Shade::flat, "flat"}, Word{Shade::faces, "faces
                             Word{Shade::lambert, "lambert"}};
 constexpr std::array color_lerps{Word{ColorLerp::axis, "axis"},
                                  Word{ColorLerp::distance, "distance"}};
+constexpr std::array color_roundings{Word{ColorRounding::nearest, "nearest"},
+                                     Word{ColorRounding::truncate, "truncate"}};
 
 bool always(const Scene&) {
     return true;
@@ -93,8 +100,15 @@ std::string default_of_two(const Scene& scene, std::string_view for_spans,
     return std::string(fills_spans(scene) ? for_spans : for_lines);
 }
 
+/// Bresenham's line has a rule of its own for ties. `up`, `away` and `even`, which are for others, leave it as
+/// it is.
+bool has_ties_of_bresenham(const Scene& scene) {
+    return has_lines(scene) && scene.method.line == LineMethod::bresenham &&
+           (scene.method.ties == Ties::start || scene.method.ties == Ties::step);
+}
+
 bool has_ties(const Scene& scene) {
-    return scene.method.snap == Snap::nearest ||
+    return has_ties_of_bresenham(scene) || scene.method.snap == Snap::nearest ||
            (fills_spans(scene) && span_rounding(scene.method).rounding == Rounding::nearest) ||
            (rounds_lines(scene) && line_rounding(scene.method).rounding == Rounding::nearest);
 }
@@ -144,6 +158,7 @@ std::span<const MethodKey> method_keys() {
         key<&Method::scalar, scalars>("scalar", "the numbers to draw with", always),
         key<&Method::line, lines>("line", "the algorithm that draws lines", has_lines),
         key<&Method::from, starts>("from", "the end that lines are drawn from", has_lines),
+        key<&Method::ends, end_pixels>("ends", "which of its end pixels a line draws", has_lines),
         key<&Method::fill, fills>("fill", "the algorithm that fills triangles", has_triangles),
         key<&Method::fan_passes, passes>(
             "fan_passes", "from how many edges the fan is drawn",
@@ -190,6 +205,9 @@ std::span<const MethodKey> method_keys() {
         key<&Method::depth_compare, compares>(
             "depth_compare", "which depths pass the test",
             [](const Scene& scene) { return scene.has_depth_buffer(); }),
+        key<&Method::depth_at, depth_places>(
+            "depth_at", "where the depths of a row's ends lie",
+            [](const Scene& scene) { return scene.has_depth_buffer() && fills_spans(scene); }),
         key<&Method::painter_key, painter_keys>(
             "painter_key", "the distance that the painter sorts by",
             [](const Scene& scene) { return scene.depth() == Depth::painter; }),
@@ -205,6 +223,12 @@ std::span<const MethodKey> method_keys() {
             "color_lerp", "what the color along a line goes by",
             [](const Scene& scene) {
                 return scene.mixes_colors() && (has_lines(scene) || fills_by(scene, Fill::fan));
+            }),
+        key<&Method::color_rounding, color_roundings>(
+            "color_rounding", "what becomes of a channel that is no whole level",
+            [](const Scene& scene) {
+                return scene.mixes_colors() ||
+                       (has_triangles(scene) && scene.shade() == Shade::lambert);
             }),
     };
     return keys;

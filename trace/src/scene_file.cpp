@@ -83,11 +83,13 @@ public:
     /// Takes everything from the document, which may be forgotten then.
     void read(const JsonValue& root) {
         // The smallest scene has vertices and triangles; everything else has a default.
-        json_.allow_keys(root, {"title", "canvas", "vertices", "colors", "triangles", "outlines",
-                                "lines", "points", "meshes", "model", "camera", "projection",
-                                "viewport", "light", "method", "keep"});
+        json_.allow_keys(root, {"title", "canvas", "background", "vertices", "colors", "triangles",
+                                "outlines", "lines", "points", "meshes", "model", "camera",
+                                "projection", "viewport", "light", "method", "keep"});
         if (const auto title = root.find("title"))
             scene_.title = json_.string_in(*title, "a title in quotes");
+        if (const auto background = root.find("background"))
+            scene_.background = color_in(*background);
         if (const auto method = root.find("method"))
             read_method(*method);
         if (const auto keep = root.find("keep"))
@@ -104,6 +106,7 @@ public:
         read_primitives(root.find("outlines"), PrimitiveKind::outline);
         take_faces(PrimitiveKind::outline);
         read_primitives(root.find("lines"), PrimitiveKind::line);
+        take_faces(PrimitiveKind::line);
         read_primitives(root.find("points"), PrimitiveKind::point);
         if (scene_.primitives.empty())
             json_.fail(
@@ -111,6 +114,7 @@ public:
                 R"(the smallest scene: {"vertices": {"A": [2, 5], "B": [-4, -3], "C": [5, -3]}, )"
                 R"("triangles": ["ABC"]})");
         read_view(root);
+        check_method(root);
         read_canvas(root.find("canvas"), root);
     }
 
@@ -239,11 +243,18 @@ private:
         if (const auto color = mesh.find("color"))
             face.color = color_in(*color);
         if (const auto draw = mesh.find("draw")) {
-            if (draw->text != "triangles" && draw->text != "outlines")
-                json_.fail_expecting(*draw, "triangles or outlines",
-                                     did_you_mean(draw->text, {"triangles", "outlines"}, "\""));
-            face.kind = draw->text == "outlines" ? PrimitiveKind::outline : PrimitiveKind::triangle;
+            const std::vector<std::string_view> known{"triangles", "outlines", "hidden-lines"};
+            if (std::find(known.begin(), known.end(), draw->text) == known.end())
+                json_.fail_expecting(*draw, "triangles, outlines or hidden-lines",
+                                     did_you_mean(draw->text, known, "\""));
+            if (draw->text == "outlines")
+                face.kind = PrimitiveKind::outline;
+            if (draw->text == "hidden-lines") {
+                face.is_painted = false;
+                place_of_hidden_lines_ = place_of_hidden_lines_.value_or(draw->begin);
+            }
         }
+        sides_.clear();
 
         const auto obj = mesh.find("obj");
         if (!obj) {
@@ -258,6 +269,29 @@ private:
         scene_.objects.push_back(std::move(object));
     }
 
+    /// Whatever is drawn of a face beside its triangles: the sides of one that only hides, each once in its
+    /// mesh, whose names begin with `prefix`. Returns what tells its triangles from those of others.
+    std::uint32_t begin_face(std::span<const std::size_t> corners, const std::string& prefix,
+                             const ScenePrimitive& like) {
+        for (std::size_t i = 0; !like.is_painted && i < corners.size(); ++i) {
+            const std::size_t from = corners[i];
+            const std::size_t to = corners[(i + 1) % corners.size()];
+            const auto [low, high] = std::minmax(from, to);
+            if (from == to || !sides_.insert(std::uint64_t{low} << 32U | high).second)
+                continue;
+            ScenePrimitive& side = faces_.emplace_back();
+            side.kind = PrimitiveKind::line;
+            side.color = like.color;
+            side.is_side = true;
+            side.vertices = {from, to, 0};
+            const auto name_of = [&](std::size_t vertex) {
+                return std::string_view(scene_.vertices[vertex].name).substr(prefix.size());
+            };
+            side.name = prefix + joined_names(std::array{name_of(from), name_of(to)});
+        }
+        return corners.size() > 3 ? ++polygons_ : 0;
+    }
+
     /// A mesh that is written out in the scene. Polygons become fans of triangles.
     void read_faces(const JsonValue& mesh, const std::string& prefix, const ScenePrimitive& like) {
         read_vertices(json_.member(mesh, "vertices"), prefix);
@@ -268,6 +302,7 @@ private:
             const auto corners = corners_in(value, prefix, expected);
             if (corners.size() < 3)
                 json_.fail_expecting(value, expected);
+            const std::uint32_t polygon = begin_face(corners, prefix, like);
             for (std::size_t i = 2; i < corners.size(); ++i) {
                 ScenePrimitive face = like;
                 face.vertices = {corners[0], corners[i - 1], corners[i]};
@@ -276,6 +311,7 @@ private:
                     names[k] = std::string_view(scene_.vertices[face.vertices[k]].name)
                                    .substr(prefix.size());
                 face.name = prefix + joined_names(names);
+                face.polygon = polygon;
                 faces_.push_back(std::move(face));
             }
         }
@@ -314,6 +350,10 @@ private:
             const auto corners = mesh.face(i);
             put_number(name, of_object + 1, i + 1);
             const std::size_t of_face = name.size() + 1;
+            polygon_.clear();
+            for (const std::uint32_t corner : corners)
+                polygon_.push_back(first + corner);
+            const std::uint32_t polygon = begin_face(polygon_, object.name + ".", like);
             for (std::size_t k = 2; k < corners.size(); ++k) {
                 if (corners.size() > 3) {
                     name.resize(of_face, '.');
@@ -321,6 +361,7 @@ private:
                 }
                 ScenePrimitive& face = faces_.emplace_back(like);
                 face.name = name;
+                face.polygon = polygon;
                 face.vertices = {first + corners[0], first + corners[k - 1], first + corners[k]};
             }
         }
@@ -393,6 +434,36 @@ private:
         for (ScenePrimitive& face : faces_)
             if (face.kind == kind)
                 scene_.primitives.push_back(std::move(face));
+    }
+
+    /// Choices that do not go together, as soon as it is known what they are for.
+    void check_method(const JsonValue& root) const {
+        const Method& method = scene_.method;
+        const bool has_lines =
+            scene_.has(PrimitiveKind::line) || scene_.has(PrimitiveKind::outline);
+        const JsonValue blamed = root.find("method").value_or(root);
+        if (method.rounding == Rounding::half_open && has_lines &&
+            method.line != LineMethod::bresenham)
+            json_.fail(
+                blamed,
+                "expected a rounding that lines can have, found \"half-open\": a line has no "
+                "right end",
+                R"(say "line": "bresenham", which needs none, or another rounding)");
+        const bool rounds_spans = scene_.has(PrimitiveKind::triangle) &&
+                                  depth_form_of(method.fill) == DepthForm::along_edges &&
+                                  method.rounding == Rounding::nearest;
+        if (method.ties == Ties::step && (rounds_spans || method.snap == Snap::nearest))
+            json_.fail(blamed,
+                       fmt::format("expected ties that {} can have, found \"step\": only a line "
+                                   "goes somewhere",
+                                   rounds_spans ? "the rows of triangles" : "a snapped vertex"),
+                       "the others are start, up, away and even");
+        if (place_of_hidden_lines_ && !scene_.has_depth_buffer())
+            json_.fail(*place_of_hidden_lines_,
+                       "expected a depth buffer for hidden lines, found none",
+                       method.fill == Fill::fan
+                           ? R"(the fan has no depths: say "fill": "scanline")"
+                           : R"(say "projection": {...}, or "method": {"depth": "linear-z"})");
     }
 
     /// How vertices come to the screen.
@@ -665,6 +736,12 @@ private:
         std::optional<ObjMesh> mesh;
     };
     std::unordered_map<std::string, ObjFile> obj_files_; ///< by path
+    std::optional<std::size_t>
+        place_of_hidden_lines_; ///< offset of the first mesh that asks for them
+    std::unordered_set<std::uint64_t>
+        sides_;                         ///< of the mesh that is read, by the vertices at their ends
+    std::vector<std::size_t> polygon_;  ///< the face that is read
+    std::uint32_t polygons_ = 0;        ///< faces of more than three corners, so far
     std::vector<ScenePrimitive> faces_; ///< of meshes, until they are drawn in their turn
     std::vector<FileId> files_;         ///< that were read
     std::unordered_set<std::string> names_of_primitives_; ///< those that the author gave

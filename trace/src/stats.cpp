@@ -116,6 +116,7 @@ Stats stats_of(const Trace& trace) {
     DepthTies ties(trace.canvas);
     RowCheck rows(stats.wrong_rows);
     Replay replay(trace);
+    bool is_painted = true; // the current primitive
     for (std::size_t n = 1; n <= trace.size(); ++n) {
         replay.go_to(n);
         const StepView step = trace.step(n);
@@ -125,11 +126,12 @@ Stats stats_of(const Trace& trace) {
             PrimitiveStats& primitive = stats.primitives.emplace_back();
             primitive.kind = step.text("kind");
             primitive.name = step.text("name");
+            is_painted = step.text("painted") != "false";
             drawn.push_back({.step = n, .pixels = {}, .covered = {}});
         }
         if (kind == StepKind::skip && !stats.primitives.empty())
             stats.primitives.back().skipped = step.text("why");
-        if (!trace.is_partial)
+        if (!trace.is_partial && (is_painted || kind == StepKind::primitive))
             rows.add(trace, n, stats.primitives.empty() ? "" : stats.primitives.back().name);
         if (kind == StepKind::pixel)
             count_pixel(stats, drawn, step, replay);

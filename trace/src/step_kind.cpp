@@ -27,11 +27,11 @@ const std::array<StepRow, step_kinds> table{{
      {{"names", list, decision}, {"distances", list, reason}, {"listed", list, told}}},
 
     {StepKind::primitive, "primitive", "a primitive begins",
-     "{kind} {name}{@corners}{@octant}",
+     "{kind} {name}{@corners}{@octant}{@painted}",
      {{"kind", string, told, true}, {"name", string, key, true}, {"vertices", list, told},
       {"at", list, reason}, {"within", quantity, told}, {"depths", list, reason},
       {"color", string, told}, {"colors", list, reason}, {"octant", whole, decision},
-      {"part", boolean, told}}},
+      {"part", boolean, told}, {"painted", boolean, told}}},
 
     {StepKind::face, "face", "a face is tested",
      "face {@primitive}: normal {normal} . {@toward} {view} = {dot}{@cosine}: {culled?culled:drawn}",
@@ -84,10 +84,11 @@ const std::array<StepRow, step_kinds> table{{
      {{"x", whole, key, true}, {"y", whole, key, true}, {"weights", list, reason},
       {"inside", boolean, decision}}},
 
-    {StepKind::depth, "depth", "a pixel of a triangle meets the depth buffer",
+    {StepKind::depth, "depth", "a pixel meets the depth buffer",
      "depth at ({x}, {y}): {depth} against {@against}: {pass?passes:fails}{@depth_rule}",
      {{"x", whole, key, true}, {"y", whole, key, true}, {"depth", quantity, reason, true},
-      {"stored", quantity, reason}, {"pass", boolean, decision}}},
+      {"stored", quantity, reason}, {"pass", boolean, decision},
+      {"side_of", string, reason}, {"beside", string, reason}, {"behind", string, reason}}},
 
     {StepKind::pixel, "pixel", "a pixel is plotted",
      "pixel ({x}, {y}){@color}{@reason}{@drawn_over}",

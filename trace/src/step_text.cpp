@@ -277,13 +277,18 @@ std::optional<SlopeForm> slope_form_of(const LineEnds& ends, bool is_x_major) {
                                    : Rational(ends.from.x - m * ends.from.y)};
 }
 
-std::optional<Rational> increment_of(const LineEnds& ends, const Rational& d) {
+bool steps_at_ties(const Trace& trace) {
+    return trace.method_value("ties") == "step";
+}
+
+std::optional<Rational> increment_of(const Trace& trace, const LineEnds& ends, const Rational& d) {
     const Rational dx = abs(ends.to.x - ends.from.x);
     const Rational dy = abs(ends.to.y - ends.from.y);
     if (dx.get_den() != 1 || dy.get_den() != 1)
         return std::nullopt;
     const Rational straight = 2 * std::min(dx, dy);
-    return sgn(d) > 0 ? Rational(straight - 2 * std::max(dx, dy)) : straight;
+    return sgn(d) >= (steps_at_ties(trace) ? 0 : 1) ? Rational(straight - 2 * std::max(dx, dy))
+                                                    : straight;
 }
 
 Rational doubled_area(const Vec2& a, const Vec2& b, const Vec2& c) {

@@ -117,7 +117,10 @@ struct SlopeForm {
 std::optional<SlopeForm> slope_form_of(const LineEnds& ends, bool is_x_major);
 
 /// What Bresenham adds to d, if the ends are pixels.
-std::optional<Rational> increment_of(const LineEnds& ends, const Rational& d);
+std::optional<Rational> increment_of(const Trace& trace, const LineEnds& ends, const Rational& d);
+
+/// True if Bresenham goes diagonally at d = 0.
+bool steps_at_ties(const Trace& trace);
 
 /// Twice the area of a triangle, above 0 if it is counter-clockwise where y points up.
 Rational doubled_area(const Vec2& a, const Vec2& b, const Vec2& c);

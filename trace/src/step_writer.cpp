@@ -35,6 +35,8 @@ std::string_view name_of(SkipReason reason) {
         return "too far";
     case SkipReason::outside_view:
         return "outside the view";
+    case SkipReason::last_pixel_only:
+        return "its only pixel is its last, which is left out";
     case SkipReason::between_rows:
         break;
     }
@@ -138,19 +140,26 @@ void StepWriter::begin_primitive_line(PrimitiveKind kind, std::string_view name,
     put("]");
 }
 
-void StepWriter::end_primitive_line(Color color, std::span<const Color> colors, int octant,
-                                    bool is_part) {
-    put(R"(,"color":")", std::string_view(to_text(color)), "\"");
-    for (std::size_t i = 0; i < colors.size(); ++i)
+void StepWriter::end_primitive_line(const PrimitiveBegan<Quantity>& step) {
+    put(R"(,"color":")", std::string_view(to_text(step.color)), "\"");
+    for (std::size_t i = 0; i < step.colors.size(); ++i)
         put(std::string_view(i == 0 ? R"(,"colors":[")" : R"(,")"),
-            std::string_view(to_text(colors[i])), "\"");
-    if (!colors.empty())
+            std::string_view(to_text(step.colors[i])), "\"");
+    if (!step.colors.empty())
         put("]");
-    if (octant != 0)
-        put(R"(,"octant":)", octant);
-    if (is_part)
+    if (step.octant != 0)
+        put(R"(,"octant":)", step.octant);
+    if (step.is_part)
         put(R"(,"part":true)");
+    if (!step.is_painted)
+        put(R"(,"painted":false)");
     put("}");
+}
+
+/// The field that tells what a depth test was decided by, if not by the stored depth.
+std::string_view StepWriter::field_of(DepthReason reason) {
+    constexpr std::array<std::string_view, 4> names{"", "side_of", "beside", "behind"};
+    return names[static_cast<std::size_t>(reason)];
 }
 
 void StepWriter::begin_vertex_line(std::string_view name, Space space) {

@@ -7,6 +7,7 @@
 #include "zero_byte.h"
 
 #include <rastertrace/core/numbers/number.h>
+#include <rastertrace/trace/color_text.h>
 #include <rastertrace/trace/frame.h>
 #include <rastertrace/trace/text.h>
 #include <rastertrace/trace/write_trace.h>
@@ -358,6 +359,12 @@ private:
         if (const auto fault = fault_of_size(trace_.canvas))
             fail(canvas->begin, *fault);
 
+        if (const auto background = header.find("background")) {
+            trace_.background = parse_color(background->text);
+            if (!trace_.background)
+                fail(background->begin, fmt::format(R"(expected a color like "#ff8000", found {})",
+                                                    described(*background)));
+        }
         if (const auto title = header.find("title"))
             trace_.title = title->text;
         if (const auto method = header.find("method"))

@@ -206,12 +206,18 @@ void scanline(Sheet& sheet) {
     const auto right_depth = number_in(step, "right_depth");
     const auto from = step.whole("from").value_or(0);
     const auto to = step.whole("to").value_or(0);
-    if (left_depth && right_depth && left && right && *left != *right)
+    // Where the depths of the ends lie: on the edges, or in the first and the last pixel.
+    const bool has_rounded_ends = sheet.trace().method_value("depth_at") == "rounded-ends";
+    const auto first = has_rounded_ends ? std::optional(Rational(from)) : left;
+    const auto last = has_rounded_ends ? std::optional(Rational(to)) : right;
+    if (left_depth && right_depth && first && last && *first < *last)
         sheet.put(fmt::format(
             "depth = {} + ({} {}) / ({} {}) (x {}) = {} {} (x {})", text(*left_depth),
-            text(*right_depth), minus(text(*left_depth)), text(*right), minus(text(*left)),
-            minus(text(*left)), text(*left_depth),
-            plus(text((*right_depth - *left_depth) / (*right - *left))), minus(text(*left))));
+            text(*right_depth), minus(text(*left_depth)), text(*last), minus(text(*first)),
+            minus(text(*first)), text(*left_depth),
+            plus(text((*right_depth - *left_depth) / (*last - *first))), minus(text(*first))));
+    else if (left_depth && has_rounded_ends && from == to)
+        sheet.put(fmt::format("one pixel: depth = {}", text(*left_depth)));
     if (from <= to)
         sheet.put(fmt::format("x = {} to {}: {} - {} + 1 = {}", from, to, to,
                               from < 0 ? fmt::format("({})", from) : std::to_string(from),
@@ -239,10 +245,36 @@ void sample(Sheet& sheet) {
                           names[0]));
 }
 
+/// The depth of a pixel on a line between its ends, along the major axis.
+void put_depth_on_line(Sheet& sheet) {
+    const auto ends = ends_of_line(sheet.replay, sheet.primitive);
+    const auto depths = sheet.trace().step(sheet.replay.primitive()).texts("depths");
+    const auto x = number_in(sheet.step, "x");
+    const auto y = number_in(sheet.step, "y");
+    const auto told = number_in(sheet.step, "depth");
+    if (!ends || depths.size() != 2 || !x || !y || !told)
+        return;
+    const auto d1 = number_in(depths[0]);
+    const auto d2 = number_in(depths[1]);
+    const bool is_x_major = abs(ends->to.x - ends->from.x) >= abs(ends->to.y - ends->from.y);
+    const Rational& from = is_x_major ? ends->from.x : ends->from.y;
+    const Rational& to = is_x_major ? ends->to.x : ends->to.y;
+    const Rational at = std::clamp(is_x_major ? *x : *y, std::min(from, to), std::max(from, to));
+    if (!d1 || !d2 || from == to)
+        return;
+    const Rational value = *d1 + (*d2 - *d1) * (at - from) / (to - from);
+    if (sheet.agrees(value, *told))
+        sheet.put(fmt::format("depth = {} + ({} {}) ({} {}) / ({} {}) = {}", text(*d1), text(*d2),
+                              minus(text(*d1)), text(at), minus(text(from)), text(to),
+                              minus(text(from)), text(*told)));
+}
+
 /// The depth of a pixel on the plane through the three corners, if that is what decided.
 void depth(Sheet& sheet) {
     if (sheet.replay.primitive() == 0)
         return;
+    if (sheet.primitive.kind == "line")
+        return put_depth_on_line(sheet);
     const auto corners = corners_of(sheet.primitive);
     const auto depths = numbers_in<3>(sheet.trace().step(sheet.replay.primitive()).texts("depths"));
     const auto p = sample_of(sheet.trace(), sheet.step);
@@ -275,7 +307,7 @@ void depth(Sheet& sheet) {
 void decide(Sheet& sheet) {
     const auto ends = ends_of_line(sheet.replay, sheet.primitive);
     const auto d = number_in(sheet.step, "d");
-    const auto increment = d && ends ? increment_of(*ends, *d) : std::nullopt;
+    const auto increment = d && ends ? increment_of(sheet.trace(), *ends, *d) : std::nullopt;
     if (!increment)
         return;
     const Rational dx = abs(ends->to.x - ends->from.x);
@@ -336,9 +368,11 @@ struct Channel {
 constexpr Channel channels[] = {
     {"red", &Color::red}, {"green", &Color::green}, {"blue", &Color::blue}};
 
-/// True if a level rounds to the one that the trace tells.
-bool rounds_to(double level, int told) {
-    return std::abs(std::clamp(level, 0.0, 255.0) - told) <= 0.5 + 1e-6;
+/// True if a level rounds to the one that the trace tells, as its header says that levels are rounded.
+bool rounds_to(const Trace& trace, double level, int told) {
+    const double of_told = std::clamp(level, 0.0, 255.0) - told;
+    const bool is_cut = trace.method_value("color_rounding") == "truncate";
+    return std::abs(is_cut ? of_told - 0.5 : of_told) <= 0.5 + 1e-6;
 }
 
 /// The levels of a pixel on a line with a color at each end: step by step (T2), or by its distance.
@@ -349,7 +383,7 @@ void put_color_on_line(Sheet& sheet, const ColorOnLine& line, Color told) {
         const int to = (line.to.*channel.of)();
         const int level = (told.*channel.of)();
         const double worked_out = from + line.share() * (to - from);
-        if (!rounds_to(worked_out, level))
+        if (!rounds_to(sheet.trace(), worked_out, level))
             return;
         if (from != to)
             lines.push_back(line.is_by_distance
@@ -393,7 +427,7 @@ void put_mixed_color(Sheet& sheet, Color told) {
             terms.push_back(
                 fmt::format("{} ({})", six_places(weights[i]), ((*corner).*channel.of)()));
         }
-        if (!rounds_to(worked_out, level))
+        if (!rounds_to(sheet.trace(), worked_out, level))
             return; // in a perspective the weights in space are others
         lines.push_back(fmt::format("{} = {} = {} -> {}", channel.name, joined(terms, " + "),
                                     six_places(worked_out), level));

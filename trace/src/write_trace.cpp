@@ -6,6 +6,7 @@
 #include <rastertrace/core/draw/draw.h>
 #include <rastertrace/core/draw/geometry.h>
 #include <rastertrace/core/draw/plan.h>
+#include <rastertrace/trace/color_text.h>
 #include <rastertrace/trace/method_names.h>
 #include <rastertrace/trace/pipeline_names.h>
 #include <rastertrace/trace/stage_name.h>
@@ -45,6 +46,8 @@ std::string header_members(const Scene& scene, const Plan& plan, const StepFilte
         text += fmt::format(R"(,"title":{})", json_quoted(scene.title));
     text += fmt::format(R"(,"canvas":{{"width":{},"height":{},"origin":"{}"}})", scene.canvas.width,
                         scene.canvas.height, name_of(scene.canvas.origin));
+    if (scene.background)
+        text += fmt::format(R"(,"background":"{}")", to_text(*scene.background));
 
     text += R"(,"method":{)";
     std::string_view separator;

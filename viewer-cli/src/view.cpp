@@ -184,7 +184,7 @@ View default_view(const Trace& trace) {
         const StepView step = trace.step(n);
         if (step.field("colors"))
             return View::shade;
-        if (step.text("kind") != "triangle")
+        if (step.text("kind") != "triangle" || step.text("painted") == "false")
             continue;
         colors.insert(step.text("color"));
         if (faces.size() <= face_letters.size())
@@ -279,12 +279,16 @@ void FrameCells::set_up_faces() {
 void FrameCells::set_up_shade() {
     const Frame& frame = replay_.frame();
     legend_ = {fmt::format("dark {} light", ramp)};
-    cell_ = [&frame](std::size_t offset, Pixel) {
-        if (frame.drawn_by[offset] == 0)
-            return Cell{std::string(empty_cell)};
-        // As bright as it looks: half the light of white is seen as three quarters.
-        const Color color = frame.image.colors()[offset];
+    // As bright as it looks: half the light of white is seen as three quarters.
+    const auto shown = [](Color color) {
         return Cell{std::string(1, ramp_at(std::pow(luminance(color), 1 / 2.4))), color};
+    };
+    const std::optional<Color> background = replay_.trace().background;
+    const Cell empty = background ? shown(*background) : Cell{std::string(empty_cell)};
+    if (background)
+        legend_.push_back(fmt::format("background {} {}", empty.text, to_text(*background)));
+    cell_ = [&frame, shown, empty](std::size_t offset, Pixel) {
+        return frame.drawn_by[offset] == 0 ? empty : shown(frame.image.colors()[offset]);
     };
 }
 

@@ -174,7 +174,7 @@ public:
         }
         if (!step.depths.empty())
             put("]");
-        end_primitive_line(step.color, step.colors, step.octant, step.is_part);
+        end_primitive_line(step);
     }
 
     void operator()(const PrimitivesOrdered<Quantity>& step) {
@@ -245,9 +245,12 @@ public:
             Exactly{step.depth, hangs_on_digits});
         if (step.stored)
             put(R"(,"stored":)", Exactly{*step.stored, hangs_on_digits}, R"(,"pass":)",
-                word(step.passes), "}");
+                word(step.passes));
         else
-            put(R"(,"stored":null,"pass":)", word(step.passes), "}");
+            put(R"(,"stored":null,"pass":)", word(step.passes));
+        if (step.reason != DepthReason::stored)
+            put(",\"", field_of(step.reason), "\":", std::string_view(json_quoted(step.other)));
+        put("}");
     }
 
     void operator()(const EdgeSetUp<Quantity>& step) {
@@ -371,7 +374,8 @@ private:
     void write_labels();
     void begin_primitive_line(PrimitiveKind kind, std::string_view name,
                               std::span<const std::string_view> vertices);
-    void end_primitive_line(Color color, std::span<const Color> colors, int octant, bool is_part);
+    void end_primitive_line(const PrimitiveBegan<Quantity>& step);
+    static std::string_view field_of(DepthReason reason);
     void begin_vertex_line(std::string_view name, Space space);
 
     void put_numbers(std::string_view key, std::span<const Quantity> numbers) {

@@ -71,6 +71,7 @@ class Trace {
 public:
     std::string title;
     Canvas canvas;
+    std::optional<Color> background;                         ///< of pixels that nothing draws
     std::vector<std::pair<std::string, std::string>> method; ///< key and value, as in the header
     std::vector<std::string> stages; ///< those that ran, as in the header; see stages.h
     bool is_partial = false; ///< the header says that steps were left out: only, region, primitive

@@ -5,7 +5,7 @@
 // of a triangle. Where it leaves a level open, the color is worked out in exact numbers. u is 2^-53,
 // what a result may be rounded by, relative to it.
 //
-//     MixedColors<Adaptive> colors(corners, triangle, sample_offset, inverse_w, exact_color);
+//     MixedColors<Adaptive> colors(corners, triangle, sample_offset, inverse_w, rounding, exact_color);
 //     colors.at<false>({3, 4});
 
 #include <rastertrace/core/draw/adaptive_depth.h>
@@ -85,11 +85,12 @@ template <> struct MixedColors<Adaptive> {
     /// `exact_color` tells those that errors leave open.
     MixedColors(const std::array<Color, 3>& corners, const Triangle<Adaptive>& triangle,
                 Adaptive sample_offset, const std::array<Adaptive, 3>& inverse_w,
-                std::function<Color(Pixel)> exact_color)
+                ColorRounding rounding, std::function<Color(Pixel)> exact_color)
         : colors_{corners,
                   Barycentric<double>(values(triangle)),
                   sample_offset.value(),
-                  {inverse_w[0].value(), inverse_w[1].value(), inverse_w[2].value()}},
+                  {inverse_w[0].value(), inverse_w[1].value(), inverse_w[2].value()},
+                  rounding},
           error_(error_of_levels(triangle, inverse_w)), exact_color_(std::move(exact_color)) {}
 
     template <bool in_perspective> Color at(Pixel pixel) const {
@@ -118,8 +119,10 @@ private:
 
     /// The nearest level, a half up, is what lies below half a level more.
     Color mixed(const std::array<double, 3>& weights, double error) const {
-        return colors_.mixed(
-            weights, [error](double level) { return floor_index(Adaptive(level + 0.5, error)); });
+        const double half = colors_.rounding == ColorRounding::nearest ? 0.5 : 0;
+        return colors_.mixed(weights, [error, half](double channel) {
+            return level_of(Adaptive(channel + half, error), ColorRounding::truncate);
+        });
     }
 
     MixedColors<double> colors_;

@@ -41,7 +41,8 @@ public:
     /// Says how deep a piece lies in a pixel, exactly; or a clear cell.
     using ExactDepth = std::function<Rational(std::optional<std::uint32_t> piece, int x, int row)>;
 
-    DepthBuffer(const DepthRegion& region, const DepthRule<Adaptive>& rule)
+    /// It always remembers whose depths it has.
+    DepthBuffer(const DepthRegion& region, const DepthRule<Adaptive>& rule, bool = true)
         : region_(region), rule_(rule),
           cells_(static_cast<std::size_t>(region.width) * static_cast<std::size_t>(region.height),
                  rule.cleared ? turned(*rule.cleared).value()
@@ -83,15 +84,28 @@ public:
         bool passes = difference > error;
         if (!passes && !(-difference > error)) [[unlikely]]
             passes = passes_when_near(index, error == 0);
-        if (passes) {
-            cell = depth.value();
-            pieces_[index] = piece_;
-            if (!(depth.error() <= largest_error_)) [[unlikely]]
-                largest_error_ = std::isfinite(depth.error())
-                                     ? depth.error()
-                                     : std::numeric_limits<double>::infinity();
-        }
+        if (passes)
+            keep(cell, depth);
         return passes;
+    }
+
+    /// True if what is stored is nearer than a turned depth.
+    bool hides(const double& cell, Adaptive depth) {
+        const double difference = depth.value() - cell;
+        const double error = (depth.error() + largest_error_) * Adaptive::widening;
+        if (difference > error || -difference > error)
+            return difference > error;
+        const auto index = static_cast<std::size_t>(&cell - cells_.data());
+        return error != 0 && is_nearer_exactly(pieces_[index], piece_, index);
+    }
+
+    /// Stores a turned depth.
+    [[gnu::always_inline]] void keep(double& cell, Adaptive depth) {
+        cell = depth.value();
+        pieces_[static_cast<std::size_t>(&cell - cells_.data())] = piece_;
+        if (!(depth.error() <= largest_error_)) [[unlikely]]
+            largest_error_ = std::isfinite(depth.error()) ? depth.error()
+                                                          : std::numeric_limits<double>::infinity();
     }
 
     /// The same for a row, all of whose depths have one error: calls `keep(x)` where it passes. No pixel
@@ -106,25 +120,32 @@ public:
         return Adaptive(rule_.larger_passes ? -cell : cell, largest_error_);
     }
 
+    bool has(int x, int row) const { return region_.has(x, row); }
+
     /// The piece that a cell has its depth from, if one has been drawn there.
-    std::optional<std::uint32_t> piece_in(const double& cell) const {
+    std::optional<std::uint32_t> owner_of(const double& cell) const {
         const std::uint32_t piece = pieces_[static_cast<std::size_t>(&cell - cells_.data())];
         return piece == no_piece ? std::nullopt : std::optional(piece);
     }
 
-    /// Tests a depth as keep_if_nearer does, and tells both depths: as doubles if these have decided,
-    /// else exactly.
-    template <typename Sink>
-    bool keep_and_tell(Pixel pixel, int row, double& cell, Adaptive depth, Sink&& sink) {
+    /// Decides about a depth by `test()`, and tells both depths: as doubles if these have decided, else
+    /// exactly.
+    template <typename Test, typename Sink>
+    bool decide_and_tell(Pixel pixel, int row, const double& cell, Adaptive depth, Test&& test,
+                         Sink&& sink) {
         const std::optional<Adaptive> stored_depth = stored(cell);
-        const std::optional<std::uint32_t> stored_piece = piece_in(cell);
+        const std::optional<std::uint32_t> stored_piece = owner_of(cell);
         const std::uint64_t exact_before = exact_tests_;
-        const bool passes = keep_if_nearer(cell, depth);
+        const auto [passes, reason, other] = test();
         const bool told_by_doubles = exact_tests_ == exact_before && std::isfinite(depth.value()) &&
                                      (!stored_depth || std::isfinite(stored_depth->value()));
         if (told_by_doubles) {
-            sink(DepthTested<Adaptive>{
-                .pixel = pixel, .depth = turned(depth), .stored = stored_depth, .passes = passes});
+            sink(DepthTested<Adaptive>{.pixel = pixel,
+                                       .depth = turned(depth),
+                                       .stored = stored_depth,
+                                       .passes = passes,
+                                       .reason = reason,
+                                       .other = other});
         } else {
             std::optional<Rational> exactly_stored;
             if (stored_depth)
@@ -132,7 +153,9 @@ public:
             sink(DepthTested<Rational>{.pixel = pixel,
                                        .depth = exact_depth_(piece_, pixel.x, row),
                                        .stored = exactly_stored,
-                                       .passes = passes});
+                                       .passes = passes,
+                                       .reason = reason,
+                                       .other = other});
         }
         return passes;
     }
@@ -141,12 +164,14 @@ private:
     static constexpr std::uint32_t no_piece = std::numeric_limits<std::uint32_t>::max();
 
     [[gnu::noinline]] bool passes_when_near(std::size_t index, bool is_equal) {
-        const std::uint32_t stored = pieces_[index];
-        if (is_equal)
-            return false;
+        return !is_equal && is_nearer_exactly(piece_, pieces_[index], index);
+    }
+
+    /// Asks whether a piece is nearer than another one, or than a clear cell, in the pixel of a cell.
+    bool is_nearer_exactly(std::uint32_t piece, std::uint32_t other, std::size_t index) {
         ++exact_tests_;
         const auto width = static_cast<std::size_t>(region_.width);
-        return is_nearer_(piece_, stored == no_piece ? std::nullopt : std::optional(stored),
+        return is_nearer_(piece, other == no_piece ? std::nullopt : std::optional(other),
                           region_.left + static_cast<int>(index % width),
                           region_.top_row + static_cast<int>(index / width));
     }
@@ -270,6 +295,12 @@ public:
     Adaptive at(Adaptive y) const {
         return Adaptive(is_horizontal_ ? depth_ : depth_ + rise_ * ((y.value() - y_) / height_),
                         error_);
+    }
+
+    /// The same, and the depth of an end beyond it.
+    Adaptive held_at(Adaptive y) const {
+        const double part = is_horizontal_ ? 0 : (y.value() - y_) / height_;
+        return Adaptive(depth_ + rise_ * std::clamp(part, 0.0, 1.0), error_);
     }
 
 private:

@@ -37,10 +37,13 @@
 
 namespace rastertrace {
 
-/// A piece: which part of which primitive.
+/// A piece: which part of which primitive, and which side of an outline.
 struct PieceIndex {
     std::size_t primitive = 0;
     std::size_t part = 0;
+    std::uint8_t side = 0; ///< of an outline: the corner that it begins at
+    std::optional<std::uint32_t> listed =
+        {}; ///< its place in the plan's list, if doubles could tell it
 
     friend auto operator<=>(const PieceIndex&, const PieceIndex&) = default;
 };
@@ -75,12 +78,14 @@ private:
     std::map<std::size_t, Range> ranges_;        ///< of primitives
 };
 
-/// The turned depth of a triangle in the pixel at (x, y), as the fill that the scene names finds it.
-Rational exact_depth_at(const Scene& scene, const Piece<Rational>& primitive, int x, int y);
+/// The turned depth of a piece in the pixel at (x, y), as the fill or the line that the scene names finds
+/// it; of an outline, that of a side.
+Rational exact_depth_at(const Scene& scene, const Piece<Rational>& piece, std::uint8_t side, int x,
+                        int y);
 
-/// The two vertices of the edge that gives a pixel its depth, which lies at an end of its row or beyond.
-/// `nullopt` if the pixel lies inside its row, or if doubles cannot decide that; so also of a triangle
-/// without area, whose rows have no width, and two depths.
+/// The two vertices of the edge that gives a triangle's pixel its depth, which lies at an end of its row or
+/// beyond. `nullopt` if the pixel lies inside its row, or if doubles cannot decide that; so also of a
+/// triangle without area, whose rows have no width, and two depths.
 std::optional<std::array<std::size_t, 2>> edge_of_depth(const Scene& scene, const Plan& plan,
                                                         const PieceIndex& index, int x, int y);
 
@@ -105,7 +110,7 @@ Rational told_depth(const Scene& scene, Exactness& exactness, std::optional<std:
 /// level.
 template <typename Scalar>
 MixedColors<Adaptive> mixed_colors(const Piece<Scalar>& primitive, ColorStage stage,
-                                   Exactness& exactness) {
+                                   ColorRounding rounding, Exactness& exactness) {
     Triangle<Adaptive> triangle;
     std::array<Adaptive, 3> inverse_w;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -114,19 +119,19 @@ MixedColors<Adaptive> mixed_colors(const Piece<Scalar>& primitive, ColorStage st
         inverse_w[i] = with_error(primitive.inverse_w[i]);
     }
     exactness.colors.reset();
-    const auto exact_color = [&exactness, stage](Pixel pixel) {
+    const auto exact_color = [&exactness, stage, rounding](Pixel pixel) {
         ++exactness.fallbacks.colors;
         auto& colors = exactness.colors;
         if (!colors) {
             const auto exact = exactness.pieces.piece(exactness.drawn.back());
             colors = {exact.colors, Barycentric<Rational>({exact.positions}),
-                      exactness.sample_offset, exact.inverse_w};
+                      exactness.sample_offset, exact.inverse_w, rounding};
         }
         return stage == ColorStage::perspective ? colors->at<true>(pixel)
                                                 : colors->at<false>(pixel);
     };
-    return {primitive.colors, triangle, with_error(exactness.sample_offset), inverse_w,
-            exact_color};
+    return {primitive.colors, triangle, with_error(exactness.sample_offset),
+            inverse_w,        rounding, exact_color};
 }
 
 /// False if a number of a step has left the doubles: it can only be told exactly.

@@ -18,6 +18,7 @@
 #include <rastertrace/core/raster/sink.h>
 #include <rastertrace/core/raster/span.h>
 #include <rastertrace/core/raster/steps.h>
+#include <rastertrace/core/scene/method.h>
 #include <rastertrace/core/scene/stages.h>
 
 #include <concepts>
@@ -35,7 +36,14 @@ template <typename Scalar>
                        [=](int x) { colors[x] = color; });
 }
 
-/// The same where the depths lie on one line, from `depth` at `x0`. All of it is handed over in registers: a
+/// The same for a triangle that only hides.
+template <typename Scalar>
+[[gnu::noinline]] void hide_behind(const ImageRow& row, PixelSpan pixels,
+                                   const DepthRow<Scalar>& depths, DepthBuffer<Scalar>& buffer) {
+    buffer.keep_nearer(row.index, pixels.first, pixels.last, depths, [](int) {});
+}
+
+/// Paints where the depths lie on one line, from `depth` at `x0`. All of it is handed over in registers: a
 /// row of a small triangle is soon painted.
 template <std::floating_point Scalar>
 [[gnu::noinline]] void paint_nearer(Color* colors, Scalar* cells, PixelSpan pixels, Scalar x0,
@@ -59,6 +67,7 @@ template <typename Scalar, typename Sink = NullSink> struct PixelPainter {
     Color flat = {};                            ///< of every pixel, unless colors are mixed
     const MixedColors<Scalar>* mixed = nullptr; ///< if colors are mixed
     DepthBuffer<D>* buffer = nullptr;           ///< if depths are tested
+    DepthAt depth_at = DepthAt::pixel;
     [[no_unique_address]] Sink sink = {};
 
     /// Paints pixels of a row that are not tested.
@@ -85,6 +94,8 @@ template <typename Scalar, typename Sink = NullSink> struct PixelPainter {
 
 private:
     void plot(Pixel pixel, Color& plotted) {
+        if (!stages.is_painted)
+            return;
         plotted = color_at(pixel);
         sink(PixelPlotted{.pixel = pixel, .color = plotted});
     }
@@ -104,19 +115,11 @@ private:
     /// Tests a turned depth against what is stored for the pixel, and keeps the nearer one.
     template <typename Cell>
     bool passes_depth_test(Pixel pixel, int row, const D& depth, Cell& cell) {
-        if constexpr (!keeps_steps<Sink>) {
-            return buffer->keep_if_nearer(cell, depth);
-        } else if constexpr (std::same_as<D, Adaptive>) {
-            return buffer->keep_and_tell(pixel, row, cell, depth, sink);
-        } else {
-            const std::optional<D> stored = buffer->stored(cell);
-            const bool passes = buffer->keep_if_nearer(cell, depth);
-            sink(DepthTested<D>{.pixel = pixel,
-                                .depth = buffer->turned(depth),
-                                .stored = stored,
-                                .passes = passes});
-            return passes;
-        }
+        const auto test = [&] { return DepthVerdict{buffer->keep_if_nearer(cell, depth)}; };
+        if constexpr (keeps_steps<Sink>)
+            return buffer->decide_and_tell(pixel, row, cell, depth, test, sink);
+        else
+            return test().passes;
     }
 };
 
@@ -187,6 +190,8 @@ private:
             told.right_depth = pixels_.buffer->turned(right);
             pixels_.sink(told);
         }
+        if (pixels_.depth_at == DepthAt::rounded_ends)
+            return row_between(scalar_from<D>(span.from), left, scalar_from<D>(span.to), right);
         return row_between(depth_scalar(span.left), left, depth_scalar(span.right), right);
     }
 
@@ -209,10 +214,13 @@ private:
         auto& buffer = *pixels_.buffer;
         const auto& compared = buffer.compared(depths, pixels.first, pixels.last);
         if constexpr (!keeps_steps<Sink> && std::floating_point<DepthOf<OfPixels>>)
-            if (pixels_.stages.colors == ColorStage::flat && !compared.end)
+            if (pixels_.stages.colors == ColorStage::flat && !compared.end &&
+                !buffer.remembers_owners())
                 return paint_nearer(row.colors - row.left, buffer.row_from(0, row.index), pixels,
                                     compared.x, compared.depth, compared.slope, pixels_.flat);
-        if (!keeps_steps<Sink> && pixels_.stages.colors == ColorStage::flat)
+        if (!keeps_steps<Sink> && !pixels_.stages.is_painted)
+            hide_behind(row, pixels, compared, buffer);
+        else if (!keeps_steps<Sink> && pixels_.stages.colors == ColorStage::flat)
             paint_nearer(row, pixels, compared, buffer, pixels_.flat);
         else
             pixels_.paint_row(row, pixels, compared);

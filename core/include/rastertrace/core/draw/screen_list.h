@@ -56,7 +56,7 @@ struct ScreenPrimitive {
     enum class State : std::uint8_t {
         whole,
         part,
-        skipped,   ///< whole, and not drawn: its face is culled, or has no normal
+        skipped, ///< whole, and not drawn: its face is culled, or has no normal; or those of a side are
         undecided, ///< doubles leave its face open, or what clipping leaves of it
     };
     std::uint32_t primitive; ///< its index in the scene
@@ -94,6 +94,10 @@ template <typename Coordinate> struct ScreenList {
     std::vector<ScreenPrimitive> primitives; ///< in the order in which they are drawn
     std::vector<Undecided> undecided;        ///< what left them open
 
+    /// Of the scene's primitives: lines that are not drawn, as no face is that they are sides of. Empty if
+    /// none of its lines goes by that.
+    std::vector<bool> culled_sides;
+
     /// The first primitive of the scene with a face that is told with an infinity.
     std::optional<std::size_t> infinite_face;
 };
@@ -114,6 +118,15 @@ struct AnyScreenList : std::variant<TypedVertices, ScreenList<float>, ScreenList
 template <typename Coordinate>
 std::size_t primitive_at(const ScreenList<Coordinate>& list, std::size_t turn) {
     return list.order ? list.order->primitives[turn] : turn;
+}
+
+/// Where the list has a corner of a triangle, or of a part of one.
+template <typename Coordinate>
+std::size_t corner_in_list(const Scene& scene, const ScreenList<Coordinate>& list,
+                           const ScreenPrimitive& one, std::size_t corner) {
+    return one.state == ScreenPrimitive::State::part
+               ? list.parts[one.index].corners[corner]
+               : scene.primitives[one.primitive].vertices[corner];
 }
 
 /// True if all of a primitive is in view, so that clipping leaves it alone.

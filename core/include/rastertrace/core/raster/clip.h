@@ -30,12 +30,11 @@ template <typename Scalar> struct ClipVertex {
 };
 
 /// The point where the way from a vertex inside to one outside meets the plane. Always computed
-/// from the inside: two triangles that share the edge get the same point. The color is rounded to
-/// the nearest level.
+/// from the inside: two triangles that share the edge get the same point.
 template <typename Scalar>
 ClipVertex<Scalar> meeting_point(const ClipVertex<Scalar>& inside,
-                                 const ClipVertex<Scalar>& outside,
-                                 const ClipPlane<Scalar>& plane) {
+                                 const ClipVertex<Scalar>& outside, const ClipPlane<Scalar>& plane,
+                                 ColorRounding color_rounding) {
     // From the end nearer to the plane: from the other one, the difference would be rounded to the
     // size of a far coordinate, and a w just above 0 could come out as 0 or below.
     const Scalar value_inside = plane.value_at(inside.position);
@@ -46,9 +45,10 @@ ClipVertex<Scalar> meeting_point(const ClipVertex<Scalar>& inside,
     const auto between = [&way, is_from_inside](const Scalar& a, const Scalar& b) {
         return is_from_inside ? Scalar(a + way * (b - a)) : Scalar(b + way * (a - b));
     };
-    const auto level = [&between](std::uint8_t a, std::uint8_t b) {
-        return static_cast<std::uint8_t>(
-            nearest_index(between(scalar_from<Scalar>(a), scalar_from<Scalar>(b)), Ties::up));
+    const auto level = [&between, color_rounding](std::uint8_t a, std::uint8_t b) {
+        return a == b ? a
+                      : level_of(between(scalar_from<Scalar>(a), scalar_from<Scalar>(b)),
+                                 color_rounding);
     };
     const auto& p = inside.position;
     const auto& q = outside.position;
@@ -72,7 +72,8 @@ ClipVertex<Scalar> meeting_point(const ClipVertex<Scalar>& inside,
 /// has two vertices; of a point, if it has one. Empty if all of it lies outside.
 template <typename Scalar>
 std::vector<ClipVertex<Scalar>> clip(const std::vector<ClipVertex<Scalar>>& polygon,
-                                     const ClipPlane<Scalar>& plane) {
+                                     const ClipPlane<Scalar>& plane,
+                                     ColorRounding color_rounding = ColorRounding::nearest) {
     // A vertex on the plane is kept, and is itself the point where a side leaves.
     const Scalar zero = scalar_from<Scalar>(0);
     const auto side_of = [&plane, &zero](const ClipVertex<Scalar>& vertex) {
@@ -92,8 +93,8 @@ std::vector<ClipVertex<Scalar>> clip(const std::vector<ClipVertex<Scalar>>& poly
             break;
         const ClipVertex<Scalar>& next = polygon[(i + 1) % polygon.size()];
         if (side * side_of(next) < 0)
-            left.push_back(side > 0 ? meeting_point(vertex, next, plane)
-                                    : meeting_point(next, vertex, plane));
+            left.push_back(side > 0 ? meeting_point(vertex, next, plane, color_rounding)
+                                    : meeting_point(next, vertex, plane, color_rounding));
     }
     return left;
 }

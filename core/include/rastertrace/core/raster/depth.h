@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The depth buffer: for each pixel, the depth of the nearest triangle drawn there so far. A pixel is
+// The depth buffer: for each pixel, the depth of the nearest primitive drawn there so far. A pixel is
 // drawn only if its own depth is nearer.
 //
 //     kind        depth at a vertex      the buffer starts at    nearer is
@@ -16,7 +16,8 @@
 // one, unless the scene asks for the other with `depth_compare`), so that one comparison serves all. Turning is
 // exact, and turning twice gives the depth back.
 //
-// A triangle that can share no pixel with another one is not tested (pixel_stages in src/stages_of.h).
+// A primitive that can share no pixel with another one is not tested (pixel_stages in src/stages_of.h).
+// Points and lines are tested as draw/line_painter.h says: for them, the buffer remembers who is nearest.
 //
 //     DepthBuffer<double> buffer(region, {.larger_passes = true, .cleared = 0.0});
 //     buffer.keep_if_nearer(*buffer.row_from(x, row), buffer.turned(0.25));
@@ -32,8 +33,10 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 namespace rastertrace {
@@ -55,18 +58,46 @@ struct DepthRegion {
     int top_row = 0;
     int width = 0;
     int height = 0;
+
+    bool has(int x, int row) const {
+        return left <= x && x < left + width && top_row <= row && row < top_row + height;
+    }
 };
 
 template <typename Scalar> struct DepthRow;
 
+/// What was decided about a pixel, as in DepthTested.
+struct DepthVerdict {
+    bool passes;
+    DepthReason reason = DepthReason::stored;
+    std::string_view other = {};
+};
+
 /// One number per pixel of its region.
 template <typename Scalar> class DepthBuffer {
 public:
-    DepthBuffer(const DepthRegion& region, const DepthRule<Scalar>& rule)
+    DepthBuffer(const DepthRegion& region, const DepthRule<Scalar>& rule,
+                bool remembers_owners = false)
         : region_(region), rule_(rule),
           cells_(static_cast<std::size_t>(region.width) * static_cast<std::size_t>(region.height),
                  clear_cell()),
-          is_clear_(has_clear_cells() ? cells_.size() : 0, true) {}
+          is_clear_(has_clear_cells() ? cells_.size() : 0, true),
+          owners_(remembers_owners ? cells_.size() : 0, no_owner) {}
+
+    /// The depths that follow are of this one of those that are drawn.
+    void begin(std::uint32_t owner) { owner_ = owner; }
+
+    /// True if it remembers of whom each depth is.
+    bool remembers_owners() const { return !owners_.empty(); }
+
+    /// True if the region has a pixel.
+    bool has(int x, int row) const { return region_.has(x, row); }
+
+    /// The one that a cell of row_from(...) has its depth from, if one has been drawn there.
+    std::optional<std::uint32_t> owner_of(const Scalar& cell) const {
+        const std::uint32_t owner = owners_[index_of(cell)];
+        return owner == no_owner ? std::nullopt : std::optional(owner);
+    }
 
     bool larger_passes() const { return rule_.larger_passes; }
     Scalar turned(const Scalar& depth) const {
@@ -86,18 +117,43 @@ public:
     /// Tests a turned depth against a cell of row_from(...), and keeps it if it passes.
     bool keep_if_nearer(Scalar& cell, const Scalar& depth) {
         if constexpr (!std::floating_point<Scalar>)
-            if (has_clear_cells()) {
-                const auto index = static_cast<std::size_t>(&cell - cells_.data());
-                if (is_clear_[index]) {
-                    is_clear_[index] = false;
-                    cell = depth;
-                    return true;
-                }
+            if (is_clear(cell)) {
+                keep(cell, depth);
+                return true;
             }
         const bool passes = depth < cell;
         if (passes)
-            cell = depth;
+            keep(cell, depth);
         return passes;
+    }
+
+    /// True if what is stored is nearer than a turned depth.
+    bool hides(const Scalar& cell, const Scalar& depth) const {
+        return !is_clear(cell) && cell < depth;
+    }
+
+    /// Stores a turned depth.
+    void keep(Scalar& cell, const Scalar& depth) {
+        cell = depth;
+        if (has_clear_cells())
+            is_clear_[index_of(cell)] = false;
+        if (remembers_owners()) [[unlikely]]
+            owners_[index_of(cell)] = owner_;
+    }
+
+    /// Decides about a turned depth by `test()`, and tells both depths and what was decided.
+    template <typename Test, typename Sink>
+    bool decide_and_tell(Pixel pixel, int, const Scalar& cell, const Scalar& depth, Test&& test,
+                         Sink&& sink) {
+        const std::optional<Scalar> before = stored(cell);
+        const DepthVerdict verdict = test();
+        sink(DepthTested<Scalar>{.pixel = pixel,
+                                 .depth = turned(depth),
+                                 .stored = before,
+                                 .passes = verdict.passes,
+                                 .reason = verdict.reason,
+                                 .other = verdict.other});
+        return verdict.passes;
     }
 
     /// The same for a row of turned depths: calls `keep(x)` where it passes.
@@ -117,13 +173,23 @@ public:
             if (!rule_.cleared && cell == clear_cell())
                 return std::nullopt;
         } else {
-            if (has_clear_cells() && is_clear_[static_cast<std::size_t>(&cell - cells_.data())])
+            if (is_clear(cell))
                 return std::nullopt;
         }
         return turned(cell);
     }
 
 private:
+    static constexpr std::uint32_t no_owner = std::numeric_limits<std::uint32_t>::max();
+
+    std::size_t index_of(const Scalar& cell) const {
+        return static_cast<std::size_t>(&cell - cells_.data());
+    }
+
+    bool is_clear(const Scalar& cell) const {
+        return has_clear_cells() && is_clear_[index_of(cell)];
+    }
+
     /// Floating point has a number beyond all others; exact numbers remember which cells are clear.
     bool has_clear_cells() const { return !std::floating_point<Scalar> && !rule_.cleared; }
 
@@ -140,6 +206,8 @@ private:
     DepthRule<Scalar> rule_;
     std::vector<Scalar> cells_;
     std::vector<bool> is_clear_;
+    std::vector<std::uint32_t> owners_; ///< of the cells, if it remembers them
+    std::uint32_t owner_ = no_owner;
 };
 
 /// The turned depths of a row of a triangle: linear in x.
@@ -175,6 +243,14 @@ public:
 
     Scalar at(const Scalar& y) const {
         return is_horizontal_ ? depth_ : Scalar(depth_ + rise_ * (y - y_) / height_);
+    }
+
+    /// The same, and the depth of an end beyond it.
+    Scalar held_at(const Scalar& y) const {
+        if (is_horizontal_)
+            return depth_;
+        const Scalar part = (y - y_) / height_;
+        return depth_ + rise_ * std::clamp(part, scalar_from<Scalar>(0), scalar_from<Scalar>(1));
     }
 
 private:

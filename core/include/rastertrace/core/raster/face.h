@@ -134,18 +134,19 @@ template <typename Scalar> bool is_culled(Cull cull, const Scalar& dot) {
     return false;
 }
 
-/// A color in light of an intensity from 0 to 1: each channel rounded to the nearest level.
-inline Color lit(Color color, double intensity) {
-    const auto level = [intensity](std::uint8_t channel) {
-        return static_cast<std::uint8_t>(std::floor(channel * intensity + 0.5));
+/// A color in light of an intensity from 0 to 1.
+inline Color lit(Color color, double intensity, ColorRounding rounding) {
+    const auto level = [intensity, rounding](std::uint8_t channel) {
+        return level_of(channel * intensity, rounding);
     };
     return {level(color.red()), level(color.green()), level(color.blue()), color.alpha()};
 }
 
 /// The same for an intensity with an error. Throws Undecided if a level hangs on it.
-inline Color lit(Color color, Adaptive intensity) {
-    const Color darkest = lit(color, std::max(0.0, intensity.value() - intensity.error()));
-    if (lit(color, std::min(1.0, intensity.value() + intensity.error())) != darkest)
+inline Color lit(Color color, Adaptive intensity, ColorRounding rounding) {
+    const Color darkest =
+        lit(color, std::max(0.0, intensity.value() - intensity.error()), rounding);
+    if (lit(color, std::min(1.0, intensity.value() + intensity.error()), rounding) != darkest)
         Adaptive::leave_open(intensity.value(), intensity.error());
     return darkest;
 }

@@ -28,6 +28,7 @@ inline constexpr Index longest_fan_edge = largest_canvas_side;
 struct FanRules {
     int passes = 1; ///< 1: from AB to C; 2: also from AC to B; 3: also from BC to A
     ColorLerp color_lerp = ColorLerp::axis;
+    ColorRounding color_rounding = ColorRounding::nearest;
 };
 
 /// Draws the triangle whose vertices are the pixels nearest to the given ones. `colors` are those
@@ -42,6 +43,9 @@ void fill_fan(const Triangle<Scalar>& triangle, const std::array<Color, 3>& colo
     const auto vertex = [&triangle](std::uint8_t index) {
         return nearest_pixel(triangle.vertices[index].x, triangle.vertices[index].y);
     };
+
+    const LineRules line_rules{.color_lerp = rules.color_lerp,
+                               .color_rounding = rules.color_rounding};
 
     // The edge that the lines of each pass start from, and the vertex that they go to.
     struct Pass {
@@ -58,10 +62,10 @@ void fill_fan(const Triangle<Scalar>& triangle, const std::array<Color, 3>& colo
         const BresenhamLine edge(base.from, base.to);
         for (Index step = 0; step <= edge.steps(); ++step) {
             const GridPoint start = edge.pixel(step);
-            const Color color = color_on_line(base, rules.color_lerp, start, step, edge.steps());
+            const Color color = color_on_line(base, line_rules, start, step, edge.steps());
             sink(RayBegan{.x = start.x, .y = start.y});
-            draw_bresenham(from_lower_x({start, target, color, colors[apex]}), rules.color_lerp,
-                           canvas, sink);
+            draw_bresenham(from_lower_x({start, target, color, colors[apex]}), line_rules, canvas,
+                           sink);
         }
     }
 }

@@ -30,6 +30,21 @@ enum class ColorLerp {
     distance, ///< the distance from the end, over the length of the line
 };
 
+/// Which of its end pixels a line draws.
+enum class EndPixels {
+    both,
+    first, ///< the one that it starts from: lines that follow one another draw no pixel twice
+};
+
+/// The choices that lines leave open.
+struct LineRules {
+    ColorLerp color_lerp = ColorLerp::axis;
+    ColorRounding color_rounding = ColorRounding::nearest;
+    Ties ties =
+        Ties::start; ///< of Bresenham's: at d = 0, `step` goes diagonally, all others straight on
+    EndPixels ends = EndPixels::both;
+};
+
 /// A point of the grid, anywhere.
 struct GridPoint {
     Index x = 0;
@@ -82,28 +97,28 @@ inline GridLine reversed(const GridLine& line) {
     return {line.to, line.from, line.to_color, line.from_color};
 }
 
-/// `part` of the way from one color to another out of `whole`; each channel rounded, a half up.
-inline Color color_between(Color from, Color to, Index part, Index whole) {
-    const auto channel = [part, whole](std::uint8_t a, std::uint8_t b) {
+/// `part` of the way from one color to another out of `whole`.
+inline Color color_between(Color from, Color to, Index part, Index whole, ColorRounding rounding) {
+    const auto channel = [part, whole, rounding](std::uint8_t a, std::uint8_t b) {
         const Int128 weighted = Int128{a} * (whole - part) + Int128{b} * part;
-        return static_cast<std::uint8_t>((2 * weighted + whole) / (2 * Int128{whole}));
+        const Int128 half = rounding == ColorRounding::nearest ? whole : 0;
+        return static_cast<std::uint8_t>((2 * weighted + half) / (2 * Int128{whole}));
     };
     return {channel(from.red(), to.red()), channel(from.green(), to.green()),
             channel(from.blue(), to.blue()), channel(from.alpha(), to.alpha())};
 }
 
 /// The color of a line's pixel by its distance from the end: the part of the start's color is that
-/// distance over the line's length. Each channel is rounded to the nearest level.
-inline Color color_by_distance(const GridLine& line, GridPoint pixel) {
+/// distance over the line's length.
+inline Color color_by_distance(const GridLine& line, GridPoint pixel, ColorRounding rounding) {
     const auto distance = [](GridPoint a, GridPoint b) {
         const auto dx = static_cast<double>(b.x - a.x);
         const auto dy = static_cast<double>(b.y - a.y);
         return std::sqrt(dx * dx + dy * dy);
     };
     const double share = distance(pixel, line.to) / distance(line.from, line.to);
-    const auto channel = [share](std::uint8_t a, std::uint8_t b) {
-        const double level = share * a + (1 - share) * b;
-        return static_cast<std::uint8_t>(std::clamp(std::floor(level + 0.5), 0.0, 255.0));
+    const auto channel = [share, rounding](std::uint8_t a, std::uint8_t b) {
+        return level_of(share * a + (1 - share) * b, rounding);
     };
     return {channel(line.from_color.red(), line.to_color.red()),
             channel(line.from_color.green(), line.to_color.green()),
@@ -113,14 +128,15 @@ inline Color color_by_distance(const GridLine& line, GridPoint pixel) {
 
 /// The color of step `step` of `steps` along a line. The first and the last pixel have exactly the
 /// colors of the ends.
-inline Color color_on_line(const GridLine& line, ColorLerp lerp, GridPoint pixel, Index step,
-                           Index steps) {
+inline Color color_on_line(const GridLine& line, const LineRules& rules, GridPoint pixel,
+                           Index step, Index steps) {
     if (line.from_color == line.to_color || step == 0)
         return line.from_color;
     if (step == steps)
         return line.to_color;
-    return lerp == ColorLerp::axis ? color_between(line.from_color, line.to_color, step, steps)
-                                   : color_by_distance(line, pixel);
+    if (rules.color_lerp == ColorLerp::distance)
+        return color_by_distance(line, pixel, rules.color_rounding);
+    return color_between(line.from_color, line.to_color, step, steps, rules.color_rounding);
 }
 
 } // namespace rastertrace

@@ -5,10 +5,11 @@
 //
 // Source: Bresenham 1965, in the form of the report on points and lines: d = 2 dy - dx at the
 // start; if d <= 0 go straight on and add 2 dy, else go diagonally and add 2 (dy - dx). At a tie (d
-// = 0) the line stays on the side it started on, so a line and its reverse may differ. Here for all
-// eight octants: dx and dy are the lengths along the major and the minor axis.
+// = 0) the line stays on the side it started on, so a line and its reverse may differ. With `ties: step`
+// it goes straight on only if d < 0, as many drawing libraries have it. Here for all eight octants: dx and
+// dy are the lengths along the major and the minor axis.
 //
-//     draw_bresenham({{0, 0}, {5, 2}, {}, {}}, ColorLerp::axis, canvas, FlatPainter(image, color));
+//     draw_bresenham({{0, 0}, {5, 2}, {}, {}}, LineRules(), canvas, FlatPainter(image, color));
 //     // (0,0)(1,0)(2,1)(3,1)(4,2)(5,2)
 
 #include <rastertrace/core/numbers/fraction.h>
@@ -30,8 +31,9 @@ namespace rastertrace {
 /// steps.
 class BresenhamLine {
 public:
-    BresenhamLine(GridPoint from, GridPoint to)
-        : from_(from), x_step_(to.x < from.x ? -1 : 1), y_step_(to.y < from.y ? -1 : 1) {
+    explicit BresenhamLine(GridPoint from, GridPoint to, Ties ties = Ties::start)
+        : from_(from), to_(to), x_step_(to.x < from.x ? -1 : 1), y_step_(to.y < from.y ? -1 : 1),
+          steps_at_ties_(ties == Ties::step) {
         const Index dx = std::abs(to.x - from.x);
         const Index dy = std::abs(to.y - from.y);
         is_x_major_ = dx >= dy;
@@ -42,10 +44,17 @@ public:
     /// How many steps lead from the first pixel to the last.
     Index steps() const { return major_; }
 
+    /// True if the next step goes straight on.
+    bool goes_straight(std::int64_t d) const { return steps_at_ties_ ? d < 0 : d <= 0; }
+
     /// How many of the first i steps are diagonal: the least k with d <= 0, that is, k at least
-    /// i minor/major - 1/2.
+    /// i minor/major - 1/2; or with d < 0, that is, above that less 1.
     Index diagonals_before(Index i) const {
-        return major_ == 0 ? 0 : ceil_quotient(2 * Int128{i} * minor_ - major_, 2 * Int128{major_});
+        if (i == 0)
+            return 0;
+        const Int128 twice = 2 * Int128{i} * minor_;
+        return steps_at_ties_ ? static_cast<Index>((twice + major_) / (2 * Int128{major_}))
+                              : ceil_quotient(twice - major_, 2 * Int128{major_});
     }
 
     GridPoint pixel(Index i) const {
@@ -77,6 +86,8 @@ public:
         Index last;
     };
     Range steps_on(const Canvas& canvas) const {
+        if (canvas.contains(from_.x, from_.y) && canvas.contains(to_.x, to_.y))
+            return {0, major_};
         const Index low_y = std::min(canvas.top(), canvas.bottom());
         const Index high_y = std::max(canvas.top(), canvas.bottom());
         const Range x = distances(from_.x, x_step_, canvas.left(), canvas.right());
@@ -98,18 +109,23 @@ private:
         return step > 0 ? Range{low - start, high - start} : Range{start - high, start - low};
     }
 
-    /// The first step after which at least k steps were diagonal: i minor/major - 1/2 > k - 1.
+    /// The first step after which at least k steps were diagonal: i minor/major - 1/2 > k - 1, or at
+    /// least that.
     Index first_step_with(Index k) const {
         if (k <= 0)
             return 0;
         if (k > minor_)
             return major_ + 1;
-        return static_cast<Index>((2 * Int128{k} - 1) * major_ / (2 * Int128{minor_})) + 1;
+        const Int128 above = (2 * Int128{k} - 1) * major_;
+        return steps_at_ties_ ? ceil_quotient(above, 2 * Int128{minor_})
+                              : static_cast<Index>(above / (2 * Int128{minor_})) + 1;
     }
 
     GridPoint from_;
+    GridPoint to_;
     int x_step_;
     int y_step_;
+    bool steps_at_ties_;
     bool is_x_major_;
     Index major_;
     Index minor_;
@@ -123,43 +139,48 @@ inline Move move_of(GridPoint step) {
     return moves[static_cast<std::size_t>(step.x + 1)][static_cast<std::size_t>(step.y + 1)];
 }
 
-/// Draws a line, both end pixels included. Time follows the pixels on the canvas. The ends must lie
-/// within +-farthest_index / 4.
+/// Draws a line; false if it has no pixel, but for one that is left out. Time follows the pixels on the canvas. The ends must lie within +-farthest_index / 4.
 template <typename Sink>
 requires SinkFor<Sink, LineDecided, PixelPlotted, PixelsRejected>
-void draw_bresenham(const GridLine& line, ColorLerp color_lerp, const Canvas& canvas, Sink&& sink) {
-    const BresenhamLine path(line.from, line.to);
-    const auto [first, last] = path.steps_on(canvas);
+bool draw_bresenham(const GridLine& line, const LineRules& rules, const Canvas& canvas,
+                    Sink&& sink) {
+    const BresenhamLine path(line.from, line.to, rules.ties);
+    const Index end = path.steps() - (rules.ends == EndPixels::both ? 0 : 1);
+    if (end < 0)
+        return false;
+    const auto on_canvas = path.steps_on(canvas);
+    const Index first = on_canvas.first;
+    const Index last = std::min(on_canvas.last, end);
+    const auto reject = [&](const GridPoint& from, const GridPoint& to) {
+        sink(PixelsRejected{from.x, from.y, to.x, to.y});
+    };
     if (last < first) {
-        sink(PixelsRejected{line.from.x, line.from.y, line.to.x, line.to.y});
-        return;
+        reject(line.from, path.pixel(end));
+        return true;
     }
-    if (first > 0) {
-        const GridPoint before = path.pixel(first - 1);
-        sink(PixelsRejected{line.from.x, line.from.y, before.x, before.y});
-    }
+    if (first > 0)
+        reject(line.from, path.pixel(first - 1));
 
     GridPoint at = path.pixel(first);
     std::int64_t d = path.d(first);
     for (Index i = first;; ++i) {
-        const Color color = color_on_line(line, color_lerp, at, i, path.steps());
+        const Color color = color_on_line(line, rules, at, i, path.steps());
         const Pixel pixel{static_cast<int>(at.x), static_cast<int>(at.y)};
         sink(PixelPlotted{.pixel = pixel, .color = color});
         if (i == last)
             break;
 
         // Straight on, or diagonally?
-        const bool goes_straight = d <= 0;
+        const bool goes_straight = path.goes_straight(d);
         const GridPoint step = goes_straight ? path.straight() : path.diagonal();
         sink(LineDecided{.pixel = pixel, .d = d, .move = move_of(step)});
         d += goes_straight ? path.d_straight() : path.d_diagonal();
         at = {at.x + step.x, at.y + step.y};
     }
 
-    if (last < path.steps()) {
-        const GridPoint after = path.pixel(last + 1);
-        sink(PixelsRejected{after.x, after.y, line.to.x, line.to.y});
-    }
+    if (last < end)
+        reject(path.pixel(last + 1), path.pixel(end));
+    return true;
 }
 
 } // namespace rastertrace

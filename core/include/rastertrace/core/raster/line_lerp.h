@@ -36,33 +36,43 @@ template <typename Scalar> struct Segment {
 /// How the minor coordinate is found.
 enum class LineForm { naive, dda };
 
-/// The pixel of a coordinate across a line. A tie with Ties::start stays on the side that the line
-/// comes from: below if it rises, above if it falls.
-template <typename Scalar>
-Index pixel_across(const Scalar& value, const SpanRounding& rule, bool falls) {
-    if (rule.rounding == Rounding::nearest && rule.ties == Ties::start && falls)
-        return nearest_index(value, Ties::up);
-    return first_pixel(value, rule);
-}
-
-/// Draws a line between any two points. Its steps are the whole numbers along the major axis from
-/// the one nearest to the start to the one nearest to the end (a half goes up). Time follows the
-/// canvas. `colors` says the ends' colors and, in whole pixels, where they are.
-template <typename Scalar, typename Sink>
-requires SinkFor<Sink, LineSampled<Scalar>, PixelPlotted, PixelsRejected>
-void draw_line_by_lerp(const Segment<Scalar>& segment, LineForm form, const SpanRounding& rounding,
-                       const GridLine& colors, ColorLerp color_lerp, const Canvas& canvas,
-                       Sink&& sink) {
-    const auto& [from, to] = segment;
+/// True if x is the major axis of a line.
+template <typename Scalar> bool is_longer_in_x(const Segment<Scalar>& segment) {
     const Scalar zero = scalar_from<Scalar>(0);
     const auto magnitude = [&zero](const Scalar& value) {
         return value < zero ? Scalar(-value) : value;
     };
+    return !(magnitude(segment.to.x - segment.from.x) < magnitude(segment.to.y - segment.from.y));
+}
+
+/// The pixel of a coordinate across a line. A tie with Ties::start stays on the side that the line
+/// comes from: below if it rises, above if it falls; with Ties::step it goes to the other side.
+template <typename Scalar>
+Index pixel_across(const Scalar& value, const SpanRounding& rule, bool falls) {
+    if (rule.rounding == Rounding::nearest && falls) {
+        if (rule.ties == Ties::start)
+            return nearest_index(value, Ties::up);
+        if (rule.ties == Ties::step)
+            return nearest_index(value, Ties::start);
+    }
+    return first_pixel(value, rule);
+}
+
+/// Draws a line between any two points. Its steps are the whole numbers along the major axis from
+/// the one nearest to the start to the one nearest to the end (a half goes up). False if it has no pixel,
+/// but for one that is left out. Time follows the canvas. `colors` says the ends' colors and, in whole pixels, where they are.
+template <typename Scalar, typename Sink>
+requires SinkFor<Sink, LineSampled<Scalar>, PixelPlotted, PixelsRejected>
+bool draw_line_by_lerp(const Segment<Scalar>& segment, LineForm form, const SpanRounding& rounding,
+                       const GridLine& colors, const LineRules& rules, const Canvas& canvas,
+                       Sink&& sink) {
+    const auto& [from, to] = segment;
+    const Scalar zero = scalar_from<Scalar>(0);
 
     // Along and across.
     const Scalar dx = to.x - from.x;
     const Scalar dy = to.y - from.y;
-    const bool is_x_major = !(magnitude(dx) < magnitude(dy));
+    const bool is_x_major = is_longer_in_x(segment);
     const Scalar& along_from = is_x_major ? from.x : from.y;
     const Scalar& along_to = is_x_major ? to.x : to.y;
     const Scalar& across_from = is_x_major ? from.y : from.x;
@@ -78,11 +88,14 @@ void draw_line_by_lerp(const Segment<Scalar>& segment, LineForm form, const Span
     const Index first = nearest_index(along_from, Ties::up);
     const Index last = nearest_index(along_to, Ties::up);
     const Index steps = std::abs(last - first);
+    const Index last_step = steps - (rules.ends == EndPixels::both ? 0 : 1);
+    if (last_step < 0)
+        return false;
     const int step = last < first ? -1 : 1;
     const Index low = is_x_major ? canvas.left() : std::min(canvas.top(), canvas.bottom());
     const Index high = is_x_major ? canvas.right() : std::max(canvas.top(), canvas.bottom());
     const Index begin = std::max<Index>(0, step > 0 ? low - first : first - high);
-    const Index end = std::min<Index>(steps, step > 0 ? high - first : first - low);
+    const Index end = std::min<Index>(last_step, step > 0 ? high - first : first - low);
     const auto point = [is_x_major](Index along, Index across) {
         return is_x_major ? GridPoint{along, across} : GridPoint{across, along};
     };
@@ -100,8 +113,8 @@ void draw_line_by_lerp(const Segment<Scalar>& segment, LineForm form, const Span
         sink(PixelsRejected{p.x, p.y, q.x, q.y});
     };
     if (end < begin) {
-        reject(0, steps);
-        return;
+        reject(0, last_step);
+        return true;
     }
     if (begin > 0)
         reject(0, begin - 1);
@@ -123,15 +136,16 @@ void draw_line_by_lerp(const Segment<Scalar>& segment, LineForm form, const Span
         const GridPoint at = point(along, across);
         if (canvas.contains(at.x, at.y)) {
             const Pixel pixel{static_cast<int>(at.x), static_cast<int>(at.y)};
-            const Color color = color_on_line(colors, color_lerp, at, i, steps);
+            const Color color = color_on_line(colors, rules, at, i, steps);
             sink(PixelPlotted{.pixel = pixel, .color = color});
         } else {
             sink(PixelsRejected{at.x, at.y, at.x, at.y});
         }
     }
 
-    if (end < steps)
-        reject(end + 1, steps);
+    if (end < last_step)
+        reject(end + 1, last_step);
+    return true;
 }
 
 } // namespace rastertrace

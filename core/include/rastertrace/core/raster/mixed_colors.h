@@ -27,17 +27,18 @@ template <typename Scalar> struct MixedColors {
     Barycentric<Scalar> barycentric;
     Scalar sample_offset; ///< from the pixel's integer point to its sample point, in x and in y
     std::array<D, 3> inverse_w{}; ///< of the vertices, in a perspective
+    ColorRounding rounding = ColorRounding::nearest;
 
-    /// Each channel is rounded to the nearest level, a half up. Where a pixel lies outside the
-    /// triangle (the floor rule draws some) the mixture may leave 0..255, and is held there.
+    /// Where a pixel lies outside the triangle (the floor rule draws some) the mixture may leave
+    /// 0..255, and is held there.
     template <bool in_perspective> Color at(Pixel pixel) const {
-        const auto nearest = [](const auto& level) { return nearest_index(level, Ties::up); };
+        const auto level = [this](const auto& channel) { return level_of(channel, rounding); };
         const auto weights = on_screen(pixel);
         // Where w is the same all over, so are the weights.
         if constexpr (in_perspective)
             if (inverse_w[0] != inverse_w[1] || inverse_w[0] != inverse_w[2])
-                return mixed(in_space(weights), nearest);
-        return mixed(weights, nearest);
+                return mixed(in_space(weights), level);
+        return mixed(weights, level);
     }
 
     /// The weights of the vertices on the screen.
@@ -70,17 +71,17 @@ template <typename Scalar> struct MixedColors {
     }
 
     /// Not inlined: pixels of mixed colors are slow anyway, and the rows that call it stay small.
-    template <typename Weight, typename Nearest>
-    [[gnu::noinline]] Color mixed(const std::array<Weight, 3>& weights, Nearest nearest) const {
+    template <typename Weight, typename LevelOf>
+    [[gnu::noinline]] Color mixed(const std::array<Weight, 3>& weights, LevelOf level_of) const {
         const auto mix = [&](std::uint8_t (Color::*channel)() const) {
             // What is the same everywhere is not rounded.
             const std::uint8_t first = (corners[0].*channel)();
             if (first == (corners[1].*channel)() && first == (corners[2].*channel)())
                 return first;
-            Weight level = scalar_from<Weight>(0);
+            Weight mixture = scalar_from<Weight>(0);
             for (std::size_t i = 0; i < 3; ++i)
-                level += weights[i] * scalar_from<Weight>((corners[i].*channel)());
-            return static_cast<std::uint8_t>(std::clamp<Index>(nearest(level), 0, 255));
+                mixture += weights[i] * scalar_from<Weight>((corners[i].*channel)());
+            return level_of(mixture);
         };
         return {mix(&Color::red), mix(&Color::green), mix(&Color::blue),
                 std::max<std::uint8_t>(mix(&Color::alpha), 1)};

@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The painter: what is far is drawn first, and what is near covers it. Wrong where triangles overlap
-// in a circle or cut each other, and where the key that they are sorted by says the wrong thing.
+// Orders of drawing. The painter: what is far is drawn first, and what is near covers it. Wrong where triangles
+// overlap in a circle or cut each other, and where the key that they are sorted by says the wrong thing.
 //
-//     const auto order = painter_order<double>(scene, [](std::size_t vertex) { return ...; });
+//     const DistanceOf<double> distance_of = [](std::size_t vertex) { return ...; };
+//     const auto order = painter_order<double>(scene, distance_of);
+//
+// Every order that a scene can ask for is a row of one table, drawing_orders.
 
 #include <rastertrace/core/numbers/scalar.h>
 #include <rastertrace/core/scene/scene.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -26,10 +31,13 @@ template <typename Scalar> struct PainterOrder {
     std::vector<Scalar> keys;            ///< of the triangles, in the order drawn
 };
 
-/// The distance that a triangle is sorted by. `distance_of` tells that of a vertex, by its place in
-/// the scene.
-template <typename Scalar, typename DistanceOf>
-Scalar painter_key(const Scene& scene, const ScenePrimitive& triangle, DistanceOf&& distance_of) {
+/// Tells how far a vertex of the scene, by its place there, lies from the eye.
+template <typename Scalar> using DistanceOf = std::function<const Scalar&(std::size_t vertex)>;
+
+/// The distance that a triangle is sorted by.
+template <typename Scalar>
+Scalar painter_key(const Scene& scene, const ScenePrimitive& triangle,
+                   const DistanceOf<Scalar>& distance_of) {
     const Scalar& a = distance_of(triangle.vertices[0]);
     const Scalar& b = distance_of(triangle.vertices[1]);
     const Scalar& c = distance_of(triangle.vertices[2]);
@@ -51,8 +59,8 @@ Scalar painter_key(const Scene& scene, const ScenePrimitive& triangle, DistanceO
 }
 
 /// True if sorting the triangles would leave them as they are.
-template <typename Scalar, typename DistanceOf>
-bool comes_farthest_first(const Scene& scene, DistanceOf&& distance_of) {
+template <typename Scalar>
+bool comes_farthest_first(const Scene& scene, const DistanceOf<Scalar>& distance_of) {
     std::optional<Scalar> before;
     for (const ScenePrimitive& primitive : scene.primitives) {
         if (primitive.kind != PrimitiveKind::triangle)
@@ -66,8 +74,8 @@ bool comes_farthest_first(const Scene& scene, DistanceOf&& distance_of) {
 }
 
 /// Sorts the triangles by their distance from the eye.
-template <typename Scalar, typename DistanceOf>
-PainterOrder<Scalar> painter_order(const Scene& scene, DistanceOf&& distance_of) {
+template <typename Scalar>
+PainterOrder<Scalar> painter_order(const Scene& scene, const DistanceOf<Scalar>& distance_of) {
     std::vector<std::size_t> triangles;
     std::vector<Scalar> keys(scene.primitives.size());
     for (std::size_t i = 0; i < scene.primitives.size(); ++i)
@@ -89,5 +97,16 @@ PainterOrder<Scalar> painter_order(const Scene& scene, DistanceOf&& distance_of)
         }
     return order;
 }
+
+/// An order of drawing that is not the scene's own.
+template <typename Scalar> struct DrawingOrder {
+    Depth depth; ///< the choice that asks for it
+    PainterOrder<Scalar> (*sorted)(const Scene& scene, const DistanceOf<Scalar>& distance_of);
+    bool (*is_sorted)(const Scene& scene, const DistanceOf<Scalar>& distance_of); ///< already
+};
+
+template <typename Scalar>
+inline constexpr std::array<DrawingOrder<Scalar>, 1> drawing_orders{
+    {{Depth::painter, painter_order<Scalar>, comes_farthest_first<Scalar>}}};
 
 } // namespace rastertrace

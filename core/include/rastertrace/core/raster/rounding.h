@@ -10,18 +10,21 @@
 //     nearest    nearest(left)   nearest(right)    0 .. 3   a tie (k + 1/2) goes as `ties` says
 //     truncate   toward zero     toward zero       0 .. 3   a C++ cast to int; lopsided at 0
 //     inside     ceil(left)      floor(right)      0 .. 3   only pixels that lie in the triangle
+//     half-open  ceil(left)      ceil(right) - 1   0 .. 3   the same without a pixel at the right end
 //
-// Both ends are drawn. A span whose first pixel lies right of its last one is empty.
+// Both ends are drawn. A span whose first pixel lies right of its last one is empty. A line has no right end:
+// it cannot be half-open.
 
 #include <rastertrace/core/numbers/scalar.h>
 #include <rastertrace/core/raster/canvas.h>
 
 #include <algorithm>
+#include <cstdint>
 
 namespace rastertrace {
 
 /// How the ends of a span become pixels; see the table above.
-enum class Rounding { floor, nearest, truncate, inside };
+enum class Rounding { floor, nearest, truncate, inside, half_open };
 
 /// Where `nearest` sends a number halfway between two whole numbers.
 enum class Ties {
@@ -30,6 +33,13 @@ enum class Ties {
     up,    ///< to the larger one: -1/2 -> 0, 1/2 -> 1
     away,  ///< away from zero: -1/2 -> -1, 1/2 -> 1
     even,  ///< to the even one: -1/2 -> 0, 1/2 -> 0
+    step,  ///< of lines only: to the side that they go to, the other one than with `start`
+};
+
+/// What becomes of a color's channel that was mixed or lit and is no whole level.
+enum class ColorRounding {
+    nearest,  ///< the nearest level; a half goes up
+    truncate, ///< the level below, as a C++ cast has it
 };
 
 /// The rules that turn the ends of a span into pixels.
@@ -67,6 +77,7 @@ template <typename Scalar> Index nearest_index(const Scalar& x, Ties ties) {
     case Ties::start:
         return std::min(inner, outer);
     case Ties::up:
+    case Ties::step: // only lines have it, and they say where they go (pixel_across)
         return std::max(inner, outer);
     case Ties::away:
         return outer;
@@ -86,15 +97,33 @@ template <typename Scalar> Index first_pixel(const Scalar& left, const SpanRound
     case Rounding::truncate:
         return truncate_index(left);
     case Rounding::inside:
+    case Rounding::half_open:
         break;
     }
     return ceil_index(left);
 }
 
 /// The last pixel of a span whose right end is at `right`. It differs from first_pixel only where
-/// the span must stay inside.
+/// the span must stay inside, or before its right end.
 template <typename Scalar> Index last_pixel(const Scalar& right, const SpanRounding& rule) {
-    return rule.rounding == Rounding::inside ? floor_index(right) : first_pixel(right, rule);
+    switch (rule.rounding) {
+    case Rounding::inside:
+        return floor_index(right);
+    case Rounding::half_open:
+        return ceil_index(right) - 1;
+    case Rounding::floor:
+    case Rounding::nearest:
+    case Rounding::truncate:
+        break;
+    }
+    return first_pixel(right, rule);
+}
+
+/// The level of a channel, 0 to 255, that was mixed or lit. What lies outside of these is held there.
+template <typename Scalar> std::uint8_t level_of(const Scalar& channel, ColorRounding rounding) {
+    const Index level = rounding == ColorRounding::nearest ? nearest_index(channel, Ties::up)
+                                                           : floor_index(channel);
+    return static_cast<std::uint8_t>(std::clamp<Index>(level, 0, 255));
 }
 
 } // namespace rastertrace

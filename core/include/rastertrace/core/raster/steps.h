@@ -98,6 +98,7 @@ template <typename Scalar> struct PrimitiveBegan {
     int octant = 0;                             ///< of a line, see octant_of; else 0
     bool is_part = false;                       ///< of the primitive that began before it
     std::span<const DepthOf<Scalar>> depths = {}; ///< of the vertices, if there is a depth buffer
+    bool is_painted = true; ///< false: a triangle that hides what lies behind it, and is not seen
 };
 
 /// Two vertices of the current primitive, by their place in PrimitiveBegan::vertices.
@@ -181,13 +182,25 @@ template <typename Scalar> struct SampleTested {
     bool is_inside;                ///< none is negative
 };
 
-/// A pixel of a triangle met the depth buffer.
+/// What a depth test was decided by.
+enum class DepthReason : std::uint8_t {
+    stored,  ///< the depth that is stored: what is nearer passes, or as near and thinner
+    side_of, ///< it passes what is nearer in the pixel, being a side or a corner of that
+    beside, ///< it passes a face that is nearer in the pixel, but does not cover the line's own point, or
+            ///< is not nearer there
+    behind, ///< a face in the pixel, or next to it, covers the line's own point and is nearer there
+};
+
+/// A pixel met the depth buffer. Of equal depths the first one stays, but what is thinner passes: a line
+/// before a face, a point before both. What passes although the stored depth is nearer leaves it stored.
 template <typename Scalar> struct DepthTested {
     Pixel pixel;
-    Scalar depth;                 ///< of the triangle at this pixel
+    Scalar depth;                 ///< of the primitive at this pixel
     std::optional<Scalar> stored; ///< what the buffer has; none if nothing was drawn, and no number
                                   ///< is farther than all others
     bool passes;
+    DepthReason reason = DepthReason::stored;
+    std::string_view other = {}; ///< the primitive that `reason` is about
 };
 
 /// A pixel got a color.
@@ -221,14 +234,15 @@ struct BoundExceeded {
 
 /// Why a primitive draws nothing.
 enum class SkipReason {
-    off_canvas,   ///< it has pixels, and none of them lies on the canvas
-    between_rows, ///< it lies between two rows of pixels
-    zero_area,    ///< its area is 0, and the fill has no use for that
-    culled,       ///< its face is turned away
-    behind_eye,   ///< clipping left nothing: all of it lies behind the eye, or beside it
-    too_near,     ///< clipping left nothing: all of it lies nearer than the near plane
-    too_far,      ///< clipping left nothing: all of it lies beyond the far plane
-    outside_view, ///< clipping left nothing: all of it lies far outside the canvas
+    off_canvas,      ///< it has pixels, and none of them lies on the canvas
+    between_rows,    ///< it lies between two rows of pixels
+    zero_area,       ///< its area is 0, and the fill has no use for that
+    culled,          ///< its face is turned away
+    behind_eye,      ///< clipping left nothing: all of it lies behind the eye, or beside it
+    too_near,        ///< clipping left nothing: all of it lies nearer than the near plane
+    too_far,         ///< clipping left nothing: all of it lies beyond the far plane
+    outside_view,    ///< clipping left nothing: all of it lies far outside the canvas
+    last_pixel_only, ///< a line of one pixel, whose last pixel is left out
 };
 
 /// A primitive drew nothing; no further step belongs to it.

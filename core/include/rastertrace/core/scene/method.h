@@ -99,6 +99,12 @@ enum class DepthCompare {
     greater,
 };
 
+/// Where the depths of a row's ends lie.
+enum class DepthAt {
+    pixel,        ///< where the edges meet the row: each pixel has the depth of its own place
+    rounded_ends, ///< at the row's first and last pixel; a row of one pixel has that of its left end
+};
+
 /// Which distance of a triangle the painter sorts by.
 enum class PainterKey { nearest, farthest, mean };
 
@@ -108,6 +114,7 @@ struct Method {
     ScalarKind scalar = ScalarKind::double_precision;
     LineMethod line = LineMethod::bresenham;
     LineStart from = LineStart::first;
+    EndPixels ends = EndPixels::both;
     Fill fill = Fill::scanline;
     int fan_passes = 1;
     std::optional<Rounding> rounding = {}; ///< floor for spans, nearest for lines
@@ -118,9 +125,11 @@ struct Method {
     Cull cull = Cull::none;
     std::optional<Depth> depth = {}; ///< inverse-z in a perspective, linear-z under orthographic
     DepthCompare depth_compare = DepthCompare::automatic;
+    DepthAt depth_at = DepthAt::pixel; ///< of fills that find depths along the edges
     PainterKey painter_key = PainterKey::mean;
     std::optional<Shade> shade = {}; ///< interpolate if a vertex has a color, else flat
     ColorLerp color_lerp = ColorLerp::axis;
+    ColorRounding color_rounding = ColorRounding::nearest;
 };
 
 /// True if every decision is the one that exact arithmetic takes.
@@ -136,6 +145,12 @@ inline SpanRounding span_rounding(const Method& method) {
 /// How the coordinates across naive and dda lines become pixels.
 inline SpanRounding line_rounding(const Method& method) {
     return {method.rounding.value_or(Rounding::nearest), method.ties.value_or(Ties::start)};
+}
+
+/// What lines and their colors go by.
+inline LineRules line_rules(const Method& method) {
+    return {method.color_lerp, method.color_rounding, method.ties.value_or(Ties::start),
+            method.ends};
 }
 
 /// Where the fill tests pixels: the choice in force, and how far that is from a pixel's integer

@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -48,9 +49,12 @@ struct SceneObject {
 /// A point, a line, a triangle to fill, or the outline of a triangle.
 struct ScenePrimitive {
     PrimitiveKind kind = PrimitiveKind::triangle;
+    bool is_painted = true; ///< false: a triangle that hides what lies behind it, and is not seen
+    bool is_side = false;   ///< a line that is drawn only if a face is that it is a side of
     std::string name;
     std::array<std::size_t, 3> vertices{}; ///< indices in Scene::vertices, in the author's order
     Color color = {};
+    std::uint32_t polygon = 0; ///< triangles in a row with one number above 0 are parts of one face
 
     /// Its vertices: the first one, two or three of `vertices`.
     std::span<const std::size_t> corners() const {
@@ -86,6 +90,8 @@ struct Light {
 struct Scene {
     std::string title;
     Canvas canvas;
+    std::optional<Color>
+        background; ///< what pixels that nothing draws look like; it draws none of them
     std::vector<SceneVertex> vertices;
     std::vector<ScenePrimitive> primitives; ///< drawn in this order
     Method method;
@@ -112,11 +118,19 @@ struct Scene {
                has(PrimitiveKind::triangle);
     }
 
-    /// True if pixels are tested against a buffer of depths. The fan draws lines, which are not.
+    /// True if pixels are tested against a buffer of depths. The fan's are not.
     bool has_depth_buffer() const {
         const Depth in_force = depth();
         return in_force != Depth::none && in_force != Depth::painter && method.fill != Fill::fan &&
                has(PrimitiveKind::triangle);
+    }
+
+    /// True if points or lines are tested against it, too.
+    bool has_tested_lines() const {
+        return has_depth_buffer() &&
+               std::any_of(primitives.begin(), primitives.end(), [](const ScenePrimitive& one) {
+                   return one.kind != PrimitiveKind::triangle;
+               });
     }
 
     /// True if faces are turned away or lit: their normals are needed.

@@ -13,12 +13,12 @@
 //     cull         drops faces by their normals           the method asks for it
 //     light        lights faces                           the method asks for it
 //     canvas       drops pixels that the canvas has not   a triangle may reach beyond the canvas
-//     depth        tests pixels against the nearest       two triangles may share a pixel, or one is cut,
+//     depth        tests pixels against the nearest       two primitives may share a pixel, or one is cut,
 //                                                         or may be as far as the buffer starts
 //     perspective  mixes colors as they mix in space      w differs in a triangle
 //     colors       mixes the colors of vertices           they differ in a triangle
 //
-// The last four are decided for each triangle (PixelStages). A stage that the scene keeps although it
+// The last four are decided for each triangle, and depth for each primitive (PixelStages). A stage that the scene keeps although it
 // does not need it runs, and the picture is the same.
 //
 //     plan_for(scene).stages.decisions;
@@ -45,6 +45,7 @@ struct PixelStages {
     ColorStage colors = ColorStage::flat;
     bool tests_depth = false; ///< against what is nearest so far
     bool tests_canvas = true; ///< drops what the canvas does not have
+    bool is_painted = true;   ///< false: it is only tested
 };
 
 /// What a stage that is left out would have cost.
@@ -66,7 +67,7 @@ struct StageDecision {
 /// All that was decided.
 struct Stages {
     std::vector<StageDecision> decisions; ///< in the order in which the stages run
-    std::vector<PixelStages> pixels;      ///< of the scene's primitives; of use for triangles
+    std::vector<PixelStages> pixels;      ///< of the scene's primitives
     DepthRegion depth_region = {};        ///< the pixels whose depths are tested
 };
 

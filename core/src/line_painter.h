@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Hidden lines: the painter of points, lines and outlines that are tested against the depth buffer.
+//
+// A line's pixel stands for the line's own point at that step of its major axis, and is as deep as the line
+// is there. That point may lie up to a pixel away from the middle of the pixel, where the buffer has the
+// depths of the faces: held against those, a line would be cut to pieces by the faces beside it. So the
+// buffer only says which faces there are, in the pixel and in the eight around it. A face hides the point if
+//
+//   - the point lies inside it on the screen, its sides included,
+//   - and it is nearer there: of equals the thinner one passes, a line before a face, a point before both;
+//   - and the line is none of its sides, the point none of its corners. That is known by the vertices: the
+//     face has all of them.
+//
+// Between lines, as between faces, the buffer's depths decide, and of equals the first one stays.
+//
+// Source: T1, "Remoção de linhas e superfícies ocultas", by a depth buffer.
+//
+//     LinePainter painter(piece, side, scene, target, NullSink());
+//     draw_line(piece, side, method, canvas, painter);
+
+#include "target.h"
+
+#include <rastertrace/core/draw/pieces.h>
+#include <rastertrace/core/numbers/scalar.h>
+#include <rastertrace/core/numbers/vec.h>
+#include <rastertrace/core/raster/canvas.h>
+#include <rastertrace/core/raster/depth.h>
+#include <rastertrace/core/raster/line_lerp.h>
+#include <rastertrace/core/raster/sink.h>
+#include <rastertrace/core/raster/steps.h>
+#include <rastertrace/core/scene/scene.h>
+
+#include <algorithm>
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+namespace rastertrace {
+
+/// The points of a line, one for each step of its major axis; beyond an end, that end. Depths are turned.
+template <typename Depth> struct LinePoints {
+    bool is_x_major;
+    DepthEdge<Depth> across; ///< the other coordinate, and
+    DepthEdge<Depth> depths; ///< the turned depth: both are linear along the major axis
+    DeepPoint<Depth> from;
+    DeepPoint<Depth> to;
+
+    /// The depth alone.
+    Depth depth_at(Pixel pixel) const {
+        return depths.held_at(scalar_from<Depth>(is_x_major ? pixel.x : pixel.y));
+    }
+
+    DeepPoint<Depth> at(Pixel pixel) const {
+        const auto along = scalar_from<Depth>(is_x_major ? pixel.x : pixel.y);
+        const Depth& first = is_x_major ? from.at.x : from.at.y;
+        const Depth& last = is_x_major ? to.at.x : to.at.y;
+        const bool goes_on = first < last;
+        if (goes_on ? !(first < along) : !(along < first))
+            return from;
+        if (goes_on ? !(along < last) : !(last < along))
+            return to;
+        const Depth other = across.held_at(along);
+        return {is_x_major ? Vec<Depth, 2>{along, other} : Vec<Depth, 2>{other, along},
+                depths.held_at(along)};
+    }
+};
+
+/// The points of the line between two corners of a piece; of a point, both are the same one. A line that is
+/// seen end-on is its nearer end. `larger_passes` as in DepthRule.
+template <typename Scalar>
+LinePoints<DepthOf<Scalar>> line_points(const Piece<Scalar>& piece, EdgeName side,
+                                        bool larger_passes) {
+    using D = DepthOf<Scalar>;
+    const auto point_of = [&](std::size_t corner) {
+        DeepPoint<D> point = corner_of(piece, corner);
+        point.depth = turned(point.depth, larger_passes);
+        return point;
+    };
+    DeepPoint<D> from = point_of(side.from);
+    DeepPoint<D> to = point_of(side.to);
+    const bool is_x_major = is_longer_in_x<D>({from.at, to.at});
+    const D& first = is_x_major ? from.at.x : from.at.y;
+    const D& last = is_x_major ? to.at.x : to.at.y;
+    if (first == last)
+        (to.depth < from.depth ? from : to) = to.depth < from.depth ? to : from;
+    return {is_x_major,
+            {first, is_x_major ? from.at.y : from.at.x, last, is_x_major ? to.at.y : to.at.x},
+            {first, from.depth, last, to.depth},
+            from,
+            to};
+}
+
+/// True if a triangle covers a point on the screen, its sides included, and is nearer there. One without area
+/// covers nothing. The point's depth is turned.
+template <typename Depth>
+bool hides_point(const DeepTriangle<Depth>& triangle, const DeepPoint<Depth>& point,
+                 bool larger_passes) {
+    const auto zero = scalar_from<Depth>(0);
+    const auto way_to = [&point](const DeepPoint<Depth>& corner) {
+        return Vec<Depth, 2>{Depth(corner.at.x - point.at.x), Depth(corner.at.y - point.at.y)};
+    };
+    const std::array ways{way_to(triangle[0]), way_to(triangle[1]), way_to(triangle[2])};
+
+    // Twice the areas that the point makes with the sides are the weights of the corners, times the area.
+    std::array<Depth, 3> weights;
+    bool has_positive = false;
+    bool has_negative = false;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto& a = ways[(i + 1) % 3];
+        const auto& b = ways[(i + 2) % 3];
+        weights[i] = a.x * b.y - b.x * a.y;
+        has_positive = has_positive || zero < weights[i];
+        has_negative = has_negative || weights[i] < zero;
+        if (has_positive && has_negative)
+            return false;
+    }
+
+    // The depth there times the area, against that of the point: at a corner, just that of the corner.
+    Depth of_triangle = zero;
+    Depth of_point = zero;
+    for (std::size_t i = 0; i < 3; ++i) {
+        of_triangle += weights[i] * turned(triangle[i].depth, larger_passes);
+        of_point += weights[i] * point.depth;
+    }
+    return has_positive ? of_triangle < of_point : has_negative && of_point < of_triangle;
+}
+
+/// The scene's vertices at the ends of a side of a piece, which clipping may have cut.
+template <typename Coordinate>
+std::array<std::size_t, 2> ends_in_scene(const Scene& scene, const Piece<Coordinate>& piece,
+                                         EdgeName side) {
+    const ScenePrimitive& primitive = scene.primitives[piece.primitive];
+    if (primitive.kind == PrimitiveKind::line)
+        return {primitive.vertices[0], primitive.vertices[1]};
+    if (!piece.is_part)
+        return {primitive.vertices[side.from], primitive.vertices[side.to]};
+    // A part of an outline is what is left of a side: it knows the first vertex of that.
+    const auto corners = primitive.corners();
+    const auto first = std::find(corners.begin(), corners.end(), piece.vertices[0]);
+    const auto from = static_cast<std::size_t>(first - corners.begin());
+    return {corners[from], corners[(from + 1) % corners.size()]};
+}
+
+/// How thick a primitive is: a point 0, a line 1, a face 2.
+inline int thickness_of(PrimitiveKind kind) {
+    return kind == PrimitiveKind::point ? 0 : kind == PrimitiveKind::triangle ? 2 : 1;
+}
+
+/// True if a primitive, or the face that it is a part of, has all of these vertices.
+inline bool has_vertices(const Scene& scene, std::size_t primitive,
+                         std::span<const std::size_t> vertices) {
+    const auto& all = scene.primitives;
+    std::size_t first = primitive;
+    std::size_t end = primitive + 1;
+    if (const std::uint32_t polygon = all[primitive].polygon; polygon != 0) {
+        while (first > 0 && all[first - 1].polygon == polygon)
+            --first;
+        while (end < all.size() && all[end].polygon == polygon)
+            ++end;
+    }
+    return std::all_of(vertices.begin(), vertices.end(), [&](std::size_t vertex) {
+        for (std::size_t i = first; i < end; ++i) {
+            const auto corners = all[i].corners();
+            if (std::find(corners.begin(), corners.end(), vertex) != corners.end())
+                return true;
+        }
+        return false;
+    });
+}
+
+/// Paints those pixels of a point, a line or a side that nothing hides, and tells every step on.
+template <typename Scalar, typename OfPixels, typename Sink> class LinePainter {
+public:
+    LinePainter(const Piece<Scalar>& piece, EdgeName side, const Scene& scene,
+                Target<Scalar, OfPixels>& target, const Sink& sink)
+        : side_(side), scene_(scene), target_(target), buffer_(*target.depth),
+          points_(line_points(piece, side, buffer_.larger_passes())),
+          thickness_(thickness_of(piece.kind)), ends_(ends_in_scene(scene, piece, side)),
+          sink_(sink) {}
+
+    template <typename Step> bool takes() const { return rastertrace::takes<Step>(sink_); }
+
+    template <typename Step> void operator()(const Step& step) const { sink_(step); }
+
+    void operator()(const PixelPlotted& plotted) const {
+        const Pixel pixel = plotted.pixel;
+        const auto row = static_cast<int>(target_.image.canvas().row_of(pixel.y));
+        auto& cell = *buffer_.row_from(pixel.x, row);
+        const auto depth = buffer_.compared(points_.depth_at(pixel));
+        const auto test = [&] { return verdict_on(pixel, row, cell, depth); };
+        bool passes = false;
+        if constexpr (keeps_steps<Sink>)
+            passes = buffer_.decide_and_tell(pixel, row, cell, depth, test, sink_);
+        else
+            passes = test().passes;
+        if (!passes)
+            return;
+        target_.image.at(pixel) = plotted.color;
+        sink_(plotted);
+    }
+
+private:
+    using PixelDepth = DepthOf<OfPixels>;
+
+    /// Decides about a turned depth, and keeps it if nothing in its pixel is nearer.
+    template <typename Cell>
+    DepthVerdict verdict_on(Pixel pixel, int row, Cell& cell, const PixelDepth& depth) const {
+        const auto owner = buffer_.owner_of(cell);
+        const ScenePrimitive* const other = owner ? &primitive_of(*owner) : nullptr;
+        const bool is_thicker = other && thickness_of(other->kind) > thickness_;
+        const auto drawn_because = [&](DepthReason reason) -> DepthVerdict {
+            if (buffer_.hides(cell, depth))
+                return {true, reason, other->name};
+            buffer_.keep(cell, depth);
+            return {true};
+        };
+        if (is_thicker && is_side_of(*owner))
+            return drawn_because(DepthReason::side_of);
+        if (const auto face = face_before(pixel, row))
+            return {false, DepthReason::behind, primitive_of(*face).name};
+        if (is_thicker && other->kind == PrimitiveKind::triangle)
+            return drawn_because(DepthReason::beside);
+        if (is_thicker && !buffer_.hides(cell, depth)) {
+            buffer_.keep(cell, depth);
+            return {true};
+        }
+        return {buffer_.keep_if_nearer(cell, depth)};
+    }
+
+    /// The owner of a depth, in the pixel or next to it, whose face hides the line's point.
+    std::optional<std::uint32_t> face_before(Pixel pixel, int row) const {
+        std::array<std::uint32_t, 9> seen{};
+        std::size_t count = 0;
+        // The pixel itself first: mostly that decides.
+        for (const int dy : {0, -1, 1})
+            for (const int dx : {0, -1, 1}) {
+                if (!buffer_.has(pixel.x + dx, row + dy))
+                    continue;
+                const auto owner = buffer_.owner_of(*buffer_.row_from(pixel.x + dx, row + dy));
+                if (!owner || primitive_of(*owner).kind != PrimitiveKind::triangle ||
+                    std::find(seen.begin(), seen.begin() + static_cast<std::ptrdiff_t>(count),
+                              *owner) != seen.begin() + static_cast<std::ptrdiff_t>(count))
+                    continue;
+                if (!is_side_of(*owner) && hides_point(*owner, pixel))
+                    return owner;
+                seen[count++] = *owner;
+            }
+        return std::nullopt;
+    }
+
+    /// True if the face of an owner covers the line's point at a pixel, and is nearer there.
+    bool hides_point(std::uint32_t owner, Pixel pixel) const {
+        const bool larger_passes = buffer_.larger_passes();
+        if constexpr (std::same_as<Scalar, OfPixels>)
+            try {
+                return rastertrace::hides_point(target_.triangle_of(owner), points_.at(pixel),
+                                                larger_passes);
+            } catch (const Undecided&) {
+                ++target_.exactness->fallbacks.depths;
+            }
+        if constexpr (std::same_as<OfPixels, Adaptive>) {
+            auto& [pieces, sample_offset, drawn, colors, fallbacks] = *target_.exactness;
+            const auto line = line_points(pieces.piece(drawn.back()), side_, larger_passes);
+            return rastertrace::hides_point(corners_of(pieces.piece(drawn[owner])), line.at(pixel),
+                                            larger_passes);
+        }
+        return false; // only filtered doubles leave anything undecided
+    }
+
+    bool is_side_of(std::uint32_t owner) const {
+        return has_vertices(scene_, target_.primitive_index_of(owner), ends_);
+    }
+    const ScenePrimitive& primitive_of(std::uint32_t owner) const {
+        return scene_.primitives[target_.primitive_index_of(owner)];
+    }
+
+    EdgeName side_;
+    const Scene& scene_;
+    Target<Scalar, OfPixels>& target_;
+    DepthBuffer<PixelDepth>& buffer_;
+    LinePoints<DepthOf<Scalar>> points_;
+    int thickness_;
+    std::array<std::size_t, 2> ends_;
+    [[no_unique_address]] Sink sink_;
+};
+
+} // namespace rastertrace
