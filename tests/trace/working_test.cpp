@@ -255,8 +255,9 @@ TEST(Working, DepthsAtRoundedEndsAndOnALine) {
         return step.kind() == StepKind::primitive && step.text("kind") == "line";
     });
     for (std::size_t n = line; n <= trace.size(); ++n)
-        if (trace.kind_of(n) == StepKind::depth && trace.step(n).text("x") == "2")
+        if (trace.kind_of(n) == StepKind::depth && trace.step(n).text("x") == "2") {
             EXPECT_THAT(working(trace, n), Contains("depth = 3 + (1 - 3) (2 - 1) / (5 - 1) = 5/2"));
+        }
 }
 
 /// The trace of a line between two colors; coordinates as typed.
