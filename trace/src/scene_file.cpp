@@ -6,6 +6,7 @@
 #include "json_reader.h"
 #include "name_index.h"
 #include "pipeline_json.h"
+#include "variations.h"
 
 #include <rastertrace/core/draw/pieces.h>
 #include <rastertrace/core/draw/plan.h>
@@ -85,7 +86,7 @@ public:
         // The smallest scene has vertices and triangles; everything else has a default.
         json_.allow_keys(root, {"title", "canvas", "vertices", "colors", "triangles", "outlines",
                                 "lines", "points", "meshes", "model", "camera", "projection",
-                                "viewport", "light", "method", "keep"});
+                                "viewport", "light", "method", "keep", "vary"});
         if (const auto title = root.find("title"))
             scene_.title = json_.string_in(*title, "a title in quotes");
         if (const auto method = root.find("method"))
@@ -670,19 +671,73 @@ private:
     std::unordered_set<std::string> names_of_primitives_; ///< those that the author gave
 };
 
+/// What a source says; that it is no JSON is thrown as a Problem.
+JsonDocument parsed(const Source& source) {
+    auto document = parse_json(source);
+    if (!document)
+        throw document.problem();
+    return std::move(document.value());
+}
+
 } // namespace
 
-Result<PlannedScene> read_scene(const Source& source, const MethodOverrides& overrides,
-                                const InputLimits& limits) {
+struct SceneSequence::State {
+    const Source& source;
+    MethodOverrides overrides;
+    InputLimits limits;
+    std::optional<JsonDocument> document; ///< until the first frame is read
+    Variations variations;
+};
+
+SceneSequence::SceneSequence(const Source& source, MethodOverrides overrides, InputLimits limits,
+                             const std::vector<Variation>& vary) {
+    JsonDocument document = parsed(source);
+    Variations variations(JsonReader{source}, document.root(), vary);
+    state_.reset(new State{source, std::move(overrides), limits, std::move(document),
+                           std::move(variations)});
+}
+
+SceneSequence::SceneSequence(SceneSequence&&) noexcept = default;
+SceneSequence::~SceneSequence() = default;
+
+std::size_t SceneSequence::count() const {
+    return state_->variations.count();
+}
+
+std::string SceneSequence::label(std::size_t frame) const {
+    return state_->variations.label(frame);
+}
+
+PlannedScene SceneSequence::frame(std::size_t frame) {
+    const Variations& variations = state_->variations;
+    if (frame < 1 || frame > variations.count())
+        throw problem_of(
+            state_->source.name,
+            fmt::format("expected a frame from 1 to {}, found frame {}", variations.count(), frame),
+            variations.empty() ? R"("vary" in the scene, or --vary, makes more frames)" : "");
     try {
-        SceneReader reader(source, overrides, limits);
+        SceneReader reader(state_->source, state_->overrides, state_->limits);
         {
-            const auto document = parse_json(source);
-            if (!document)
-                return document.problem();
-            reader.read(document.value().root());
+            // Every frame has a document of its own, which is forgotten before it is planned.
+            JsonDocument document =
+                state_->document ? *std::move(state_->document) : parsed(state_->source);
+            state_->document.reset();
+            variations.put_into(document, frame);
+            reader.read(document.root());
         }
         return reader.planned();
+    } catch (Problem& problem) {
+        if (!variations.empty())
+            problem.message += fmt::format(", in frame {}", variations.label(frame));
+        throw;
+    }
+}
+
+Result<PlannedScene> read_scene(const Source& source, const MethodOverrides& overrides,
+                                const InputLimits& limits, const FrameChoice& choice) {
+    try {
+        return SceneSequence(source, overrides, limits, choice.vary)
+            .frame(choice.frame.value_or(1));
     } catch (const Problem& problem) {
         return problem;
     }
