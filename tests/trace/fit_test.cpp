@@ -70,8 +70,8 @@ std::string random_model(Random& random) {
         text += R"(,"viewport":"fit")";
     return text + R"(,"method":{"scalar":")" +
            random.pick<std::string>({"float", "double", "fixed", "adaptive", "exact"}) +
-           R"(","depth":"none","fill":")" +
-           random.pick<std::string>({"scanline", "two-halves"}) + "\"}}";
+           R"(","depth":"none","fill":")" + random.pick<std::string>({"scanline", "two-halves"}) +
+           "\"}}";
 }
 
 TEST(FitCamera, EverythingIsInViewAndNotNeedlesslySmall) {
