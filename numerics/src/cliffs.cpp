@@ -706,11 +706,12 @@ std::vector<CliffGroup> cliffs_of(const Scene& scene) {
 }
 
 std::vector<ComparedPicture> compared_pictures(const Source& source, const MethodOverrides& method,
-                                               const InputLimits& limits) {
+                                               const InputLimits& limits,
+                                               const FrameChoice& choice) {
     const auto read_with = [&](std::string_view scalar) {
         MethodOverrides with = method;
         with.emplace_back("scalar", scalar);
-        return read_scene(source, with, limits);
+        return read_scene(source, with, limits, choice);
     };
     const auto drawn_with = [](const PlannedScene& one) { return drawn(one.scene, one.plan); };
     std::optional<Image> exact;

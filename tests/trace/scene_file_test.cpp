@@ -75,7 +75,7 @@ TEST(SceneFile, UnknownKey) {
         complaint("{\"vertices\": {\"A\": [2, 5]},\n \"trinagles\": [\"AAA\"]}"),
         "scene.json:2:2: expected a key out of title, canvas, vertices, colors, triangles, "
         "outlines, lines, points, meshes, model, camera, projection, viewport, light, method, "
-        "keep, "
+        "keep, vary, "
         "found \"trinagles\"\n"
         " \"trinagles\": [\"AAA\"]}\n"
         " ^\n"
@@ -105,7 +105,7 @@ TEST(SceneFile, WrongType) {
         "scene.json:1:1: expected an object with the keys title, canvas, "
         "background, vertices, colors, triangles, outlines, lines, points, meshes, model, camera, "
         "projection, viewport, light, "
-        "method, keep, found an empty array\n"
+        "method, keep, vary, found an empty array\n"
         "[]\n"
         "^");
 }

@@ -23,7 +23,7 @@ namespace {
 /// The last frame of an example, only the grid.
 std::string picture(const std::string& name, const MethodOverrides& method = {}) {
     const Trace trace =
-        load_trace(std::string(RASTERTRACE_EXAMPLES) + "/" + name + ".json", method);
+        load_trace(std::string(RASTERTRACE_EXAMPLES) + "/" + name + ".json", {.method = method});
     EXPECT_TRUE(trace.damage.empty());
     return bare_frame_text(frame_after(trace, trace.size()));
 }
@@ -32,7 +32,7 @@ std::string picture(const std::string& name, const MethodOverrides& method = {})
 /// the first of the trace, and so on.
 std::string owners(const std::string& name, const MethodOverrides& method = {}) {
     const Trace trace =
-        load_trace(std::string(RASTERTRACE_EXAMPLES) + "/" + name + ".json", method);
+        load_trace(std::string(RASTERTRACE_EXAMPLES) + "/" + name + ".json", {.method = method});
     const Frame frame = frame_after(trace, trace.size());
     std::vector<std::size_t> begins;
     for (std::size_t n = 1; n <= trace.size(); ++n)
@@ -414,8 +414,8 @@ TEST(Examples, CulledByLight) {
 TEST(Examples, NumericsScenes) {
     const auto writes = [](const std::string& scene, const std::string& primitive,
                            const MethodOverrides& method) {
-        const Stats stats =
-            stats_of(load_trace(std::string(RASTERTRACE_EXAMPLES) + "/numerics/" + scene, method));
+        const Stats stats = stats_of(load_trace(
+            std::string(RASTERTRACE_EXAMPLES) + "/numerics/" + scene, {.method = method}));
         for (const PrimitiveStats& one : stats.primitives)
             if (one.name == primitive)
                 return one.writes;

@@ -710,7 +710,7 @@ TEST_F(ProgramTest, ErrorsHaveFileLineColumnAndCaret) {
     EXPECT_EQ(outcome.err, "rastertrace: bad.json:2:2: expected a key out of title, canvas, "
                            "vertices, colors, triangles, "
                            "outlines, lines, points, meshes, model, camera, projection, viewport, "
-                           "light, method, keep, found \"trinagles\"\n"
+                           "light, method, keep, vary, found \"trinagles\"\n"
                            " \"trinagles\": [\"AAA\"]}\n"
                            " ^\n"
                            "hint: did you mean \"triangles\"?\n");
@@ -1019,7 +1019,7 @@ TEST_F(ProgramTest, CaretsAndTitlesCountColumns) {
         shell("$rastertrace plan scene.json").err,
         "rastertrace: scene.json:1:17: expected a key out of title, canvas, vertices, colors, "
         "triangles, outlines, lines, points, meshes, model, camera, projection, viewport, "
-        "light, method, keep, found \"tile\"\n"
+        "light, method, keep, vary, found \"tile\"\n"
         "{\"title\":\"三e\u0301\", \"tile\":1}\n"
         "                ^\n"
         "hint: did you mean \"title\"?\n");

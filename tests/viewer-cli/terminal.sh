@@ -77,3 +77,8 @@ pane 80 24 "NO_COLOR=1 COLORTERM=truecolor" "$lit"
 ! grep -q '\[48;' "$folder/colors" || fail "colors in spite of NO_COLOR"
 pane 80 24 "TERM=dumb COLORTERM=truecolor" "$lit"
 ! grep -q '\[48;' "$folder/colors" || fail "colors on a dumb terminal"
+
+# A sequence that nobody could scroll through is refused, and the way out is told.
+pane 80 24 "COLORTERM=" "'$examples/t0-projection/turning.json' --vary /model/0/rotate/degrees=0:360:1001"
+grep -q 'at most 1000 frames' "$folder/pane" || fail "1001 frames on a terminal"
+grep -q -- '--frame 1 shows the first' "$folder/pane" || fail "no hint at --frame"

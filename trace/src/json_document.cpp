@@ -67,9 +67,10 @@ bool is_container(JsonValue::Kind kind) {
 
 JsonValue::JsonValue(const JsonDocument& document, std::uint32_t node)
     : begin(document.nodes_[node].begin), document_(&document), node_(node) {
-    kind = kind_of(document.text()[begin]);
+    const std::string_view from_here = document.text_from(node);
+    kind = kind_of(from_here.front());
     if (!is_container(kind) && kind != Kind::null)
-        text = text_of_token(document.text(), begin);
+        text = text_of_token(from_here, 0);
 }
 
 std::size_t JsonValue::end() const {

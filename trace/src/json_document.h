@@ -20,6 +20,8 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <unordered_map>
+#include <utility>
 
 namespace rastertrace {
 
@@ -45,6 +47,9 @@ struct JsonValue {
     /// The keys and values of an object, in order; none of anything else.
     JsonMembers members() const;
 
+    /// Which value of its document it is: the same each time that the source is parsed.
+    std::uint32_t node() const { return node_; }
+
     Kind kind = Kind::null;
     std::size_t begin = 0; ///< offset of its first byte in the source
     std::string text; ///< of a string: decoded; of a number: as typed; of a boolean: true, false
@@ -62,6 +67,9 @@ public:
     /// The outermost value.
     JsonValue root() const { return {*this, 0}; }
 
+    /// Lets a number or a string be read as if `token` stood in its place. Its offset stays.
+    void replace(std::uint32_t node, std::string token) { replaced_[node] = std::move(token); }
+
 private:
     friend struct JsonValue;
     friend class JsonElements;
@@ -77,9 +85,16 @@ private:
     JsonDocument(const Source& source, std::size_t end) : source_(&source), end_(end) {}
     std::string_view text() const { return std::string_view(source_->text).substr(0, end_); }
 
+    /// What is read as this value: it stands in front.
+    std::string_view text_from(std::uint32_t node) const {
+        const auto replaced = replaced_.find(node);
+        return replaced == replaced_.end() ? text().substr(nodes_[node].begin) : replaced->second;
+    }
+
     const Source* source_;
     std::size_t end_; ///< of what was read of the source
     std::deque<Node> nodes_;
+    std::unordered_map<std::uint32_t, std::string> replaced_; ///< tokens, by node
 };
 
 /// What is inside of a value, in order.

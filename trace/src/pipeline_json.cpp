@@ -187,6 +187,9 @@ std::vector<ModelStep> read_model(const JsonReader& json, const JsonValue& value
 }
 
 Camera read_camera(const JsonReader& json, const JsonValue& value) {
+    if (value.kind != JsonValue::Kind::object)
+        json.fail_expecting(value, R"("fit" or a camera, like {"position": [0, 0, 4]})",
+                            did_you_mean(value.text, {"fit"}, "\""));
     json.allow_keys(value, {"position", "look_at", "up"});
     Camera camera;
     camera.position = json.numbers3_in(json.member(value, "position"), "a place [x, y, z]");

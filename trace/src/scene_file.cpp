@@ -6,9 +6,12 @@
 #include "json_reader.h"
 #include "name_index.h"
 #include "pipeline_json.h"
+#include "variations.h"
 
+#include <rastertrace/core/draw/geometry.h>
 #include <rastertrace/core/draw/pieces.h>
 #include <rastertrace/core/draw/plan.h>
+#include <rastertrace/core/transform/fit.h>
 #include <rastertrace/trace/color_text.h>
 #include <rastertrace/trace/obj_file.h>
 #include <rastertrace/trace/refusal.h>
@@ -85,7 +88,7 @@ public:
         // The smallest scene has vertices and triangles; everything else has a default.
         json_.allow_keys(root, {"title", "canvas", "background", "vertices", "colors", "triangles",
                                 "outlines", "lines", "points", "meshes", "model", "camera",
-                                "projection", "viewport", "light", "method", "keep"});
+                                "projection", "viewport", "light", "method", "keep", "vary"});
         if (const auto title = root.find("title"))
             scene_.title = json_.string_in(*title, "a title in quotes");
         if (const auto background = root.find("background"))
@@ -116,6 +119,24 @@ public:
         read_view(root);
         check_method(root);
         read_canvas(root.find("canvas"), root);
+    }
+
+    const Scene& scene() const { return scene_; }
+
+    /// True if the camera has to be fitted to what is there before anything can be planned.
+    bool fits_camera() const { return place_of_fit_.has_value(); }
+
+    void look_from(const FittedCamera& fitted) {
+        scene_.camera = fitted.camera;
+        Projection& projection = scene_.projection;
+        if (projection.type == ProjectionType::frustum && !projection.near) {
+            projection.near = fitted.near;
+            projection.far = fitted.far;
+        }
+    }
+
+    [[noreturn]] void refuse_fit(std::string message, std::string hint = {}) const {
+        json_.fail(*place_of_fit_, std::move(message), std::move(hint));
     }
 
     PlannedScene planned() {
@@ -468,10 +489,20 @@ private:
 
     /// How vertices come to the screen.
     void read_view(const JsonValue& root) {
-        if (const auto camera = root.find("camera"))
+        const auto camera = root.find("camera");
+        if (camera && camera->text == "fit")
+            place_of_fit_ = camera->begin;
+        else if (camera)
             scene_.camera = read_camera(json_, *camera);
-        if (const auto projection = root.find("projection"))
+        if (const auto projection = root.find("projection")) {
             scene_.projection = read_projection(json_, *projection);
+            if (place_of_fit_ && scene_.projection.type == ProjectionType::none)
+                json_.fail(*projection,
+                           R"(expected a projection that a camera can be fitted to, found "none")",
+                           "without \"projection\", it is a frustum");
+        } else if (place_of_fit_) {
+            scene_.projection = {.type = ProjectionType::frustum, .fov_y = fitted_fov_y};
+        }
         if (const auto viewport = root.find("viewport"))
             scene_.viewport = read_viewport(json_, *viewport);
         if (const auto light = root.find("light"))
@@ -723,6 +754,7 @@ private:
     const MethodOverrides& overrides_;
     const InputLimits& limits_;
     Scene scene_;
+    std::optional<std::size_t> place_of_fit_;     ///< offset of a camera that is to be fitted
     std::vector<std::size_t> places_of_vertices_; ///< offsets of their names in the source
     std::optional<std::size_t> first_with_z_;     ///< offset of the first vertex of three numbers
     std::optional<std::size_t> first_without_z_;  ///< and of the first of two
@@ -747,19 +779,143 @@ private:
     std::unordered_set<std::string> names_of_primitives_; ///< those that the author gave
 };
 
+/// What a source says; that it is no JSON is thrown as a Problem.
+JsonDocument parsed(const Source& source) {
+    auto document = parse_json(source);
+    if (!document)
+        throw document.problem();
+    return std::move(document.value());
+}
+
 } // namespace
 
-Result<PlannedScene> read_scene(const Source& source, const MethodOverrides& overrides,
-                                const InputLimits& limits) {
-    try {
-        SceneReader reader(source, overrides, limits);
-        {
-            const auto document = parse_json(source);
-            if (!document)
-                return document.problem();
-            reader.read(document.value().root());
+struct SceneSequence::State {
+    const Source& source;
+    MethodOverrides overrides;
+    InputLimits limits;
+    std::optional<JsonDocument> document; ///< until the first frame is read
+    Variations variations;
+    std::optional<FittedCamera> fitted = {}; ///< once it is known; one for all frames
+
+    /// Does something with a frame; a Problem says which one it was.
+    template <typename Do> auto in_frame(std::size_t frame, Do&& act) const {
+        try {
+            return act();
+        } catch (Problem& problem) {
+            if (!variations.empty())
+                problem.message += fmt::format(", in frame {}", variations.label(frame));
+            throw;
         }
-        return reader.planned();
+    }
+
+    /// Reads a frame. Each has a document of its own, which is forgotten before anything is planned.
+    SceneReader read(std::size_t frame) {
+        JsonDocument read_document = document ? *std::move(document) : parsed(source);
+        document.reset();
+        variations.put_into(read_document, frame);
+        SceneReader reader(source, overrides, limits);
+        in_frame(frame, [&] { reader.read(read_document.root()); });
+        return reader;
+    }
+
+    /// Calls `visit` with the scene of every frame; one of them has been read.
+    template <typename Visit>
+    void for_each_scene(const SceneReader& reader, std::size_t frame, Visit&& visit) {
+        visit(reader.scene());
+        for (std::size_t other = 1; other <= variations.count(); ++other)
+            if (other != frame)
+                visit(read(other).scene());
+    }
+
+    /// The camera that has in view what is there in any frame.
+    FittedCamera fit(const SceneReader& reader, std::size_t frame) {
+        std::optional<Box> box;
+        std::optional<ViewVolume> volume;
+        for_each_scene(reader, frame, [&](const Scene& scene) {
+            const Box of_frame = world_box(scene);
+            include(box, of_frame.low);
+            include(box, of_frame.high);
+            const ViewVolume one = view_volume(scene.projection, scene.viewport, scene.canvas);
+            volume = volume ? intersection(*volume, one) : one;
+        });
+        const Vec<Rational, 3> center = center_of(*box);
+        Rational square = 0;
+        for_each_scene(reader, frame, [&](const Scene& scene) {
+            square = std::max(square, farthest_square(scene, center));
+        });
+
+        const auto camera =
+            fitted_camera(center, square, *volume, view_axis_of(reader.scene().projection.type));
+        if (const auto* fault = std::get_if<FitFault>(&camera))
+            refuse_fit(reader, *fault);
+        const auto& result = std::get<FittedCamera>(camera);
+        if (volume->is_perspective && volume->far && *volume->far < result.far.exact())
+            reader.refuse_fit(
+                fmt::format("expected a far from {:g} on for a camera that fits, found {:g}",
+                            result.far.nearest_double(), nearest_double(*volume->far)),
+                "nearer than that, the sides of the view would cut off something");
+        return result;
+    }
+
+    [[noreturn]] static void refuse_fit(const SceneReader& reader, FitFault fault) {
+        switch (fault) {
+        case FitFault::one_place:
+            reader.refuse_fit("expected vertices in more than one place for a camera that fits, "
+                              "found all in one",
+                              R"(say "camera": {"position": [x, y, z], "look_at": [x, y, z]})");
+        case FitFault::size:
+            reader.refuse_fit(fmt::format("expected vertices that are {:g} to {:g} apart for a "
+                                          "camera that fits, and no farther from the origin; "
+                                          "found others",
+                                          smallest_fit, largest_fit));
+        case FitFault::no_view:
+            break;
+        }
+        reader.refuse_fit("expected frames that all show a place in common for a camera that fits, "
+                          "found none");
+    }
+};
+
+SceneSequence::SceneSequence(const Source& source, MethodOverrides overrides, InputLimits limits,
+                             const std::vector<Variation>& vary) {
+    JsonDocument document = parsed(source);
+    Variations variations(JsonReader{source}, document.root(), vary);
+    state_.reset(new State{source, std::move(overrides), limits, std::move(document),
+                           std::move(variations)});
+}
+
+SceneSequence::SceneSequence(SceneSequence&&) noexcept = default;
+SceneSequence::~SceneSequence() = default;
+
+std::size_t SceneSequence::count() const {
+    return state_->variations.count();
+}
+
+std::string SceneSequence::label(std::size_t frame) const {
+    return state_->variations.label(frame);
+}
+
+PlannedScene SceneSequence::frame(std::size_t frame) {
+    const Variations& variations = state_->variations;
+    if (frame < 1 || frame > variations.count())
+        throw problem_of(
+            state_->source.name,
+            fmt::format("expected a frame from 1 to {}, found frame {}", variations.count(), frame),
+            variations.empty() ? R"("vary" in the scene, or --vary, makes more frames)" : "");
+    SceneReader reader = state_->read(frame);
+    if (reader.fits_camera()) {
+        if (!state_->fitted)
+            state_->fitted = state_->fit(reader, frame);
+        reader.look_from(*state_->fitted);
+    }
+    return state_->in_frame(frame, [&reader] { return reader.planned(); });
+}
+
+Result<PlannedScene> read_scene(const Source& source, const MethodOverrides& overrides,
+                                const InputLimits& limits, const FrameChoice& choice) {
+    try {
+        return SceneSequence(source, overrides, limits, choice.vary)
+            .frame(choice.frame.value_or(1));
     } catch (const Problem& problem) {
         return problem;
     }

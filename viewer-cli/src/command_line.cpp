@@ -204,6 +204,49 @@ private:
     InputLimits limits_;
 };
 
+/// Which frame of a scene whose numbers vary: --vary, --frame.
+class FrameOptions {
+public:
+    /// `without` is what happens without --frame.
+    void add_to(CLI::App& command, std::string_view without) {
+        command
+            .add_option("--vary", vary_,
+                        "Let a number of the scene vary from frame to frame, like "
+                        "/camera/position/2=4:1:7 (from 4 to 1 in 7 steps) or =4,3,1; may be "
+                        "given again")
+            ->type_name("POINTER=VALUES")
+            ->take_all()
+            ->allow_extra_args(false);
+        command
+            .add_option("--frame", frame_,
+                        fmt::format("The frame of a scene that varies, from 1; {}", without))
+            ->type_name("N");
+    }
+
+    FrameChoice choice() const {
+        FrameChoice choice;
+        for (const std::string& one : vary_) {
+            const std::size_t equals = one.find_last_of('=');
+            if (equals == std::string::npos)
+                refuse("--vary", "POINTER=FROM:TO:STEPS or a list of values", one,
+                       "like /camera/position/2=4:1:7");
+            choice.vary.push_back({one.substr(0, equals), one.substr(equals + 1)});
+        }
+        if (!frame_.empty()) {
+            choice.frame = whole_in<std::size_t>(frame_);
+            if (choice.frame.value_or(0) < 1)
+                refuse("--frame", "the number of a frame, from 1", frame_);
+        }
+        return choice;
+    }
+
+private:
+    std::vector<std::string> vary_;
+    std::string frame_;
+};
+
+constexpr std::string_view first_frame = "1 if not given";
+
 constexpr std::string_view trace_input =
     "A trace, or a scene, which is drawn first; - for standard input";
 
@@ -281,6 +324,7 @@ private:
             ->type_name("NAME");
         trace_method_.add_to(command);
         trace_input_.add_to(command);
+        trace_frames_.add_to(command, "without it, -o writes a file for each");
         command.callback([this] {
             if (!format_.empty() && format_ != "json" && format_ != "jsonl")
                 refuse("--format", "json or jsonl", format_);
@@ -293,6 +337,7 @@ private:
                 trace_.filter.region = region_in(region_);
             trace_.method = trace_method_.overrides();
             trace_.input = trace_input_.limits();
+            trace_.frames = trace_frames_.choice();
             action_ = [this] { return rastertrace::run(trace_); };
         });
     }
@@ -345,6 +390,7 @@ private:
             ->type_name("WHEN");
         show_method_.add_to(command);
         show_input_.add_to(command);
+        show_frames_.add_to(command, "all if not given");
         command.callback([this] {
             if (!step_.empty())
                 show_.which = ShowCommand::Which::step;
@@ -394,6 +440,7 @@ private:
                 show_.color = color_choice_in(color_);
             show_.method = show_method_.overrides();
             show_.input = show_input_.limits();
+            show_.frames = show_frames_.choice();
             action_ = [this] { return rastertrace::run(show_); };
         });
     }
@@ -412,12 +459,14 @@ private:
             ->type_name("NAME,...");
         stats_method_.add_to(command);
         stats_input_.add_to(command);
+        stats_frames_.add_to(command, first_frame);
         command.callback([this] {
             if (!fail_on_.empty())
                 stats_.fail_on =
                     list_in("--fail-on", "findings", fail_on_, finding_names(), finding_named);
             stats_.method = stats_method_.overrides();
             stats_.input = stats_input_.limits();
+            stats_.frames = stats_frames_.choice();
             action_ = [this] { return rastertrace::run(stats_); };
         });
     }
@@ -447,9 +496,11 @@ private:
         command.add_flag("--json", plan_.json, "Print JSON");
         plan_method_.add_to(command);
         plan_input_.add_to(command);
+        plan_frames_.add_to(command, first_frame);
         command.callback([this] {
             plan_.method = plan_method_.overrides();
             plan_.input = plan_input_.limits();
+            plan_.frames = plan_frames_.choice();
             action_ = [this] { return rastertrace::run(plan_); };
         });
     }
@@ -491,9 +542,11 @@ private:
                          "Print the cases as tables of a page, with what is wrong or refused");
         stress_method_.add_to(command);
         stress_input_.add_to(command);
+        stress_frames_.add_to(command, first_frame);
         command.callback([this] {
             stress_.method = stress_method_.overrides();
             stress_.input = stress_input_.limits();
+            stress_.frames = stress_frames_.choice();
             check_stress();
             action_ = [this] { return rastertrace::run(stress_); };
         });
@@ -513,6 +566,9 @@ private:
             if (key == "scalar")
                 refuse("--scalar", "no scalar: the scene is drawn with each", value);
         }
+        if (!has_scene && (!stress_.frames.vary.empty() || stress_.frames.frame))
+            refuse(stress_.frames.frame ? "--frame" : "--vary", "a scene whose numbers vary",
+                   "none");
         if (stress_scene_->count() == 0)
             return;
         if (has_scene || stress_.cases.size() != 1)
@@ -551,6 +607,7 @@ private:
         command.add_flag("--quick", report_.quick, "Take seconds, not minutes; times are rough");
         report_method_.add_to(command);
         report_input_.add_to(command);
+        report_frames_.add_to(command, first_frame);
         command.callback([this] {
             if (!report_format_.empty()) {
                 const std::vector<std::string_view> names{"text", "json", "csv", "svg", "html"};
@@ -565,6 +622,7 @@ private:
                     list_in("--jobs", "jobs", report_jobs_text_, job_names(), report_job_named);
             report_.method = report_method_.overrides();
             report_.input = report_input_.limits();
+            report_.frames = report_frames_.choice();
             action_ = [this] { return rastertrace::run(report_); };
         });
     }
@@ -696,6 +754,7 @@ private:
     std::string region_;
     MethodOptions trace_method_;
     InputOptions trace_input_;
+    FrameOptions trace_frames_;
 
     ShowCommand show_;
     std::string step_;
@@ -709,26 +768,31 @@ private:
     bool all_ = false;
     MethodOptions show_method_;
     InputOptions show_input_;
+    FrameOptions show_frames_;
 
     StatsCommand stats_;
     std::string fail_on_;
     MethodOptions stats_method_;
     InputOptions stats_input_;
+    FrameOptions stats_frames_;
 
     PlanCommand plan_;
     MethodOptions plan_method_;
     InputOptions plan_input_;
+    FrameOptions plan_frames_;
 
     StressCommand stress_;
     std::string stress_number_;
     CLI::Option* stress_scene_ = nullptr;
     MethodOptions stress_method_;
     InputOptions stress_input_;
+    FrameOptions stress_frames_;
     ReportCommand report_;
     std::string report_format_;
     std::string report_jobs_text_;
     MethodOptions report_method_;
     InputOptions report_input_;
+    FrameOptions report_frames_;
 
     RenewCommand renew_;
 

@@ -11,6 +11,7 @@
 
 #include <rastertrace/trace/input.h>
 #include <rastertrace/trace/method_names.h>
+#include <rastertrace/trace/vary.h>
 #include <rastertrace/trace/write_trace.h>
 
 #include <cstddef>
@@ -36,6 +37,7 @@ struct TraceCommand {
     StepFilter filter;
     MethodOverrides method;
     InputLimits input;
+    FrameChoice frames;
 };
 int run(const TraceCommand& command);
 
@@ -44,6 +46,7 @@ struct PlanCommand {
     bool json = false;
     MethodOverrides method;
     InputLimits input;
+    FrameChoice frames;
 };
 int run(const PlanCommand& command);
 
@@ -56,6 +59,7 @@ struct StressCommand {
     bool quick = false;
     MethodOverrides method; ///< for the scene
     InputLimits input;
+    FrameChoice frames;
 };
 int run(const StressCommand& command);
 struct ReportCommand {
@@ -66,6 +70,7 @@ struct ReportCommand {
     bool quick = false;
     MethodOverrides method;
     InputLimits input;
+    FrameChoice frames;
 };
 int run(const ReportCommand& command);
 
@@ -85,6 +90,7 @@ struct ShowCommand {
     ColorChoice color = ColorChoice::automatic;
     MethodOverrides method;
     InputLimits input;
+    FrameChoice frames;
 
     /// True if an option is about the grid of a frame.
     bool asks_for_frames() const { return has_frames || view || region || is_overview; }
@@ -106,6 +112,7 @@ struct StatsCommand {
     std::vector<StatsFinding> fail_on; ///< exit status 1 if there is any of these
     MethodOverrides method;
     InputLimits input;
+    FrameChoice frames;
 };
 int run(const StatsCommand& command);
 

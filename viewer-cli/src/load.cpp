@@ -42,13 +42,25 @@ Source read_input(const std::string& path, const InputLimits& limits) {
     return input_or_throw(read_source(path, limits));
 }
 
-PlannedScene planned(const Source& source, const MethodOverrides& method,
-                     const InputLimits& limits) {
-    PlannedScene scene = value_or_throw(read_scene(source, method, limits));
-    refuse_as_standard_output(scene.files);
-    for (const Problem& remark : scene.remarks)
-        print_error(fmt::format("rastertrace: {}\n", to_text(remark)));
-    return scene;
+/// A trace is drawn already: no option can change how.
+void refuse_scene_options(const Source& source, const SceneOptions& options) {
+    std::string option;
+    if (!options.method.empty())
+        option = fmt::format("{} {}", options.method.front().first, options.method.front().second);
+    else if (!options.frames.vary.empty())
+        option = "vary";
+    else if (options.frames.frame)
+        option = fmt::format("frame {}", *options.frames.frame);
+    if (!option.empty())
+        throw problem_of(source.name,
+                         fmt::format("expected a scene to draw with --{}, found a trace, which is "
+                                     "drawn already",
+                                     option));
+}
+
+[[noreturn]] void refuse_trace(const Source& source) {
+    throw problem_of(source.name, "expected a scene, found a trace",
+                     "a trace is what this command makes; `show` and `stats` read it");
 }
 
 Trace titled(Trace trace, const std::string& path) {
@@ -58,17 +70,50 @@ Trace titled(Trace trace, const std::string& path) {
 
 } // namespace
 
+InputFrames::InputFrames(const std::string& path, const SceneOptions& options)
+    : path_(path), source_(read_input(path, options.limits)) {
+    if (is_trace(source_)) {
+        refuse_scene_options(source_, options);
+        return;
+    }
+    scenes_.emplace(source_, options.method, options.limits, options.frames.vary);
+    first_ = options.frames.frame.value_or(1);
+    last_ = options.frames.frame.value_or(scenes_->count());
+}
+
+PlannedScene InputFrames::scene(std::size_t frame) {
+    if (!scenes_)
+        refuse_trace(source_);
+    PlannedScene scene = scenes_->frame(frame);
+    refuse_as_standard_output(scene.files);
+    if (frame == first_)
+        for (const Problem& remark : scene.remarks)
+            print_error(fmt::format("rastertrace: {}\n", to_text(remark)));
+    return scene;
+}
+
+Trace InputFrames::trace(std::size_t frame) {
+    if (!scenes_)
+        return titled(value_or_throw(read_trace(std::move(source_))), path_);
+    Source drawn{.name = source_.name, .text = {}};
+    {
+        const auto [scene, plan, files, remarks] = this->scene(frame);
+        StringOutput output(drawn.text);
+        write_trace(scene, plan, {}, output);
+    }
+    return titled(value_or_throw(read_trace(std::move(drawn))), path_);
+}
+
+PlannedScene load_scene(const std::string& path, const SceneOptions& options) {
+    InputFrames input(path, options);
+    return input.scene(input.first());
+}
+
 Source load_scene_source(const std::string& path, const InputLimits& limits) {
     Source source = read_input(path, limits);
     if (is_trace(source))
-        throw problem_of(source.name, "expected a scene, found a trace",
-                         "a trace is what this command makes; `show` and `stats` read it");
+        refuse_trace(source);
     return source;
-}
-
-PlannedScene load_scene(const std::string& path, const MethodOverrides& method,
-                        const InputLimits& limits) {
-    return planned(load_scene_source(path, limits), method, limits);
 }
 
 std::string shown_title(const std::string& title, const std::string& path) {
@@ -77,22 +122,9 @@ std::string shown_title(const std::string& title, const std::string& path) {
     return path == "-" ? "standard input" : path.substr(path.find_last_of('/') + 1);
 }
 
-Trace load_trace(const std::string& path, const MethodOverrides& method,
-                 const InputLimits& limits) {
-    Source source = read_input(path, limits);
-    if (is_trace(source)) {
-        if (!method.empty())
-            throw problem_of(source.name,
-                             fmt::format("expected a scene to draw with --{} {}, found a trace, "
-                                         "which is drawn already",
-                                         method.front().first, method.front().second));
-        return titled(value_or_throw(read_trace(std::move(source))), path);
-    }
-    const auto [scene, plan, files, remarks] = planned(source, method, limits);
-    Source drawn{.name = source.name, .text = {}};
-    StringOutput output(drawn.text);
-    write_trace(scene, plan, {}, output);
-    return titled(value_or_throw(read_trace(std::move(drawn))), path);
+Trace load_trace(const std::string& path, const SceneOptions& options) {
+    InputFrames input(path, options);
+    return input.trace(input.first());
 }
 
 Source load_page(const std::string& path) {

@@ -9,7 +9,10 @@
 #include <rastertrace/trace/problem.h>
 #include <rastertrace/trace/scene_file.h>
 #include <rastertrace/trace/trace.h>
+#include <rastertrace/trace/vary.h>
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -23,10 +26,53 @@ template <typename T> T value_or_throw(Result<T> result) {
     return std::move(result.value());
 }
 
-/// Reads and plans the scene in a file ("-" for standard input). Throws a Problem; that standard
-/// output is one of the files that are read is one. Remarks go to standard error.
-PlannedScene load_scene(const std::string& path, const MethodOverrides& method,
-                        const InputLimits& limits = {});
+/// How the scenes that a command reads are drawn, and what of them is read.
+struct SceneOptions {
+    MethodOverrides method = {};
+    InputLimits limits = {};
+    FrameChoice frames = {};
+};
+
+/// What a command was given: a trace, or a scene, which has one frame or, if numbers vary, more.
+///
+///     InputFrames input("scene.json", {});
+///     for (std::size_t n = input.first(); n <= input.last(); ++n)
+///         use(input.trace(n));
+class InputFrames {
+public:
+    /// Reads the file ("-" for standard input). Throws a Problem; that standard output is one of the
+    /// files that are read is one.
+    InputFrames(const std::string& path, const SceneOptions& options);
+    InputFrames(const InputFrames&) = delete;
+    InputFrames& operator=(const InputFrames&) = delete;
+
+    std::size_t first() const { return first_; } ///< of the frames that were asked for, from 1
+    std::size_t last() const { return last_; }
+
+    /// True if more than one frame was asked for.
+    bool is_sequence() const { return first_ < last_; }
+
+    /// `3 of 24: degrees 30`, for a frame of a sequence.
+    std::string label(std::size_t frame) const { return scenes_->label(frame); }
+
+    /// The scene of a frame, and its plan. Remarks on the first one go to standard error. Throws a
+    /// Problem; that the input is a trace is one.
+    PlannedScene scene(std::size_t frame);
+
+    /// The trace that was given, or that of the frame, drawn; with a title to show. Throws a Problem.
+    /// Damage that leaves a trace usable is left to the caller, see report_damage.
+    Trace trace(std::size_t frame);
+
+private:
+    std::string path_;
+    Source source_;
+    std::optional<SceneSequence> scenes_; ///< none: it is a trace
+    std::size_t first_ = 1;
+    std::size_t last_ = 1;
+};
+
+/// The scene in a file: the frame that was chosen, or the first.
+PlannedScene load_scene(const std::string& path, const SceneOptions& options = {});
 
 /// The text of the scene in a file, not yet read. Throws a Problem; a trace is one.
 Source load_scene_source(const std::string& path, const InputLimits& limits = {});
@@ -34,10 +80,8 @@ Source load_scene_source(const std::string& path, const InputLimits& limits = {}
 /// The title to show: the given one, or else the name of the file that has none, without its folder.
 std::string shown_title(const std::string& title, const std::string& path);
 
-/// Reads the trace in a file, or draws the scene in it, and gives it a title to show. Throws a
-/// Problem. Damage that leaves the trace usable is left to the caller, see report_damage.
-Trace load_trace(const std::string& path, const MethodOverrides& method,
-                 const InputLimits& limits = {});
+/// The trace in a file, or that of the scene in it: of the frame that was chosen, or the first.
+Trace load_trace(const std::string& path, const SceneOptions& options = {});
 
 /// Reads the Markdown page in a file, which is no pipe and no device. Throws a Problem.
 Source load_page(const std::string& path);

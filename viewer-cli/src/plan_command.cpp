@@ -63,7 +63,9 @@ std::string as_json(const Scene& scene, const Plan& plan) {
 } // namespace
 
 int run(const PlanCommand& command) {
-    auto [scene, plan, files, remarks] = load_scene(command.scene, command.method, command.input);
+    auto [scene, plan, files, remarks] =
+        load_scene(command.scene,
+                   {.method = command.method, .limits = command.input, .frames = command.frames});
     scene.title = shown_title(scene.title, command.scene);
     print(command.json ? as_json(scene, plan) : as_text(scene, plan));
     return exit_fine;

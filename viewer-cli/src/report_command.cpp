@@ -86,7 +86,8 @@ int run(const ReportCommand& command) {
     std::vector<Scene> scenes;
     std::vector<FileId> inputs;
     for (const std::string& path : command.scenes) {
-        PlannedScene planned = load_scene(path, command.method, command.input);
+        PlannedScene planned = load_scene(
+            path, {.method = command.method, .limits = command.input, .frames = command.frames});
         planned.scene.title = shown_title(planned.scene.title, path);
         scenes.push_back(std::move(planned.scene));
         inputs.insert(inputs.end(), planned.files.begin(), planned.files.end());

@@ -15,7 +15,10 @@
 
 #include <fmt/core.h>
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -147,10 +150,25 @@ std::string text_below(const Trace& trace) {
            (trace.stages.empty() ? "" : fmt::format("\nstages: {}\n", joined(trace.stages, ", ")));
 }
 
-} // namespace
+/// More frames of a sequence than anyone scrolls through.
+constexpr std::size_t most_on_terminal = 1000;
 
-int run(const ShowCommand& command) {
-    const Trace trace = load_trace(command.trace, command.method, command.input);
+/// Refuses a sequence where it makes no sense to print all of it.
+void check_sequence(const ShowCommand& command, const InputFrames& input) {
+    const std::size_t count = input.last() - input.first() + 1;
+    if (count > most_on_terminal && ::isatty(STDOUT_FILENO) != 0)
+        throw problem_of(command.trace,
+                         fmt::format("expected a sequence of at most {} frames for a terminal, "
+                                     "found {}",
+                                     most_on_terminal, count),
+                         "--frame 1 shows the first; a file or a pipe takes all of them");
+    if (input.is_sequence() && command.format && *command.format != TableFormat::table)
+        throw problem_of(command.trace,
+                         fmt::format("--format: expected one frame, found {}", count),
+                         "--frame 1 makes a table of the first");
+}
+
+ExitStatus show(const Trace& trace, const ShowCommand& command) {
     const auto shown = steps_to_show(command, trace);
     if (is_table(command, trace, shown)) {
         print_table(trace, shown, command);
@@ -200,6 +218,24 @@ int run(const ShowCommand& command) {
     }
     print(below);
     return report_damage(trace);
+}
+
+} // namespace
+
+int run(const ShowCommand& command) {
+    InputFrames input(
+        command.trace,
+        {.method = command.method, .limits = command.input, .frames = command.frames});
+    check_sequence(command, input);
+    ExitStatus status = exit_fine;
+    for (std::size_t frame = input.first(); frame <= input.last(); ++frame) {
+        if (frame > input.first())
+            print("\n");
+        if (input.is_sequence() && !command.bare)
+            print(printable(input.label(frame)) + "\n");
+        status = show(input.trace(frame), command);
+    }
+    return status;
 }
 
 } // namespace rastertrace

@@ -63,7 +63,9 @@ std::string_view name_of(StatsFinding finding) {
 }
 
 int run(const StatsCommand& command) {
-    const Trace trace = load_trace(command.trace, command.method, command.input);
+    const Trace trace =
+        load_trace(command.trace,
+                   {.method = command.method, .limits = command.input, .frames = command.frames});
     if (trace.is_partial && !command.fail_on.empty())
         throw problem_of(command.trace, "--fail-on: expected a trace with all its steps, found one "
                                         "that steps were left out of");

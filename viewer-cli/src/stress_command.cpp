@@ -450,7 +450,7 @@ int look_at_scene(const StressCommand& command) {
     // What a scalar refuses is part of the answer; only what none can draw is a bad scene.
     MethodOverrides exact = command.method;
     exact.emplace_back("scalar", "exact");
-    const auto planned = read_scene(source, exact, command.input);
+    const auto planned = read_scene(source, exact, command.input, command.frames);
     if (!planned)
         throw planned.problem();
     const Scene& scene = planned.value().scene;
@@ -461,7 +461,7 @@ int look_at_scene(const StressCommand& command) {
         progress.show("looking for cliffs");
         groups = cliffs_of(scene);
         progress.show("drawing with every scalar");
-        pictures = compared_pictures(source, command.method, command.input);
+        pictures = compared_pictures(source, command.method, command.input, command.frames);
     }
     const std::string title = shown_title(scene.title, command.scene);
     print(command.json ? as_json(title, groups, pictures) : as_text(title, groups, pictures));

@@ -9,10 +9,16 @@
 
 #include <fmt/core.h>
 
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <deque>
+#include <filesystem>
+#include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 namespace rastertrace {
@@ -26,23 +32,90 @@ TraceLayout layout_of(const TraceCommand& command) {
     return command.output.ends_with(".jsonl") ? TraceLayout::jsonl : TraceLayout::json;
 }
 
+void check_primitive(const TraceCommand& command, const Scene& scene) {
+    const auto& name = command.filter.primitive;
+    if (!name)
+        return;
+    std::vector<std::string_view> names;
+    for (const ScenePrimitive& primitive : scene.primitives)
+        names.push_back(primitive.name);
+    if (std::find(names.begin(), names.end(), *name) == names.end())
+        throw problem_of(command.scene,
+                         fmt::format("expected a primitive of the scene, found {}", *name),
+                         did_you_mean(*name, names));
+}
+
+/// The file of a frame: its number, with as many digits as the last one has, in front of the ending.
+std::string path_of_frame(const std::string& path, std::size_t frame, std::size_t frames) {
+    const std::filesystem::path whole(path);
+    const std::size_t digits = std::to_string(frames).size();
+    return (whole.parent_path() / fmt::format("{}-{:0{}}{}", whole.stem().string(), frame, digits,
+                                              whole.extension().string()))
+        .string();
+}
+
+/// Lets the program have this many files open, or says that it cannot.
+void allow_open_files(std::size_t frames) {
+    constexpr rlim_t of_frame = 2; // the file and its folder
+    constexpr rlim_t others = 32;
+    const rlim_t needed = of_frame * frames + others;
+    rlimit limit{};
+    if (::getrlimit(RLIMIT_NOFILE, &limit) != 0 || needed <= limit.rlim_cur)
+        return;
+    if (needed > limit.rlim_max)
+        throw problem_of("",
+                         fmt::format("expected at most {} frames to write at once, found {}",
+                                     (limit.rlim_max - others) / of_frame, frames),
+                         "--frame 1 writes the first; `ulimit -H -n` tells how many files may be "
+                         "open");
+    limit.rlim_cur = needed;
+    ::setrlimit(RLIMIT_NOFILE, &limit);
+}
+
+/// Writes a file for each frame. All are written before the first one gets its name.
+void write_frames(const TraceCommand& command, InputFrames& input, const TraceOptions& options) {
+    std::error_code error;
+    if (std::filesystem::exists(command.output, error) &&
+        !std::filesystem::is_regular_file(command.output, error))
+        throw problem_of(
+            command.output,
+            fmt::format("expected a name for {} files, found a device or a folder", input.last()),
+            "--frame 1 writes the first");
+    allow_open_files(input.last());
+    std::deque<FileOutput> files;
+    for (std::size_t frame = input.first(); frame <= input.last(); ++frame) {
+        const PlannedScene planned = input.scene(frame);
+        check_primitive(command, planned.scene);
+        FileOutput& file =
+            files.emplace_back(path_of_frame(command.output, frame, input.last()), planned.files);
+        write_trace(planned.scene, planned.plan, options, file);
+    }
+    for (FileOutput& file : files)
+        file.commit();
+}
+
 } // namespace
 
 int run(const TraceCommand& command) {
-    const auto [scene, plan, files, remarks] =
-        load_scene(command.scene, command.method, command.input);
-    if (const auto& name = command.filter.primitive) {
-        std::vector<std::string_view> names;
-        for (const ScenePrimitive& primitive : scene.primitives)
-            names.push_back(primitive.name);
-        if (std::find(names.begin(), names.end(), *name) == names.end())
-            throw problem_of(command.scene,
-                             fmt::format("expected a primitive of the scene, found {}", *name),
-                             did_you_mean(*name, names));
-    }
+    InputFrames input(
+        command.scene,
+        {.method = command.method, .limits = command.input, .frames = command.frames});
     const TraceOptions options{.layout = layout_of(command), .filter = command.filter};
+    const bool is_printed = command.output.empty() || command.output == "-";
+    if (input.is_sequence() && is_printed)
+        throw problem_of(
+            command.scene,
+            fmt::format("expected one frame for standard output, found {}", input.last()),
+            "--frame 1 writes the first; -o scene.json writes each to a file, "
+            "scene-1.json and so on");
+    if (input.is_sequence()) {
+        write_frames(command, input, options);
+        return exit_fine;
+    }
 
-    if (command.output.empty() || command.output == "-") {
+    const auto [scene, plan, files, remarks] = input.scene(input.first());
+    check_primitive(command, scene);
+    if (is_printed) {
         DescriptorOutput output(STDOUT_FILENO, "standard output");
         write_trace(scene, plan, options, output);
         return exit_fine;

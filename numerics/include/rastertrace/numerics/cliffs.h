@@ -17,6 +17,7 @@
 #include <rastertrace/trace/input.h>
 #include <rastertrace/trace/method_names.h>
 #include <rastertrace/trace/problem.h>
+#include <rastertrace/trace/vary.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -81,6 +82,7 @@ struct ComparedPicture {
 /// Reads and draws a scene with every scalar. If `exact` is refused, nothing differs from it.
 std::vector<ComparedPicture> compared_pictures(const Source& source,
                                                const MethodOverrides& method = {},
-                                               const InputLimits& limits = {});
+                                               const InputLimits& limits = {},
+                                               const FrameChoice& choice = {});
 
 } // namespace rastertrace

@@ -11,7 +11,10 @@
 #include <rastertrace/trace/input.h>
 #include <rastertrace/trace/method_names.h>
 #include <rastertrace/trace/problem.h>
+#include <rastertrace/trace/vary.h>
 
+#include <cstddef>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -31,9 +34,38 @@ struct PlannedScene {
 
 /// Reads a scene. `overrides` take the place of what its "method" says. The scene that comes back
 /// can be drawn: every name is known, every number is finite, and no step can overflow. That is
-/// found out by planning, so the plan comes with it. `limits` are for the files of its meshes.
+/// found out by planning, so the plan comes with it. `limits` are for the files of its meshes. Of a
+/// sequence of scenes, this is the frame that is chosen, or else the first.
 Result<PlannedScene> read_scene(const Source& source, const MethodOverrides& overrides = {},
-                                const InputLimits& limits = {});
+                                const InputLimits& limits = {}, const FrameChoice& choice = {});
+
+/// The scenes of a source whose "vary" makes a sequence of it: frame n is the scene that has the
+/// numbers of frame n typed in their places. A scene where nothing varies is its only frame.
+///
+///     SceneSequence sequence(source, {}, {}, {});
+///     for (std::size_t n = 1; n <= sequence.count(); ++n)
+///         draw(sequence.frame(n).scene, ...);
+class SceneSequence {
+public:
+    /// Finds out what varies; throws a Problem. The source must outlive the sequence.
+    SceneSequence(const Source& source, MethodOverrides overrides, InputLimits limits,
+                  const std::vector<Variation>& vary);
+    SceneSequence(SceneSequence&&) noexcept;
+    ~SceneSequence();
+
+    /// How many frames it has.
+    std::size_t count() const;
+
+    /// What is said of a frame: `3 of 24: degrees 30`.
+    std::string label(std::size_t frame) const;
+
+    /// Reads a frame, from 1 to count(), as read_scene does; throws a Problem.
+    PlannedScene frame(std::size_t frame);
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
 
 /// What stands between names that are written as one: nothing if each is one letter, "-" otherwise.
 std::string_view name_separator(std::span<const std::string_view> names);

@@ -17,6 +17,7 @@
 #include <rastertrace/core/numbers/vec.h>
 #include <rastertrace/core/raster/steps.h>
 #include <rastertrace/core/scene/scene.h>
+#include <rastertrace/core/transform/fit.h>
 
 #include <cstddef>
 #include <string_view>
@@ -56,6 +57,12 @@ bool has_rounded_matrix(const Scene& scene);
 
 /// Which of the scene's vertices a primitive has.
 std::vector<bool> used_vertices(const Scene& scene);
+
+/// The box around all vertices that primitives have, in the world. There must be one.
+Box world_box(const Scene& scene);
+
+/// The square of the greatest distance of such a vertex from `center`.
+Rational farthest_square(const Scene& scene, const Vec<Rational, 3>& center);
 
 // What follows is compiled in the library, for float, double, Adaptive and Rational.
 
