@@ -203,7 +203,7 @@ template <typename Real> bool weights_may_overflow(const Triangle<Real>& triangl
 /// scene is drawn with, or double where that cannot overflow.
 template <typename Real, typename Coordinate>
 std::optional<Unfit> unfit_of(const Piece<Coordinate>& piece, const Method& method,
-                              bool mixes_colors) {
+                              bool mixes_colors, bool has_tested_lines) {
     using What = Unfit::What;
     const bool is_rounded = method.scalar == ScalarKind::double_precision ||
                             method.scalar == ScalarKind::single_precision;
@@ -245,7 +245,7 @@ std::optional<Unfit> unfit_of(const Piece<Coordinate>& piece, const Method& meth
     }
 
     // Depths are interpolated as differences times differences.
-    if (!decides_exactly(method)) {
+    if ((is_triangle || has_tested_lines) && !decides_exactly(method)) {
         double farthest = 1;
         for (const auto& [x, y] : at)
             farthest = std::max({farthest, std::abs(x), std::abs(y)});
@@ -318,13 +318,15 @@ std::optional<Unfit> unfit_vertex(const Scene&, const TypedVertices&) {
 /// The first piece in the scene's order that would make an infinity or overflow.
 template <typename AList> std::optional<Unfit> unfit_piece(const Scene& scene, const AList& list) {
     const bool is_single = scene.method.scalar == ScalarKind::single_precision;
+    const bool has_tested_lines = scene.has_tested_lines();
     std::optional<Unfit> first;
     std::size_t primitive = scene.primitives.size();
     for_each_piece(scene, list, [&](const auto& piece) {
         if (piece.primitive >= primitive)
             return;
-        const auto unfit = is_single ? unfit_of<float>(piece, scene.method, list.mixes_colors)
-                                     : unfit_of<double>(piece, scene.method, list.mixes_colors);
+        const auto unfit =
+            is_single ? unfit_of<float>(piece, scene.method, list.mixes_colors, has_tested_lines)
+                      : unfit_of<double>(piece, scene.method, list.mixes_colors, has_tested_lines);
         if (unfit) {
             first = unfit;
             primitive = piece.primitive;

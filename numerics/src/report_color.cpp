@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <map>
 #include <memory>
 
 namespace rastertrace {
@@ -73,8 +74,10 @@ public:
         with_scalar(plan, [&]<typename Scalar>() {
             if constexpr (!std::same_as<Scalar, Adaptive>) {
                 const auto input = input_of<Scalar>(exact, plan);
-                exact_ =
-                    in_perspective ? mixed<true>(*input, *pieces_) : mixed<false>(*input, *pieces_);
+                for (const ColorRounding rounding :
+                     {ColorRounding::nearest, ColorRounding::truncate})
+                    exact_[rounding] = in_perspective ? mixed<true>(*input, *pieces_, rounding)
+                                                      : mixed<false>(*input, *pieces_, rounding);
             }
         });
 
@@ -87,11 +90,16 @@ public:
         report.measures = {
             {"levels", "largest error of a channel", "of 255"},
             {"wrong_pixels", "pixels off by a level or more / fragments", "", "fragments"}};
-        add_scalars<false>("on the screen (affine)");
+        add_scalars<false>("on the screen (affine)", ColorRounding::nearest);
         if (in_perspective) {
-            add_scalars<true>("in space, divided in each pixel");
+            add_scalars<true>("in space, divided in each pixel", ColorRounding::nearest);
+            add_scalars<true>("in space, cut off, against what is cut off exactly",
+                              ColorRounding::truncate);
             add_intervals(ScalarKind::single_precision, "float");
             add_intervals(ScalarKind::double_precision, "double");
+        } else {
+            add_scalars<false>("on the screen, cut off, against what is cut off exactly",
+                               ColorRounding::truncate);
         }
         return builder_.finish(options_);
     }
@@ -125,14 +133,15 @@ private:
     /// The colors of all pixels of all triangles, mixed by core.
     template <bool in_perspective, typename Scalar>
     static std::vector<Color> mixed(const ColorInput<Scalar>& input,
-                                    const std::vector<SpansOfPiece>& pieces) {
+                                    const std::vector<SpansOfPiece>& pieces,
+                                    ColorRounding rounding) {
         std::vector<Color> colors;
         for (std::size_t i = 0; i < input.pieces.size(); ++i) {
             const ColorPiece<Scalar>& piece = input.pieces[i];
             const Barycentric<Scalar> barycentric(Triangle<Scalar>{piece.positions});
             const bool has_area = barycentric.area2() != scalar_from<Scalar>(0);
             const MixedColors<Scalar> paint{piece.colors, barycentric, input.sample_offset,
-                                            piece.inverse_w};
+                                            piece.inverse_w, rounding};
             for (const PieceSpan& span : pieces[i].spans)
                 for (int x = span.from; x <= span.to; ++x)
                     colors.push_back(has_area ? paint.template at<in_perspective>({x, span.y})
@@ -170,8 +179,7 @@ private:
                                                input.sample_offset, interval);
                 row.walk(span.from, span.to, [&colors](int, const std::array<D, 3>& values) {
                     const auto level = [](const D& value) {
-                        return static_cast<std::uint8_t>(
-                            std::clamp<Index>(nearest_index(value, Ties::up), 0, 255));
+                        return level_of(value, ColorRounding::nearest);
                     };
                     colors.emplace_back(level(values[0]), level(values[1]), level(values[2]));
                 });
@@ -180,13 +188,15 @@ private:
         return colors;
     }
 
-    /// How far off the colors are.
-    std::vector<ErrorValue> errors_of(const std::vector<Color>& colors) const {
+    /// How far off the colors are from exact ones that are rounded alike.
+    std::vector<ErrorValue> errors_of(const std::vector<Color>& colors,
+                                      ColorRounding rounding) const {
+        const std::vector<Color>& exact = exact_.at(rounding);
         int largest = 0;
         std::uint64_t wrong = 0;
         for (std::size_t i = 0; i < colors.size(); ++i) {
             const auto off = [&](std::uint8_t (Color::*channel)() const) {
-                return std::abs((colors[i].*channel)() - (exact_[i].*channel)());
+                return std::abs((colors[i].*channel)() - (exact[i].*channel)());
             };
             const int here = std::max({off(&Color::red), off(&Color::green), off(&Color::blue)});
             largest = std::max(largest, here);
@@ -197,8 +207,10 @@ private:
 
     /// Measures what `mix(input)` makes of a kind of scalar; `stage` says where it mixes.
     template <typename Mix>
-    void add(ScalarKind scalar, Setting setting, ColorStage stage, const Mix& mix) {
-        const Scene scene = scene_with(scalar);
+    void add(ScalarKind scalar, Setting setting, ColorStage stage, ColorRounding rounding,
+             const Mix& mix) {
+        Scene scene = scene_with(scalar);
+        scene.method.color_rounding = rounding;
         const std::string refusal = refusal_in_words(scene);
         if (!refusal.empty())
             return builder_.add_failure(setting.name, setting.label, refusal);
@@ -212,7 +224,7 @@ private:
                     return builder_.add_failure(
                         setting.name, setting.label,
                         "clipping has left other triangles than in exact arithmetic");
-                setting.errors = errors_of(mix(*input, *pieces_));
+                setting.errors = errors_of(mix(*input, *pieces_), rounding);
                 setting.work =
                     work_of([&] { keep(mix(counting_copy_of(*input), *pieces_)); }, fragments_);
                 builder_.add(
@@ -233,14 +245,15 @@ private:
             colors.push_back(color);
         Setting setting = adaptive_setting(*drawing, fragments_);
         setting.never_errs = never_errs;
-        if (colors.size() != exact_.size())
+        const ColorRounding rounding = scene.method.color_rounding;
+        if (colors.size() != exact_.at(rounding).size())
             setting.failure = "it has drawn other pixels than exact arithmetic";
         else
-            setting.errors = errors_of(colors);
+            setting.errors = errors_of(colors, rounding);
         builder_.add(std::move(setting), timed(drawing), fragments_);
     }
 
-    template <bool in_perspective> void add_scalars(std::string_view name) {
+    template <bool in_perspective> void add_scalars(std::string_view name, ColorRounding rounding) {
         builder_.begin_curve(std::string(name), "scalar");
         for (const ScalarSetting& scalar : scalar_settings()) {
             // Of the grids, the one that is drawn on.
@@ -250,9 +263,9 @@ private:
             setting.never_errs =
                 scalar.never_errs() && in_perspective == is_perspective(scene_.projection.type);
             add(scalar.kind, std::move(setting),
-                in_perspective ? ColorStage::perspective : ColorStage::affine,
-                [](const auto& input, const auto& pieces) {
-                    return mixed<in_perspective>(input, pieces);
+                in_perspective ? ColorStage::perspective : ColorStage::affine, rounding,
+                [rounding](const auto& input, const auto& pieces) {
+                    return mixed<in_perspective>(input, pieces, rounding);
                 });
         }
     }
@@ -261,6 +274,7 @@ private:
         builder_.begin_curve(fmt::format("in space, {}", name), "divided every so many pixels");
         for (const int interval : divide_intervals)
             add(scalar, interval_setting(interval, "pixel"), ColorStage::perspective,
+                ColorRounding::nearest,
                 [interval]<typename Scalar>(const ColorInput<Scalar>& input, const auto& pieces) {
                     // Only floats and doubles are asked for.
                     if constexpr (std::same_as<DepthOf<Scalar>, Scalar>)
@@ -275,7 +289,7 @@ private:
     std::shared_ptr<std::vector<SpansOfPiece>> pieces_ =
         std::make_shared<std::vector<SpansOfPiece>>();
     std::uint64_t fragments_ = 0;
-    std::vector<Color> exact_; ///< of each of them
+    std::map<ColorRounding, std::vector<Color>> exact_; ///< of each of them
     JobBuilder builder_{ReportJob::color};
 };
 

@@ -266,6 +266,12 @@ std::string z2() {
                     "inverse-z");
 }
 
+std::string z14() {
+    return scene_of({{"T", {"0.9, 0, 1", "63.9, 10.5, 9", "8.2, 63.5, 3"}, "red"},
+                     {"U", {"0.9, 0, 4", "63.9, 10.5, 4", "8.2, 63.5, 4"}, "blue"}},
+                    "inverse-z");
+}
+
 std::string z9(bool first_is_first) {
     const ColoredTriangle t{"T", {"0.5, 0.5, 1", "64.5, 0.5, 3", "0.5, 64.5, 1"}, "red"};
     const ColoredTriangle u{"U", {"0.5, 0.5, 3", "64.5, 0.5, 1", "0.5, 64.5, 3"}, "blue"};
@@ -650,6 +656,20 @@ void z12_far_plane(StressRows& rows) {
     }
 }
 
+/// Z14 attacks depths that are taken where a row's ends are rounded to.
+void z14_rounded_ends(StressRows& rows) {
+    const auto at_pixels = [](const Scene& scene) {
+        Scene right = scene;
+        right.method.scalar = ScalarKind::exact;
+        right.method.depth_at = DepthAt::pixel;
+        return drawn_picture(right);
+    };
+    for (const std::string_view fill : {"scanline", "two-halves"})
+        rows.add_pictures(z14(), fmt::format("{}, rounded ends", fill),
+                          {{"fill", std::string(fill)}, {"depth_at", "rounded-ends"}}, {},
+                          at_pixels, {{"all", wrong(0)}});
+}
+
 /// Z13 attacks 1/z where z is 0 or changes its sign.
 void z13_no_inverse(StressRows& rows) {
     rows.add_refusals(z13(0), "inverse-z, z = 0",
@@ -776,6 +796,14 @@ constexpr auto catalogue = std::to_array<StressCase>({
      .why = "1/0, or 1/z through infinity: the largest of all depths wins every test",
      .holds = "refused with the vertex named, never drawn",
      .run = z13_no_inverse},
+    {.id = "Z14",
+     .title = "depths at rounded ends",
+     .input = "T (.9,0,1)(63.9,10.5,9)(8.2,63.5,3); U the same with z = 4; rows from edge to edge",
+     .why = "CGFS gives the depths of a row's ends to the pixels that they are rounded to: each "
+            "pixel has the depth of a place up to a pixel away",
+     .holds = "wrong where T and U cross, by a pixel; a row of one pixel has its left end's depth",
+     .scenes = [] { return only(z14()); },
+     .run = z14_rounded_ends},
 });
 
 } // namespace

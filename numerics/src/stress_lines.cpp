@@ -18,6 +18,7 @@ namespace rastertrace {
 namespace {
 
 const MethodOverrides bresenham{{"line", "bresenham"}};
+const MethodOverrides bresenham_step{{"line", "bresenham"}, {"ties", "step"}};
 const MethodOverrides naive_away{{"line", "naive"}, {"ties", "away"}};
 const MethodOverrides naive{{"line", "naive"}};
 const MethodOverrides dda{{"line", "dda"}};
@@ -224,13 +225,26 @@ Colors levels_of_l13(const Scene& scene) {
     return levels;
 }
 
+/// The same cut off.
+Colors cut_levels_of_l13(const Scene& scene) {
+    Colors levels;
+    for (int i = 0; i < scene.canvas.width; ++i)
+        levels.emplace_back(static_cast<std::uint8_t>((10 * (7 - i) + 200 * i) / 7), 0, 0);
+    return levels;
+}
+
 /// L1 attacks the claim that two tie rules, or two directions, draw the same line.
 void l1_one_tie(StressRows& rows) {
     rows.add_pictures(l1, "bresenham", bresenham, 3);
     rows.add_pictures(l1_reversed, "bresenham, other end", bresenham, 3);
+    rows.add_pictures(l1, "bresenham, ties step", bresenham_step, 3);
     rows.add_pictures(l1, "naive, ties away", naive_away, 3);
     rows.add("exact", "naive, away, taken for bresenham",
              lines_apart(l1, bresenham, l1, naive_away), wrong(1));
+    rows.add("exact", "bresenham, step, taken for start",
+             lines_apart(l1, bresenham, l1, bresenham_step), wrong(1));
+    rows.add("exact", "bresenham, step, taken for the other end's",
+             lines_apart(l1, bresenham_step, l1_reversed, bresenham), right());
     rows.add("exact", "bresenham taken for its other end",
              lines_apart(l1, bresenham, l1_reversed, bresenham), wrong(1));
 }
@@ -336,6 +350,9 @@ void l12_negative_end(StressRows& rows) {
 void l13_last_color(StressRows& rows) {
     rows.add_pictures(l13, "bresenham, color by axis", bresenham, 8, levels_of_l13);
     rows.add_pictures(l13, "dda, color by axis", dda, 8, levels_of_l13);
+    rows.add_pictures(l13, "bresenham, colors cut off",
+                      {{"line", "bresenham"}, {"color_rounding", "truncate"}}, 8,
+                      cut_levels_of_l13);
     rows.add("float", "textbook: c += step, cast", last_level<float>(10, 200, 7),
              wrong(1, "", "becomes 199"));
     rows.add("double", "textbook: c += step, cast", last_level<double>(10, 200, 7),
@@ -446,7 +463,7 @@ constexpr auto catalogue = std::to_array<StressCase>({
      .title = "the last color of a line",
      .input = "red from 10 to 200 in 7 steps",
      .why = "190/7 added 7 times, then cast: the cast takes what is missing to 200 as a level",
-     .holds = "200 at the end; ours are whole numbers, rounded once",
+     .holds = "200 at the end; ours are whole numbers, rounded or cut off once",
      .scenes = [] { return only(l13); },
      .run = l13_last_color},
 });

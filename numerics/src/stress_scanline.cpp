@@ -257,6 +257,7 @@ void s1_worked_example(StressRows& rows) {
 
 /// S2 attacks the cast to int, which rounds toward 0, where floor is meant.
 void s2_floor_of_negatives(StressRows& rows) {
+    rows.add_pictures(s1, "half-open", {{"rounding", "half-open"}}, 41);
     rows.add_pictures(s1, "floor", {{"rounding", "floor"}}, 49);
     rows.add_pictures(s1, "truncate", {{"rounding", "truncate"}}, 45);
     rows.add_pictures(s1, "truncate, taken for floor", {{"rounding", "truncate"}}, 49,

@@ -174,7 +174,7 @@ template <bool in_perspective> double worst_level(double error) {
             const auto level_of = [&](const auto& colors, const auto& weights, auto level) {
                 colors.mixed(weights, [&level](const auto& mixed) {
                     level = mixed;
-                    return 0;
+                    return std::uint8_t{0};
                 });
                 return level;
             };

@@ -285,7 +285,7 @@ TYPED_TEST(Bounds, MixedLevels) {
             std::optional<Scalar> computed;
             colors.mixed(colors.on_screen(at->pixel), [&computed](Scalar mixed) {
                 computed = mixed;
-                return 0;
+                return std::uint8_t{0};
             });
             return computed ? std::optional(magnitude(exact(*computed) - level) /
                                             level_bound<Scalar>(size, of_weights))

@@ -65,8 +65,11 @@ TEST(Describe, HiddenLines) {
     bool is_line = false;
     for (std::size_t n = 1; n <= trace.size(); ++n) {
         is_line = is_line || trace.step(n).text("kind") == "line";
-        if (is_line && trace.kind_of(n) == StepKind::depth)
-            said.push_back(description(scene, n));
+        if (!is_line || trace.kind_of(n) != StepKind::depth)
+            continue;
+        Replay replay(trace, {.depths = true});
+        replay.go_to(n);
+        said.push_back(describe_step(replay));
     }
     EXPECT_THAT(said, testing::ElementsAre(
                           "depth at (1, 1): 3 against 4 of ABC: passes (z, smaller is nearer)",

@@ -73,7 +73,8 @@ TEST(SceneFile, OverridesTakeThePlaceOfTheMethod) {
 TEST(SceneFile, UnknownKey) {
     EXPECT_EQ(
         complaint("{\"vertices\": {\"A\": [2, 5]},\n \"trinagles\": [\"AAA\"]}"),
-        "scene.json:2:2: expected a key out of title, canvas, vertices, colors, triangles, "
+        "scene.json:2:2: expected a key out of title, canvas, background, vertices, colors, "
+        "triangles, "
         "outlines, lines, points, meshes, model, camera, projection, viewport, light, method, "
         "keep, vary, "
         "found \"trinagles\"\n"
@@ -233,9 +234,9 @@ TEST(SceneFile, HiddenLinesNeedADepthBuffer) {
                draw + R"("}])" + more + "}";
     };
     EXPECT_EQ(complaint(mesh("hidden-lines", "")),
-              "scene.json:2:37: expected a depth buffer for hidden lines, found none\n"
+              "scene.json:2:36: expected a depth buffer for hidden lines, found none\n"
               " \"faces\": [\"ABCD\", \"ABC\"], \"draw\": \"hidden-lines\"}]}\n"
-              "                                    ^\n"
+              "                                   ^\n"
               "hint: say \"projection\": {...}, or \"method\": {\"depth\": \"linear-z\"}");
     EXPECT_THAT(
         complaint(mesh("hidden-lines", R"(, "method": {"depth": "linear-z", "fill": "fan"})")),

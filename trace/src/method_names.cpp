@@ -103,8 +103,9 @@ std::string default_of_two(const Scene& scene, std::string_view for_spans,
 /// Bresenham's line has a rule of its own for ties. `up`, `away` and `even`, which are for others, leave it as
 /// it is.
 bool has_ties_of_bresenham(const Scene& scene) {
-    return has_lines(scene) && scene.method.line == LineMethod::bresenham &&
-           (scene.method.ties == Ties::start || scene.method.ties == Ties::step);
+    const bool draws_lines = (has_lines(scene) && scene.method.line == LineMethod::bresenham) ||
+                             fills_by(scene, Fill::fan);
+    return draws_lines && (scene.method.ties == Ties::start || scene.method.ties == Ties::step);
 }
 
 bool has_ties(const Scene& scene) {

@@ -46,11 +46,8 @@ void fill(const Triangle<Scalar>& triangle, const std::array<Color, 3>& colors,
     case Fill::fan:
         break;
     }
-    fill_fan(triangle, colors,
-             {.passes = method.fan_passes,
-              .color_lerp = method.color_lerp,
-              .color_rounding = method.color_rounding},
-             canvas, sink);
+    fill_fan(triangle, colors, {.passes = method.fan_passes, .lines = line_rules(method)}, canvas,
+             sink);
 }
 
 } // namespace rastertrace

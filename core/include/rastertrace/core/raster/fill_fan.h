@@ -26,9 +26,8 @@ inline constexpr Index longest_fan_edge = largest_canvas_side;
 
 /// The choices that the fan leaves open.
 struct FanRules {
-    int passes = 1; ///< 1: from AB to C; 2: also from AC to B; 3: also from BC to A
-    ColorLerp color_lerp = ColorLerp::axis;
-    ColorRounding color_rounding = ColorRounding::nearest;
+    int passes = 1;  ///< 1: from AB to C; 2: also from AC to B; 3: also from BC to A
+    LineRules lines; ///< all end pixels are drawn, whatever they say
 };
 
 /// Draws the triangle whose vertices are the pixels nearest to the given ones. `colors` are those
@@ -44,8 +43,8 @@ void fill_fan(const Triangle<Scalar>& triangle, const std::array<Color, 3>& colo
         return nearest_pixel(triangle.vertices[index].x, triangle.vertices[index].y);
     };
 
-    const LineRules line_rules{.color_lerp = rules.color_lerp,
-                               .color_rounding = rules.color_rounding};
+    LineRules line_rules = rules.lines;
+    line_rules.ends = EndPixels::both;
 
     // The edge that the lines of each pass start from, and the vertex that they go to.
     struct Pass {
@@ -59,7 +58,7 @@ void fill_fan(const Triangle<Scalar>& triangle, const std::array<Color, 3>& colo
         sink(SideBegan{.edge = {from, to}, .octant = octant_of(base.from, base.to)});
 
         // A line from each pixel of the edge.
-        const BresenhamLine edge(base.from, base.to);
+        const BresenhamLine edge(base.from, base.to, line_rules.ties);
         for (Index step = 0; step <= edge.steps(); ++step) {
             const GridPoint start = edge.pixel(step);
             const Color color = color_on_line(base, line_rules, start, step, edge.steps());
