@@ -22,6 +22,7 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <system_error>
@@ -121,6 +122,8 @@ public:
         if (const auto* unfit = std::get_if<Unfit>(&plan))
             refuse(*unfit);
         std::vector<Problem> remarks = remarks_on_z();
+        std::move(remarks_on_meshes_.begin(), remarks_on_meshes_.end(),
+                  std::back_inserter(remarks));
         return {std::move(scene_), std::get<Plan>(std::move(plan)), std::move(files_),
                 std::move(remarks)};
     }
@@ -346,6 +349,8 @@ private:
             if (!read)
                 throw read.problem();
             known.mesh = std::move(read.value());
+            std::move(known.mesh->remarks.begin(), known.mesh->remarks.end(),
+                      std::back_inserter(remarks_on_meshes_));
         }
         return --known.uses == 0 ? std::move(*known.mesh) : *known.mesh;
     }
@@ -666,7 +671,8 @@ private:
     };
     std::unordered_map<std::string, ObjFile> obj_files_; ///< by path
     std::vector<ScenePrimitive> faces_; ///< of meshes, until they are drawn in their turn
-    std::vector<FileId> files_;         ///< that were read
+    std::vector<Problem> remarks_on_meshes_;
+    std::vector<FileId> files_;                           ///< that were read
     std::unordered_set<std::string> names_of_primitives_; ///< those that the author gave
 };
 
