@@ -2,6 +2,7 @@
 #include <rastertrace/trace/scene_file.h>
 
 #include "canvas_json.h"
+#include "face_cuts.h"
 #include "json_document.h"
 #include "json_reader.h"
 #include "name_index.h"
@@ -19,6 +20,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
@@ -54,8 +56,10 @@ std::string base_name(const std::string& path) {
 
 /// Replaces what stands behind the first `length` characters of a name by a number.
 void put_number(std::string& name, std::size_t length, std::size_t number) {
+    std::array<char, std::numeric_limits<std::size_t>::digits10 + 1> digits;
+    const auto written = std::to_chars(digits.data(), digits.data() + digits.size(), number);
     name.resize(length);
-    name += std::to_string(number);
+    name.append(digits.data(), written.ptr);
 }
 
 /// Makes room for `more` elements, and for as many again as there are: many meshes move no element often.
@@ -261,9 +265,58 @@ private:
         scene_.objects.push_back(std::move(object));
     }
 
-    /// A mesh that is written out in the scene. Polygons become fans of triangles.
+    /// Adds the triangles of a face: a fan, or ears. `name_of_face()` calls the whole face, `name_of_part` the
+    /// k-th of its triangles.
+    template <typename NameOfFace, typename NameOfPart>
+    void add_face(std::span<const std::size_t> corners, const ScenePrimitive& like, FaceCuts& cuts,
+                  const JsonValue& blamed, NameOfFace&& name_of_face, NameOfPart&& name_of_part) {
+        const auto add = [&](std::size_t a, std::size_t b, std::size_t c, std::size_t k) {
+            ScenePrimitive& face = faces_.emplace_back(like);
+            face.vertices = {corners[a], corners[b], corners[c]};
+            name_of_part(face, k);
+        };
+        Triangulation cut;
+        if (corners.size() > 3)
+            cut = cuts.cut(corners, blamed.begin, name_of_face);
+        if (cut.form == FaceForm::too_fine)
+            json_.fail(
+                blamed,
+                fmt::format("expected a face whose fractions have a common denominator of at "
+                            "most {} bits, found a longer one",
+                            most_bits_of_face));
+        if (!cut.ears) {
+            for (std::size_t k = 2; k < corners.size(); ++k)
+                add(0, k - 1, k, k - 1);
+            return;
+        }
+        scene_.cut_faces.push_back({.name = name_of_face(),
+                                    .corners = {corners.begin(), corners.end()},
+                                    .normal = cut.ears->normal,
+                                    .dropped = cut.ears->dropped,
+                                    .first_ear = faces_.size(), // moved by take_faces
+                                    .ears = cut.ears->triangles.size()});
+        places_of_ears_.push_back(faces_.size());
+        for (const auto& [a, b, c] : cut.ears->triangles)
+            add(a, b, c, faces_.size() - places_of_ears_.back() + 1);
+    }
+
+    void keep_remarks(const FaceCuts& cuts) {
+        for (Problem& remark : cuts.remarks(source_))
+            remarks_on_meshes_.push_back(std::move(remark));
+    }
+
+    /// A mesh that is written out in the scene. Polygons become triangles.
     void read_faces(const JsonValue& mesh, const std::string& prefix, const ScenePrimitive& like) {
+        const std::size_t first = scene_.vertices.size();
         read_vertices(json_.member(mesh, "vertices"), prefix);
+        const auto name_of = [&](std::span<const std::size_t> corners) {
+            std::vector<std::string_view> names;
+            for (const std::size_t corner : corners)
+                names.push_back(
+                    std::string_view(scene_.vertices[corner].name).substr(prefix.size()));
+            return prefix + joined_names(names);
+        };
+        FaceCuts cuts(scene_.vertices, first);
         const JsonValue faces = json_.member(mesh, "faces");
         constexpr std::string_view expected = R"(three vertices or more, "ABCD" or ["P1", ...])";
         for (const JsonValue& value :
@@ -271,17 +324,11 @@ private:
             const auto corners = corners_in(value, prefix, expected);
             if (corners.size() < 3)
                 json_.fail_expecting(value, expected);
-            for (std::size_t i = 2; i < corners.size(); ++i) {
-                ScenePrimitive face = like;
-                face.vertices = {corners[0], corners[i - 1], corners[i]};
-                std::array<std::string_view, 3> names;
-                for (std::size_t k = 0; k < 3; ++k)
-                    names[k] = std::string_view(scene_.vertices[face.vertices[k]].name)
-                                   .substr(prefix.size());
-                face.name = prefix + joined_names(names);
-                faces_.push_back(std::move(face));
-            }
+            add_face(
+                corners, like, cuts, value, [&] { return name_of(corners); },
+                [&](ScenePrimitive& part, std::size_t) { part.name = name_of(part.vertices); });
         }
+        keep_remarks(cuts);
         if (faces.elements().empty())
             json_.fail(faces, "expected at least one face, found none");
     }
@@ -313,20 +360,27 @@ private:
         first_of_obj_.emplace(object.name, std::pair(first, mesh.vertices.size()));
         make_room(faces_, mesh.triangles());
         name.replace(of_object, std::string::npos, "f");
+        FaceCuts cuts(scene_.vertices, first);
+        std::vector<std::size_t> face;
         for (std::size_t i = 0; i < mesh.faces(); ++i) {
             const auto corners = mesh.face(i);
             put_number(name, of_object + 1, i + 1);
-            const std::size_t of_face = name.size() + 1;
-            for (std::size_t k = 2; k < corners.size(); ++k) {
-                if (corners.size() > 3) {
-                    name.resize(of_face, '.');
-                    put_number(name, of_face, k - 1);
-                }
-                ScenePrimitive& face = faces_.emplace_back(like);
-                face.name = name;
-                face.vertices = {first + corners[0], first + corners[k - 1], first + corners[k]};
-            }
+            const std::size_t of_face = name.size();
+            face.resize(corners.size());
+            std::transform(corners.begin(), corners.end(), face.begin(),
+                           [first](std::uint32_t corner) { return first + corner; });
+            add_face(
+                face, like, cuts, obj, [&] { return name.substr(0, of_face); },
+                [&](ScenePrimitive& part, std::size_t k) {
+                    if (face.size() > 3) {
+                        name.resize(of_face);
+                        name += '.';
+                        put_number(name, of_face + 1, k);
+                    }
+                    part.name = name;
+                });
         }
+        keep_remarks(cuts);
     }
 
     /// The mesh of an OBJ file, which a relative path finds beside the scene. Each file is read once, and
@@ -386,7 +440,8 @@ private:
                                  "--allow-outside lets it lie anywhere");
     }
 
-    /// Moves the faces of meshes that are drawn as `kind` to the primitives.
+    /// Moves the faces of meshes that are drawn as `kind` to the primitives, and tells those that were cut
+    /// where their triangles are now.
     void take_faces(PrimitiveKind kind) {
         const auto count = std::count_if(faces_.begin(), faces_.end(),
                                          [kind](const auto& face) { return face.kind == kind; });
@@ -395,9 +450,17 @@ private:
             return;
         }
         scene_.primitives.reserve(scene_.primitives.size() + static_cast<std::size_t>(count));
-        for (ScenePrimitive& face : faces_)
-            if (face.kind == kind)
-                scene_.primitives.push_back(std::move(face));
+        auto cut = places_of_ears_.begin();
+        for (std::size_t i = 0; i < faces_.size(); ++i) {
+            const bool begins_cut = cut != places_of_ears_.end() && *cut == i;
+            if (faces_[i].kind == kind) {
+                if (begins_cut)
+                    scene_.cut_faces[static_cast<std::size_t>(cut - places_of_ears_.begin())]
+                        .first_ear = scene_.primitives.size();
+                scene_.primitives.push_back(std::move(faces_[i]));
+            }
+            cut += begins_cut ? 1 : 0;
+        }
     }
 
     /// How vertices come to the screen.
@@ -670,7 +733,8 @@ private:
         std::optional<ObjMesh> mesh;
     };
     std::unordered_map<std::string, ObjFile> obj_files_; ///< by path
-    std::vector<ScenePrimitive> faces_; ///< of meshes, until they are drawn in their turn
+    std::vector<ScenePrimitive> faces_;       ///< of meshes, until they are drawn in their turn
+    std::vector<std::size_t> places_of_ears_; ///< in `faces_`: the first of each face that was cut
     std::vector<Problem> remarks_on_meshes_;
     std::vector<FileId> files_;                           ///< that were read
     std::unordered_set<std::string> names_of_primitives_; ///< those that the author gave
