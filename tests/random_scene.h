@@ -20,7 +20,7 @@ namespace rastertrace {
 
 class RandomScene {
 public:
-    explicit RandomScene(std::uint64_t seed) : random_(seed) {}
+    explicit RandomScene(std::uint64_t seed) : random_(seed), of_mesh_(~seed) {}
 
     std::string text() {
         const int size = random_.pick({8, 16, 24, 40});
@@ -33,6 +33,8 @@ public:
         put_primitives();
         if (is_in_space_)
             put_view();
+        if (!has_model_ && of_mesh_.chance(6))
+            put_concave_face();
         put_method();
         if (random_.chance(8))
             out_ << R"(,"keep":["model","view","clip","divide","canvas","depth","colors"])";
@@ -131,11 +133,20 @@ private:
             put_list("points", 1, 2);
     }
 
+    /// An arrow head, its notch more or less deep, from any of its corners on.
+    void put_concave_face() {
+        out_ << R"(,"meshes":[{"name":"head","vertices":{"a":[-3,-2,1],"b":[0,)"
+             << of_mesh_.pick<const char*>({"-1", "0.1", R"("1/3")"})
+             << R"(,1],"c":[3,-2,1],"d":[0,4,1]},"faces":[")"
+             << of_mesh_.pick<const char*>({"abcd", "bcda", "cdab", "dabc", "dcba"}) << R"("]}])";
+    }
+
     void put_view() {
         const std::string_view type = random_.pick<std::string_view>(
             {"frustum", "frustum", "pinhole", "view-plane", "orthographic"});
         const bool looks_up = type == "pinhole";
-        if (random_.chance(2))
+        has_model_ = random_.chance(2);
+        if (has_model_)
             out_ << R"(,"model":[{"rotate":{"axis":)"
                  << random_.pick<const char*>({R"("x")", R"("y")", R"("z")", "[1,2,3]"})
                  << R"(,"degrees":)" << random_.pick({30, 90, 45, 37}) << R"(}},{"translate":[0,0,)"
@@ -197,8 +208,10 @@ private:
     }
 
     Random random_;
+    Random of_mesh_; ///< by itself: all else is what it is without a mesh
     std::ostringstream out_;
     bool is_in_space_ = false;
+    bool has_model_ = false;
     bool has_light_ = false;
     int count_ = 0;
     int style_ = 0;

@@ -291,5 +291,27 @@ TEST(Describe, StepsThatAreUnknown) {
     EXPECT_EQ(describe_step(replay), "{\"step\":\"tile\",\"note\":\"\\u001b[2J <U+009B>\"}");
 }
 
+TEST(Describe, FacesInEars) {
+    const auto face_of = [](const std::string& vertices, const std::string& face) {
+        return description(
+            scene_in(R"({"meshes":[{"vertices":{)" + vertices + R"(},"faces":[)" + face + "]}]}"),
+            1);
+    };
+    EXPECT_EQ(face_of(R"("A":[0,0],"B":[4,0],"C":[1,1],"D":[0,4])", R"("ABCD")"),
+              "face ABCD is not convex; its normal (0, 0, 8) is largest in z, which is dropped; "
+              "ears: ABC; what is left is ACD");
+
+    // A comb of twenty teeth has too many to tell.
+    std::string vertices;
+    std::string face;
+    for (int i = 0; i < 40; ++i) {
+        vertices += (i == 0 ? "\"P" : ",\"P") + std::to_string(i) + "\":[" + std::to_string(i) +
+                    "," + (i % 2 == 0 ? "0]" : "5]");
+        face += (i == 0 ? "\"P" : ",\"P") + std::to_string(i) + '"';
+    }
+    EXPECT_THAT(face_of(vertices + R"(,"A":[39,-9],"B":[0,-9])", "[" + face + R"(,"A","B"])"),
+                testing::HasSubstr(", ... (39 in all); what is left is "));
+}
+
 } // namespace
 } // namespace rastertrace

@@ -168,6 +168,39 @@ TEST(ObjFile, WhatIsSkipped) {
     EXPECT_TRUE(are_same(mesh.vertices[0][2], mesh.vertices[1][2])) << "weight and color";
 }
 
+TEST(ObjFile, CurvesAndDisplayAreSkippedAndToldOnceAFile) {
+    // The trimmed surface of the manual, and a face.
+    const std::string surface =
+        "# a surface\n"
+        "vp -0.675 1.85 3\ncstype rat bspline\ndeg 3 3\nbmat u 1 0 \\\n 0 1\n"
+        "step 2 2\ncurv 0 1 1 2\ncurv2 1 2\nsurf 0 1 0 1 1 2 3\nparm u 0 1\n"
+        "trim 0 1 1\nhole 0 1 1\nscrv 0 1 1\nsp 1\nend\ncon 1 0 1 1 2 0 1 1\n"
+        "mg 1 0.5\nbevel on\nc_interp on\nd_interp on\nlod 5\n"
+        "maplib a.mla\nusemap off\nshadow_obj a.obj\ntrace_obj a.obj\n"
+        "ctech cparm 1\nstech cparma 1 1\ncall a.obj\ncsh -ls\n"
+        "bsp 1\nbzp 1\ncdc 1\ncdp 1\nres 1 1\n";
+    const auto mesh = read_obj({"model.obj", four_vertices + surface + "f 1 2 3\n"});
+    ASSERT_TRUE(mesh) << to_text(mesh.problem());
+    EXPECT_EQ(faces_of(mesh.value()), (std::vector<Corners>{{0, 1, 2}}));
+    ASSERT_EQ(mesh.value().remarks.size(), 1u);
+    EXPECT_EQ(to_text(mesh.value().remarks[0]),
+              "model.obj:10:1: remark: expected vertices and faces, found 33 statements of curves, "
+              "surfaces or display, skipped; the first is vp\n"
+              "vp -0.675 1.85 3\n"
+              "^\n"
+              "hint: only what f lists is drawn");
+    EXPECT_EQ(mesh_in(four_vertices + "lod 1\nf 1 2 3\n").remarks[0].message,
+              "remark: expected vertices and faces, found 1 statement of curves, surfaces or "
+              "display, skipped; the first is lod");
+    EXPECT_TRUE(mesh_in(four_vertices + "g a\nf 1 2 3\n").remarks.empty());
+    EXPECT_EQ(complaint(four_vertices + "curv3 0 1\nf 1 2 3\n"),
+              "model.obj:9:1: expected a statement out of v, vt, vn, f, l, p, g, o, s, usemtl, "
+              "mtllib, found \"curv3\"\ncurv3 0 1\n^");
+    EXPECT_EQ(complaint("v 0 0 0\ncurv 0 1 1 1\n"),
+              "model.obj:3:1: expected at least one face, found none\n"
+              "hint: a face of three vertices: f 1 2 3");
+}
+
 TEST(ObjFile, UnknownStatement) {
     EXPECT_EQ(complaint("v 0 0 0\n  xyz 1 2\n"),
               "model.obj:2:3: expected a statement out of v, vt, vn, f, l, p, g, o, s, usemtl, "

@@ -19,7 +19,9 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <deque>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <random>
 #include <string>
@@ -156,7 +158,9 @@ private:
 
     void redo(const StepView& step) {
         const std::string kind = step.kind_name();
-        if (kind == "vertex")
+        if (kind == "triangulate")
+            redo_triangulation(step);
+        else if (kind == "vertex")
             redo_vertex(step);
         else if (kind == "order")
             redo_order(step);
@@ -186,6 +190,75 @@ private:
             redo_pixel(step);
         else if (kind == "skip" && step.text("why") == "zero area")
             redo_zero_area();
+    }
+
+    /// The corners stand in a line, as docs/scene-format.md tells it.
+    void redo_triangulation(const StepView& step) {
+        using Corner = std::array<Rational, 3>;
+        std::vector<Corner> corners;
+        for (const auto& row : step.text_rows("at"))
+            corners.push_back({number_of<Rational>(row[0]), number_of<Rational>(row[1]),
+                               number_of<Rational>(row[2])});
+        Corner normal{};
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const Corner& p = corners[i];
+            const Corner& q = corners[(i + 1) % corners.size()];
+            normal[0] += (p[1] - q[1]) * (p[2] + q[2]);
+            normal[1] += (p[2] - q[2]) * (p[0] + q[0]);
+            normal[2] += (p[0] - q[0]) * (p[1] + q[1]);
+        }
+        const auto told = numbers_of<Rational>(step.texts("normal"));
+        expect(std::vector<Rational>(normal.begin(), normal.end()), told, "triangulate: normal");
+        std::size_t dropped = 2;
+        for (const std::size_t axis : {std::size_t{1}, std::size_t{0}})
+            if (abs(normal[axis]) > abs(normal[dropped]))
+                dropped = axis;
+        expect(std::string(1, "xyz"[dropped]), step.text("drops"), "triangulate: drops");
+
+        const auto area = [&](std::size_t a, std::size_t b, std::size_t c) -> Rational {
+            const std::size_t x = (dropped + 1) % 3;
+            const std::size_t y = (dropped + 2) % 3;
+            const Rational twice =
+                (corners[b][x] - corners[a][x]) * (corners[c][y] - corners[a][y]) -
+                (corners[b][y] - corners[a][y]) * (corners[c][x] - corners[a][x]);
+            return sgn(normal[dropped]) * twice;
+        };
+        std::vector<std::size_t> left(corners.size());
+        std::iota(left.begin(), left.end(), std::size_t{0});
+        std::deque<std::size_t> line(left.begin(), left.end());
+        std::vector<std::array<std::size_t, 3>> ears;
+        while (left.size() > 3 && !line.empty()) {
+            const std::size_t corner = line.front();
+            line.pop_front();
+            const auto at = static_cast<std::size_t>(std::find(left.begin(), left.end(), corner) -
+                                                     left.begin());
+            const std::size_t before = left[(at + left.size() - 1) % left.size()];
+            const std::size_t after = left[(at + 1) % left.size()];
+            const bool is_ear = area(before, corner, after) > 0 &&
+                                std::none_of(left.begin(), left.end(), [&](std::size_t other) {
+                                    return other != before && other != corner && other != after &&
+                                           area(before, corner, other) >= 0 &&
+                                           area(corner, after, other) >= 0 &&
+                                           area(after, before, other) >= 0;
+                                });
+            if (!is_ear)
+                continue;
+            ears.push_back({before, corner, after});
+            left.erase(left.begin() + static_cast<std::ptrdiff_t>(at));
+            for (const std::size_t neighbor : {before, after}) {
+                std::erase(line, neighbor);
+                line.push_back(neighbor);
+            }
+        }
+        ears.push_back({left.at(0), left.at(1), left.at(2)});
+
+        // The primitives of these names have to have these corners.
+        const auto vertices = step.texts("vertices");
+        const auto names = step.texts("ears");
+        expect(ears.size(), names.size(), "triangulate: ears");
+        for (std::size_t i = 0; i < ears.size() && i < names.size(); ++i)
+            corners_of_ears_[names[i]] = {vertices.at(ears[i][0]), vertices.at(ears[i][1]),
+                                          vertices.at(ears[i][2])};
     }
 
     static bool straight(const std::string& move) { return move.size() == 1; }
@@ -250,6 +323,9 @@ private:
         kind_ = step.text("kind");
         has_long_numbers_ = step.field("within").has_value();
         names_ = step.texts("vertices");
+        if (const auto ear = corners_of_ears_.find(step.text("name"));
+            ear != corners_of_ears_.end())
+            expect(ear->second, names_, "triangulate: corners");
         at_.clear();
         for (const auto& row : step.text_rows("at"))
             at_.push_back({number_of<Real>(row[0]), number_of<Real>(row[1])});
@@ -747,6 +823,7 @@ private:
     std::map<std::string, int> counts_;
     std::string where_;
     std::string primitive_;
+    std::map<std::string, std::vector<std::string>> corners_of_ears_; ///< by their names
     std::string kind_;
     bool has_long_numbers_ = false; ///< corners are rounded
     std::vector<std::string> names_;
@@ -814,7 +891,11 @@ TEST(Redo, EveryDecisionOfRandomScenes) {
     for (unsigned seed = 1; seed <= random_cases(1500U) && !HasFailure(); ++seed)
         redo(RandomScene(seed).text(), counts);
     // None of the kinds was missed.
-    for (const char* const kind : {"snap",
+    for (const char* const kind : {"triangulate: normal",
+                                   "triangulate: drops",
+                                   "triangulate: ears",
+                                   "triangulate: corners",
+                                   "snap",
                                    "order",
                                    "face",
                                    "dot",

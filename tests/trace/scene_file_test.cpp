@@ -492,5 +492,117 @@ TEST(SceneFile, OfASceneIsReadBackAsThatScene) {
             expect_same(read.value().scene);
 }
 
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsSupersetOf;
+
+/// An arrow that points right, from B on.
+const std::string arrow =
+    R"("vertices": {"A": [7, 0], "B": [0, 5], "C": [0, 2], "D": [-7, 2], "E": [-7, -2], "F": [0, -2],
+                    "G": [0, -5]}, "faces": ["BCDEFGA"])";
+
+/// The names of the primitives, and those of their vertices behind them.
+std::vector<std::string> primitives_of(const Scene& scene) {
+    std::vector<std::string> all;
+    for (const ScenePrimitive& one : scene.primitives) {
+        all.push_back(one.name);
+        for (const std::size_t vertex : one.corners())
+            all.back() += " " + scene.vertices[vertex].name;
+    }
+    return all;
+}
+
+TEST(SceneFile, ConcaveFacesAreEarsInTheOrderInWhichTheyAreCut) {
+    const Scene scene = scene_in(R"({"meshes": [{)" + arrow + "}]}");
+    EXPECT_THAT(primitives_of(scene),
+                ElementsAre("ABC A B C", "CDE C D E", "FGA F G A", "ACE A C E", "EFA E F A"));
+    ASSERT_EQ(scene.cut_faces.size(), 1u);
+    EXPECT_EQ(scene.cut_faces[0].name, "BCDEFGA");
+    EXPECT_EQ(scene.cut_faces[0].normal.z.get_str(), "126");
+    EXPECT_EQ(scene.cut_faces[0].first_ear, 0u);
+    EXPECT_EQ(scene.cut_faces[0].ears, 5u);
+    EXPECT_TRUE(scene_in(R"({"meshes": [{"vertices": {"A": [0, 0], "B": [4, 0], "C": [4, 4],
+                             "D": [0, 4]}, "faces": ["ABCD"]}]})")
+                    .cut_faces.empty());
+}
+
+TEST(SceneFile, EarsAreFoundAgainWhateverIsDrawnBeforeThem) {
+    // Outlines come behind all triangles, and a face with three corners has no ears.
+    const Scene scene = scene_in(
+        R"({"vertices": {"P": [1, 1], "Q": [2, 2], "R": [3, 0]}, "triangles": ["PQR"], "meshes": [
+            {"name": "a", "draw": "outlines", )" +
+        arrow + R"(}, {"name": "b", "vertices": {"A": [0, 0], "B": [1, 0], "C": [0, 1]},
+            "faces": ["ABC"]}, {"name": "c", )" +
+        arrow + "}]}");
+    ASSERT_EQ(scene.cut_faces.size(), 2u);
+    for (const CutFace& face : scene.cut_faces) {
+        const std::string mesh = face.name.substr(0, 2);
+        EXPECT_EQ(scene.primitives.at(face.first_ear).name, mesh + "ABC");
+        EXPECT_EQ(scene.primitives.at(face.first_ear + face.ears - 1).name, mesh + "EFA");
+    }
+}
+
+/// The remarks on a scene, one behind the other.
+std::string remarks_on(const std::string& text) {
+    const auto scene = read_scene({"scene.json", text});
+    EXPECT_TRUE(scene) << to_text(scene.problem());
+    std::string all;
+    if (scene)
+        for (const Problem& remark : scene.value().remarks)
+            all += to_text(remark) + "\n";
+    return all;
+}
+
+TEST(SceneFile, FacesOffTheirPlaneAreToldOnceAMesh) {
+    EXPECT_EQ(
+        remarks_on(
+            R"({"canvas": {"width": 9, "height": 9}, "projection": {"type": "none"}, "meshes": [{
+"vertices": {"A": [0, 0, 0], "B": [4, 0, 0], "C": [4, 4, 0.5], "D": [0, 4, 0]},
+"faces": ["ABC", "ABCD", "DCBA", "ABDD"]}]})"),
+        "scene.json:3:18: remark: expected faces whose corners lie in one plane, found 2 of 3 "
+        "faces whose corners do not, by up to 0.125; the first is ABCD\n"
+        "\"faces\": [\"ABC\", \"ABCD\", \"DCBA\", \"ABDD\"]}]}\n"
+        "                 ^\n"
+        "hint: it is cut as it is seen along x, y or z, whichever its normal is nearest to\n");
+}
+
+TEST(SceneFile, FacesThatAreNoPolygonAreToldAndStayTheFan) {
+    const std::string text = R"({"meshes": [{"name": "tie",
+"vertices": {"A": [0, 0], "B": [4, 4], "C": [4, 0], "D": [0, 3], "E": [8, 8]},
+"faces": ["ABC", "ABCD", "BCDA", "AEBB"]}]})";
+    EXPECT_EQ(
+        remarks_on(text),
+        "scene.json:3:18: remark: expected faces whose edges do not cross, found 2 faces whose "
+        "edges do; in tie.ABCD the edge from tie.A to tie.B meets the one from tie.C to tie.D\n"
+        "\"faces\": [\"ABC\", \"ABCD\", \"BCDA\", \"AEBB\"]}]}\n"
+        "                 ^\n"
+        "hint: it is drawn as the fan of triangles from its first corner\n"
+        "scene.json:3:34: remark: expected faces with an area, found 1 face without; the first "
+        "is tie.AEBB\n"
+        "\"faces\": [\"ABC\", \"ABCD\", \"BCDA\", \"AEBB\"]}]}\n"
+        "                                 ^\n"
+        "hint: it is drawn as the fan of triangles from its first corner\n");
+    EXPECT_THAT(primitives_of(scene_in(text)),
+                IsSupersetOf({"tie.ABC tie.A tie.B tie.C", "tie.ACD tie.A tie.C tie.D"}));
+}
+
+TEST(SceneFile, AFaceWithTooManyDigitsIsRefused) {
+    // Twenty denominators of 601 digits, which have hardly a factor in common.
+    std::string vertices;
+    std::string face;
+    for (int i = 0; i < 20; ++i) {
+        const std::string name(1, static_cast<char>('A' + i));
+        const std::string above = "1" + std::string(590, '0');
+        const std::string below = "1" + std::string(595, '0') + std::to_string(10007 + 2 * i * i);
+        vertices += (i == 0 ? "\"" : ",\"") + name + R"(":[")" + above + "/" + below + "\"," +
+                    std::to_string(i * i) + "]";
+        face += name;
+    }
+    EXPECT_THAT(
+        complaint(R"({"meshes":[{"vertices":{)" + vertices + R"(},"faces":[")" + face + "\"]}]}"),
+        HasSubstr("expected a face whose fractions have a common denominator of at most 32768 "
+                  "bits, found a longer one"));
+}
+
 } // namespace
 } // namespace rastertrace

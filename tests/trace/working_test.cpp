@@ -489,5 +489,19 @@ RC_GTEST_PROP(Working, BresenhamsNextDIsTheNextD, ()) {
     }
 }
 
+TEST(Working, NewellsNormalEdgeByEdge) {
+    const Trace trace = trace_of(scene_in(
+        R"({"meshes":[{"vertices":{"A":[0,0,1],"B":[4,0,1],"C":[1,1,1],"D":[0,4,1]},
+            "faces":["ABCD"]}],"method":{"scalar":"exact"},"canvas":{"width":9,"height":9}})"));
+    EXPECT_THAT(
+        working(trace, 1),
+        ElementsAre("A to B: ((0 - 0) (1 + 1), (1 - 1) (0 + 4), (0 - 4) (0 + 0)) = (0, 0, 0)",
+                    "B to C: ((0 - 1) (1 + 1), (1 - 1) (4 + 1), (4 - 1) (0 + 1)) = (-2, 0, 3)",
+                    "C to D: ((1 - 4) (1 + 1), (1 - 1) (1 + 0), (1 - 0) (1 + 4)) = (-6, 0, 5)",
+                    "D to A: ((4 - 0) (1 + 1), (1 - 1) (0 + 0), (0 - 0) (4 + 0)) = (8, 0, 0)",
+                    "normal = the sum of these = (0, 0, 8), of length 8: twice the area",
+                    "largest in z: the face is seen without it"));
+}
+
 } // namespace
 } // namespace rastertrace

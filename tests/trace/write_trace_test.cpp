@@ -356,5 +356,28 @@ TEST(WriteTrace, MemoryDoesNotGrowWithTheSteps) {
     EXPECT_LT(output.largest, 1'000'000u);
 }
 
+TEST(WriteTrace, CutFacesAreToldFirstAndExactly) {
+    const auto first_step = [](const std::string& scalar) {
+        const std::string text = trace_text(scene_in(
+            R"({"meshes":[{"name":"m","vertices":{"A":[0,0],"B":[4,0],"C":[0.1,1],"D":["1/3",4]},
+                "faces":["BCDA"]}],"camera":{"position":[0,0,9]},"canvas":{"width":9,"height":9},
+                "method":{"scalar":")" +
+            scalar + "\"}}"));
+        const std::size_t begin = text.find('\n') + 1;
+        return text.substr(begin, text.find('\n', begin) - begin);
+    };
+    const std::string begin =
+        R"({"step":"triangulate","name":"m.BCDA","vertices":["m.B","m.C","m.D","m.A"],"at":[)";
+    const std::string end = R"(],"drops":"z","ears":["m.ABC","m.CDA"]},)";
+    const std::string in_fractions =
+        begin +
+        R"(["4","0","0"],["1/10","1","0"],["1/3","4","0"],["0","0","0"]],"normal":["0","0","61/15")" +
+        end;
+    for (const std::string scalar : {"exact", "fixed", "double", "float"})
+        EXPECT_EQ(first_step(scalar), in_fractions) << scalar;
+    EXPECT_EQ(first_step("adaptive"),
+              begin + R"([4,0,0],["1/10",1,0],["1/3",4,0],[0,0,0]],"normal":[0,0,"61/15")" + end);
+}
+
 } // namespace
 } // namespace rastertrace

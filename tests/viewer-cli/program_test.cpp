@@ -781,6 +781,38 @@ TEST_F(ProgramTest, HintsSayWhereAKeyOfTheMethodBelongs) {
                 EndsWith("hint: \"fill\" belongs in \"method\": {\"fill\": ...}\n"));
 }
 
+TEST_F(ProgramTest, FacesOfAFileAreCutAndToldOf) {
+    // A quad, an arrow head, a bow tie and a triangle; and a curve.
+    write("a.obj", "v 0 0 0\nv 8 0 0\nv 8 8 0\nv 0 8 0\nv 2 2 0\nv 2 5 0\ncstype bezier\nvp 1\n"
+                   "f 1 2 3 4\nf 2 5 4 1\nf 1 3 2 6\nf 1 2 3\n");
+    write("scene.json", "{\"canvas\": {\"width\": 17, \"height\": 17},\n"
+                        " \"meshes\": [{\"obj\": \"a.obj\"}, {\"obj\": \"a.obj\"}]}");
+    const Outcome outcome =
+        shell("$rastertrace show scene.json --every primitive --format csv | cut -d, -f 4");
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_THAT(outcome.out,
+                HasSubstr("\na.f1.1\na.f1.2\na.f2.1\na.f2.2\na.f3.1\na.f3.2\na.f4\na-2.f1.1\n"));
+    EXPECT_THAT(
+        shell("$rastertrace show scene.json --every triangulate").out,
+        HasSubstr("\nface a.f2 is not convex; its normal (0, 0, 32) is largest in z, which is "
+                  "dropped; ears: a.f2.1; what is left is a.f2.2\n"));
+    const std::string of_face =
+        "remark: expected faces whose edges do not cross, found 1 face whose "
+        "edges do; in ";
+    const std::string excerpt = "\n \"meshes\": [{\"obj\": \"a.obj\"}, {\"obj\": \"a.obj\"}]}\n";
+    const std::string hint = "hint: it is drawn as the fan of triangles from its first corner\n";
+    EXPECT_EQ(outcome.err,
+              "rastertrace: a.obj:7:1: remark: expected vertices and faces, found 2 statements of "
+              "curves, surfaces or display, skipped; the first is cstype\n"
+              "cstype bezier\n^\nhint: only what f lists is drawn\n"
+              "rastertrace: scene.json:2:21: " +
+                  of_face + "a.f3 the edge from a.1 to a.3 meets the one from a.2 to a.6" +
+                  excerpt + std::string(20, ' ') + "^\n" + hint +
+                  "rastertrace: scene.json:2:39: " + of_face +
+                  "a-2.f3 the edge from a-2.1 to a-2.3 meets the one from a-2.2 to a-2.6" +
+                  excerpt + std::string(38, ' ') + "^\n" + hint);
+}
+
 TEST_F(ProgramTest, ADecimalCommaIsRemarkedOn) {
     write("scene.json", "{\"vertices\": {\"A\": [2, 5], \"B\": [-4, -3],\n"
                         "              \"C\": [5,5, -3]},\n"
@@ -1504,7 +1536,8 @@ TEST_F(ProgramTest, UsageErrorsNameTheWordAndANearOne) {
               "see rastertrace show --help\n");
     EXPECT_EQ(shell("$rastertrace trace x --only pixle").err,
               "rastertrace: --only: expected kinds of step out of "
-              "matrix,vertex,order,primitive,face,light,clip,edge,half,ray,scanline,along,decide,"
+              "triangulate,matrix,vertex,order,primitive,face,light,clip,edge,half,ray,scanline,"
+              "along,decide,"
               "sample,depth,pixel,"
               "reject,skip,undecided, found \"pixle\"\n"
               "hint: did you mean pixel?\n");

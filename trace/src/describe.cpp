@@ -421,6 +421,24 @@ std::string reason(const Context& context) {
     }
 }
 
+/// How much of a long list or name is shown.
+constexpr std::size_t most_ears_shown = 12;
+constexpr std::size_t shown_of_name = 60;
+
+/// The ears of a face in the order in which they were cut; the last triangle is what they leave.
+std::string ears(const Context& context) {
+    auto names = context.step.texts("ears");
+    const std::size_t count = names.size();
+    if (count < 2)
+        return joined(names, ", ");
+    const std::string rest = shortened(names.back(), shown_of_name);
+    names.resize(std::min(count - 1, most_ears_shown));
+    std::string text = joined(names, ", ");
+    if (names.size() < count - 1)
+        text += fmt::format(", ... ({} in all)", count - 1);
+    return fmt::format("{}; what is left is {}", text, rest);
+}
+
 /// A part of a sentence that is more than a field.
 struct Part {
     std::string_view name;
@@ -429,6 +447,11 @@ struct Part {
 
 /// In the order of the sentences in step_kind.cpp.
 constexpr Part parts[] = {
+    {"face",
+     [](const Context& context) {
+         return "face " + shortened(context.step.text("name"), shown_of_name);
+     }},
+    {"ears", ears},
     {"of_object",
      [](const Context& context) {
          const std::string object = context.step.text("object");

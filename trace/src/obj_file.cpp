@@ -15,6 +15,7 @@
 #include <cstring>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -30,6 +31,23 @@ using number_text::is_digit;
 /// Room for every double written out in full: a sign, a point, and 1074 places behind it. The time
 /// for a number grows faster than its length, so longer ones are refused.
 constexpr std::size_t longest_number = 1100;
+
+/// Statements without which the faces are the same. Nobody needs to be told.
+constexpr std::array<std::string_view, 7> plain_statements{"l", "p",      "g",     "o",
+                                                           "s", "usemtl", "mtllib"};
+
+/// All others of the Advanced Visualizer manual, appendix B1: curves and surfaces, and their vertices; how a
+/// renderer shows things; what the format has had before.
+constexpr std::array<std::string_view, 33> skipped_statements{
+    "vp",     "cstype",     "deg",       "bmat",     "step",     "curv", "curv2",
+    "surf",   "parm",       "trim",      "hole",     "scrv",     "sp",   "end",
+    "con",    "mg",         "bevel",     "c_interp", "d_interp", "lod",  "maplib",
+    "usemap", "shadow_obj", "trace_obj", "ctech",    "stech",    "call", "csh",
+    "bsp",    "bzp",        "cdc",       "cdp",      "res"};
+
+bool is_among(std::string_view name, std::span<const std::string_view> names) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
 
 /// How much of a word is shown.
 constexpr std::size_t shown_of_word = 40;
@@ -80,10 +98,21 @@ public:
         if (mesh_.face_ends.empty())
             fail(end_, "expected at least one face, found none",
                  "a face of three vertices: f 1 2 3");
+        if (skipped_ > 0)
+            mesh_.remarks.push_back(remark_on_skipped());
         return std::move(mesh_);
     }
 
 private:
+    Problem remark_on_skipped() const {
+        return problem_at(
+            source_, static_cast<std::size_t>(first_skipped_.data() - source_.text.c_str()),
+            fmt::format("remark: expected vertices and faces, found {} statement{} of "
+                        "curves, surfaces or display, skipped; the first is {}",
+                        skipped_, skipped_ == 1 ? "" : "s", first_skipped_),
+            "only what f lists is drawn");
+    }
+
     [[noreturn]] void fail(const char* place, std::string message, std::string hint = {}) const {
         throw problem_at(source_, static_cast<std::size_t>(place - source_.text.c_str()),
                          std::move(message), std::move(hint));
@@ -169,15 +198,22 @@ private:
             read_texture_coordinate(name);
         else if (name == "vn")
             read_normal(name);
-        else if (name == "l" || name == "p" || name == "g" || name == "o" || name == "s" ||
-                 name == "usemtl" || name == "mtllib")
-            while (at_word())
-                take_word();
-        else if (mesh_.vertices.empty())
+        else if (is_among(name, plain_statements))
+            skip_statement();
+        else if (is_among(name, skipped_statements)) {
+            if (skipped_++ == 0)
+                first_skipped_ = name;
+            skip_statement();
+        } else if (mesh_.vertices.empty())
             fail_unquoted(name.data(), "expected an OBJ file, found a line that is none of it",
                           "its statements are v, vt, vn, f, l, p, g, o, s, usemtl, mtllib");
         else
             fail_expecting("a statement out of v, vt, vn, f, l, p, g, o, s, usemtl, mtllib", name);
+    }
+
+    void skip_statement() {
+        while (at_word())
+            take_word();
     }
 
     /// v x y z, v x y z w with a weight of 1, or v x y z red green blue.
@@ -348,6 +384,8 @@ private:
     ObjMesh mesh_;
     std::size_t texture_coordinates_ = 0; ///< how many there were so far
     std::size_t normals_ = 0;
+    std::size_t skipped_ = 0;        ///< statements that somebody should know of
+    std::string_view first_skipped_; ///< the word of the first one
 };
 
 } // namespace

@@ -2,6 +2,7 @@
 #include <rastertrace/trace/scene_file.h>
 
 #include "canvas_json.h"
+#include "face_cuts.h"
 #include "json_document.h"
 #include "json_reader.h"
 #include "name_index.h"
@@ -22,9 +23,11 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <system_error>
@@ -56,8 +59,10 @@ std::string base_name(const std::string& path) {
 
 /// Replaces what stands behind the first `length` characters of a name by a number.
 void put_number(std::string& name, std::size_t length, std::size_t number) {
+    std::array<char, std::numeric_limits<std::size_t>::digits10 + 1> digits;
+    const auto written = std::to_chars(digits.data(), digits.data() + digits.size(), number);
     name.resize(length);
-    name += std::to_string(number);
+    name.append(digits.data(), written.ptr);
 }
 
 /// Makes room for `more` elements, and for as many again as there are: many meshes move no element often.
@@ -146,6 +151,8 @@ public:
         if (const auto* unfit = std::get_if<Unfit>(&plan))
             refuse(*unfit);
         std::vector<Problem> remarks = remarks_on_z();
+        std::move(remarks_on_meshes_.begin(), remarks_on_meshes_.end(),
+                  std::back_inserter(remarks));
         return {std::move(scene_), std::get<Plan>(std::move(plan)), std::move(files_),
                 std::move(remarks)};
     }
@@ -313,9 +320,61 @@ private:
         return corners.size() > 3 ? ++polygons_ : 0;
     }
 
-    /// A mesh that is written out in the scene. Polygons become fans of triangles.
+    /// Adds a face: its sides if they are drawn, and its triangles, a fan or ears. `name_of_face()` calls the whole face, `name_of_part` the
+    /// k-th of its triangles.
+    template <typename NameOfFace, typename NameOfPart>
+    void add_face(std::span<const std::size_t> corners, const std::string& prefix,
+                  const ScenePrimitive& like, FaceCuts& cuts, const JsonValue& blamed,
+                  NameOfFace&& name_of_face, NameOfPart&& name_of_part) {
+        const std::uint32_t polygon = begin_face(corners, prefix, like);
+        const auto add = [&](std::size_t a, std::size_t b, std::size_t c, std::size_t k) {
+            ScenePrimitive& face = faces_.emplace_back(like);
+            face.vertices = {corners[a], corners[b], corners[c]};
+            face.polygon = polygon;
+            name_of_part(face, k);
+        };
+        Triangulation cut;
+        if (corners.size() > 3)
+            cut = cuts.cut(corners, blamed.begin, name_of_face);
+        if (cut.form == FaceForm::too_fine)
+            json_.fail(
+                blamed,
+                fmt::format("expected a face whose fractions have a common denominator of at "
+                            "most {} bits, found a longer one",
+                            most_bits_of_face));
+        if (!cut.ears) {
+            for (std::size_t k = 2; k < corners.size(); ++k)
+                add(0, k - 1, k, k - 1);
+            return;
+        }
+        scene_.cut_faces.push_back({.name = name_of_face(),
+                                    .corners = {corners.begin(), corners.end()},
+                                    .normal = cut.ears->normal,
+                                    .dropped = cut.ears->dropped,
+                                    .first_ear = faces_.size(), // moved by take_faces
+                                    .ears = cut.ears->triangles.size()});
+        places_of_ears_.push_back(faces_.size());
+        for (const auto& [a, b, c] : cut.ears->triangles)
+            add(a, b, c, faces_.size() - places_of_ears_.back() + 1);
+    }
+
+    void keep_remarks(const FaceCuts& cuts) {
+        for (Problem& remark : cuts.remarks(source_))
+            remarks_on_meshes_.push_back(std::move(remark));
+    }
+
+    /// A mesh that is written out in the scene. Polygons become triangles.
     void read_faces(const JsonValue& mesh, const std::string& prefix, const ScenePrimitive& like) {
+        const std::size_t first = scene_.vertices.size();
         read_vertices(json_.member(mesh, "vertices"), prefix);
+        const auto name_of = [&](std::span<const std::size_t> corners) {
+            std::vector<std::string_view> names;
+            for (const std::size_t corner : corners)
+                names.push_back(
+                    std::string_view(scene_.vertices[corner].name).substr(prefix.size()));
+            return prefix + joined_names(names);
+        };
+        FaceCuts cuts(scene_.vertices, first);
         const JsonValue faces = json_.member(mesh, "faces");
         constexpr std::string_view expected = R"(three vertices or more, "ABCD" or ["P1", ...])";
         for (const JsonValue& value :
@@ -323,19 +382,11 @@ private:
             const auto corners = corners_in(value, prefix, expected);
             if (corners.size() < 3)
                 json_.fail_expecting(value, expected);
-            const std::uint32_t polygon = begin_face(corners, prefix, like);
-            for (std::size_t i = 2; i < corners.size(); ++i) {
-                ScenePrimitive face = like;
-                face.vertices = {corners[0], corners[i - 1], corners[i]};
-                std::array<std::string_view, 3> names;
-                for (std::size_t k = 0; k < 3; ++k)
-                    names[k] = std::string_view(scene_.vertices[face.vertices[k]].name)
-                                   .substr(prefix.size());
-                face.name = prefix + joined_names(names);
-                face.polygon = polygon;
-                faces_.push_back(std::move(face));
-            }
+            add_face(
+                corners, prefix, like, cuts, value, [&] { return name_of(corners); },
+                [&](ScenePrimitive& part, std::size_t) { part.name = name_of(part.vertices); });
         }
+        keep_remarks(cuts);
         if (faces.elements().empty())
             json_.fail(faces, "expected at least one face, found none");
     }
@@ -356,7 +407,8 @@ private:
         }
         const std::size_t first = scene_.vertices.size();
         make_room(scene_.vertices, mesh.vertices.size());
-        std::string name = object.name + ".";
+        const std::string prefix = object.name + ".";
+        std::string name = prefix;
         const std::size_t of_object = name.size();
         for (Numbers3& at : mesh.vertices) {
             put_number(name, of_object, scene_.vertices.size() - first + 1);
@@ -367,25 +419,27 @@ private:
         first_of_obj_.emplace(object.name, std::pair(first, mesh.vertices.size()));
         make_room(faces_, mesh.triangles());
         name.replace(of_object, std::string::npos, "f");
+        FaceCuts cuts(scene_.vertices, first);
+        std::vector<std::size_t> face;
         for (std::size_t i = 0; i < mesh.faces(); ++i) {
             const auto corners = mesh.face(i);
             put_number(name, of_object + 1, i + 1);
-            const std::size_t of_face = name.size() + 1;
-            polygon_.clear();
-            for (const std::uint32_t corner : corners)
-                polygon_.push_back(first + corner);
-            const std::uint32_t polygon = begin_face(polygon_, object.name + ".", like);
-            for (std::size_t k = 2; k < corners.size(); ++k) {
-                if (corners.size() > 3) {
-                    name.resize(of_face, '.');
-                    put_number(name, of_face, k - 1);
-                }
-                ScenePrimitive& face = faces_.emplace_back(like);
-                face.name = name;
-                face.polygon = polygon;
-                face.vertices = {first + corners[0], first + corners[k - 1], first + corners[k]};
-            }
+            const std::size_t of_face = name.size();
+            face.resize(corners.size());
+            std::transform(corners.begin(), corners.end(), face.begin(),
+                           [first](std::uint32_t corner) { return first + corner; });
+            add_face(
+                face, prefix, like, cuts, obj, [&] { return name.substr(0, of_face); },
+                [&](ScenePrimitive& part, std::size_t k) {
+                    if (face.size() > 3) {
+                        name.resize(of_face);
+                        name += '.';
+                        put_number(name, of_face + 1, k);
+                    }
+                    part.name = name;
+                });
         }
+        keep_remarks(cuts);
     }
 
     /// The mesh of an OBJ file, which a relative path finds beside the scene. Each file is read once, and
@@ -408,6 +462,8 @@ private:
             if (!read)
                 throw read.problem();
             known.mesh = std::move(read.value());
+            std::move(known.mesh->remarks.begin(), known.mesh->remarks.end(),
+                      std::back_inserter(remarks_on_meshes_));
         }
         return --known.uses == 0 ? std::move(*known.mesh) : *known.mesh;
     }
@@ -443,7 +499,8 @@ private:
                                  "--allow-outside lets it lie anywhere");
     }
 
-    /// Moves the faces of meshes that are drawn as `kind` to the primitives.
+    /// Moves the faces of meshes that are drawn as `kind` to the primitives, and tells those that were cut
+    /// where their triangles are now.
     void take_faces(PrimitiveKind kind) {
         const auto count = std::count_if(faces_.begin(), faces_.end(),
                                          [kind](const auto& face) { return face.kind == kind; });
@@ -452,9 +509,17 @@ private:
             return;
         }
         scene_.primitives.reserve(scene_.primitives.size() + static_cast<std::size_t>(count));
-        for (ScenePrimitive& face : faces_)
-            if (face.kind == kind)
-                scene_.primitives.push_back(std::move(face));
+        auto cut = places_of_ears_.begin();
+        for (std::size_t i = 0; i < faces_.size(); ++i) {
+            const bool begins_cut = cut != places_of_ears_.end() && *cut == i;
+            if (faces_[i].kind == kind) {
+                if (begins_cut)
+                    scene_.cut_faces[static_cast<std::size_t>(cut - places_of_ears_.begin())]
+                        .first_ear = scene_.primitives.size();
+                scene_.primitives.push_back(std::move(faces_[i]));
+            }
+            cut += begins_cut ? 1 : 0;
+        }
     }
 
     /// Choices that do not go together, as soon as it is known what they are for.
@@ -772,10 +837,11 @@ private:
         place_of_hidden_lines_; ///< offset of the first mesh that asks for them
     std::unordered_set<std::uint64_t>
         sides_;                         ///< of the mesh that is read, by the vertices at their ends
-    std::vector<std::size_t> polygon_;  ///< the face that is read
     std::uint32_t polygons_ = 0;        ///< faces of more than three corners, so far
     std::vector<ScenePrimitive> faces_; ///< of meshes, until they are drawn in their turn
-    std::vector<FileId> files_;         ///< that were read
+    std::vector<std::size_t> places_of_ears_; ///< in `faces_`: the first of each face that was cut
+    std::vector<Problem> remarks_on_meshes_;
+    std::vector<FileId> files_;                           ///< that were read
     std::unordered_set<std::string> names_of_primitives_; ///< those that the author gave
 };
 

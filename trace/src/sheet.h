@@ -54,6 +54,7 @@ std::string product(const Rational& a, const Rational& b);
 
 // The workings of steps in space (working_in_space.cpp): matrices and vertices on their way to the screen,
 // faces and their light.
+void write_triangulation(Sheet& sheet);
 void write_matrix(Sheet& sheet);
 void write_vertex(Sheet& sheet);
 void write_face(Sheet& sheet);

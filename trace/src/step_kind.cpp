@@ -12,6 +12,11 @@ using enum FieldRole;
 
 // clang-format off
 const std::array<StepRow, step_kinds> table{{
+    {StepKind::triangulate, "triangulate", "a face that is not convex has been cut into triangles",
+     "{@face} is not convex; its normal {normal} is largest in {drops}, which is dropped; ears: {@ears}",
+     {{"name", string, key, true}, {"vertices", list, told}, {"at", list, reason}, {"normal", list, reason},
+      {"drops", string, decision}, {"ears", list, decision}}},
+
     {StepKind::matrix, "matrix", "a transform is set up",
      "{name} matrix{@of_object}{@factors}:{@rows}",
      {{"name", string, key, true}, {"object", string, key}, {"rows", list, told}, {"factors", list, told},

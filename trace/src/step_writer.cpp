@@ -168,6 +168,34 @@ void StepWriter::begin_vertex_line(std::string_view name, Space space) {
         name_of(space), "\"");
 }
 
+void StepWriter::put_names(std::string_view key, std::span<const std::string_view> names) {
+    std::string_view before = key;
+    for (const std::string_view name : names) {
+        put(before, std::string_view(json_quoted(name)));
+        before = ",";
+    }
+    put("]");
+}
+
+void StepWriter::operator()(const FaceTriangulated<Quantity>& step) {
+    if (!wants(StepKind::triangulate))
+        return;
+    begin_line(StepKind::triangulate);
+    put(R"({"step":"triangulate","name":)", std::string_view(json_quoted(step.name)));
+    put_names(R"(,"vertices":[)", step.vertices);
+    // Who cuts the ears again has to know just where the corners are.
+    std::string_view before = R"(,"at":[[)";
+    for (const auto& corner : step.at) {
+        put(before, Exactly{corner.x, true}, ",", Exactly{corner.y, true}, ",",
+            Exactly{corner.z, true}, "]");
+        before = ",[";
+    }
+    put(R"(],"normal":[)", Exactly{step.normal.x, true}, ",", Exactly{step.normal.y, true}, ",",
+        Exactly{step.normal.z, true}, R"(],"drops":")", std::string_view(&step.dropped, 1), "\"");
+    put_names(R"(,"ears":[)", step.ears);
+    put("}");
+}
+
 void StepWriter::operator()(const PrimitiveClipped& step) {
     if (!wants(StepKind::clip))
         return;

@@ -482,7 +482,7 @@ constexpr Row rows[] = {
     {StepKind::edge, edge},           {StepKind::scanline, scanline},
     {StepKind::along, along},         {StepKind::decide, decide},
     {StepKind::sample, sample},       {StepKind::depth, depth},
-    {StepKind::pixel, pixel},
+    {StepKind::pixel, pixel},         {StepKind::triangulate, write_triangulation},
 };
 
 /// The working of the sheet's step.

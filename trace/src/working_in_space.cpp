@@ -275,7 +275,50 @@ void put_face_toward(Sheet& sheet, std::string_view field, std::string_view name
     put_angle(sheet, *normal, *toward, name);
 }
 
+/// (y1 - y2) (z1 + z2)
+std::string newells_product(const Rational& y1, const Rational& y2, const Rational& z1,
+                            const Rational& z2) {
+    return fmt::format("({} {}) ({} {})", text(y1), minus(text(y2)), text(z1), plus(text(z2)));
+}
+
 } // namespace
+
+/// Newell's normal, edge by edge.
+void write_triangulation(Sheet& sheet) {
+    const auto rows = sheet.step.text_rows("at");
+    const auto names = sheet.step.texts("vertices");
+    const auto told = vec3_in(sheet.step.texts("normal"));
+    constexpr std::size_t most_edges_shown = 24;
+    if (!told || rows.size() != names.size() || rows.size() > most_edges_shown)
+        return;
+    std::vector<Vec3> at;
+    for (const auto& row : rows) {
+        const auto corner = vec3_in(row);
+        if (!corner)
+            return;
+        at.push_back(*corner);
+    }
+    std::vector<std::string> lines;
+    Vec3 sum{};
+    for (std::size_t i = 0; i < at.size(); ++i) {
+        const std::size_t next = i + 1 == at.size() ? 0 : i + 1;
+        const Vec3& p = at[i];
+        const Vec3& q = at[next];
+        const Vec3 part{(p.y - q.y) * (p.z + q.z), (p.z - q.z) * (p.x + q.x),
+                        (p.x - q.x) * (p.y + q.y)};
+        lines.push_back(fmt::format("{} to {}: ({}, {}, {}) = {}", names[i], names[next],
+                                    newells_product(p.y, q.y, p.z, q.z),
+                                    newells_product(p.z, q.z, p.x, q.x),
+                                    newells_product(p.x, q.x, p.y, q.y), text(part)));
+        sum = sum + part;
+    }
+    if (sum.x != told->x || sum.y != told->y || sum.z != told->z)
+        return;
+    sheet.lines = std::move(lines);
+    sheet.put(fmt::format("normal = the sum of these = {}, of length {}: twice the area", text(sum),
+                          length_of(sum)));
+    sheet.put(fmt::format("largest in {}: the face is seen without it", sheet.step.text("drops")));
+}
 
 /// What a matrix is a product of, and the camera that it comes of; then the matrices up to this one as
 /// one: view x model, projection x view x model.

@@ -2,8 +2,8 @@
 #pragma once
 
 // A mesh from a Wavefront OBJ file: its vertices exactly as typed, and its faces. The format is that
-// of the Advanced Visualizer manual, appendix B1, read strictly: what is not understood is refused.
-// Texture coordinates and normals are checked and then left out.
+// of the Advanced Visualizer manual, appendix B1, read strictly: what is no statement of it is refused.
+// Texture coordinates and normals are checked and then left out; curves and surfaces are skipped.
 //
 //     v 0 0 0
 //     v 1 0 0
@@ -28,6 +28,7 @@ struct ObjMesh {
     std::vector<std::array<Number, 3>> vertices; ///< as typed
     std::vector<std::uint32_t> corners;          ///< places in `vertices`, face after face
     std::vector<std::uint32_t> face_ends;        ///< for each face, where its corners end
+    std::vector<Problem> remarks;                ///< on what the file has and the mesh has not
 
     std::size_t faces() const { return face_ends.size(); }
 
@@ -42,7 +43,7 @@ struct ObjMesh {
 };
 
 /// Reads an OBJ file of at least one face. Groups, materials, smoothing, lines and points are
-/// skipped.
+/// skipped; so are curves, surfaces and what is for display, with a remark.
 Result<ObjMesh> read_obj(const Source& source);
 
 } // namespace rastertrace

@@ -16,6 +16,7 @@ namespace rastertrace {
 
 /// In the order in which a picture meets them; the end record counts them in this order.
 enum class StepKind {
+    triangulate,
     matrix,
     vertex,
     order,
@@ -37,7 +38,7 @@ enum class StepKind {
     undecided,
 };
 
-inline constexpr std::size_t step_kinds = 19;
+inline constexpr std::size_t step_kinds = 20;
 
 /// What a field of a step holds.
 enum class FieldType : std::uint8_t {

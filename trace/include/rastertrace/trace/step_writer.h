@@ -311,6 +311,7 @@ public:
             put_colored_pixel(step);
     }
 
+    void operator()(const FaceTriangulated<Quantity>& step);
     void operator()(const PrimitiveClipped& step);
     void operator()(const SideBegan& step);
     void operator()(const HalfBegan& step);
@@ -372,6 +373,7 @@ private:
     static std::string_view word(bool value) { return value ? "true" : "false"; }
 
     void write_labels();
+    void put_names(std::string_view key, std::span<const std::string_view> names);
     void begin_primitive_line(PrimitiveKind kind, std::string_view name,
                               std::span<const std::string_view> vertices);
     void end_primitive_line(const PrimitiveBegan<Quantity>& step);

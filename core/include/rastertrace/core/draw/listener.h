@@ -65,15 +65,14 @@ public:
 private:
     /// How a kind of step comes to the callable.
     template <typename Step> using Way = void (*)(void* callable, const Step& step);
-    using Ways =
-        std::tuple<Way<MatrixSetUp<Quantity>>, Way<VertexPlaced<Quantity>>,
-                   Way<PrimitivesOrdered<Quantity>>, Way<FaceTested<Quantity>>,
-                   Way<FaceLit<Quantity>>, Way<PrimitiveClipped>, Way<PrimitiveBegan<Quantity>>,
-                   Way<EdgeSetUp<Quantity>>, Way<EdgeFunctionSetUp<Quantity>>, Way<SideBegan>,
-                   Way<HalfBegan>, Way<RayBegan>, Way<ScanlineSpanned<Quantity>>,
-                   Way<LineSampled<Quantity>>, Way<LineDecided>, Way<SampleTested<Quantity>>,
-                   Way<DepthTested<Quantity>>, Way<PixelPlotted>, Way<PixelsRejected>,
-                   Way<RowsRejected>, Way<BoundExceeded>, Way<PrimitiveSkipped>>;
+    using Ways = std::tuple<
+        Way<MatrixSetUp<Quantity>>, Way<VertexPlaced<Quantity>>, Way<PrimitivesOrdered<Quantity>>,
+        Way<FaceTested<Quantity>>, Way<FaceLit<Quantity>>, Way<PrimitiveClipped>,
+        Way<PrimitiveBegan<Quantity>>, Way<EdgeSetUp<Quantity>>, Way<EdgeFunctionSetUp<Quantity>>,
+        Way<SideBegan>, Way<HalfBegan>, Way<RayBegan>, Way<ScanlineSpanned<Quantity>>,
+        Way<LineSampled<Quantity>>, Way<LineDecided>, Way<SampleTested<Quantity>>,
+        Way<DepthTested<Quantity>>, Way<PixelPlotted>, Way<PixelsRejected>, Way<RowsRejected>,
+        Way<BoundExceeded>, Way<PrimitiveSkipped>, Way<FaceTriangulated<Quantity>>>;
 
     template <typename Callable, typename... Steps>
     static constexpr bool takes_any(std::tuple<Way<Steps>...>*) {

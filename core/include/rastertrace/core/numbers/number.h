@@ -79,6 +79,17 @@ public:
         return number;
     }
 
+    /// digits x 10^exponent.
+    struct Decimal {
+        std::int64_t digits;
+        int exponent;
+    };
+
+    /// The decimal that is held in place, if it is one.
+    std::optional<Decimal> as_decimal() const {
+        return is_fraction() ? std::nullopt : std::optional(Decimal{held_.digits, exponent_});
+    }
+
     /// The value, exactly.
     mpq_class exact() const;
 

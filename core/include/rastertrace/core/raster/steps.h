@@ -26,6 +26,17 @@ namespace rastertrace {
 /// What kind of thing is drawn.
 enum class PrimitiveKind { triangle, outline, line, point };
 
+/// A face that is not convex has been cut into triangles: it was seen along an axis, and its ears were cut
+/// (triangulate.h). Whatever the Scalar of a scene, this is decided in exact numbers.
+template <typename Scalar> struct FaceTriangulated {
+    std::string_view name;
+    std::span<const std::string_view> vertices; ///< of the face, in the author's order
+    std::span<const Vec<Scalar, 3>> at;         ///< where they are, in object space
+    Vec<Scalar, 3> normal;                      ///< Newell's: its length is twice the area
+    char dropped;                               ///< x, y or z: of its largest component
+    std::span<const std::string_view> ears;     ///< the primitives that it is drawn as
+};
+
 /// A transform from one space to the next is known. Points are columns on its right.
 template <typename Scalar> struct MatrixSetUp {
     std::string_view name;   ///< model, view, projection or viewport

@@ -9,6 +9,8 @@
 //     scene.primitives = {{.kind = PrimitiveKind::triangle, .name = "ABC", .vertices = {0, 1, 2}}};
 
 #include <rastertrace/core/numbers/number.h>
+#include <rastertrace/core/numbers/scalar.h>
+#include <rastertrace/core/numbers/vec.h>
 #include <rastertrace/core/raster/canvas.h>
 #include <rastertrace/core/raster/image.h>
 #include <rastertrace/core/raster/steps.h>
@@ -76,6 +78,16 @@ struct ScenePrimitive {
     }
 };
 
+/// A concave face of a mesh, and how it was cut into triangles (triangulate.h).
+struct CutFace {
+    std::string name;
+    std::vector<std::size_t> corners; ///< indices in Scene::vertices, in the author's order
+    Vec<Rational, 3> normal;          ///< Newell's, in object space
+    std::size_t dropped = 0;          ///< the axis along which it was seen: 0 is x
+    std::size_t first_ear = 0;        ///< index in Scene::primitives
+    std::size_t ears = 0;             ///< how many of them are its triangles
+};
+
 /// Where light comes from, in the world.
 struct Light {
     enum class Kind {
@@ -95,6 +107,8 @@ struct Scene {
     std::vector<SceneVertex> vertices;
     std::vector<ScenePrimitive> primitives; ///< drawn in this order
     Method method;
+
+    std::vector<CutFace> cut_faces; ///< what is told of them
 
     std::vector<SceneObject> objects; ///< none: no vertex has a model
     std::optional<Camera> camera;     ///< none: the world is the camera's space
