@@ -133,12 +133,16 @@ private:
             put_list("points", 1, 2);
     }
 
-    /// An arrow head, its notch more or less deep, from any of its corners on.
+    /// An arrow head, its notch more or less deep, from any of its corners on; filled, or its sides.
     void put_concave_face() {
         out_ << R"(,"meshes":[{"name":"head","vertices":{"a":[-3,-2,1],"b":[0,)"
              << of_mesh_.pick<const char*>({"-1", "0.1", R"("1/3")"})
              << R"(,1],"c":[3,-2,1],"d":[0,4,1]},"faces":[")"
-             << of_mesh_.pick<const char*>({"abcd", "bcda", "cdab", "dabc", "dcba"}) << R"("]}])";
+             << of_mesh_.pick<const char*>({"abcd", "bcda", "cdab", "dabc", "dcba"}) << R"("])"
+             << (is_in_space_ ? of_mesh_.pick<const char*>(
+                                    {"", R"(,"draw":"outlines")", R"(,"draw":"hidden-lines")"})
+                              : "")
+             << "}]";
     }
 
     void put_view() {

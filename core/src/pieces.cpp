@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <concepts>
+#include <cstddef>
+#include <cstdint>
 #include <initializer_list>
 #include <span>
 #include <string>
@@ -107,22 +109,40 @@ std::vector<bool> culled_sides_of(const Scene& scene, IsDrawn&& is_drawn) {
                      [](const ScenePrimitive& one) { return one.is_side; }))
         return {};
 
-    using Side = std::pair<std::size_t, std::size_t>;
-    const auto side_of = [](const ScenePrimitive& primitive, std::size_t i, std::size_t k) -> Side {
-        return std::minmax(primitive.vertices[i], primitive.vertices[k]);
+    // A face is drawn if one of its triangles is: one without area never is.
+    const auto face_number = [&primitives](std::size_t i) {
+        return primitives[i].polygon == 0 ? i : primitives.size() + primitives[i].polygon;
     };
-    std::vector<Side> drawn;
+    std::vector<std::size_t> triangles;
+    std::vector<std::size_t> faces;
     for (std::size_t i = 0; i < primitives.size(); ++i)
-        if (primitives[i].kind == PrimitiveKind::triangle && is_drawn(i)) {
-            drawn.push_back(side_of(primitives[i], 0, 1));
-            drawn.push_back(side_of(primitives[i], 1, 2));
-            drawn.push_back(side_of(primitives[i], 0, 2));
+        if (primitives[i].kind == PrimitiveKind::triangle) {
+            triangles.push_back(i);
+            if (is_drawn(i))
+                faces.push_back(face_number(i));
         }
+    std::sort(faces.begin(), faces.end());
+
+    // Which of these a vertex is a corner of.
+    using CornerOfFace = std::pair<std::size_t, std::size_t>;
+    std::vector<CornerOfFace> drawn;
+    for (const std::size_t i : triangles)
+        if (std::binary_search(faces.begin(), faces.end(), face_number(i)))
+            for (const std::size_t corner : primitives[i].corners())
+                drawn.emplace_back(corner, face_number(i));
     std::sort(drawn.begin(), drawn.end());
+    const auto is_side_of_drawn = [&drawn](std::size_t from, std::size_t to) {
+        const auto first = std::lower_bound(drawn.begin(), drawn.end(), CornerOfFace{from, 0});
+        return std::any_of(
+            first, std::upper_bound(first, drawn.end(), CornerOfFace{from, SIZE_MAX}),
+            [&](const CornerOfFace& of) {
+                return std::binary_search(drawn.begin(), drawn.end(), CornerOfFace{to, of.second});
+            });
+    };
     std::vector<bool> result(primitives.size());
     for (std::size_t i = 0; i < primitives.size(); ++i)
         result[i] = primitives[i].is_side &&
-                    !std::binary_search(drawn.begin(), drawn.end(), side_of(primitives[i], 0, 1));
+                    !is_side_of_drawn(primitives[i].vertices[0], primitives[i].vertices[1]);
     return result;
 }
 

@@ -422,5 +422,34 @@ TEST(HiddenLines, FacesThatOnlyHideDrawNothing) {
     EXPECT_EQ(draw_as_planned(flat.scene).drawn(), 0u) << "alone, it is not even tested";
 }
 
+TEST(HiddenLines, ASideIsDrawnWithItsFaceAndCulledWithIt) {
+    // M lies on AB: the triangle AMB has no area and is never drawn, but the face AMBC is.
+    const auto drawn_sides = [](bool is_turned_away) {
+        Scene scene;
+        scene.canvas = {.width = 24, .height = 24};
+        scene.method = {.scalar = ScalarKind::exact, .cull = Cull::back, .depth = Depth::linear_z};
+        scene.vertices = {
+            {"A", -8, -8, {}, 5}, {"M", 0, -8, {}, 5}, {"B", 8, -8, {}, 5}, {"C", -8, 8, {}, 5}};
+        for (std::array<std::size_t, 3> corners :
+             {std::array<std::size_t, 3>{0, 1, 2}, {0, 2, 3}}) {
+            if (is_turned_away)
+                std::swap(corners[1], corners[2]);
+            scene.primitives.push_back(
+                {.is_painted = false, .name = "face", .vertices = corners, .polygon = 1});
+        }
+        for (const auto& [from, to] : {std::pair{0U, 1U}, {1U, 2U}, {2U, 3U}, {3U, 0U}})
+            scene.primitives.push_back({.kind = PrimitiveKind::line,
+                                        .is_side = true,
+                                        .name = "side",
+                                        .vertices = {from, to}});
+        LineSink sink;
+        draw_as_planned(scene, sink);
+        return std::count_if(sink.drawn.begin(), sink.drawn.end(),
+                             [](const Pixels& pixels) { return !pixels.empty(); });
+    };
+    EXPECT_EQ(drawn_sides(false), 4);
+    EXPECT_EQ(drawn_sides(true), 0);
+}
+
 } // namespace
 } // namespace rastertrace

@@ -54,6 +54,25 @@ TEST(WriteTrace, AdaptiveTellsDepthsWhoseDifferenceIsBeyondTheDoubles) {
     }
 }
 
+TEST(WriteTrace, ABackgroundIsToldAndDrawsNothing) {
+    Scene scene = first_triangle();
+    const std::string without = trace_text(scene);
+    scene.background = Color{255, 128, 0};
+    std::string with = trace_text(scene);
+    const std::string told = R"(,"background":"#ff8000")";
+    ASSERT_NE(with.find(told), std::string::npos);
+    const auto trace = read_trace({"t.json", with});
+    ASSERT_TRUE(trace);
+    EXPECT_EQ(trace.value().background, (Color{255, 128, 0}));
+    EXPECT_EQ(with.erase(with.find(told), told.size()), without) << "steps, counts and frame";
+    std::string wrong = trace_text(scene);
+    wrong.replace(wrong.find("#ff8000"), 7, "#ff80");
+    const auto refused = read_trace({"t.json", wrong});
+    ASSERT_FALSE(refused);
+    EXPECT_THAT(to_text(refused.problem()),
+                testing::HasSubstr("expected a color like \"#ff8000\", found"));
+}
+
 // 1/z of a point or a line is not needed, and behind the eye a triangle has none.
 TEST(WriteTrace, NothingIsDividedByADistanceOfNothing) {
     const auto scene_with = [](const std::string& rest, const std::string& scalar) {

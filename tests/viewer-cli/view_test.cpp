@@ -134,6 +134,17 @@ TEST(Views, ShadeIsARampInWhichBlackIsNotEmpty) {
     EXPECT_EQ(grid(trace, View::shade), "-*&..\n.....\n");
 }
 
+TEST(Views, ABackgroundIsSeenInShadeAlone) {
+    Trace trace = trace_in(primitive("ABC", "#000000") + pixel(0, 0));
+    const std::string plotted = grid(trace, View::plotted);
+    const std::string faces = grid(trace, View::faces);
+    trace.background = Color{255, 255, 255};
+    EXPECT_EQ(grid(trace, View::shade), "-&&&&\n&&&&&\n");
+    EXPECT_EQ(grid(trace, View::plotted), plotted);
+    EXPECT_EQ(grid(trace, View::faces), faces);
+    EXPECT_NE(shown(trace, View::shade).find("background & #ffffff"), std::string::npos);
+}
+
 TEST(Views, DepthIsTheBuffer) {
     // T0, figure 10: infinity, 3, 2.
     const std::string steps = primitive("ABC") + depth_test(1, "3", "null", true) + pixel(1, 0) +
