@@ -83,25 +83,38 @@ mpz_class height_of(const std::array<mpz_class, 3>& to, const std::array<mpz_cla
            normal[2] * (to[2] - from[2]);
 }
 
-/// above / (below denominator), where the quotient is a double.
-template <typename Above, typename Below>
-double ratio(const Above& above, const Below& below, std::int64_t denominator) {
-    return static_cast<double>(above) / static_cast<double>(below) /
-           static_cast<double>(denominator);
-}
-double ratio(const mpz_class& above, const mpz_class& below, const mpz_class& denominator) {
-    std::array<long, 3> exponents{};
-    const double quotient = mpz_get_d_2exp(&exponents[0], above.get_mpz_t()) /
-                            mpz_get_d_2exp(&exponents[1], below.get_mpz_t()) /
-                            mpz_get_d_2exp(&exponents[2], denominator.get_mpz_t());
-    return std::scalbln(quotient, exponents[0] - exponents[1] - exponents[2]);
+/// span / (|normal| denominator).
+template <typename Height, typename Product>
+double length_along(const std::array<Product, 3>& normal, const Height& span,
+                    std::int64_t denominator) {
+    const Vec<double, 3> n{static_cast<double>(normal[0]), static_cast<double>(normal[1]),
+                           static_cast<double>(normal[2])};
+    return static_cast<double>(span) / (std::sqrt(dot(n, n)) * static_cast<double>(denominator));
 }
 
-/// How far the corners lie apart along the normal, whose component of the largest size is `largest`.
+/// The same of numbers that may be no doubles: each is one below 1 times a power of two.
+double length_along(const std::array<mpz_class, 3>& normal, const mpz_class& span,
+                    const mpz_class& denominator) {
+    std::array<double, 3> components{};
+    std::array<long, 3> powers{};
+    for (std::size_t i = 0; i < 3; ++i)
+        components[i] = mpz_get_d_2exp(&powers[i], normal[i].get_mpz_t());
+    const long power = *std::max_element(powers.begin(), powers.end());
+    double square = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+        square += std::pow(std::scalbln(components[i], powers[i] - power), 2);
+    long of_span = 0;
+    long of_denominator = 0;
+    const double quotient = mpz_get_d_2exp(&of_span, span.get_mpz_t()) /
+                            mpz_get_d_2exp(&of_denominator, denominator.get_mpz_t());
+    return std::scalbln(quotient / std::sqrt(square), of_span - of_denominator - power);
+}
+
+/// How far the corners lie apart along the normal.
 template <typename Whole, typename Product>
 void measure_plane(std::span<const std::array<Whole, 3>> corners,
-                   const std::array<Product, 3>& normal, const Product& largest,
-                   const Whole& denominator, Triangulation& result) {
+                   const std::array<Product, 3>& normal, const Whole& denominator,
+                   Triangulation& result) {
     using Height = decltype(height_of(corners[0], corners[0], normal));
     Height lowest = 0;
     Height highest = 0;
@@ -113,17 +126,8 @@ void measure_plane(std::span<const std::array<Whole, 3>> corners,
             highest = height;
     }
     result.is_planar = lowest == highest;
-    if (result.is_planar)
-        return;
-
-    // In units of its largest component the normal is at most sqrt(3) long.
-    double square = 0;
-    for (const Product& component : normal) {
-        const double share = ratio(component, largest, Whole(1));
-        square += share * share;
-    }
-    const Height span = highest - lowest;
-    result.off_plane = std::abs(ratio(span, largest, denominator)) / (2 * std::sqrt(square));
+    if (!result.is_planar)
+        result.off_plane = length_along(normal, Height(highest - lowest), denominator) / 2;
 }
 
 /// A double that a whole number is near to.
@@ -419,7 +423,7 @@ Triangulation cut_face(std::span<const std::array<Whole, 3>> corners, const Whol
         result.form = FaceForm::no_area;
         return result;
     }
-    measure_plane(corners, normal, normal[axis], denominator, result);
+    measure_plane(corners, normal, denominator, result);
 
     see_along(axis, normal[axis] < 0, corners, polygon);
     if (is_convex(polygon))

@@ -436,5 +436,20 @@ TEST(Examples, NumericsScenes) {
     EXPECT_EQ(writes("extreme.json", "a sliver on the samples", {{"depth", "none"}}), 0u);
 }
 
+TEST(Examples, AnArrowOfEars) {
+    EXPECT_EQ(picture("faces/arrow"), ".................\n"
+                                      ".................\n"
+                                      "........#........\n"
+                                      "........##.......\n"
+                                      "........###......\n"
+                                      ".############....\n"
+                                      ".#############...\n"
+                                      ".#############...\n"
+                                      ".############....\n"
+                                      "........###......\n"
+                                      "........##.......\n"
+                                      "........#........\n");
+}
+
 } // namespace
 } // namespace rastertrace

@@ -788,14 +788,15 @@ TEST_F(ProgramTest, FacesOfAFileAreCutAndToldOf) {
     write("scene.json", "{\"canvas\": {\"width\": 17, \"height\": 17},\n"
                         " \"meshes\": [{\"obj\": \"a.obj\"}, {\"obj\": \"a.obj\"}]}");
     const Outcome outcome =
-        shell("$rastertrace show scene.json --every primitive --format csv | cut -d, -f 4");
+        shell("$rastertrace show scene.json --every primitive --format csv | cut -d, -f 3");
     EXPECT_EQ(outcome.status, 0);
     EXPECT_THAT(outcome.out,
                 HasSubstr("\na.f1.1\na.f1.2\na.f2.1\na.f2.2\na.f3.1\na.f3.2\na.f4\na-2.f1.1\n"));
     EXPECT_THAT(
         shell("$rastertrace show scene.json --every triangulate").out,
-        HasSubstr("\nface a.f2 is not convex; its normal (0, 0, 32) is largest in z, which is "
-                  "dropped; ears: a.f2.1; what is left is a.f2.2\n"));
+        HasSubstr(
+            "\n   1  face a.f2 is not convex; its normal (0, 0, 32) is largest in z, which is "
+            "dropped; ears: a.f2.1; what is left is a.f2.2\n"));
     const std::string of_face =
         "remark: expected faces whose edges do not cross, found 1 face whose "
         "edges do; in ";
