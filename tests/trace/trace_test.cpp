@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "effort.h"
 #include "picture.h"
+#include "random_scene.h"
 #include "random_triangle.h"
 #include "traces.h"
 
@@ -348,6 +350,26 @@ RC_GTEST_PROP(Trace, SurvivesAnyDamage, ()) {
         RC_ASSERT(frame.image.colors().size() <= 67'108'864u);
     }
     is_trace({"t", text});
+}
+
+// What was written a moment ago is read without being checked: to the same steps.
+TEST(Trace, WhatWasWrittenIsReadAlikeWithAndWithoutChecks) {
+    for (std::uint64_t seed = 0; seed < random_cases(100u); ++seed) {
+        const auto read = read_scene({"scene.json", RandomScene(seed).text()});
+        if (!read)
+            continue;
+        const std::string text = trace_text(read.value().scene);
+        const Trace checked = sound_trace(text);
+        const auto written = read_written_trace({"trace.json", text});
+        ASSERT_TRUE(written) << text;
+        const Trace& trace = written.value();
+        ASSERT_EQ(trace.size(), checked.size()) << text;
+        for (std::size_t n = 1; n <= trace.size(); ++n) {
+            ASSERT_EQ(trace.kind_of(n), checked.kind_of(n)) << text;
+            ASSERT_EQ(trace.step(n).json(), checked.step(n).json());
+        }
+        EXPECT_EQ(trace.end->count, checked.end->count);
+    }
 }
 
 } // namespace

@@ -132,7 +132,10 @@ bool has_type(std::string_view json, FieldType type) {
 /// Reads one trace. What makes the rest useless is thrown as a Problem; what does not is damage.
 class TraceReader {
 public:
-    explicit TraceReader(Source source) { trace_.source_ = std::move(source); }
+    /// A sound trace needs no checks: this program has written it.
+    TraceReader(Source source, bool is_sound) : is_sound_(is_sound) {
+        trace_.source_ = std::move(source);
+    }
 
     Trace read() {
         // The first line of our own layouts says which it is: a document's ends where its steps
@@ -146,7 +149,8 @@ public:
         } else {
             read_document();
         }
-        compare_with_end();
+        if (!is_sound_)
+            compare_with_end();
         return std::move(trace_);
     }
 
@@ -408,6 +412,13 @@ private:
 
     void add_step(std::size_t begin, std::size_t size) {
         const std::string_view json = text().substr(begin, size);
+        if (is_sound_) {
+            constexpr std::string_view front = R"({"step":")";
+            const std::string_view name = json.substr(front.size());
+            trace_.steps_.push_back({begin, static_cast<std::uint32_t>(size),
+                                     step_kind_named(name.substr(0, name.find('"')))});
+            return;
+        }
 
         // Valid JSON, each key once. Where the quick look finds fault, the thorough one says which.
         constexpr std::size_t most_keys = 16;
@@ -554,12 +565,21 @@ private:
     }
 
     Trace trace_;
+    bool is_sound_;
     bool was_cut_short_ = false;
     bool has_stray_pixel_ = false;
     bool has_every_pixel_ = true; ///< the header does not leave out steps that plot one
     bool has_every_color_ = true; ///< nor those that color it
     std::size_t end_offset_ = 0;
 };
+
+Result<Trace> read_written_trace(Source source) {
+    try {
+        return TraceReader(std::move(source), true).read();
+    } catch (const Problem& problem) {
+        return problem;
+    }
+}
 
 Result<Trace> read_trace(Source source) {
     // The mark that some editors put in front of UTF-8 says nothing.
@@ -569,7 +589,7 @@ Result<Trace> read_trace(Source source) {
     if (auto problem = zero_byte_in(source))
         return *std::move(problem);
     try {
-        return TraceReader(std::move(source)).read();
+        return TraceReader(std::move(source), false).read();
     } catch (const Problem& problem) {
         return problem;
     }

@@ -101,7 +101,7 @@ Trace InputFrames::trace(std::size_t frame) {
         StringOutput output(drawn.text);
         write_trace(scene, plan, {}, output);
     }
-    return titled(value_or_throw(read_trace(std::move(drawn))), path_);
+    return titled(value_or_throw(read_written_trace(std::move(drawn))), path_);
 }
 
 PlannedScene load_scene(const std::string& path, const SceneOptions& options) {

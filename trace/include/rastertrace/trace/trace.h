@@ -116,6 +116,9 @@ private:
 /// be shown: no header, a newer version, or a line that is no step.
 Result<Trace> read_trace(Source source);
 
+/// Reads what write_trace has written to a string. It is not looked through for damage.
+Result<Trace> read_written_trace(Source source);
+
 /// True if a source holds a trace rather than a scene: an object with the key "rastertrace".
 bool is_trace(const Source& source);
 
