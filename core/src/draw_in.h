@@ -175,13 +175,17 @@ void draw_lines(const Piece<Scalar>& primitive, const Method& method, const Canv
             painter(PrimitiveSkipped{.why = SkipReason::last_pixel_only});
         return;
     }
-    case PrimitiveKind::outline:
+    case PrimitiveKind::outline: {
+        bool has_pixels = false;
         for (const EdgeName side : {EdgeName{0, 1}, EdgeName{1, 2}, EdgeName{2, 0}}) {
             auto&& painter = painter_of(side);
             painter(SideBegan{.edge = side, .octant = octant_of(primitive, side)});
-            draw_line(primitive, side, method, canvas, painter);
+            has_pixels = draw_line(primitive, side, method, canvas, painter) || has_pixels;
+            if (side.to == 0 && !has_pixels)
+                painter(PrimitiveSkipped{.why = SkipReason::last_pixel_only});
         }
         return;
+    }
     case PrimitiveKind::triangle:
         break;
     }

@@ -10,10 +10,10 @@
 //
 //   - the point lies inside it on the screen, its sides included,
 //   - and it is nearer there: of equals the thinner one passes, a line before a face, a point before both;
-//   - and the line is none of its sides, the point none of its corners. That is known by the vertices: the
-//     face has all of them.
+//   - and the line is none of its sides, the point none of its corners. That is known by the vertices.
 //
-// Between lines, as between faces, the buffer's depths decide, and of equals the first one stays.
+// Between lines, as between faces, depths decide, and of equals the first one stays. What is drawn although the
+// buffer has something nearer leaves that stored, and is remembered beside it.
 //
 // Source: T1, "Remoção de linhas e superfícies ocultas", by a depth buffer.
 //
@@ -86,8 +86,10 @@ LinePoints<DepthOf<Scalar>> line_points(const Piece<Scalar>& piece, EdgeName sid
     const bool is_x_major = is_longer_in_x<D>({from.at, to.at});
     const D& first = is_x_major ? from.at.x : from.at.y;
     const D& last = is_x_major ? to.at.x : to.at.y;
-    if (first == last)
-        (to.depth < from.depth ? from : to) = to.depth < from.depth ? to : from;
+    if (first == last) {
+        const DeepPoint<D> nearer = to.depth < from.depth ? to : from;
+        from = to = nearer;
+    }
     return {is_x_major,
             {first, is_x_major ? from.at.y : from.at.x, last, is_x_major ? to.at.y : to.at.x},
             {first, from.depth, last, to.depth},
@@ -151,26 +153,26 @@ inline int thickness_of(PrimitiveKind kind) {
     return kind == PrimitiveKind::point ? 0 : kind == PrimitiveKind::triangle ? 2 : 1;
 }
 
-/// True if a primitive, or the face that it is a part of, has all of these vertices.
-inline bool has_vertices(const Scene& scene, std::size_t primitive,
-                         std::span<const std::size_t> vertices) {
+/// True if the line between two vertices is a side of a triangle, or of the polygon that it is a part of; or
+/// the vertex a corner of it, if both are the same; or an end of a line. A side of a polygon is one of a single
+/// triangle: its diagonals are those of two.
+inline bool is_side_of(const Scene& scene, const std::array<std::size_t, 2>& ends,
+                       std::size_t primitive) {
     const auto& all = scene.primitives;
-    std::size_t first = primitive;
-    std::size_t end = primitive + 1;
-    if (const std::uint32_t polygon = all[primitive].polygon; polygon != 0) {
-        while (first > 0 && all[first - 1].polygon == polygon)
-            --first;
-        while (end < all.size() && all[end].polygon == polygon)
-            ++end;
-    }
-    return std::all_of(vertices.begin(), vertices.end(), [&](std::size_t vertex) {
-        for (std::size_t i = first; i < end; ++i) {
-            const auto corners = all[i].corners();
-            if (std::find(corners.begin(), corners.end(), vertex) != corners.end())
-                return true;
-        }
-        return false;
-    });
+    const auto has = [&](std::size_t i, std::size_t vertex) {
+        const auto corners = all[i].corners();
+        return std::find(corners.begin(), corners.end(), vertex) != corners.end();
+    };
+    const std::uint32_t polygon = all[primitive].polygon;
+    if (polygon == 0)
+        return has(primitive, ends[0]) && has(primitive, ends[1]);
+    std::size_t i = primitive;
+    while (i > 0 && all[i - 1].polygon == polygon)
+        --i;
+    std::size_t count = 0;
+    for (; i < all.size() && all[i].polygon == polygon; ++i)
+        count += has(i, ends[0]) && has(i, ends[1]) ? 1 : 0;
+    return ends[0] == ends[1] ? count > 0 : count == 1;
 }
 
 /// Paints those pixels of a point, a line or a side that nothing hides, and tells every step on.
@@ -214,66 +216,98 @@ private:
         const ScenePrimitive* const other = owner ? &primitive_of(*owner) : nullptr;
         const bool is_thicker = other && thickness_of(other->kind) > thickness_;
         const auto drawn_because = [&](DepthReason reason) -> DepthVerdict {
-            if (buffer_.hides(cell, depth))
-                return {true, reason, other->name};
-            buffer_.keep(cell, depth);
-            return {true};
+            if (!buffer_.hides(cell, depth)) {
+                buffer_.keep(cell, depth);
+                return {true};
+            }
+            if (buffer_.is_behind_thin(cell, depth, thickness_ == 0))
+                return {false};
+            buffer_.keep_thin(cell, depth);
+            return {true, reason, other->name};
         };
-        if (is_thicker && is_side_of(*owner))
-            return drawn_because(DepthReason::side_of);
-        if (const auto face = face_before(pixel, row))
-            return {false, DepthReason::behind, primitive_of(*face).name};
-        if (is_thicker && other->kind == PrimitiveKind::triangle)
-            return drawn_because(DepthReason::beside);
-        if (is_thicker && !buffer_.hides(cell, depth)) {
+        const auto [face, is_exact] = face_before(pixel, row);
+        DepthVerdict verdict;
+        if (face)
+            verdict = {false, DepthReason::behind, primitive_of(*face).name};
+        else if (is_thicker && is_side_of(*owner))
+            verdict = drawn_because(DepthReason::side_of);
+        else if (is_thicker && other->kind == PrimitiveKind::triangle)
+            verdict = drawn_because(DepthReason::beside);
+        else if (is_thicker && !buffer_.hides(cell, depth)) {
             buffer_.keep(cell, depth);
-            return {true};
+            verdict = {true};
+        } else {
+            verdict = {buffer_.keep_if_nearer(cell, depth)};
         }
-        return {buffer_.keep_if_nearer(cell, depth)};
+        verdict.is_exact = is_exact;
+        return verdict;
     }
 
-    /// The owner of a depth, in the pixel or next to it, whose face hides the line's point.
-    std::optional<std::uint32_t> face_before(Pixel pixel, int row) const {
+    /// The owner of a depth, in the pixel or next to it, whose face hides the line's point; and whether that
+    /// took exact numbers.
+    struct FaceBefore {
+        std::optional<std::uint32_t> owner;
+        bool is_exact = false;
+    };
+    FaceBefore face_before(Pixel pixel, int row) const {
         std::array<std::uint32_t, 9> seen{};
-        std::size_t count = 0;
+        auto end = seen.begin();
+        FaceBefore result;
         // The pixel itself first: mostly that decides.
         for (const int dy : {0, -1, 1})
             for (const int dx : {0, -1, 1}) {
                 if (!buffer_.has(pixel.x + dx, row + dy))
                     continue;
                 const auto owner = buffer_.owner_of(*buffer_.row_from(pixel.x + dx, row + dy));
-                if (!owner || primitive_of(*owner).kind != PrimitiveKind::triangle ||
-                    std::find(seen.begin(), seen.begin() + static_cast<std::ptrdiff_t>(count),
-                              *owner) != seen.begin() + static_cast<std::ptrdiff_t>(count))
+                if (!owner || std::find(seen.begin(), end, *owner) != end)
                     continue;
-                if (!is_side_of(*owner) && hides_point(*owner, pixel))
-                    return owner;
-                seen[count++] = *owner;
+                *end++ = *owner;
+                if (primitive_of(*owner).kind != PrimitiveKind::triangle || is_side_of(*owner))
+                    continue;
+                const Hiding hiding = hiding_of(*owner, pixel);
+                result.is_exact = result.is_exact || hiding.is_exact;
+                if (hiding.hides) {
+                    result.owner = owner;
+                    return result;
+                }
             }
-        return std::nullopt;
+        return result;
     }
 
-    /// True if the face of an owner covers the line's point at a pixel, and is nearer there.
-    bool hides_point(std::uint32_t owner, Pixel pixel) const {
+    /// Whether the face of an owner covers the line's point at a pixel, and is nearer there.
+    struct Hiding {
+        bool hides;
+        bool is_exact = false; ///< it took exact numbers
+    };
+    Hiding hiding_of(std::uint32_t owner, Pixel pixel) const {
         const bool larger_passes = buffer_.larger_passes();
         if constexpr (std::same_as<Scalar, OfPixels>)
             try {
-                return rastertrace::hides_point(target_.triangle_of(owner), points_.at(pixel),
-                                                larger_passes);
+                return {hides_point(target_.triangle_of(owner), points_.at(pixel), larger_passes)};
             } catch (const Undecided&) {
                 ++target_.exactness->fallbacks.depths;
             }
         if constexpr (std::same_as<OfPixels, Adaptive>) {
-            auto& [pieces, sample_offset, drawn, colors, fallbacks] = *target_.exactness;
-            const auto line = line_points(pieces.piece(drawn.back()), side_, larger_passes);
-            return rastertrace::hides_point(corners_of(pieces.piece(drawn[owner])), line.at(pixel),
-                                            larger_passes);
+            Exactness& exactness = *target_.exactness;
+            const auto line =
+                line_points(exactness.pieces.piece(exactness.drawn.back()), side_, larger_passes);
+            const auto face = corners_of(exactness.pieces.piece(exactness.drawn[owner]));
+            return {hides_point(face, line.at(pixel), larger_passes), true};
         }
-        return false; // only filtered doubles leave anything undecided
+        return {false}; // only filtered doubles leave anything undecided
     }
 
+    /// The same owner is asked about again and again.
     bool is_side_of(std::uint32_t owner) const {
-        return has_vertices(scene_, target_.primitive_index_of(owner), ends_);
+        const std::size_t primitive = target_.primitive_index_of(owner);
+        const std::uint32_t polygon = scene_.primitives[primitive].polygon;
+        if (polygon == 0)
+            return rastertrace::is_side_of(scene_, ends_, primitive);
+        if (polygon != asked_polygon_) {
+            asked_polygon_ = polygon;
+            is_side_of_asked_ = rastertrace::is_side_of(scene_, ends_, primitive);
+        }
+        return is_side_of_asked_;
     }
     const ScenePrimitive& primitive_of(std::uint32_t owner) const {
         return scene_.primitives[target_.primitive_index_of(owner)];
@@ -286,6 +320,8 @@ private:
     LinePoints<DepthOf<Scalar>> points_;
     int thickness_;
     std::array<std::size_t, 2> ends_;
+    mutable std::uint32_t asked_polygon_ = 0; ///< none
+    mutable bool is_side_of_asked_ = false;
     [[no_unique_address]] Sink sink_;
 };
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -123,26 +124,35 @@ std::vector<bool> culled_sides_of(const Scene& scene, IsDrawn&& is_drawn) {
         }
     std::sort(faces.begin(), faces.end());
 
-    // Which of these a vertex is a corner of.
-    using CornerOfFace = std::pair<std::size_t, std::size_t>;
-    std::vector<CornerOfFace> drawn;
+    // Their sides: between two triangles of one face lies a diagonal.
+    struct SideOfFace {
+        std::size_t low, high, face;
+        auto operator<=>(const SideOfFace&) const = default;
+    };
+    std::vector<SideOfFace> sides;
     for (const std::size_t i : triangles)
         if (std::binary_search(faces.begin(), faces.end(), face_number(i)))
-            for (const std::size_t corner : primitives[i].corners())
-                drawn.emplace_back(corner, face_number(i));
-    std::sort(drawn.begin(), drawn.end());
-    const auto is_side_of_drawn = [&drawn](std::size_t from, std::size_t to) {
-        const auto first = std::lower_bound(drawn.begin(), drawn.end(), CornerOfFace{from, 0});
-        return std::any_of(
-            first, std::upper_bound(first, drawn.end(), CornerOfFace{from, SIZE_MAX}),
-            [&](const CornerOfFace& of) {
-                return std::binary_search(drawn.begin(), drawn.end(), CornerOfFace{to, of.second});
-            });
+            for (std::size_t k = 0; k < 3; ++k) {
+                const std::size_t from = primitives[i].vertices[k];
+                const std::size_t to = primitives[i].vertices[(k + 1) % 3];
+                sides.push_back({std::min(from, to), std::max(from, to), face_number(i)});
+            }
+    std::sort(sides.begin(), sides.end());
+    const auto is_drawn_side = [&sides](std::size_t from, std::size_t to) {
+        const SideOfFace first{std::min(from, to), std::max(from, to), 0};
+        auto side = std::lower_bound(sides.begin(), sides.end(), first);
+        while (side != sides.end() && side->low == first.low && side->high == first.high) {
+            const auto next = std::upper_bound(side, sides.end(), *side);
+            if (next - side == 1)
+                return true;
+            side = next;
+        }
+        return false;
     };
     std::vector<bool> result(primitives.size());
     for (std::size_t i = 0; i < primitives.size(); ++i)
         result[i] = primitives[i].is_side &&
-                    !is_side_of_drawn(primitives[i].vertices[0], primitives[i].vertices[1]);
+                    !is_drawn_side(primitives[i].vertices[0], primitives[i].vertices[1]);
     return result;
 }
 

@@ -115,6 +115,11 @@ Wireframe wireframe_of(const Solid& solid, const std::array<int, 3>& eye, const 
     return result;
 }
 
+std::size_t count_of(const Image& image, Color color) {
+    return static_cast<std::size_t>(
+        std::count(image.colors().begin(), image.colors().end(), color));
+}
+
 using Pixels = std::set<std::pair<int, int>>;
 
 /// The pixels that each primitive of a scene was asked to draw, and those that it drew.
@@ -449,6 +454,71 @@ TEST(HiddenLines, ASideIsDrawnWithItsFaceAndCulledWithIt) {
     };
     EXPECT_EQ(drawn_sides(false), 4);
     EXPECT_EQ(drawn_sides(true), 0);
+}
+
+TEST(HiddenLines, OfTwoLinesInAPixelTheNearerOneStaysWhateverHasTheDepthBuffer) {
+    // The face is nearer than both in the middle of the pixels of row 1: AB is its side, PQ lies beside it.
+    for (const ScalarKind scalar :
+         {ScalarKind::double_precision, ScalarKind::adaptive, ScalarKind::exact})
+        for (const bool side_first : {false, true}) {
+            FlatScene flat({.scalar = scalar});
+            flat.add(PrimitiveKind::triangle,
+                     {{"1", "7/5", "5"}, {"12", "7/5", "5"}, {"6", "-3", "1"}}, red);
+            const auto add_line = [&flat] {
+                flat.add(PrimitiveKind::line, {{"1", "29/20", "9"}, {"12", "29/20", "9"}}, green);
+            };
+            if (!side_first)
+                add_line();
+            flat.scene.primitives.push_back(
+                {.kind = PrimitiveKind::line, .name = "AB", .vertices = {0, 1}, .color = blue});
+            if (side_first)
+                add_line();
+            const Image picture = draw_as_planned(flat.scene);
+            for (int x = 1; x <= 12; ++x)
+                EXPECT_EQ(picture.at({x, 1}), blue) << x;
+        }
+}
+
+TEST(HiddenLines, ASideIsHiddenByAFaceThatCoversItsPoint) {
+    // The nearer face has no pixel in row 1, where AB is drawn at y = 7/5, but covers AB.
+    for (const bool is_side : {false, true}) {
+        FlatScene flat({.scalar = ScalarKind::exact});
+        flat.add(PrimitiveKind::triangle, {{"1", "7/5", "5"}, {"12", "7/5", "5"}, {"6", "-3", "5"}},
+                 red);
+        flat.add(PrimitiveKind::triangle,
+                 {{"-2", "13/10", "1"}, {"16", "13/10", "1"}, {"6", "12", "1"}}, red);
+        flat.add(PrimitiveKind::line, {{"1", "7/5", "5"}, {"12", "7/5", "5"}}, green);
+        if (is_side)
+            flat.scene.primitives.back().vertices = {0, 1, 0};
+        EXPECT_EQ(count_of(draw_as_planned(flat.scene), green), 0U);
+    }
+}
+
+TEST(HiddenLines, ADiagonalOfAFaceIsNoSideOfIt) {
+    // The square AXBY is drawn, AZB is turned away: of AZB's sides, AB is only a diagonal of the square.
+    Scene scene;
+    scene.canvas = {.width = 24, .height = 24};
+    scene.method = {.scalar = ScalarKind::exact, .cull = Cull::back, .depth = Depth::linear_z};
+    scene.vertices = {{"A", -8, -8, {}, 5},
+                      {"X", 8, -8, {}, 5},
+                      {"B", 8, 8, {}, 5},
+                      {"Y", -8, 8, {}, 5},
+                      {"Z", 0, 2, {}, 4}};
+    const auto add_face = [&scene](std::array<std::size_t, 3> corners, std::uint32_t polygon) {
+        scene.primitives.push_back(
+            {.is_painted = false, .name = "face", .vertices = corners, .polygon = polygon});
+    };
+    add_face({0, 1, 2}, 1);
+    add_face({0, 2, 3}, 1);
+    add_face({0, 4, 2}, 0);
+    for (const auto& [from, to] : {std::pair{0U, 1U}, {0U, 4U}, {4U, 2U}, {2U, 0U}})
+        scene.primitives.push_back(
+            {.kind = PrimitiveKind::line, .is_side = true, .name = "side", .vertices = {from, to}});
+    LineSink sink;
+    draw_as_planned(scene, sink);
+    EXPECT_FALSE(sink.drawn[3].empty()) << "AX";
+    for (const std::size_t side : {4, 5, 6})
+        EXPECT_TRUE(sink.drawn[side].empty()) << side;
 }
 
 } // namespace

@@ -454,6 +454,21 @@ TEST(LineColors, AreCutOffWhereTheTextCutsThem) {
     }
 }
 
+TEST(LineColors, AChannelThatIsTheSameAtBothEndsIsNotCut) {
+    for (int length = 1; length <= 60; ++length)
+        for (const int level : {1, 64, 77, 255}) {
+            Scene scene = line_scene(
+                {"0", "0", std::to_string(length), std::to_string(length / 3)},
+                {.color_lerp = ColorLerp::distance, .color_rounding = ColorRounding::truncate},
+                {.width = 64, .height = 64, .origin = Origin::top_left});
+            const auto same = static_cast<std::uint8_t>(level);
+            scene.vertices[0].color = Color{0, same, 9};
+            scene.vertices[1].color = Color{255, same, 3};
+            for (const Color& color : line(scene).colors)
+                ASSERT_EQ(color.green(), same);
+        }
+}
+
 TEST(LineColors, EndsHaveExactlyTheirColors) {
     // The text's sums end on 254 for 229 of 511 lengths; ours never do.
     for (int length = 1; length <= 511; ++length) {

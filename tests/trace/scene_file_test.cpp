@@ -240,7 +240,7 @@ TEST(SceneFile, HiddenLinesNeedADepthBuffer) {
               "hint: say \"projection\": {...}, or \"method\": {\"depth\": \"linear-z\"}");
     EXPECT_THAT(
         complaint(mesh("hidden-lines", R"(, "method": {"depth": "linear-z", "fill": "fan"})")),
-        HasSubstr("hint: the fan has no depths: say \"fill\": \"scanline\""));
+        HasSubstr("found \"fill\": \"fan\""));
     EXPECT_THAT(complaint(mesh("hidden-line", "")),
                 HasSubstr("expected triangles, outlines or hidden-lines, found \"hidden-line\""));
 

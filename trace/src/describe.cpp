@@ -195,7 +195,7 @@ std::string depth_rule(const Context& context) {
     if (kind == "inverse-z" && depth && *depth != 0)
         text += "; z = " + inverse_of(step.text("depth")) +
                 (stored && *stored != 0 ? " against " + inverse_of(step.text("stored")) : "");
-    if (step.text("depth") == step.text("stored"))
+    if (step.text("depth") == step.text("stored") && !step.field("behind"))
         text += replay.stored_before() == 0   ? "; equal to the empty buffer"
                 : step.text("pass") == "true" ? "; of equals the thinner one passes"
                                               : "; of equals the first stays";
@@ -204,7 +204,8 @@ std::string depth_rule(const Context& context) {
     if (step.field("side_of"))
         text += fmt::format("; {} does not hide its own {}", step.text("side_of"), part);
     if (step.field("beside"))
-        text += fmt::format("; {} does not cover {}, or not from before", step.text("beside"), own);
+        text +=
+            fmt::format("; {} does not cover {}, or is not nearer there", step.text("beside"), own);
     if (step.field("behind"))
         text += fmt::format("; {} covers {} and is nearer there", step.text("behind"), own);
     return text + ")";
@@ -613,7 +614,9 @@ std::optional<bool> larger_depth_passes(const Trace& trace, std::size_t n) {
     const StepView step = trace.step(n);
     const auto depth = nearest_double_in(step.text("depth"));
     const auto stored = nearest_double_in(step.text("stored"));
-    if (depth && stored && *depth != *stored)
+    const bool is_decided_by_them =
+        !step.field("side_of") && !step.field("beside") && !step.field("behind");
+    if (is_decided_by_them && depth && stored && *depth != *stored)
         return (step.text("pass") == "true") == (*depth > *stored);
     const std::string kind = trace.method_value("depth");
     return kind == "inverse-z"  ? std::optional(true)

@@ -544,12 +544,19 @@ private:
                                    "goes somewhere",
                                    rounds_spans ? "the rows of triangles" : "a snapped vertex"),
                        "the others are start, up, away and even");
-        if (place_of_hidden_lines_ && !scene_.has_depth_buffer())
-            json_.fail(*place_of_hidden_lines_,
-                       "expected a depth buffer for hidden lines, found none",
-                       method.fill == Fill::fan
-                           ? R"(the fan has no depths: say "fill": "scanline")"
-                           : R"(say "projection": {...}, or "method": {"depth": "linear-z"})");
+        if (place_of_hidden_lines_ && !scene_.has_depth_buffer()) {
+            const bool is_said = method.fill == Fill::fan || method.depth.has_value();
+            json_.fail(
+                *place_of_hidden_lines_,
+                fmt::format("expected a depth buffer for hidden lines, found {}",
+                            method.fill == Fill::fan ? R"("fill": "fan")"
+                            : method.depth           ? fmt::format(R"("depth": "{}")",
+                                                                   find_method_key("depth")->get(method))
+                                                     : "none"),
+                is_said
+                    ? R"(the fan has no depths, the painter no buffer; "depth": "linear-z" has one)"
+                    : R"(say "projection": {...}, or "method": {"depth": "linear-z"})");
+        }
     }
 
     /// How vertices come to the screen.

@@ -24,6 +24,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -89,7 +90,26 @@ public:
         return passes;
     }
 
-    /// True if what is stored is nearer than a turned depth.
+    /// True if a point or a line has been drawn here over something nearer, and a turned depth does not pass
+    /// that: it is farther, or as near and no `thinner` one.
+    bool is_behind_thin(const double& cell, Adaptive depth, bool is_thinner) {
+        const auto index = static_cast<std::size_t>(&cell - cells_.data());
+        const auto found = thin_.find(index);
+        if (found == thin_.end())
+            return false;
+        const auto& [other, piece] = found->second;
+        if (const auto order = order_of(depth, other))
+            return is_thinner ? *order > 0 : *order >= 0;
+        return is_thinner ? is_nearer_exactly(piece, piece_, index)
+                          : !is_nearer_exactly(piece_, piece, index);
+    }
+
+    /// Remembers the turned depth of a point or a line that is drawn over something nearer, which stays stored.
+    void keep_thin(const double& cell, Adaptive depth) {
+        thin_[static_cast<std::size_t>(&cell - cells_.data())] = {depth, piece_};
+    }
+
+    /// True if what is stored is nearer than a turned depth. Something must be stored.
     bool hides(const double& cell, Adaptive depth) {
         const double difference = depth.value() - cell;
         const double error = (depth.error() + largest_error_) * Adaptive::widening;
@@ -136,8 +156,9 @@ public:
         const std::optional<Adaptive> stored_depth = stored(cell);
         const std::optional<std::uint32_t> stored_piece = owner_of(cell);
         const std::uint64_t exact_before = exact_tests_;
-        const auto [passes, reason, other] = test();
-        const bool told_by_doubles = exact_tests_ == exact_before && std::isfinite(depth.value()) &&
+        const auto [passes, reason, other, is_exact] = test();
+        const bool told_by_doubles = !is_exact && exact_tests_ == exact_before &&
+                                     std::isfinite(depth.value()) &&
                                      (!stored_depth || std::isfinite(stored_depth->value()));
         if (told_by_doubles) {
             sink(DepthTested<Adaptive>{.pixel = pixel,
@@ -183,6 +204,11 @@ private:
     double largest_error_; ///< of a depth that has been stored
     std::uint32_t piece_ = no_piece;
     std::uint64_t exact_tests_ = 0;
+    struct Thin {
+        Adaptive depth;
+        std::uint32_t piece;
+    };
+    std::unordered_map<std::size_t, Thin> thin_; ///< by cell
     IsNearer is_nearer_;
     ExactDepth exact_depth_;
 };

@@ -214,8 +214,8 @@ private:
         auto& buffer = *pixels_.buffer;
         const auto& compared = buffer.compared(depths, pixels.first, pixels.last);
         if constexpr (!keeps_steps<Sink> && std::floating_point<DepthOf<OfPixels>>)
-            if (pixels_.stages.colors == ColorStage::flat && !compared.end &&
-                !buffer.remembers_owners())
+            if (pixels_.stages.colors == ColorStage::flat && pixels_.stages.is_painted &&
+                !compared.end && !buffer.remembers_owners())
                 return paint_nearer(row.colors - row.left, buffer.row_from(0, row.index), pixels,
                                     compared.x, compared.depth, compared.slope, pixels_.flat);
         if (!keeps_steps<Sink> && !pixels_.stages.is_painted)

@@ -37,6 +37,7 @@
 #include <limits>
 #include <optional>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 namespace rastertrace {
@@ -71,6 +72,7 @@ struct DepthVerdict {
     bool passes;
     DepthReason reason = DepthReason::stored;
     std::string_view other = {};
+    bool is_exact = false; ///< with `adaptive`: doubles have left it open
 };
 
 /// One number per pixel of its region.
@@ -131,6 +133,17 @@ public:
     bool hides(const Scalar& cell, const Scalar& depth) const {
         return !is_clear(cell) && cell < depth;
     }
+
+    /// True if a point or a line has been drawn here over something nearer, and a turned depth does not pass
+    /// that: it is farther, or as near and no `thinner` one.
+    bool is_behind_thin(const Scalar& cell, const Scalar& depth, bool is_thinner) const {
+        const auto found = thin_.find(index_of(cell));
+        return found != thin_.end() &&
+               (is_thinner ? found->second < depth : !(depth < found->second));
+    }
+
+    /// Remembers the turned depth of a point or a line that is drawn over something nearer, which stays stored.
+    void keep_thin(const Scalar& cell, const Scalar& depth) { thin_[index_of(cell)] = depth; }
 
     /// Stores a turned depth.
     void keep(Scalar& cell, const Scalar& depth) {
@@ -208,6 +221,7 @@ private:
     std::vector<bool> is_clear_;
     std::vector<std::uint32_t> owners_; ///< of the cells, if it remembers them
     std::uint32_t owner_ = no_owner;
+    std::unordered_map<std::size_t, Scalar> thin_; ///< by cell
 };
 
 /// The turned depths of a row of a triangle: linear in x.

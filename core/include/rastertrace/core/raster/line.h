@@ -118,7 +118,7 @@ inline Color color_by_distance(const GridLine& line, GridPoint pixel, ColorRound
     };
     const double share = distance(pixel, line.to) / distance(line.from, line.to);
     const auto channel = [share, rounding](std::uint8_t a, std::uint8_t b) {
-        return level_of(share * a + (1 - share) * b, rounding);
+        return a == b ? a : level_of(share * a + (1 - share) * b, rounding);
     };
     return {channel(line.from_color.red(), line.to_color.red()),
             channel(line.from_color.green(), line.to_color.green()),
