@@ -526,7 +526,7 @@ private:
         command
             .add_option(
                 "--case", stress_.cases,
-                "Only these cases, in full: L1 to L13, S1 to S14, C1 to C18, Z1 to Z13, P1 to "
+                "Only these cases, in full: L1 to L13, S1 to S14, C1 to C18, Z1 to Z14, P1 to "
                 "P12, X1 to X9")
             ->type_name("ID")
             ->delimiter(',')

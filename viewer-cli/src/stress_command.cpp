@@ -366,7 +366,7 @@ std::vector<const StressCase*> chosen_cases(const std::vector<std::string>& ids)
             throw problem_of(
                 "",
                 fmt::format("--case: expected a case of the catalogue, L1 to L13, S1 to "
-                            "S14, C1 to C18, Z1 to Z13, P1 to P12 or X1 to X9, found "
+                            "S14, C1 to C18, Z1 to Z14, P1 to P12 or X1 to X9, found "
                             "\"{}\"",
                             id),
                 did_you_mean(id, known));
