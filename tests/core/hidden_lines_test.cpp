@@ -517,7 +517,7 @@ TEST(HiddenLines, ADiagonalOfAFaceIsNoSideOfIt) {
     LineSink sink;
     draw_as_planned(scene, sink);
     EXPECT_FALSE(sink.drawn[3].empty()) << "AX";
-    for (const std::size_t side : {4, 5, 6})
+    for (const std::size_t side : std::array<std::size_t, 3>{4, 5, 6})
         EXPECT_TRUE(sink.drawn[side].empty()) << side;
 }
 
