@@ -187,6 +187,16 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 } // namespace
 
+std::vector<std::string> split_at(std::string_view text, char separator) {
+    std::vector<std::string> parts(1);
+    for (const char c : text)
+        if (c == separator)
+            parts.emplace_back();
+        else
+            parts.back() += c;
+    return parts;
+}
+
 std::string_view nearest_word(std::string_view word, const std::vector<std::string_view>& known) {
     // A slip of the pen: at most a third of the letters, two at the most. Long text is no slip.
     std::string_view nearest;

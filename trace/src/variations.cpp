@@ -16,16 +16,6 @@ namespace rastertrace {
 
 namespace {
 
-std::vector<std::string> parts_of(std::string_view text, char separator) {
-    std::vector<std::string> parts(1);
-    for (const char c : text)
-        if (c == separator)
-            parts.emplace_back();
-        else
-            parts.back() += c;
-    return parts;
-}
-
 /// A number as an author would type it: a decimal if that ends, else a fraction in quotes.
 std::string token_of(const mpq_class& value) {
     mpz_class rest = value.get_den();
@@ -71,7 +61,7 @@ std::string_view short_name(std::string_view pointer) {
     std::size_t begin = pointer.size();
     do
         begin = pointer.find_last_of('/', begin - 1);
-    while (begin > 0 && index_in(parts_of(pointer.substr(begin + 1), '/').front()));
+    while (begin > 0 && index_in(split_at(pointer.substr(begin + 1), '/').front()));
     return pointer.substr(begin + 1);
 }
 
@@ -97,7 +87,7 @@ public:
                  example);
         JsonValue target = root;
         std::string way;
-        for (const std::string& word : parts_of(std::string_view(pointer_).substr(1), '/')) {
+        for (const std::string& word : split_at(std::string_view(pointer_).substr(1), '/')) {
             if (way.empty() && word == "vary")
                 fail("expected a number that is drawn by, found one of \"vary\"", example);
             target = inside(target, way, word);
@@ -116,13 +106,13 @@ public:
     Variations::Values values_in(const std::string& text) const {
         if (text.find(':') == std::string::npos) {
             std::vector<mpq_class> list;
-            for (const std::string& word : parts_of(text, ','))
+            for (const std::string& word : split_at(text, ','))
                 list.push_back(number_in(word));
             if (list.size() > most_frames)
                 fail(fmt::format("expected at most {} values, found {}", most_frames, list.size()));
             return Variations::Values(std::move(list));
         }
-        const auto words = parts_of(text, ':');
+        const auto words = split_at(text, ':');
         if (words.size() != 3)
             fail(fmt::format("expected FROM:TO:STEPS or a list of values, found \"{}\"",
                              shown(text)),

@@ -52,16 +52,6 @@ constexpr std::string_view exit_statuses =
                      std::move(hint));
 }
 
-std::vector<std::string> split(std::string_view text, char separator) {
-    std::vector<std::string> parts(1);
-    for (const char c : text)
-        if (c == separator)
-            parts.emplace_back();
-        else
-            parts.back() += c;
-    return parts;
-}
-
 template <typename Integer> std::optional<Integer> whole_in(std::string_view text) {
     Integer value = 0;
     const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -76,7 +66,7 @@ std::vector<Value> list_in(std::string_view option, std::string_view what, std::
                            const std::vector<std::string_view>& names,
                            std::optional<Value> (*named)(std::string_view)) {
     std::vector<Value> values;
-    for (const std::string& word : split(text, ',')) {
+    for (const std::string& word : split_at(text, ',')) {
         const auto value = named(word);
         if (!value)
             refuse(option, fmt::format("{} out of {}", what, joined(names, ",")), word,
@@ -89,10 +79,10 @@ std::vector<Value> list_in(std::string_view option, std::string_view what, std::
 
 Region region_in(const std::string& text) {
     std::vector<int> numbers;
-    for (const std::string& word : split(text, ','))
+    for (const std::string& word : split_at(text, ','))
         if (const auto number = whole_in<int>(word))
             numbers.push_back(*number);
-    if (numbers.size() != 4 || split(text, ',').size() != 4)
+    if (numbers.size() != 4 || split_at(text, ',').size() != 4)
         refuse("--region", "two corners as x0,y0,x1,y1, like -4,-3,2,5", text);
     if (numbers[0] > numbers[2] || numbers[1] > numbers[3])
         refuse("--region", "the smaller x and y first", text,
@@ -722,7 +712,7 @@ private:
                 for (const std::string& name : option->get_lnames())
                     options.push_back("--" + name);
         for (int i = 1; i < count; ++i) {
-            const std::string word = split(arguments[i], '=').front();
+            const std::string word = split_at(arguments[i], '=').front();
             if (!word.starts_with("--") || word == "--" ||
                 std::find(options.begin(), options.end(), word) != options.end())
                 continue;

@@ -63,6 +63,9 @@ std::vector<std::string> wrapped(std::string_view text, std::size_t width);
 std::string joined(std::span<const std::string> texts, std::string_view separator);
 std::string joined(std::span<const std::string_view> texts, std::string_view separator);
 
+/// The parts of `text` between separators, one more than there are of these; some may be empty.
+std::vector<std::string> split_at(std::string_view text, char separator);
+
 /// The entry of `known` that `word` was probably meant to be, or "" if none is near.
 std::string_view nearest_word(std::string_view word, const std::vector<std::string_view>& known);
 
