@@ -245,8 +245,10 @@ private:
             return;
         const std::size_t line = claims_.claims[order].line;
         const auto [first, is_new] = claimed_.try_emplace(name, std::pair(values, line));
-        if (!is_new && first->second.first != values)
-            claim.remarks.push_back(fmt::format("contradicts line {}", first->second.second));
+        const std::string remark = fmt::format("contradicts line {}", first->second.second);
+        if (!is_new && first->second.first != values &&
+            std::find(claim.remarks.begin(), claim.remarks.end(), remark) == claim.remarks.end())
+            claim.remarks.push_back(remark);
         if (checked.verdict == Verdict::wrong)
             wrong_.try_emplace(name, WrongNumber{values, order, line});
     }
@@ -275,17 +277,26 @@ private:
         }
     }
 
-    /// True if redoing the formula from other wrong numbers gives what is claimed.
+    /// True if redoing the formula from other wrong numbers gives what is claimed: from those claimed before by
+    /// any formula, from later ones by that of the textbook, which never goes in a circle.
     bool follows(const Subject& subject, const ClaimedField& field, std::size_t order,
                  CheckedField& checked) const {
-        const Numbers claimed(*subject.exact, wrong_, order, number_name(subject, field.name));
-        for (const Formula& formula : formulas_of(subject, claimed, field.name))
-            if (claimed.line_used() != 0 && gives(value_of(formula), field)) {
-                checked.verdict = Verdict::follows;
-                checked.follows_from = claimed.line_used();
-                return true;
-            }
-        return false;
+        const std::string name = number_name(subject, field.name);
+        const Numbers before(*subject.exact, wrong_, order, name);
+        const Numbers all(*subject.exact, wrong_, claims_.claims.size(), name);
+        const auto by_any = formulas_of(subject, before, field.name);
+        const auto by_textbook = formulas_of(subject, all, field.name);
+        const auto comes_to_it = [&field](const Formula& formula) {
+            return gives(value_of(formula), field);
+        };
+        if (before.line_used() != 0 && std::any_of(by_any.begin(), by_any.end(), comes_to_it))
+            checked.follows_from = before.line_used();
+        else if (all.line_used() != 0 && !by_textbook.empty() && comes_to_it(by_textbook.front()))
+            checked.follows_from = all.line_used();
+        else
+            return false;
+        checked.verdict = Verdict::follows;
+        return true;
     }
 
     static std::vector<LikelySlip> slips_that_give(const Formula& formula,

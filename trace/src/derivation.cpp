@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace rastertrace {
 
@@ -38,11 +39,32 @@ const WrongNumber* Numbers::replacement(const std::string& name) const {
     return &found->second;
 }
 
+const Numbers::WorkedOut& Numbers::worked_out(std::size_t step, std::string_view field,
+                                              const std::string& name) const {
+    const auto [place, is_new] = worked_out_.try_emplace(name);
+    WorkedOut& result = place->second;
+    if (!is_new)
+        return result;
+    const std::size_t line_before = std::exchange(line_used_, 0);
+    const auto formulas = formulas_of(*this, step, field);
+    if (line_used_ != 0 && !formulas.empty())
+        result = {value_of(formulas.front()), line_used_};
+    line_used_ = line_before;
+    return result;
+}
+
 Values Numbers::of(std::size_t step, std::string_view field) const {
     if (step == 0)
         return {};
-    if (const WrongNumber* claimed = replacement(name_of_number(*index_, step, field)))
-        return claimed->values;
+    if (wrong_ != nullptr && !wrong_->empty()) {
+        const std::string name = name_of_number(*index_, step, field);
+        if (const WrongNumber* claimed = replacement(name))
+            return claimed->values;
+        if (const WorkedOut& again = worked_out(step, field, name); !again.values.empty()) {
+            line_used_ = again.line;
+            return again.values;
+        }
+    }
     const StepView view = trace().step(step);
     const bool is_list = view.field(field).value_or("").starts_with('[');
     Values values;
@@ -66,10 +88,11 @@ std::optional<Vec<Rational, 2>> Numbers::corner(std::size_t primitive, std::size
     const auto places = view.text_rows("at");
     if (i >= names.size() || i >= places.size())
         return std::nullopt;
-    for (const std::string_view at : {"snapped", "screen"})
-        if (const WrongNumber* claimed = replacement(fmt::format("vertex {} {}", names[i], at));
-            claimed && claimed->values.size() >= 2)
-            return Vec<Rational, 2>{claimed->values[0], claimed->values[1]};
+    const std::size_t screen = index_->place(names[i], "screen");
+    const bool is_snapped = screen != 0 && step(screen).field("snapped");
+    const Values at = of(screen, is_snapped ? "snapped" : "at");
+    if (at.size() == 2)
+        return Vec<Rational, 2>{at[0], at[1]};
     return vec2_in(places[i]);
 }
 
@@ -265,19 +288,25 @@ std::string_view matrix_into(std::string_view space) {
 
 Formulas Deriver::of_place() const {
     const std::string space = view_.text("space");
-    Values from = numbers_.of(numbers_.index().place_before(step_), "at");
+    const Values right = Numbers(numbers_.index()).of(step_, "at");
+    const std::size_t before = numbers_.index().place_before(step_);
+    Values from = numbers_.of(before, "at");
     if (space == "canonical" && from.size() == 4)
         return {{DividedByW{{from[0], from[1], from[2], from[3]}}}};
+    const std::string matrix(matrix_into(space));
+    if (from.empty())
+        return {{TakenOver{right}}};
+    if (numbers_.index().find(StepKind::matrix, {{"name", matrix}}).empty()) {
+        from.resize(std::min(from.size(), right.size()));
+        return {{TakenOver{from}}};
+    }
     if (from.size() == 3)
         from.emplace_back(1);
     if (from.size() != 4)
         return {};
     Formulas formulas;
-    const std::string matrix(matrix_into(space));
     // Of several objects, the matrix is that of the one which the vertex belongs to: it gives what is told.
-    const Values right = Numbers(numbers_.index()).of(step_, "at");
-    const Values told_from =
-        Numbers(numbers_.index()).of(numbers_.index().place_before(step_), "at");
+    const Values told_from = Numbers(numbers_.index()).of(before, "at");
     for (const std::size_t n : numbers_.index().find(StepKind::matrix, {{"name", matrix}})) {
         MatrixTimes product{.rows = {}, .point = {from[0], from[1], from[2], from[3]}};
         for (const auto& texts : numbers_.step(n).text_rows("rows")) {

@@ -50,7 +50,8 @@ public:
     const Trace& trace() const { return index_->trace(); }
     StepView step(std::size_t n) const { return trace().step(n); }
 
-    /// What a field says, as numbers; nothing if it holds anything else.
+    /// What a field says, as numbers; nothing if it holds anything else. Where a number that it comes of has been
+    /// replaced, it is worked out again.
     Values of(std::size_t step, std::string_view field) const;
     std::optional<Rational> one(std::size_t step, std::string_view field) const;
 
@@ -64,13 +65,21 @@ public:
     std::size_t line_used() const { return line_used_; }
 
 private:
+    struct WorkedOut {
+        Values values; ///< empty: nothing that the number comes of has been replaced
+        std::size_t line = 0;
+    };
+
     const WrongNumber* replacement(const std::string& name) const;
+    const WorkedOut& worked_out(std::size_t step, std::string_view field,
+                                const std::string& name) const;
 
     const StepIndex* index_;
     const WrongNumbers* wrong_ = nullptr;
     std::size_t last_order_ = 0;
     std::string except_;
     mutable std::size_t line_used_ = 0;
+    mutable std::map<std::string, WorkedOut> worked_out_; ///< by the names of numbers
 };
 
 /// The formulas that the value of a field can be worked out by, that of the textbook first. Fields of check.h

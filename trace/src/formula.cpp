@@ -21,6 +21,10 @@ Values truth(bool value) {
     return {Rational(value ? 1 : 0)};
 }
 
+Values value(const TakenOver& number) {
+    return number.values;
+}
+
 Values value(const Slope& edge) {
     const Rational dy = edge.to.y - edge.from.y;
     return sgn(dy) == 0 ? Values{} : Values{(edge.to.x - edge.from.x) / dy};

@@ -123,10 +123,11 @@ std::optional<Rounding> rounding_of(const Formula& formula) {
     return std::nullopt;
 }
 
-std::vector<Values> truncate_for_floor(const Formula& formula) {
+/// One rule instead of the textbook's, which takes the whole number below at both ends.
+template <Rounding rounding> std::vector<Values> instead_of_floor(const Formula& formula) {
     Results results(formula);
     if (rounding_of(formula) == Rounding::floor)
-        put_rounded(results, formula, {.rounding = Rounding::truncate});
+        put_rounded(results, formula, {.rounding = rounding});
     return results.take();
 }
 
@@ -135,7 +136,8 @@ std::vector<Values> another_rounding(const Formula& formula) {
     for (const Rounding rounding : {Rounding::floor, Rounding::nearest, Rounding::truncate,
                                     Rounding::inside, Rounding::half_open})
         for (const Ties ties : {Ties::start, Ties::up, Ties::away, Ties::even})
-            put_rounded(results, formula, {.rounding = rounding, .ties = ties});
+            if (rounding_of(formula) != Rounding::floor)
+                put_rounded(results, formula, {.rounding = rounding, .ties = ties});
     return results.take();
 }
 
@@ -493,7 +495,14 @@ std::vector<Values> dx_and_dy_exchanged(const Formula& formula) {
 }
 
 constexpr Slip table[] = {
-    {"truncate-for-floor", "rounded toward 0 where the rule is down", truncate_for_floor},
+    {"truncate-for-floor", "rounded toward 0 where the rule is down",
+     instead_of_floor<Rounding::truncate>},
+    {"nearest-for-floor", "rounded to the nearest where the rule is down",
+     instead_of_floor<Rounding::nearest>},
+    {"inside-for-floor", "only pixels inside where the rule is down at both ends",
+     instead_of_floor<Rounding::inside>},
+    {"half-open-for-floor", "without the right end where the rule is down at both ends",
+     instead_of_floor<Rounding::half_open>},
     {"dx-dy-inverted", "(y2 - y1) / (x2 - x1) where (x2 - x1) / (y2 - y1) belongs", dx_dy_inverted},
     {"start-and-step-exchanged", "the start added again and again to the step",
      start_and_step_exchanged},
@@ -516,7 +525,7 @@ constexpr Slip table[] = {
     {"rows-for-columns", "the matrix turned over: its columns taken for rows", rows_for_columns},
     {"coordinates-exchanged", "two coordinates exchanged", coordinates_exchanged},
     {"angle-for-cosine", "the angle told where its cosine belongs", angle_for_cosine},
-    {"another-rounding", "rounded by another rule than the scene's", another_rounding},
+    {"another-rounding", "rounded by another rule than the scene has", another_rounding},
 };
 
 } // namespace

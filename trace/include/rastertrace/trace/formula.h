@@ -52,6 +52,11 @@ struct RoundedEnd {
     Rational by(const SpanRounding& other) const;
 };
 
+/// What is taken over as it is: a vertex as it was typed, or in a space that nothing leads to but the last one.
+struct TakenOver {
+    Values values;
+};
+
 /// A vertex that becomes a pixel's corner: each of its coordinates is rounded.
 struct RoundedPlace {
     Values at;
@@ -152,9 +157,9 @@ struct Weights {
 };
 
 struct Formula {
-    std::variant<Slope, Lerp, RoundedEnd, RoundedPlace, InRow, FaceNormal, Centroid, FacePlane,
-                 Toward, FaceDot, FaceCosine, IsCulled, MatrixTimes, DividedByW, Decisions,
-                 MixedDepth, DepthComparison, Weights>
+    std::variant<TakenOver, Slope, Lerp, RoundedEnd, RoundedPlace, InRow, FaceNormal, Centroid,
+                 FacePlane, Toward, FaceDot, FaceCosine, IsCulled, MatrixTimes, DividedByW,
+                 Decisions, MixedDepth, DepthComparison, Weights>
         of;
 };
 
