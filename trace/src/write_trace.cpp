@@ -158,4 +158,11 @@ std::uint64_t write_trace(const Scene& scene, const Plan& plan, const TraceOptio
     return steps_of(writer);
 }
 
+Source written_trace(const Scene& scene, const Plan& plan, std::string name) {
+    Source source{.name = std::move(name), .text = {}};
+    StringOutput output(source.text);
+    write_trace(scene, plan, {}, output);
+    return source;
+}
+
 } // namespace rastertrace

@@ -95,12 +95,11 @@ PlannedScene InputFrames::scene(std::size_t frame) {
 Trace InputFrames::trace(std::size_t frame) {
     if (!scenes_)
         return titled(value_or_throw(read_trace(std::move(source_))), path_);
-    Source drawn{.name = source_.name, .text = {}};
-    {
-        const auto [scene, plan, files, remarks] = this->scene(frame);
-        StringOutput output(drawn.text);
-        write_trace(scene, plan, {}, output);
-    }
+    // The scene is given up before its trace is read: both may be large.
+    Source drawn = [&] {
+        const PlannedScene scene = this->scene(frame);
+        return written_trace(scene.scene, scene.plan, source_.name);
+    }();
     return titled(value_or_throw(read_written_trace(std::move(drawn))), path_);
 }
 

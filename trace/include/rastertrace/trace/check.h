@@ -79,13 +79,13 @@ struct LikelySlip {
 struct CheckedField {
     std::string name; ///< of the field
     Verdict verdict = Verdict::right;
-    std::string expected; ///< as it would be written: "-1/4", "2, 5"
-    std::string found;
-    std::string
-        remark; ///< "rounded to 2 digits", or what the scalar decides otherwise; may be empty
+    std::string expected = {}; ///< as it would be written: "-1/4", "2, 5"
+    std::string found = {};
+    std::string remark =
+        {}; ///< "rounded to 2 digits", or what the scalar decides otherwise; may be empty
 
     /// Of a wrong one: most likely first, which is the one that explains most of the wrong fields.
-    std::vector<LikelySlip> slips;
+    std::vector<LikelySlip> slips = {};
 
     std::size_t follows_from = 0; ///< the line of the number that it goes on from; may be its own
 };
@@ -93,17 +93,17 @@ struct CheckedField {
 struct CheckedClaim {
     std::size_t claim = 0; ///< which one of the claims
     Verdict verdict = Verdict::right;
-    std::vector<CheckedField> fields; ///< those that were compared, in the claim's order
-    std::size_t step = 0;             ///< of the exact trace that it is about; 0 for none
+    std::vector<CheckedField> fields = {}; ///< those that were compared, in the claim's order
+    std::size_t step = 0;                  ///< of the exact trace that it is about; 0 for none
 
     /// Of a wrong one: what is to be known besides (there is no such row; contradicts line 3), then how the
     /// right values are worked out.
-    std::vector<std::string> remarks;
-    std::vector<std::string> working;
+    std::vector<std::string> remarks = {};
+    std::vector<std::string> working = {};
 
     /// Of a picture that differs: `#` right, `!` extra, `?` missing, `.` empty, each row with what the
     /// trace tells of it behind it.
-    std::vector<std::string> picture;
+    std::vector<std::string> picture = {};
 };
 
 struct Checked {

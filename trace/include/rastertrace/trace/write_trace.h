@@ -11,6 +11,7 @@
 #include <rastertrace/core/raster/image.h>
 #include <rastertrace/core/scene/scene.h>
 #include <rastertrace/trace/output.h>
+#include <rastertrace/trace/problem.h>
 #include <rastertrace/trace/step_writer.h>
 
 #include <cstdint>
@@ -33,6 +34,9 @@ std::uint64_t write_trace(const Scene& scene, const Plan& plan, const TraceOptio
 
 /// The same for a scene that nobody has planned yet.
 std::uint64_t write_trace(const Scene& scene, const TraceOptions& options, Output& output);
+
+/// The trace of a scene as a source of this name, for read_written_trace.
+Source written_trace(const Scene& scene, const Plan& plan, std::string name);
 
 /// The name that a trace gives to a final picture: FNV-1a (64 bit, sixteen hexadecimal digits) over
 /// the red, green, blue and alpha byte of every pixel, row by row from the top; a pixel that

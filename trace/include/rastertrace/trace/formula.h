@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The formulas of the textbook with their numbers, so that they can be worked out again: rightly, from
+// other numbers, or with a mistake in them (slips.h).
+//
+//     const Formula end{Lerp{.d1 = 2, .i1 = 5, .d2 = -4, .i2 = -3, .i = 2}};
+//     value_of(end);  // {-1/4}
+
+#include <rastertrace/core/numbers/scalar.h>
+#include <rastertrace/core/numbers/vec.h>
+#include <rastertrace/core/raster/rounding.h>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <variant>
+#include <vector>
+
+namespace rastertrace {
+
+/// What a formula comes to: a number, the components of a vector, or 1 and 0 for a decision.
+using Values = std::vector<Rational>;
+
+/// The slope of an edge, dx/dy = (x2 - x1) / (y2 - y1).
+struct Slope {
+    Vec<Rational, 2> from;
+    Vec<Rational, 2> to;
+    std::optional<Vec<Rational, 2>> other = {}; ///< the triangle's third corner
+};
+
+/// d1 + (d2 - d1) / (i2 - i1) (i - i1): the x where an edge meets a row, or the depth there.
+struct Lerp {
+    Rational d1, i1;
+    Rational d2, i2;
+    Rational i;
+    std::optional<Rational> step = {};                 ///< in the place of the quotient
+    std::optional<std::array<Rational, 2>> other = {}; ///< d and i of the third corner
+    bool is_inverse_z = false;                         ///< d is 1/z
+
+    /// The quotient; nothing of a horizontal edge.
+    std::optional<Rational> slope() const;
+};
+
+/// A coordinate that becomes a pixel.
+struct RoundedEnd {
+    Rational x;
+    SpanRounding rule;
+    bool is_last = false; ///< of a row, where the rule tells both ends apart
+
+    /// The pixel by another rule.
+    Rational by(const SpanRounding& other) const;
+};
+
+/// A vertex that becomes a pixel's corner: each of its coordinates is rounded.
+struct RoundedPlace {
+    Values at;
+    SpanRounding rule;
+
+    /// The place by another rule.
+    Values by(const SpanRounding& other) const;
+};
+
+/// True if a row has the pixel x.
+struct InRow {
+    RoundedEnd from;
+    RoundedEnd to;
+    Rational x;
+};
+
+/// (B - A) x (C - A).
+struct FaceNormal {
+    std::array<Vec<Rational, 3>, 3> corners;
+};
+
+/// (A + B + C) / 3.
+struct Centroid {
+    std::array<Vec<Rational, 3>, 3> corners;
+};
+
+/// A, B, C and D of the plane A x + B y + C z + D = 0 that a face lies in.
+struct FacePlane {
+    Vec<Rational, 3> normal;
+    Vec<Rational, 3> corner;
+};
+
+/// From the centroid of a face to the eye, or to the light.
+struct Toward {
+    Vec<Rational, 3> to;
+    Vec<Rational, 3> centroid;
+    std::array<Vec<Rational, 3>, 3> corners;
+    Vec<Rational, 3> normal;
+};
+
+/// normal . view
+struct FaceDot {
+    Vec<Rational, 3> normal;
+    Vec<Rational, 3> view;
+};
+
+/// normal . view / (|normal| |view|); an intensity is not below 0.
+struct FaceCosine {
+    Vec<Rational, 3> normal;
+    Vec<Rational, 3> view;
+    bool is_intensity = false;
+};
+
+/// True if a face is culled by this product.
+struct IsCulled {
+    Rational dot;
+    bool hides_back = true; ///< what is turned away, or what is turned to the eye
+};
+
+/// A matrix times a point: one row for each component.
+struct MatrixTimes {
+    std::vector<std::array<Rational, 4>> rows;
+    std::array<Rational, 4> point;
+};
+
+/// (x, y, z) / w
+struct DividedByW {
+    std::array<Rational, 4> point;
+};
+
+/// d before each step of Bresenham's line of `steps` steps: 2 minor - major first.
+struct Decisions {
+    Rational major;
+    Rational minor;
+    std::size_t steps = 0;
+    bool steps_at_ties = false; ///< d = 0 goes diagonally
+};
+
+/// A depth in a triangle: the corners' depths by their weights.
+struct MixedDepth {
+    std::array<Rational, 3> weights;
+    std::array<Rational, 3> depths;
+    bool is_inverse_z = false;  ///< the depths are 1/z
+    bool gives_inverse = false; ///< 1 over the depth is asked for
+};
+
+/// True if a depth passes against the one that is stored.
+struct DepthComparison {
+    Rational depth;
+    Rational stored;
+    bool larger_passes = false;
+};
+
+/// The weights of a sample in a triangle: 1 - u - v, u, v (T3).
+struct Weights {
+    std::array<Vec<Rational, 2>, 3> corners;
+    Vec<Rational, 2> sample;
+};
+
+struct Formula {
+    std::variant<Slope, Lerp, RoundedEnd, RoundedPlace, InRow, FaceNormal, Centroid, FacePlane,
+                 Toward, FaceDot, FaceCosine, IsCulled, MatrixTimes, DividedByW, Decisions,
+                 MixedDepth, DepthComparison, Weights>
+        of;
+};
+
+/// What it comes to; nothing where it divides by 0.
+Values value_of(const Formula& formula);
+
+} // namespace rastertrace

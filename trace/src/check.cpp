@@ -1,0 +1,379 @@
+// SPDX-License-Identifier: MIT
+#include <rastertrace/trace/check.h>
+
+#include "claim_subject.h"
+#include "claimed_number.h"
+#include "derivation.h"
+#include "picture_claim.h"
+#include "step_text.h"
+
+#include <rastertrace/trace/color_text.h>
+#include <rastertrace/trace/describe.h>
+#include <rastertrace/trace/slips.h>
+#include <rastertrace/trace/text.h>
+#include <rastertrace/trace/working.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <map>
+#include <string_view>
+#include <utility>
+
+namespace rastertrace {
+
+namespace {
+
+/// How a claimed value, or a list of them, is the one that is told.
+struct Comparison {
+    bool is_right = true;
+    bool is_open = true; ///< nothing of it has been worked out
+    int places = 0;      ///< of a decimal that was rounded or cut off
+    Fit fit = Fit::exact;
+};
+
+/// True if two doubles are the same number: a trace of doubles cannot tell more.
+bool is_one_double(const Rational& a, const Rational& b, bool holds_doubles) {
+    return holds_doubles && nearest_double(a) == nearest_double(b);
+}
+
+void compare_one(Comparison& comparison, const std::string& claimed, const std::string& told,
+                 bool holds_doubles) {
+    if (claimed == open_value)
+        return;
+    comparison.is_open = false;
+    const auto number = claimed_number(claimed);
+    const auto truth = number_in(told);
+    if (!number || !truth) {
+        const auto color = parse_color(claimed);
+        const bool is_same = claimed == told || (color && color == parse_color(told));
+        comparison.is_right = comparison.is_right && is_same;
+        return;
+    }
+    const Fit fit =
+        is_one_double(number->value, *truth, holds_doubles) ? Fit::exact : fit_of(*number, *truth);
+    if (fit == Fit::none)
+        comparison.is_right = false;
+    if (fit != Fit::exact)
+        comparison.places = std::max(comparison.places, number->places.value_or(0));
+    comparison.fit = std::max(comparison.fit, fit);
+}
+
+/// A vertex may be given without a z of 0.
+Comparison compare(const ClaimedField& claimed, const std::vector<std::string>& told,
+                   bool holds_doubles) {
+    Comparison comparison;
+    const std::size_t count = claimed.values.size();
+    comparison.is_right =
+        count <= told.size() &&
+        std::all_of(told.begin() + static_cast<std::ptrdiff_t>(std::min(count, told.size())),
+                    told.end(), [](const auto& text) { return text == "0"; });
+    for (std::size_t i = 0; i < count; ++i)
+        compare_one(comparison, claimed.values[i], i < told.size() ? told[i] : std::string(),
+                    holds_doubles);
+    return comparison;
+}
+
+/// The numbers of a claim, 1 and 0 for true and false; what is open as it is told. Nothing if one is no number.
+Values claimed_values(const ClaimedField& field, const std::vector<std::string>& told) {
+    Values values;
+    for (std::size_t i = 0; i < std::max(field.values.size(), told.size()); ++i) {
+        const bool is_claimed = i < field.values.size() && field.values[i] != open_value;
+        const std::string& text = is_claimed        ? field.values[i]
+                                  : i < told.size() ? told[i]
+                                                    : field.name;
+        const auto number = text == "true"    ? std::optional(Rational(1))
+                            : text == "false" ? std::optional(Rational(0))
+                                              : number_in(text);
+        if (!number)
+            return {};
+        values.push_back(*number);
+    }
+    return values;
+}
+
+/// True if somebody who found these values would have written the claim.
+bool gives(const Values& values, const ClaimedField& claimed) {
+    if (values.size() < claimed.values.size())
+        return false;
+    for (std::size_t i = 0; i < claimed.values.size(); ++i) {
+        const std::string& text = claimed.values[i];
+        if (text == open_value)
+            continue;
+        if (text == "true" || text == "false") {
+            if (values[i] != (text == "true" ? 1 : 0))
+                return false;
+            continue;
+        }
+        const auto number = claimed_number(text);
+        if (!number || fit_of(*number, values[i]) == Fit::none)
+            return false;
+    }
+    return true;
+}
+
+/// Checks the claims of one file.
+class Checker {
+public:
+    Checker(const Truth& truth, const Claims& claims) : truth_(truth), claims_(claims) {}
+
+    Checked run() {
+        for (std::size_t i = 0; i < claims_.claims.size(); ++i)
+            compare_claim(i);
+        for (std::size_t i = 0; i < claims_.claims.size(); ++i)
+            explain_claim(i);
+        rank_slips();
+        for (CheckedClaim& claim : checked_.claims)
+            settle(claim);
+        write_workings();
+        return std::move(checked_);
+    }
+
+private:
+    /// Compares each field with what is told.
+    void compare_claim(std::size_t i) {
+        const Claim& claim = claims_.claims[i];
+        subjects_.emplace_back();
+        if (claim.step == "picture") {
+            checked_.claims.push_back(check_picture(claim, claims_, truth_.decided()));
+            checked_.claims.back().claim = i;
+            return;
+        }
+        subjects_.back() = subject_of(claim, claims_, truth_);
+        const Subject& subject = *subjects_.back();
+        CheckedClaim checked{.claim = i, .step = subject.step};
+        if (!subject.absence.empty())
+            checked.remarks.push_back(subject.absence);
+        snap_if_whole(*subjects_.back());
+        for (const ClaimedField* field : subject.fields)
+            checked.fields.push_back(compare_field(*field, i, checked));
+        // A claim without values says that there is such a step.
+        if (subject.fields.empty() && subject.step == 0)
+            checked.fields.push_back({.name = claim.step,
+                                      .verdict = Verdict::wrong,
+                                      .expected = "none",
+                                      .found = "one"});
+        checked_.claims.push_back(std::move(checked));
+    }
+
+    /// Where a vertex is snapped, whole numbers are its pixel.
+    void snap_if_whole(Subject& subject) {
+        if (subject.kind != StepKind::vertex || subject.step == 0 ||
+            !subject.exact->trace().step(subject.step).field("snapped"))
+            return;
+        for (const ClaimedField*& field : subject.fields) {
+            const auto is_whole = [](const std::string& value) {
+                return value.find_first_of("./") == std::string::npos;
+            };
+            if (field->name == "at" &&
+                std::all_of(field->values.begin(), field->values.end(), is_whole)) {
+                snapped_.push_back(std::make_unique<ClaimedField>(*field));
+                snapped_.back()->name = "snapped";
+                field = snapped_.back().get();
+            }
+        }
+    }
+
+    CheckedField compare_field(const ClaimedField& field, std::size_t order, CheckedClaim& claim) {
+        const Subject& subject = *subjects_.back();
+        CheckedField checked{.name = field.name, .found = joined(field.values, ", ")};
+        const ToldValues exact = told_exactly(subject, field);
+        const bool decides = is_decision(subject.kind, field.name);
+        const ToldValues decided = decides ? told_as_decided(subject, field) : exact;
+        if (!decided && !exact) {
+            refuse_untold(field, subject);
+            checked.expected = "none";
+            checked.verdict = Verdict::wrong;
+            return checked;
+        }
+        const std::vector<std::string>& right = decided ? *decided : *exact;
+        checked.expected = joined(right, ", ");
+        const bool holds_doubles = subject.exact->trace().method_value("scalar") != "exact";
+        Comparison comparison = compare(field, right, holds_doubles);
+        if (decides && exact && decided != exact) {
+            checked.remark = fmt::format("the scene's `{}` has {}, exact arithmetic {}",
+                                         truth_.decided().trace().method_value("scalar"),
+                                         checked.expected, joined(*exact, ", "));
+            if (!comparison.is_right)
+                comparison = compare(field, *exact, holds_doubles);
+        }
+        note_fit(comparison, checked);
+        if (comparison.is_open)
+            checked.verdict = Verdict::open;
+        else if (!comparison.is_right)
+            checked.verdict = Verdict::wrong;
+        note_number(field, right, order, checked, claim);
+        return checked;
+    }
+
+    /// A field that nothing is told of: the scene does not have it, or there is no such step.
+    void refuse_untold(const ClaimedField& field, const Subject& subject) const {
+        if (!subject.absence.empty())
+            return;
+        const bool is_depth = field.name == "z" || field.name == "inverse_z";
+        if (is_depth && subject.exact->find(StepKind::depth, {}).empty())
+            throw problem_at(claims_.source, field.offset,
+                             "expected a scene with a depth buffer, found one without",
+                             "--depth inverse-z gives it one");
+        if (subject.kind != StepKind::pixel)
+            throw problem_at(claims_.source, field.offset,
+                             fmt::format("expected a field that the step `{}` has, found {}",
+                                         name_of(subject.kind), field.name));
+    }
+
+    /// Says how a decimal was shortened. One that was cut off is right only where that is asked for.
+    void note_fit(Comparison& comparison, CheckedField& checked) const {
+        if (!comparison.is_right)
+            return;
+        const std::string digits =
+            fmt::format("{} {}", comparison.places, comparison.places == 1 ? "digit" : "digits");
+        if (comparison.fit == Fit::rounded)
+            checked.remark = fmt::format("rounded to {}", digits);
+        if (comparison.fit != Fit::truncated)
+            return;
+        checked.remark = fmt::format("cut off behind {}, not rounded", digits);
+        comparison.is_right = claims_.truncates;
+    }
+
+    /// Remembers what is claimed of a number, and tells if somebody claims two things of one.
+    void note_number(const ClaimedField& field, const std::vector<std::string>& right,
+                     std::size_t order, CheckedField& checked, CheckedClaim& claim) {
+        const Subject& subject = *subjects_.back();
+        const std::string name = number_name(subject, field.name);
+        const Values values = claimed_values(field, right);
+        if (name.empty() || values.empty() || checked.verdict == Verdict::open)
+            return;
+        const std::size_t line = claims_.claims[order].line;
+        const auto [first, is_new] = claimed_.try_emplace(name, std::pair(values, line));
+        if (!is_new && first->second.first != values)
+            claim.remarks.push_back(fmt::format("contradicts line {}", first->second.second));
+        if (checked.verdict == Verdict::wrong)
+            wrong_.try_emplace(name, WrongNumber{values, order, line});
+    }
+
+    static std::string number_name(const Subject& subject, const std::string& field) {
+        return subject.step == 0 ? std::string()
+                                 : name_of_number(*subject.exact, subject.step, field);
+    }
+
+    /// Finds what a wrong field goes on from, or the slip behind it.
+    void explain_claim(std::size_t i) {
+        if (!subjects_[i])
+            return;
+        const Subject& subject = *subjects_[i];
+        CheckedClaim& claim = checked_.claims[i];
+        for (std::size_t k = 0; k < claim.fields.size() && k < subject.fields.size(); ++k) {
+            CheckedField& checked = claim.fields[k];
+            const ClaimedField& field = *subject.fields[k];
+            if (checked.verdict != Verdict::wrong)
+                continue;
+            if (follows(subject, field, i, checked))
+                continue;
+            const auto formulas = formulas_of(subject, Numbers(*subject.exact), field.name);
+            if (!formulas.empty())
+                checked.slips = slips_that_give(formulas.front(), field);
+        }
+    }
+
+    /// True if redoing the formula from other wrong numbers gives what is claimed.
+    bool follows(const Subject& subject, const ClaimedField& field, std::size_t order,
+                 CheckedField& checked) const {
+        const Numbers claimed(*subject.exact, wrong_, order, number_name(subject, field.name));
+        for (const Formula& formula : formulas_of(subject, claimed, field.name))
+            if (claimed.line_used() != 0 && gives(value_of(formula), field)) {
+                checked.verdict = Verdict::follows;
+                checked.follows_from = claimed.line_used();
+                return true;
+            }
+        return false;
+    }
+
+    static std::vector<LikelySlip> slips_that_give(const Formula& formula,
+                                                   const ClaimedField& field) {
+        std::vector<LikelySlip> found;
+        for (const Slip& slip : slips()) {
+            const auto results = slip.redo(formula);
+            if (std::any_of(results.begin(), results.end(),
+                            [&](const Values& values) { return gives(values, field); }))
+                found.push_back({std::string(slip.name), std::string(slip.meaning)});
+        }
+        return found;
+    }
+
+    /// Puts first what explains most of the wrong fields.
+    void rank_slips() {
+        std::map<std::string, std::size_t> explains;
+        for (const CheckedClaim& claim : checked_.claims)
+            for (const CheckedField& field : claim.fields)
+                for (const LikelySlip& slip : field.slips)
+                    ++explains[slip.name];
+        for (CheckedClaim& claim : checked_.claims)
+            for (CheckedField& field : claim.fields)
+                std::stable_sort(field.slips.begin(), field.slips.end(),
+                                 [&](const LikelySlip& a, const LikelySlip& b) {
+                                     return explains.at(a.name) > explains.at(b.name);
+                                 });
+    }
+
+    /// What a claim's fields make of it.
+    void settle(CheckedClaim& claim) {
+        const auto has = [&claim](Verdict verdict) {
+            return std::any_of(claim.fields.begin(), claim.fields.end(),
+                               [&](const auto& field) { return field.verdict == verdict; });
+        };
+        const bool is_open =
+            std::all_of(claim.fields.begin(), claim.fields.end(),
+                        [](const auto& field) { return field.verdict == Verdict::open; });
+        claim.verdict = has(Verdict::wrong)                ? Verdict::wrong
+                        : has(Verdict::follows)            ? Verdict::follows
+                        : is_open && !claim.fields.empty() ? Verdict::open
+                                                           : Verdict::right;
+        ++(claim.verdict == Verdict::right     ? checked_.right
+           : claim.verdict == Verdict::wrong   ? checked_.wrong
+           : claim.verdict == Verdict::follows ? checked_.follow
+                                               : checked_.open);
+    }
+
+    /// The working of each wrong claim's step. A replay goes forward once.
+    void write_workings() {
+        std::map<std::pair<const StepIndex*, std::size_t>, std::vector<CheckedClaim*>> by_step;
+        for (std::size_t i = 0; i < checked_.claims.size(); ++i) {
+            CheckedClaim& claim = checked_.claims[i];
+            if (claim.verdict != Verdict::wrong || !subjects_[i])
+                continue;
+            const auto wrong =
+                std::find_if(claim.fields.begin(), claim.fields.end(),
+                             [](const auto& field) { return field.verdict == Verdict::wrong; });
+            if (const std::size_t step = step_of(*subjects_[i], wrong->name); step != 0)
+                by_step[{subjects_[i]->exact, step}].push_back(&claim);
+        }
+        std::optional<Replay> replay;
+        for (const auto& [place, claims] : by_step) {
+            const auto& [index, step] = place;
+            if (!replay || &replay->trace() != &index->trace())
+                replay.emplace(index->trace(), FrameParts{.depths = true});
+            replay->go_to(step);
+            std::vector<std::string> working{describe_step(*replay)};
+            for (std::string& line : working_of(*replay))
+                working.push_back(std::move(line));
+            for (CheckedClaim* claim : claims)
+                claim->working = working;
+        }
+    }
+
+    TruthIndex truth_;
+    const Claims& claims_;
+    Checked checked_;
+    std::vector<std::optional<Subject>> subjects_; ///< of each claim; none of a picture
+    std::vector<std::unique_ptr<ClaimedField>> snapped_;
+    std::map<std::string, std::pair<Values, std::size_t>> claimed_; ///< with the line
+    WrongNumbers wrong_;
+};
+
+} // namespace
+
+Checked check(const Truth& truth, const Claims& claims) {
+    return Checker(truth, claims).run();
+}
+
+} // namespace rastertrace

@@ -1,0 +1,410 @@
+// SPDX-License-Identifier: MIT
+#include "claim_subject.h"
+
+#include "step_text.h"
+
+#include <rastertrace/trace/color_text.h>
+#include <rastertrace/trace/text.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+
+namespace rastertrace {
+
+TruthIndex::TruthIndex(const Truth& truth) : truth_(truth), decided_(truth.decided()) {
+    if (&truth.exact() != &truth.decided())
+        exact_.emplace(truth.exact());
+}
+
+const StepIndex& TruthIndex::faces() const {
+    if (!exact().find(StepKind::face, {}).empty())
+        return exact();
+    const Trace* const tested = truth_.with_faces();
+    if (tested == nullptr)
+        return exact();
+    if (!faces_)
+        faces_.emplace(*tested);
+    return *faces_;
+}
+
+namespace {
+
+/// The field of a kind that holds the name of what it is about.
+const StepField* field_of(StepKind kind, std::string_view name) {
+    const auto& fields = row_of(kind).fields;
+    const auto found = std::find_if(fields.begin(), fields.end(),
+                                    [&](const StepField& field) { return field.name == name; });
+    return found == fields.end() ? nullptr : &*found;
+}
+
+bool is_key(StepKind kind, std::string_view name) {
+    const StepField* const field = field_of(kind, name);
+    return name == "in" || (field != nullptr && field->role == FieldRole::key);
+}
+
+/// Names as a message lists them: the first few.
+std::string listed(const std::vector<std::string>& names) {
+    constexpr std::size_t most_named = 8;
+    const std::size_t shown = std::min(names.size(), most_named);
+    const std::string text = joined(
+        std::vector<std::string>(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(shown)),
+        ", ");
+    return printable(shown < names.size() ? fmt::format("{}, ... ({} in all)", text, names.size())
+                                          : text);
+}
+
+/// d before each step of the line that begins here.
+std::vector<std::string> decisions_from(const StepIndex& index, std::size_t first) {
+    std::vector<std::string> decisions;
+    for (std::size_t n = first; n <= index.trace().size(); ++n) {
+        const auto kind = index.trace().kind_of(n);
+        if (kind == StepKind::edge || kind == StepKind::primitive)
+            break;
+        if (kind == StepKind::decide)
+            decisions.push_back(index.trace().step(n).text("d"));
+    }
+    return decisions;
+}
+
+/// z, or 1/z, by a depth test.
+ToldValues told_z(const StepIndex& index, std::size_t test, bool is_inverse) {
+    const auto depth = number_in(index.trace().step(test), "depth");
+    const bool holds_inverse = index.trace().method_value("depth") == "inverse-z";
+    if (!depth || (is_inverse != holds_inverse && sgn(*depth) == 0))
+        return std::nullopt;
+    return std::vector{(is_inverse == holds_inverse ? *depth : Rational(1 / *depth)).get_str()};
+}
+
+/// What a step tells of a field.
+ToldValues told_in(const StepIndex& index, std::size_t step, const ClaimedField& field) {
+    if (step == 0)
+        return std::nullopt;
+    const StepView view = index.trace().step(step);
+    if (view.kind() == StepKind::decide && field.name == "d" && field.is_list)
+        return decisions_from(index, step);
+    if (view.kind() == StepKind::depth && (field.name == "z" || field.name == "inverse_z"))
+        return told_z(index, step, field.name == "inverse_z");
+    const auto json = view.field(field.name);
+    if (json && json->starts_with("[[")) {
+        std::vector<std::string> values;
+        for (const auto& row : view.text_rows(field.name))
+            values.insert(values.end(), row.begin(), row.end());
+        return values;
+    }
+    if (json)
+        return json->starts_with('[') ? view.texts(field.name) : std::vector{view.text(field.name)};
+    const auto formulas = formulas_of(Numbers(index), step, field.name);
+    if (formulas.empty())
+        return std::nullopt;
+    std::vector<std::string> values;
+    for (const Rational& value : value_of(formulas.front()))
+        values.push_back(value.get_str());
+    return values;
+}
+
+/// Finds the step of one claim.
+class Finder {
+public:
+    Finder(const Claim& claim, const Claims& claims, const TruthIndex& truth)
+        : claim_(claim), claims_(claims), truth_(truth), kind_(*step_kind_named(claim.step)),
+          index_(kind_ == StepKind::face ? truth.faces() : truth.exact()) {}
+
+    Subject find() {
+        Subject subject{.kind = kind_, .exact = &index_, .decided = &truth_.decided()};
+        for (const ClaimedField& field : claim_.fields)
+            if (is_key(kind_, field.name) && !field.values.empty())
+                subject.keys.emplace_back(field.name, field.values.front());
+            else
+                subject.fields.push_back(&field);
+        check_names(subject.keys);
+        if (kind_ == StepKind::pixel)
+            check_pixel();
+        subject.step = step_in(*subject.exact, subject.keys);
+        subject.decided_step = step_in(*subject.decided, subject.keys);
+        if (subject.step == 0 && kind_ != StepKind::pixel)
+            subject.absence = absence(subject.keys);
+        return subject;
+    }
+
+private:
+    [[noreturn]] void fail(std::string_view field, std::string message,
+                           std::string hint = {}) const {
+        const ClaimedField* const at = claim_.find(field);
+        throw problem_at(claims_.source, at == nullptr ? claim_.offset : at->offset,
+                         std::move(message), std::move(hint));
+    }
+
+    /// The names that a key can have.
+    std::vector<std::string> names_for(const std::string& field) const {
+        std::vector<std::string> names;
+        if (field == "in")
+            names = index_.values_of(StepKind::primitive, "name");
+        if (field == "edge" || field == "name")
+            names = index_.values_of(kind_, field);
+        if (field == "in" && kind_ == StepKind::decide)
+            for (std::string& side : index_.values_of(StepKind::edge, "edge"))
+                names.push_back(std::move(side));
+        return names;
+    }
+
+    void check_names(const StepIndex::Keys& keys) const {
+        for (const auto& [field, value] : keys) {
+            const auto names = names_for(field);
+            if ((field != "in" && field != "edge" && field != "name") ||
+                std::find(names.begin(), names.end(), normal_form(value)) != names.end())
+                continue;
+            if (!index_.find(StepKind::primitive, {{"in", value}}).empty() && field == "in")
+                continue; // what was cut into parts
+            const std::string what = kind_ == StepKind::vertex ? "a vertex"
+                                     : field == "edge"         ? "an edge"
+                                     : kind_ == StepKind::face ? "a face"
+                                                               : "a primitive";
+            const std::vector<std::string_view> known(names.begin(), names.end());
+            fail(field,
+                 names.empty()
+                     ? fmt::format("expected a scene with steps `{}`, found none in its trace",
+                                   name_of(kind_))
+                     : fmt::format("expected {} of the scene ({}), found \"{}\"", what,
+                                   listed(names), printable(value)),
+                 did_you_mean(value, known));
+        }
+    }
+
+    /// A pixel must lie on the canvas.
+    void check_pixel() const {
+        const ClaimedField* const x = claim_.find("x");
+        const ClaimedField* const y = claim_.find("y");
+        if (x == nullptr || y == nullptr || x->values.empty() || y->values.empty())
+            fail("", "expected the x and the y of a pixel, found none");
+        const Canvas& canvas = index_.trace().canvas;
+        const auto column = number_in(x->values.front());
+        const auto row = number_in(y->values.front());
+        const Rational lowest(std::min(canvas.top(), canvas.bottom()));
+        const Rational highest(std::max(canvas.top(), canvas.bottom()));
+        if (column && row && canvas.left() <= *column && *column <= canvas.right() &&
+            lowest <= *row && *row <= highest)
+            return;
+        fail("x",
+             fmt::format("expected a pixel of the canvas (x {} to {}, y {} to {}), found ({}, {})",
+                         canvas.left(), canvas.right(), lowest.get_str(), highest.get_str(),
+                         printable(x->values.front()), printable(y->values.front())));
+    }
+
+    /// The step that has these keys; 0 if none has.
+    std::size_t step_in(const StepIndex& index, const StepIndex::Keys& keys) const {
+        if (kind_ == StepKind::decide && is_whole_line()) {
+            const auto decisions = index.decisions_on(claim_.find("in")->values.front());
+            return decisions.empty() ? 0 : decisions.front();
+        }
+        const auto& steps = index.find(kind_, keys);
+        if (kind_ == StepKind::pixel)
+            return steps.empty() ? 0 : steps.back(); // what is seen
+        if (kind_ == StepKind::vertex && steps.empty())
+            return place_on_screen(index);
+        if (steps.size() > 1 && !say_the_same(index, steps))
+            refuse_several(index, steps);
+        return steps.empty() ? 0 : steps.front();
+    }
+
+    /// True of a claim about all of a line's decisions.
+    bool is_whole_line() const {
+        const ClaimedField* const d = claim_.find("d");
+        return d != nullptr && d->is_list && claim_.find("in") != nullptr;
+    }
+
+    /// A trace that does not tell its vertices has them in its primitives.
+    std::size_t place_on_screen(const StepIndex& index) const {
+        const ClaimedField* const space = claim_.find("space");
+        if (space == nullptr || space->values.front() != "screen")
+            return 0;
+        for (const std::size_t n : index.find(StepKind::primitive, {})) {
+            const auto names = index.trace().step(n).texts("vertices");
+            if (std::find(names.begin(), names.end(), claim_.find("name")->values.front()) !=
+                names.end())
+                return n;
+        }
+        return 0;
+    }
+
+    /// True if it makes no difference which of the steps is meant.
+    bool say_the_same(const StepIndex& index, const std::vector<std::size_t>& steps) const {
+        return std::all_of(claim_.fields.begin(), claim_.fields.end(), [&](const auto& field) {
+            return is_key(kind_, field.name) ||
+                   std::all_of(steps.begin(), steps.end(), [&](std::size_t n) {
+                       return told_in(index, n, field) == told_in(index, steps.front(), field);
+                   });
+        });
+    }
+
+    [[noreturn]] void refuse_several(const StepIndex& index,
+                                     const std::vector<std::size_t>& steps) const {
+        std::vector<std::string> owners;
+        for (const std::size_t n : steps) {
+            const std::size_t owner = index.primitive_of(n);
+            const std::string name = owner == 0 ? "" : index.trace().step(owner).text("name");
+            if (std::find(owners.begin(), owners.end(), name) == owners.end())
+                owners.push_back(name);
+        }
+        fail("",
+             fmt::format("expected a claim about one step, found one about {} of kind `{}`",
+                         steps.size(), name_of(kind_)),
+             owners.size() > 1
+                 ? fmt::format("say which is meant: {}; {} y=2: ..., or \"in\": \"{}\"",
+                               listed(owners), printable(owners.front()), printable(owners.front()))
+                 : std::string());
+    }
+
+    /// Why a step is not there, with what there is instead.
+    std::string absence(const StepIndex::Keys& keys) const {
+        for (const auto& [field, value] : keys)
+            if (field == "space") {
+                std::vector<std::string> spaces;
+                for (const std::size_t n :
+                     index_.find(StepKind::vertex, {{"name", claim_.find("name")->values.front()}}))
+                    spaces.push_back(index_.trace().step(n).text("space"));
+                fail("space", fmt::format("expected a space that {} is in ({}), found {}",
+                                          printable(claim_.find("name")->values.front()),
+                                          listed(spaces), printable(value)));
+            }
+        if (kind_ == StepKind::scanline) {
+            std::vector<Rational> rows;
+            StepIndex::Keys others = keys;
+            std::erase_if(others, [](const auto& key) { return key.first == "y"; });
+            for (const std::size_t n : index_.find(kind_, others))
+                rows.push_back(number_in(index_.trace().step(n), "y").value_or(0));
+            if (!rows.empty()) {
+                const auto [low, high] = std::minmax_element(rows.begin(), rows.end());
+                return fmt::format("there is no such row: rows are y={} to {}", low->get_str(),
+                                   high->get_str());
+            }
+        }
+        return fmt::format("the trace has no such step `{}`", name_of(kind_));
+    }
+
+    const Claim& claim_;
+    const Claims& claims_;
+    const TruthIndex& truth_;
+    StepKind kind_;
+    const StepIndex& index_;
+};
+
+} // namespace
+
+Subject subject_of(const Claim& claim, const Claims& claims, const TruthIndex& truth) {
+    return Finder(claim, claims, truth).find();
+}
+
+namespace {
+
+const std::string& value_of_key(const Subject& subject, std::string_view field) {
+    return std::find_if(subject.keys.begin(), subject.keys.end(),
+                        [&](const auto& key) { return key.first == field; })
+        ->second;
+}
+
+Pixel pixel_of(const Subject& subject) {
+    const auto coordinate = [&](std::string_view axis) {
+        return static_cast<int>(
+            number_in(value_of_key(subject, axis)).value_or(0).get_num().get_si());
+    };
+    return {coordinate("x"), coordinate("y")};
+}
+
+/// The depth test that the buffer has its last depth from, in a pixel; 0 for none.
+std::size_t stored_by(const StepIndex& index, const Subject& subject) {
+    std::size_t stored = 0;
+    for (const std::size_t n : index.find(StepKind::depth, {{"x", value_of_key(subject, "x")},
+                                                            {"y", value_of_key(subject, "y")},
+                                                            {"pass", "true"}}))
+        if (!index.trace().step(n).field("side_of") && !index.trace().step(n).field("beside"))
+            stored = n;
+    return stored;
+}
+
+/// What is told of a pixel of the final picture.
+ToldValues told_of_pixel(const StepIndex& index, std::size_t step, const Subject& subject,
+                         std::string_view field) {
+    const std::size_t drawn_by =
+        index.frame().drawn_by[index.trace().canvas.offset_of(pixel_of(subject))];
+    // Of a primitive that is named, it is asked whether that one has plotted it.
+    const bool names_primitive = std::any_of(subject.keys.begin(), subject.keys.end(),
+                                             [](const auto& key) { return key.first == "in"; });
+    const bool is_plotted = names_primitive ? step != 0 : drawn_by != 0;
+    if (field == "plotted")
+        return std::vector<std::string>{is_plotted ? "true" : "false"};
+    if (field == "color")
+        return std::vector{drawn_by == 0 ? "none"
+                                         : to_text(index.frame().image.at(pixel_of(subject)))};
+    if (field == "z" || field == "inverse_z")
+        return told_in(index, stored_by(index, subject),
+                       {.name = std::string(field), .values = {}});
+    return told_in(index, step, {.name = std::string(field), .values = {}});
+}
+
+/// The only row that a pixel could be in; 0 if there are several, or none.
+std::size_t row_of_pixel(const StepIndex& index, const Subject& subject) {
+    const auto& rows = index.find(StepKind::scanline, {{"y", value_of_key(subject, "y")}});
+    return rows.size() == 1 ? rows.front() : 0;
+}
+
+/// Where a vertex is on the screen, of a trace that tells it in its primitives only.
+ToldValues told_in_primitive(const StepIndex& index, std::size_t step, const std::string& vertex) {
+    const auto names = index.trace().step(step).texts("vertices");
+    const auto places = index.trace().step(step).text_rows("at");
+    const auto at =
+        static_cast<std::size_t>(std::find(names.begin(), names.end(), vertex) - names.begin());
+    return at < places.size() ? ToldValues(places[at]) : std::nullopt;
+}
+
+ToldValues told(const StepIndex& index, std::size_t step, const Subject& subject,
+                const ClaimedField& field) {
+    if (subject.kind == StepKind::pixel)
+        return told_of_pixel(index, step, subject, field.name);
+    if (subject.kind == StepKind::vertex && step != 0 &&
+        index.trace().kind_of(step) == StepKind::primitive)
+        return told_in_primitive(index, step, value_of_key(subject, "name"));
+    return told_in(index, step, field);
+}
+
+} // namespace
+
+ToldValues told_exactly(const Subject& subject, const ClaimedField& field) {
+    return told(*subject.exact, subject.step, subject, field);
+}
+
+ToldValues told_as_decided(const Subject& subject, const ClaimedField& field) {
+    // Where nothing is culled, no face is tested: all are drawn.
+    if (subject.kind == StepKind::face && field.name == "culled" && subject.decided_step == 0)
+        return std::vector<std::string>{"false"};
+    return told(*subject.decided, subject.decided_step, subject, field);
+}
+
+std::size_t step_of(const Subject& subject, std::string_view field) {
+    if (subject.kind != StepKind::pixel)
+        return subject.step;
+    if (field == "z" || field == "inverse_z")
+        return stored_by(*subject.exact, subject);
+    const std::size_t row = row_of_pixel(*subject.exact, subject);
+    return field == "plotted" && row != 0 ? row : subject.step;
+}
+
+std::vector<Formula> formulas_of(const Subject& subject, const Numbers& numbers,
+                                 std::string_view field) {
+    if (subject.kind == StepKind::pixel && field == "plotted") {
+        const std::size_t row = row_of_pixel(numbers.index(), subject);
+        return row == 0 ? std::vector<Formula>{}
+                        : std::vector{in_row(numbers, row, Rational(pixel_of(subject).x))};
+    }
+    return formulas_of(numbers, step_of(subject, field), field);
+}
+
+bool is_decision(StepKind kind, std::string_view field) {
+    if (kind == StepKind::pixel)
+        return field == "plotted" || field == "color";
+    const StepField* const known = field_of(kind, field);
+    return known != nullptr && known->role == FieldRole::decision;
+}
+
+} // namespace rastertrace

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The step that a claim is about, and what its fields say.
+
+#include "derivation.h"
+#include "step_index.h"
+
+#include <rastertrace/trace/check.h>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rastertrace {
+
+/// The traces that claims are held against, each with its index.
+class TruthIndex {
+public:
+    explicit TruthIndex(const Truth& truth);
+
+    const StepIndex& decided() const { return decided_; }
+    const StepIndex& exact() const { return exact_ ? *exact_ : decided_; }
+
+    /// The one that has the tests of all faces: the exact one, if it has any.
+    const StepIndex& faces() const;
+
+private:
+    const Truth& truth_;
+    StepIndex decided_;
+    std::optional<StepIndex> exact_; ///< none: it is the same
+    mutable std::optional<StepIndex> faces_;
+};
+
+/// What a claim is about: a step, in the exact trace and in that of the scene's own method and scalar; or a
+/// pixel of the final picture, which may have no step.
+struct Subject {
+    StepKind kind;
+    const StepIndex* exact = nullptr;
+    const StepIndex* decided = nullptr;
+    StepIndex::Keys keys = {};
+    std::vector<const ClaimedField*> fields = {}; ///< those that are compared
+    std::size_t step = 0;                         ///< of `exact`; 0: there is none
+    std::size_t decided_step = 0;                 ///< of `decided`
+    std::string absence = {};                     ///< why there is no such step
+};
+
+/// Finds it. Throws a Problem that points at a name which the scene does not have, or at a claim that several
+/// steps could be meant by.
+Subject subject_of(const Claim& claim, const Claims& claims, const TruthIndex& truth);
+
+/// What is told of a field, as the trace writes it; of a list, or a list of lists, each element. Fields of
+/// check.h are worked out. nullopt if nothing is.
+using ToldValues = std::optional<std::vector<std::string>>;
+
+/// By exact arithmetic.
+ToldValues told_exactly(const Subject& subject, const ClaimedField& field);
+
+/// By the scene's own method and scalar.
+ToldValues told_as_decided(const Subject& subject, const ClaimedField& field);
+
+/// The formulas that a field can be worked out by, see derivation.h.
+std::vector<Formula> formulas_of(const Subject& subject, const Numbers& numbers,
+                                 std::string_view field);
+
+/// The step that shows how a field is worked out; 0 for none.
+std::size_t step_of(const Subject& subject, std::string_view field);
+
+/// True if a field tells what was decided, and not a number that is worked out.
+bool is_decision(StepKind kind, std::string_view field);
+
+} // namespace rastertrace

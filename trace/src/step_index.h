@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Steps of a trace found by their key fields, without walking the trace for each.
+//
+//     StepIndex index(trace);
+//     index.find(StepKind::scanline, {{"y", "2"}});  // {14}
+
+#include <rastertrace/core/raster/image.h>
+#include <rastertrace/trace/frame.h>
+#include <rastertrace/trace/step_kind.h>
+#include <rastertrace/trace/trace.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace rastertrace {
+
+/// The trace must outlive its index.
+class StepIndex {
+public:
+    /// A field and the value that it must have. "in" is the name of the step's primitive, or of what that is
+    /// a part of.
+    using Keys = std::vector<std::pair<std::string, std::string>>;
+
+    explicit StepIndex(const Trace& trace);
+
+    const Trace& trace() const { return *trace_; }
+
+    /// The `primitive` step that step n belongs to; 0 for none.
+    std::size_t primitive_of(std::size_t n) const { return primitive_of_[n]; }
+
+    /// The steps of a kind that have all these values, in order.
+    const std::vector<std::size_t>& find(StepKind kind, const Keys& keys) const;
+
+    /// Every value of a field in steps of a kind, each once.
+    std::vector<std::string> values_of(StepKind kind, const std::string& field) const;
+
+    /// The `vertex` step of a vertex in a space; 0 if there is none.
+    std::size_t place(const std::string& vertex, std::string_view space) const;
+
+    /// The step before a `vertex` step of the same vertex, in the space that it comes from; 0 for none.
+    std::size_t place_before(std::size_t n) const;
+
+    /// The steps `decide` of a line, or of a side of an outline, in order.
+    std::vector<std::size_t> decisions_on(const std::string& line) const;
+
+    /// The final picture.
+    const Frame& frame() const;
+
+private:
+    using Found = std::unordered_map<std::string, std::vector<std::size_t>>;
+
+    const Trace* trace_;
+    std::vector<std::uint32_t> primitive_of_;
+    mutable std::map<std::pair<StepKind, std::string>, Found>
+        found_; ///< by kind and names of fields
+    mutable std::optional<Frame> frame_;
+};
+
+/// A value as it is compared: a number in lowest terms, any other text as it is.
+std::string normal_form(const std::string& value);
+
+} // namespace rastertrace

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include <rastertrace/trace/check.h>
+
+#include <rastertrace/trace/scene_file.h>
+#include <rastertrace/trace/stage_name.h>
+#include <rastertrace/trace/write_trace.h>
+
+#include <optional>
+#include <utility>
+
+namespace rastertrace {
+
+/// A scene, and its traces once someone has asked; or one trace, which is all there is.
+struct Truth::State {
+    std::optional<Source> scene = {};
+    MethodOverrides overrides = {};
+    InputLimits limits = {};
+    FrameChoice frames = {};
+    std::optional<Trace> decided = {};
+    std::optional<Trace> exact = {};
+    std::optional<Trace> with_faces = {};
+    std::vector<Problem> remarks = {};
+
+    /// Draws the scene with more choices than it has. Every stage runs: it changes no picture, and each
+    /// vertex is told in every space.
+    Trace draw(const MethodOverrides& more) {
+        MethodOverrides all = overrides;
+        for (const std::string_view stage : stage_names())
+            all.emplace_back("keep", stage);
+        all.insert(all.end(), more.begin(), more.end());
+        Result<PlannedScene> read = read_scene(*scene, all, limits, frames);
+        if (!read)
+            throw read.problem();
+        const PlannedScene& planned = read.value();
+        remarks = planned.remarks;
+        return std::move(
+            read_written_trace(written_trace(planned.scene, planned.plan, scene->name)).value());
+    }
+};
+
+Truth::Truth(Trace trace) : state_(std::make_unique<State>()) {
+    state_->decided = std::move(trace);
+}
+
+Truth::Truth(Source scene, MethodOverrides overrides, InputLimits limits, FrameChoice frames)
+    : state_(std::make_unique<State>()) {
+    state_->scene = std::move(scene);
+    state_->overrides = std::move(overrides);
+    state_->limits = limits;
+    state_->frames = std::move(frames);
+    state_->decided = state_->draw({});
+}
+
+Truth::Truth(Truth&&) noexcept = default;
+Truth::~Truth() = default;
+
+const Trace& Truth::decided() const {
+    return *state_->decided;
+}
+
+const Trace& Truth::exact() const {
+    if (!state_->scene || decided().method_value("scalar") == "exact")
+        return decided();
+    if (!state_->exact)
+        state_->exact = state_->draw({{"scalar", "exact"}});
+    return *state_->exact;
+}
+
+const Trace* Truth::with_faces() const {
+    if (!state_->scene)
+        return nullptr;
+    if (!state_->with_faces)
+        state_->with_faces = state_->draw({{"scalar", "exact"}, {"cull", "back"}});
+    return &*state_->with_faces;
+}
+
+const std::vector<Problem>& Truth::remarks() const {
+    return state_->remarks;
+}
+
+} // namespace rastertrace
