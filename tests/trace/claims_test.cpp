@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: MIT
+// Claims files: a line of a table says what its JSON says, and what is wrong with a file is told.
+
+#include <rastertrace/trace/claims.h>
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rastertrace {
+namespace {
+
+/// The claims of a text that has no fault.
+Claims claims_in(const std::string& text) {
+    auto claims = read_claims({"claims.txt", text});
+    if (!claims) {
+        ADD_FAILURE() << to_text(claims.problem());
+        return {};
+    }
+    return std::move(claims.value());
+}
+
+/// The message about a text that has a fault.
+std::string complaint(const std::string& text) {
+    const auto claims = read_claims({"claims.txt", text});
+    return claims ? "" : to_text(claims.problem());
+}
+
+/// What claims say, whichever layout they were written in.
+std::string content_of(const std::vector<Claim>& claims) {
+    std::string text;
+    for (const Claim& claim : claims) {
+        text += claim.step;
+        for (const ClaimedField& field : claim.fields) {
+            text += " " + field.name + (field.is_list ? "=[" : "=");
+            for (const std::string& value : field.values)
+                text += "<" + value + ">";
+        }
+        for (const std::string& row : claim.picture)
+            text += "\n" + row;
+        text += "\n";
+    }
+    return text;
+}
+
+/// A line of a table, and the claim that it stands for.
+using Form = std::pair<std::string, std::string>;
+
+const std::vector<Form> forms{
+    {"y=2: -1/4, 25/8 -> -1..3",
+     R"({"step":"scanline","y":2,"left":"-1/4","right":"25/8","from":-1,"to":3})"},
+    {"y = -3 : -4.0 , 5->-4 .. 5",
+     R"({"step":"scanline","y":-3,"left":-4.0,"right":5,"from":-4,"to":5})"},
+    {"ABC y=2: -0.25, 3.125", R"({"step":"scanline","in":"ABC","y":2,"left":-0.25,"right":3.125})"},
+    {"y=2: -> -1..3", R"({"step":"scanline","y":2,"from":-1,"to":3})"},
+    {"y=2: -1..3", R"({"step":"scanline","y":2,"from":-1,"to":3})"},
+    {"y=2: ?, ? -> ?..?",
+     R"({"step":"scanline","y":2,"left":null,"right":"?","from":null,"to":null})"},
+    {"y=2 depth: 1/3, 1/5", R"({"step":"scanline","y":2,"left_depth":"1/3","right_depth":"1/5"})"},
+    {"large.ABC y=2 depth: ?, 0.2",
+     R"({"step":"scanline","in":"large.ABC","y":2,"left_depth":null,"right_depth":0.2})"},
+    {"(3,2): on", R"({"step":"pixel","x":3,"y":2,"plotted":true})"},
+    {"( -3, 2 ): off", R"({"step":"pixel","x":-3,"y":2,"plotted":false})"},
+    {"(3,2): ?", R"({"step":"pixel","x":3,"y":2,"plotted":null})"},
+    {"(3,2): z 10/3", R"({"step":"pixel","x":3,"y":2,"z":"10/3"})"},
+    {"(3,2): 1/z 3/10", R"({"step":"pixel","x":3,"y":2,"inverse_z":"3/10"})"},
+    {"(3,2): color #808080", R"({"step":"pixel","x":3,"y":2,"color":"#808080"})"},
+    {"(3,2): on, z ?, color gray # as seen",
+     R"({"step":"pixel","x":3,"y":2,"plotted":true,"z":null,"color":"gray"})"},
+    {"(3,2): outside", R"({"step":"sample","x":3,"y":2,"inside":false})"},
+    {"(3,2) ABC: inside", R"({"step":"sample","x":3,"y":2,"in":"ABC","inside":true})"},
+    {"A screen: 2, 5", R"({"step":"vertex","name":"A","space":"screen","at":[2,5]})"},
+    {"A screen: -10/3, 10/3 -> -4, 3",
+     R"({"step":"vertex","name":"A","space":"screen","at":["-10/3","10/3"],"snapped":[-4,3]})"},
+    {"A screen: ? -> ?",
+     R"({"step":"vertex","name":"A","space":"screen","at":null,"snapped":"?"})"},
+    {"A object: 1, 2, 3", R"({"step":"vertex","name":"A","space":"object","at":[1,2,3]})"},
+    {"A world: 1, 2, 3", R"({"step":"vertex","name":"A","space":"world","at":[1,2,3]})"},
+    {"A camera: 1, 2, 3", R"({"step":"vertex","name":"A","space":"camera","at":[1,2,3]})"},
+    {"A clip: 1, 2, 3, 4", R"({"step":"vertex","name":"A","space":"clip","at":[1,2,3,4]})"},
+    {"A canonical: 1, ?, 3", R"({"step":"vertex","name":"A","space":"canonical","at":[1,null,3]})"},
+    {"normal ABC: 0, 0, -4", R"({"step":"face","name":"ABC","normal":[0,0,-4]})"},
+    {"centroid ABC: 1/3, 1/3, 3", R"({"step":"face","name":"ABC","centroid":["1/3","1/3",3]})"},
+    {"view ABC: -1/3, -1/3, -3", R"({"step":"face","name":"ABC","view":["-1/3","-1/3",-3]})"},
+    {"plane AED: 4, 0, 0, 4", R"({"step":"face","name":"AED","plane":[4,0,0,4]})"},
+    {"cosine ABC: -0.9879", R"({"step":"face","name":"ABC","cosine":-0.9879})"},
+    {"dot ABC: -12", R"({"step":"face","name":"ABC","dot":-12})"},
+    {"dot ABC: -12 culled", R"({"step":"face","name":"ABC","dot":-12,"culled":true})"},
+    {"dot ABC: 12 drawn", R"({"step":"face","name":"ABC","dot":12,"culled":false})"},
+    {"dot ABC: ? ?", R"({"step":"face","name":"ABC","dot":null,"culled":null})"},
+    {"ABC: culled", R"({"step":"face","name":"ABC","culled":true})"},
+    {"light ABC: 0, 0, 1", R"({"step":"light","name":"ABC","light":[0,0,1]})"},
+    {"intensity ABC: 0.5", R"({"step":"light","name":"ABC","intensity":0.5})"},
+    {"AB: -1 3 -3 1 -5", R"({"step":"decide","in":"AB","d":[-1,3,-3,1,-5]})"},
+    {"AB: -1, 3, ?", R"({"step":"decide","in":"AB","d":[-1,3,null]})"},
+    {"edge AB: 3/4", R"({"step":"edge","edge":"AB","dx_dy":"3/4"})"},
+    {"ABC edge P1-P2: ?", R"({"step":"edge","in":"ABC","edge":"P1-P2","dx_dy":null})"},
+    {"depth ACD (3,2): fails", R"({"step":"depth","in":"ACD","x":3,"y":2,"pass":false})"},
+    {"depth ACD (3,2): 1/3 passes",
+     R"({"step":"depth","in":"ACD","x":3,"y":2,"depth":"1/3","pass":true})"},
+    {"depth (3,2): ? ?", R"({"step":"depth","x":3,"y":2,"depth":null,"pass":null})"},
+    {"order: ABC, ACD", R"({"step":"order","names":["ABC","ACD"]})"},
+    {"order: ?", R"({"step":"order","names":null})"},
+    {R"("face 1, upper" y=2: -1..3)",
+     R"({"step":"scanline","in":"face 1, upper","y":2,"from":-1,"to":3})"},
+    {R"("edge" screen: 2, 5)", R"({"step":"vertex","name":"edge","space":"screen","at":[2,5]})"},
+    {R"(normal "screen": 2, 5, 1)", R"({"step":"face","name":"screen","normal":[2,5,1]})"},
+    {R"(order: "a \"b\"" #1
+     )",
+     R"({"step":"order","names":["a \"b\""]})"},
+};
+
+TEST(Claims, ALineSaysWhatItsJsonSays) {
+    for (const auto& [line, json] : forms)
+        EXPECT_EQ(content_of(claims_in(line).claims),
+                  content_of(claims_in(R"({"claims":[)" + json + "]}").claims))
+            << line;
+}
+
+TEST(Claims, APictureIsItsRowsToABlankLine) {
+    const Claims table = claims_in("picture:\n  ..#..\n  .###.\n\ny=2: -1..3\n");
+    EXPECT_EQ(content_of(table.claims), "picture\n..#..\n.###.\nscanline y=<2> from=<-1> to=<3>\n");
+    EXPECT_EQ(content_of(table.claims),
+              content_of(claims_in(R"({"claims":[{"picture":["..#..",".###."]},
+                  {"step":"scanline","y":2,"from":-1,"to":3}]})")
+                             .claims));
+    EXPECT_EQ(content_of(claims_in("picture:\n#?.").claims), "picture\n#?.\n");
+}
+
+TEST(Claims, AFileSaysItsSceneAndHowItRounds) {
+    for (const std::string text :
+         {"# by hand\n\nscene: folder/first triangle.json # the worked one\nround: truncate\n",
+          "\xEF\xBB\xBFscene: \"folder/first triangle.json\"\r\nround: truncate\r\n",
+          R"({"scene":"folder/first triangle.json","round":"truncate","claims":[]})"}) {
+        const Claims claims = claims_in(text);
+        EXPECT_EQ(claims.scene, "folder/first triangle.json");
+        EXPECT_TRUE(claims.truncates);
+        EXPECT_TRUE(claims.claims.empty());
+    }
+    EXPECT_FALSE(claims_in("round: nearest").truncates);
+    EXPECT_EQ(claims_in("y=2: 0..1").scene, "");
+}
+
+TEST(Claims, AClaimKnowsWhereItStands) {
+    const std::string table = "# rows\n\n  y=2: -1/4, 25/8   # by hand\ny=1: -1..3\n";
+    const Claims of_table = claims_in(table);
+    ASSERT_EQ(of_table.claims.size(), 2u);
+    EXPECT_EQ(of_table.claims[0].line, 3u);
+    EXPECT_EQ(of_table.claims[0].text, "y=2: -1/4, 25/8");
+    EXPECT_EQ(table.substr(of_table.claims[0].offset, 4), "y=2:");
+    EXPECT_EQ(table.substr(of_table.claims[0].find("right")->offset, 4), "25/8");
+    EXPECT_EQ(of_table.claims[1].line, 4u);
+    EXPECT_EQ(of_table.claims[1].find("left"), nullptr);
+
+    const std::string json = "{\"claims\": [\n{\"step\": \"edge\",\n \"edge\": \"AB\", "
+                             "\"dx_dy\": 1},\n{\"picture\": [\"#\"]}]}";
+    const Claims of_json = claims_in(json);
+    ASSERT_EQ(of_json.claims.size(), 2u);
+    EXPECT_EQ(of_json.claims[0].line, 2u);
+    EXPECT_EQ(of_json.claims[0].text, R"({"step": "edge", "edge": "AB", "dx_dy": 1})");
+    EXPECT_EQ(json.substr(of_json.claims[0].find("edge")->offset, 4), "\"AB\"");
+    EXPECT_EQ(of_json.claims[1].line, 4u);
+}
+
+TEST(Claims, AreToldFromScenesAndTraces) {
+    EXPECT_TRUE(is_claims({"", "# nothing yet\n"}));
+    EXPECT_TRUE(is_claims({"", "y=2: 0..1"}));
+    EXPECT_TRUE(is_claims({"", R"( {"scene":"a.json","claims":[]})"}));
+    EXPECT_FALSE(is_claims({"", R"({"vertices":{"A":[1,2]},"points":["A"]})"}));
+    EXPECT_FALSE(is_claims({"", R"({"rastertrace":1,"canvas":{},"steps":[]})"}));
+    EXPECT_FALSE(is_claims({"", ""}));
+}
+
+/// A text, and the whole message about it.
+using Fault = std::pair<std::string, std::string>;
+
+TEST(Claims, FaultsOfATableArePointedAt) {
+    const std::vector<Fault> faults{
+        {"\ny=2: -1/4 25/8",
+         "claims.txt:2:11: expected a comma between left and right, found 25/8\n"
+         "y=2: -1/4 25/8\n"
+         "          ^"},
+        {"y=2: -0,25, 3,125",
+         "claims.txt:1:11: expected `->` and the pixels, or the end of the line, found ,\n"
+         "y=2: -0,25, 3,125\n"
+         "          ^\n"
+         "hint: a decimal has a point: 0.25, not 0,25"},
+        {"(3,2): z 3,33",
+         "claims.txt:1:12: expected on, off, inside, outside, z, 1/z or color, found 33\n"
+         "(3,2): z 3,33\n"
+         "           ^\n"
+         "hint: a decimal has a point: 0.25, not 0,25"},
+        {"y=2: x, 3", "claims.txt:1:6: expected a number, like 3.125 or 25/8, found x\n"
+                      "y=2: x, 3\n"
+                      "     ^"},
+        {"y=2: 1/0, 3", "claims.txt:1:6: expected a number, like 3.125 or 25/8, found 1/0\n"
+                        "y=2: 1/0, 3\n"
+                        "     ^"},
+        {"y=?: 1, 3", "claims.txt:1:3: expected a whole number, found ?\n"
+                      "y=?: 1, 3\n"
+                      "  ^"},
+        {"y=2: 1..2.5", "claims.txt:1:9: expected a whole number, found 2.5\n"
+                        "y=2: 1..2.5\n"
+                        "        ^"},
+        {"y=2: 1, 2 ->", "claims.txt:1:13: expected a value for from, found the end of the line\n"
+                         "y=2: 1, 2 ->\n"
+                         "            ^"},
+        {"y=2", "claims.txt:1:4: expected `:`, found the end of the line\n"
+                "y=2\n"
+                "   ^"},
+        {"A scren: 2, 5",
+         "claims.txt:1:3: expected a space (object, world, camera, clip, canonical, "
+         "screen), found scren\n"
+         "A scren: 2, 5\n"
+         "  ^\n"
+         "hint: did you mean screen?"},
+        {"norml ABC: 0, 0, 4", "claims.txt:1:7: expected a space (object, world, camera, clip, "
+                               "canonical, screen), found ABC\n"
+                               "norml ABC: 0, 0, 4\n"
+                               "      ^\n"
+                               "hint: did you mean normal?"},
+        {"A world: 2, 5",
+         "claims.txt:1:14: expected a comma and 3 numbers in all, found the end of "
+         "the line\n"
+         "A world: 2, 5\n"
+         "             ^"},
+        {"normal ABC: 0, 0, 4, 1", "claims.txt:1:20: expected the end of the line, found ,\n"
+                                   "normal ABC: 0, 0, 4, 1\n"
+                                   "                   ^"},
+        {"dot ABC: -12 gone", "claims.txt:1:14: expected culled or drawn, found gone\n"
+                              "dot ABC: -12 gone\n"
+                              "             ^"},
+        {"(3,2): onn", "claims.txt:1:8: expected on, off, inside, outside, z, 1/z or color, found "
+                       "onn\n"
+                       "(3,2): onn\n"
+                       "       ^\n"
+                       "hint: did you mean on?"},
+        {"(3,2): color blau", "claims.txt:1:14: expected a color, like #ff8000 or red, found blau\n"
+                              "(3,2): color blau\n"
+                              "             ^"},
+        {"(3 2): on", "claims.txt:1:4: expected a comma between x and y, found 2\n"
+                      "(3 2): on\n"
+                      "   ^"},
+        {"\"AB: 1", "claims.txt:1:1: expected a closing quote, found none\n"
+                    "\"AB: 1\n"
+                    "^"},
+        {"round: up", "claims.txt:1:8: expected nearest or truncate, found up\n"
+                      "round: up\n"
+                      "       ^"},
+        {"scene:", "claims.txt:1:7: expected the name of a scene file, found the end of the line\n"
+                   "scene:\n"
+                   "      ^"},
+        {"picture:\n..#\n.x.", "claims.txt:3:1: expected a row of ., # and ?, found 'x'\n"
+                               ".x.\n"
+                               "^\n"
+                               "hint: a picture ends with a blank line"},
+        {"picture:\n..#\n....", "claims.txt:3:1: expected a row of 3 pixels like the first one, "
+                                "found 4\n"
+                                "....\n"
+                                "^\n"
+                                "hint: a picture ends with a blank line"},
+        {"picture:\n", "claims.txt:2:1: expected the rows of a picture, found none"},
+    };
+    for (const auto& [text, message] : faults)
+        EXPECT_EQ(complaint(text), message) << text;
+}
+
+TEST(Claims, ALineOfNoFormIsShownTheForms) {
+    for (const std::string text : {"-> 3", "ABC", "= 2", "A, B: 3"})
+        EXPECT_NE(complaint(text).find("\nhint: a line looks like `y=2: -1/4, 25/8 -> -1..3`, "),
+                  std::string::npos)
+            << complaint(text);
+}
+
+TEST(Claims, FaultsOfJsonArePointedAt) {
+    const std::string kinds = "triangulate, matrix, vertex, order, primitive, face, light, clip, "
+                              "edge, half, scanline, along, decide, sample, depth, pixel, reject, "
+                              "skip, undecided";
+    const std::vector<Fault> faults{
+        {R"({"claims": [{"step":"skanline","y":2}]})",
+         "claims.txt:1:21: expected a kind of step (" + kinds +
+             "), found \"skanline\"\n"
+             "{\"claims\": [{\"step\":\"skanline\",\"y\":2}]}\n"
+             "                    ^\n"
+             "hint: did you mean \"scanline\"?"},
+        {R"({"claims": [{"step":"edge","edge":"AB","dxdy":2}]})",
+         "claims.txt:1:40: expected a field of edge (edge, dx_dy, a, b, top_left, octant, in), "
+         "found \"dxdy\"\n"
+         "{\"claims\": [{\"step\":\"edge\",\"edge\":\"AB\",\"dxdy\":2}]}\n"
+         "                                       ^\n"
+         "hint: did you mean \"dx_dy\"?"},
+        {R"({"claims": [{"step":"pixel","x":3,"y":2}]})",
+         "claims.txt:1:13: expected what is claimed of the pixel, found only which one it is\n"
+         "{\"claims\": [{\"step\":\"pixel\",\"x\":3,\"y\":2}]}\n"
+         "            ^"},
+        {R"({"claims": [{"step":"scanline","y":null,"left":1}]})",
+         "claims.txt:1:36: expected a whole number, found null\n"
+         "{\"claims\": [{\"step\":\"scanline\",\"y\":null,\"left\":1}]}\n"
+         "                                   ^"},
+        {R"({"claims": [{"step":"scanline","y":2,"left":[1]}]})",
+         "claims.txt:1:45: expected one value for left, found an array of 1\n"
+         "{\"claims\": [{\"step\":\"scanline\",\"y\":2,\"left\":[1]}]}\n"
+         "                                            ^"},
+        {R"({"claims": [{"step":"face","normal":4}]})",
+         "claims.txt:1:37: expected a list for normal, found 4\n"
+         "{\"claims\": [{\"step\":\"face\",\"normal\":4}]}\n"
+         "                                    ^"},
+        {R"({"claims": [{"picture":["#.","#"]}]})",
+         "claims.txt:1:30: expected a row of 2 pixels like the first one, found 1\n"
+         "{\"claims\": [{\"picture\":[\"#.\",\"#\"]}]}\n"
+         "                             ^"},
+        {R"({"claims": [], "rounded": true})",
+         "claims.txt:1:16: expected a key out of scene, round, claims, found \"rounded\"\n"
+         "{\"claims\": [], \"rounded\": true}\n"
+         "               ^\n"
+         "hint: did you mean \"round\"?"},
+        {R"({"claims": [], "round": "up"})",
+         "claims.txt:1:25: expected \"nearest\" or \"truncate\", found \"up\"\n"
+         "{\"claims\": [], \"round\": \"up\"}\n"
+         "                        ^"},
+        {R"({"vertices": {}})", "claims.txt:1:1: expected claims, found a scene\n"
+                                "{\"vertices\": {}}\n"
+                                "^\n"
+                                "hint: claims come behind the scene: check SCENE CLAIMS"},
+        {R"({"rastertrace": 1})", "claims.txt:1:1: expected claims, found a trace\n"
+                                  "{\"rastertrace\": 1}\n"
+                                  "^\n"
+                                  "hint: claims come behind the scene: check SCENE CLAIMS"},
+        {R"([])", "claims.txt:1:1: expected claims, found none\n"
+                  "[]\n"
+                  "^\n"
+                  "hint: claims are a table, or {\"claims\": [...]}"},
+    };
+    for (const auto& [text, message] : faults)
+        EXPECT_EQ(complaint(text), message) << text;
+}
+
+} // namespace
+} // namespace rastertrace

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The claims file of a scene before anything has been worked out: a table with `?` in place of every
+// number, to hand out.
+//
+//     claims_template(trace);  // "edge AB: ?\nedge AC: ?\n\ny=5: ?, ? -> ?..?\n..."
+
+#include <rastertrace/trace/trace.h>
+
+#include <string>
+
+namespace rastertrace {
+
+/// What can be worked out by hand of a trace, a line each: vertices on their way to the screen, faces, edges,
+/// rows, Bresenham's d, depth tests of pixels that several primitives meet, the picture if it is small. Of a
+/// long trace the first lines, and how many more there would be.
+std::string claims_template(const Trace& trace);
+
+} // namespace rastertrace
