@@ -143,31 +143,36 @@ private:
             names = index_.values_of(StepKind::primitive, "name");
         if (field == "edge" || field == "name")
             names = index_.values_of(kind_, field);
-        if (field == "in" && kind_ == StepKind::decide)
-            for (std::string& side : index_.values_of(StepKind::edge, "edge"))
-                names.push_back(std::move(side));
+        if (field == "in")
+            for (std::string& around : index_.values_of(kind_, "in"))
+                names.push_back(std::move(around));
+        if (kind_ == StepKind::vertex && names.empty())
+            for (const std::size_t n : index_.find(StepKind::primitive, {}))
+                for (std::string& corner : index_.trace().step(n).texts("vertices"))
+                    names.push_back(std::move(corner));
+        std::sort(names.begin(), names.end());
+        names.erase(std::unique(names.begin(), names.end()), names.end());
         return names;
     }
 
     void check_names(const StepIndex::Keys& keys) const {
+        if (kind_ != StepKind::pixel && kind_ != StepKind::vertex && index_.find(kind_, {}).empty())
+            fail("", fmt::format("expected a scene with steps `{}`, found none in its trace",
+                                 name_of(kind_)));
         for (const auto& [field, value] : keys) {
-            const auto names = names_for(field);
-            if ((field != "in" && field != "edge" && field != "name") ||
-                std::find(names.begin(), names.end(), normal_form(value)) != names.end())
+            if (field != "in" && field != "edge" && field != "name")
                 continue;
-            if (!index_.find(StepKind::primitive, {{"in", value}}).empty() && field == "in")
-                continue; // what was cut into parts
-            const std::string what = kind_ == StepKind::vertex ? "a vertex"
-                                     : field == "edge"         ? "an edge"
-                                     : kind_ == StepKind::face ? "a face"
-                                                               : "a primitive";
+            const auto names = names_for(field);
+            if (std::find(names.begin(), names.end(), value) != names.end())
+                continue;
+            const std::string_view what = kind_ == StepKind::vertex ? "a vertex"
+                                          : field == "edge"         ? "an edge"
+                                          : kind_ == StepKind::face ? "a face"
+                                                                    : "a primitive";
             const std::vector<std::string_view> known(names.begin(), names.end());
             fail(field,
-                 names.empty()
-                     ? fmt::format("expected a scene with steps `{}`, found none in its trace",
-                                   name_of(kind_))
-                     : fmt::format("expected {} of the scene ({}), found \"{}\"", what,
-                                   listed(names), printable(value)),
+                 fmt::format("expected {} of the scene ({}), found \"{}\"", what, listed(names),
+                             printable(value)),
                  did_you_mean(value, known));
         }
     }
@@ -194,11 +199,9 @@ private:
 
     /// The step that has these keys; 0 if none has.
     std::size_t step_in(const StepIndex& index, const StepIndex::Keys& keys) const {
-        if (kind_ == StepKind::decide && is_whole_line()) {
-            const auto decisions = index.decisions_on(claim_.find("in")->values.front());
-            return decisions.empty() ? 0 : decisions.front();
-        }
         const auto& steps = index.find(kind_, keys);
+        if (kind_ == StepKind::decide && is_whole_line())
+            return first_of_line(index, steps);
         if (kind_ == StepKind::pixel)
             return steps.empty() ? 0 : steps.back(); // what is seen
         if (kind_ == StepKind::vertex && steps.empty())
@@ -212,6 +215,15 @@ private:
     bool is_whole_line() const {
         const ClaimedField* const d = claim_.find("d");
         return d != nullptr && d->is_list && claim_.find("in") != nullptr;
+    }
+
+    /// The first step of the line that is named, rather than of a side of that name.
+    std::size_t first_of_line(const StepIndex& index, const std::vector<std::size_t>& steps) const {
+        for (const std::size_t n : steps)
+            if (index.trace().step(index.primitive_of(n)).text("name") ==
+                claim_.find("in")->values.front())
+                return n;
+        return steps.empty() ? 0 : steps.front();
     }
 
     /// A trace that does not tell its vertices has them in its primitives.
