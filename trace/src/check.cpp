@@ -150,7 +150,7 @@ private:
         // A claim without values says that there is such a step.
         if (subject.fields.empty() && subject.step == 0)
             checked.fields.push_back({.name = claim.step,
-                                      .verdict = Verdict::wrong,
+                                      .verdict = ClaimVerdict::wrong,
                                       .expected = "none",
                                       .found = "one"});
         checked_.claims.push_back(std::move(checked));
@@ -183,7 +183,7 @@ private:
         if (!decided && !exact) {
             refuse_untold(field, subject);
             checked.expected = "none";
-            checked.verdict = Verdict::wrong;
+            checked.verdict = ClaimVerdict::wrong;
             return checked;
         }
         const std::vector<std::string>& right = decided ? *decided : *exact;
@@ -199,9 +199,9 @@ private:
         }
         note_fit(comparison, checked);
         if (comparison.is_open)
-            checked.verdict = Verdict::open;
+            checked.verdict = ClaimVerdict::open;
         else if (!comparison.is_right)
-            checked.verdict = Verdict::wrong;
+            checked.verdict = ClaimVerdict::wrong;
         note_number(field, right, order, checked, claim);
         return checked;
     }
@@ -241,7 +241,7 @@ private:
         const Subject& subject = *subjects_.back();
         const std::string name = number_name(subject, field.name);
         const Values values = claimed_values(field, right);
-        if (name.empty() || values.empty() || checked.verdict == Verdict::open)
+        if (name.empty() || values.empty() || checked.verdict == ClaimVerdict::open)
             return;
         const std::size_t line = claims_.claims[order].line;
         const auto [first, is_new] = claimed_.try_emplace(name, std::pair(values, line));
@@ -249,7 +249,7 @@ private:
         if (!is_new && first->second.first != values &&
             std::find(claim.remarks.begin(), claim.remarks.end(), remark) == claim.remarks.end())
             claim.remarks.push_back(remark);
-        if (checked.verdict == Verdict::wrong)
+        if (checked.verdict == ClaimVerdict::wrong)
             wrong_.try_emplace(name, WrongNumber{values, order, line});
     }
 
@@ -267,7 +267,7 @@ private:
         for (std::size_t k = 0; k < claim.fields.size() && k < subject.fields.size(); ++k) {
             CheckedField& checked = claim.fields[k];
             const ClaimedField& field = *subject.fields[k];
-            if (checked.verdict != Verdict::wrong)
+            if (checked.verdict != ClaimVerdict::wrong)
                 continue;
             if (follows(subject, field, i, checked))
                 continue;
@@ -295,7 +295,7 @@ private:
             checked.follows_from = all.line_used();
         else
             return false;
-        checked.verdict = Verdict::follows;
+        checked.verdict = ClaimVerdict::follows;
         return true;
     }
 
@@ -328,21 +328,21 @@ private:
 
     /// What a claim's fields make of it.
     void settle(CheckedClaim& claim) {
-        const auto has = [&claim](Verdict verdict) {
+        const auto has = [&claim](ClaimVerdict verdict) {
             return std::any_of(claim.fields.begin(), claim.fields.end(),
                                [&](const auto& field) { return field.verdict == verdict; });
         };
         const bool is_open =
             std::all_of(claim.fields.begin(), claim.fields.end(),
-                        [](const auto& field) { return field.verdict == Verdict::open; });
-        claim.verdict = has(Verdict::wrong)                ? Verdict::wrong
-                        : has(Verdict::follows)            ? Verdict::follows
-                        : is_open && !claim.fields.empty() ? Verdict::open
-                                                           : Verdict::right;
-        ++(claim.verdict == Verdict::right     ? checked_.right
-           : claim.verdict == Verdict::wrong   ? checked_.wrong
-           : claim.verdict == Verdict::follows ? checked_.follow
-                                               : checked_.open);
+                        [](const auto& field) { return field.verdict == ClaimVerdict::open; });
+        claim.verdict = has(ClaimVerdict::wrong)           ? ClaimVerdict::wrong
+                        : has(ClaimVerdict::follows)       ? ClaimVerdict::follows
+                        : is_open && !claim.fields.empty() ? ClaimVerdict::open
+                                                           : ClaimVerdict::right;
+        ++(claim.verdict == ClaimVerdict::right     ? checked_.right
+           : claim.verdict == ClaimVerdict::wrong   ? checked_.wrong
+           : claim.verdict == ClaimVerdict::follows ? checked_.follow
+                                                    : checked_.open);
     }
 
     /// The working of each wrong claim's step. A replay goes forward once.
@@ -350,11 +350,12 @@ private:
         std::map<std::pair<const StepIndex*, std::size_t>, std::vector<CheckedClaim*>> by_step;
         for (std::size_t i = 0; i < checked_.claims.size(); ++i) {
             CheckedClaim& claim = checked_.claims[i];
-            if (claim.verdict != Verdict::wrong || !subjects_[i])
+            if (claim.verdict != ClaimVerdict::wrong || !subjects_[i])
                 continue;
             const auto wrong =
-                std::find_if(claim.fields.begin(), claim.fields.end(),
-                             [](const auto& field) { return field.verdict == Verdict::wrong; });
+                std::find_if(claim.fields.begin(), claim.fields.end(), [](const auto& field) {
+                    return field.verdict == ClaimVerdict::wrong;
+                });
             if (const std::size_t step = step_of(*subjects_[i], wrong->name); step != 0)
                 by_step[{subjects_[i]->exact, step}].push_back(&claim);
         }

@@ -38,7 +38,7 @@ bool can_begin_json(std::string_view text) {
 
 bool InputCheck::holds_trace(const Source& source) {
     if (!is_trace_)
-        is_trace_ = kind_ == Kind::scene_or_trace && is_trace(source);
+        is_trace_ = kind_ != Kind::other && is_trace(source);
     return *is_trace_;
 }
 

@@ -15,7 +15,8 @@ namespace rastertrace {
 class InputCheck {
 public:
     enum class Kind {
-        scene_or_trace, ///< JSON; a trace may have any size, but not each of its lines
+        scene_or_trace,        ///< JSON; a trace may have any size, but not each of its lines
+        scene_trace_or_claims, ///< the same, or a table of claims
         other,
     };
 

@@ -94,7 +94,7 @@ CheckedClaim check_picture(const Claim& claim, const Claims& claims, const StepI
     }
     CheckedField field{.name = "picture"};
     if (extra + missing > 0) {
-        field.verdict = checked.verdict = Verdict::wrong;
+        field.verdict = checked.verdict = ClaimVerdict::wrong;
         field.expected = "the picture";
         field.found = fmt::format("{} too many, {} missing", extra, missing);
     } else {

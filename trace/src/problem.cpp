@@ -174,6 +174,10 @@ Result<Source> read_source(const std::string& path, const InputLimits& limits) {
     return read_path(path, path == "-", false, {InputCheck::Kind::scene_or_trace, limits});
 }
 
+Result<Source> read_source_or_claims(const std::string& path, const InputLimits& limits) {
+    return read_path(path, path == "-", false, {InputCheck::Kind::scene_trace_or_claims, limits});
+}
+
 Result<Source> read_named_file(const std::string& path, const InputLimits& limits) {
     if (path.find('\0') != std::string::npos)
         return problem_of(path, "expected the name of a file, found one with a zero byte");

@@ -252,6 +252,7 @@ public:
         add_trace();
         add_show();
         add_stats();
+        add_check();
         add_plan();
         add_stress();
         add_report();
@@ -474,6 +475,62 @@ private:
             if (name_of(finding) == name)
                 return finding;
         return std::nullopt;
+    }
+
+    void add_check() {
+        CLI::App& command = add_command(
+            "check", "Say which line of a worked example is wrong, and why",
+            "rastertrace check examples/claims/t0-rows.claims\n\n"
+            "Claims are lines like these, in a file; docs/check.md has all of them:\n"
+            "y=2: -1/4, 25/8 -> -1..3     (3,2): on     A screen: 2, 5     normal ABC: 0, 0, -4\n"
+            "Exit status 1: a claim is wrong.");
+        command
+            .add_option("file", check_.files,
+                        "A scene or a trace, then files of claims; or only claims that name their "
+                        "scenes; - for standard input")
+            ->required()
+            ->type_name("[SCENE] CLAIMS...");
+        command
+            .add_option("--format", check_format_,
+                        "text, json, junit, or csv: one line for each file")
+            ->type_name("NAME");
+        command.add_flag("--json", is_json_check_, "Short for --format json");
+        command.add_flag("--no-answers", has_no_answers_,
+                         "Tell only which claims are right and which are wrong");
+        command.add_flag("--template", check_.is_template,
+                         "Write the claims file of a scene with ? in place of every number");
+        check_method_.add_to(command);
+        check_input_.add_to(command);
+        check_frames_.add_to(command, first_frame);
+        command.callback([this] {
+            read_check_format();
+            check_.has_answers = !has_no_answers_;
+            check_.method = check_method_.overrides();
+            check_.input = check_input_.limits();
+            check_.frames = check_frames_.choice();
+            action_ = [this] { return rastertrace::run(check_); };
+        });
+    }
+
+    void read_check_format() {
+        if (is_json_check_ && !check_format_.empty())
+            refuse("--json", "no --format beside it", check_format_);
+        if (is_json_check_)
+            check_format_ = "json";
+        const std::vector<std::string_view> names{"text", "json", "junit", "csv"};
+        const auto found = check_format_.empty()
+                               ? names.begin()
+                               : std::find(names.begin(), names.end(), check_format_);
+        if (found == names.end())
+            refuse("--format", fmt::format("one of {}", joined(names, ", ")), check_format_,
+                   did_you_mean(check_format_, names));
+        check_.format = static_cast<CheckFormat>(found - names.begin());
+        if (!check_.is_template)
+            return;
+        if (check_.files.size() > 1)
+            refuse("--template", "one scene, without claims", check_.files[1]);
+        if (has_no_answers_ || !check_format_.empty())
+            refuse("--template", "no --format, --json or --no-answers beside it", check_format_);
     }
 
     void add_plan() {
@@ -765,6 +822,14 @@ private:
     MethodOptions stats_method_;
     InputOptions stats_input_;
     FrameOptions stats_frames_;
+
+    CheckCommand check_;
+    std::string check_format_;
+    bool is_json_check_ = false;
+    bool has_no_answers_ = false;
+    MethodOptions check_method_;
+    InputOptions check_input_;
+    FrameOptions check_frames_;
 
     PlanCommand plan_;
     MethodOptions plan_method_;

@@ -116,6 +116,21 @@ struct StatsCommand {
 };
 int run(const StatsCommand& command);
 
+/// How `check` tells what it has found.
+enum class CheckFormat { text, json, junit, csv };
+
+struct CheckCommand {
+    std::vector<std::string>
+        files; ///< a scene or a trace, then claims; or claims that name their scenes
+    CheckFormat format = CheckFormat::text;
+    bool has_answers = true;  ///< false: only what is right and what is wrong
+    bool is_template = false; ///< write what can be claimed of the only file
+    MethodOverrides method;
+    InputLimits input;
+    FrameChoice frames;
+};
+int run(const CheckCommand& command);
+
 struct RenewCommand {
     std::vector<std::string> pages;
     bool check = false; ///< write nothing, tell what differs

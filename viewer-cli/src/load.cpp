@@ -71,7 +71,10 @@ Trace titled(Trace trace, const std::string& path) {
 } // namespace
 
 InputFrames::InputFrames(const std::string& path, const SceneOptions& options)
-    : path_(path), source_(read_input(path, options.limits)) {
+    : InputFrames(path, read_input(path, options.limits), options) {}
+
+InputFrames::InputFrames(std::string path, Source source, const SceneOptions& options)
+    : path_(std::move(path)), source_(std::move(source)) {
     if (is_trace(source_)) {
         refuse_scene_options(source_, options);
         return;
@@ -124,6 +127,21 @@ std::string shown_title(const std::string& title, const std::string& path) {
 Trace load_trace(const std::string& path, const SceneOptions& options) {
     InputFrames input(path, options);
     return input.trace(input.first());
+}
+
+Source load_scene_trace_or_claims(const std::string& path, const InputLimits& limits) {
+    return input_or_throw(read_source_or_claims(path, limits));
+}
+
+Truth truth_in(Source source, const SceneOptions& options) {
+    if (is_trace(source)) {
+        refuse_scene_options(source, options);
+        return Truth(value_or_throw(read_trace(std::move(source))));
+    }
+    Truth truth(std::move(source), options.method, options.limits, options.frames);
+    for (const Problem& remark : truth.remarks())
+        print_error(fmt::format("rastertrace: {}\n", to_text(remark)));
+    return truth;
 }
 
 Source load_page(const std::string& path) {

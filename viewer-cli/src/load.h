@@ -6,6 +6,7 @@
 
 #include "commands.h"
 
+#include <rastertrace/trace/check.h>
 #include <rastertrace/trace/problem.h>
 #include <rastertrace/trace/scene_file.h>
 #include <rastertrace/trace/trace.h>
@@ -43,6 +44,9 @@ public:
     /// Reads the file ("-" for standard input). Throws a Problem; that standard output is one of the
     /// files that are read is one.
     InputFrames(const std::string& path, const SceneOptions& options);
+
+    /// The same of a file that has been read.
+    InputFrames(std::string path, Source source, const SceneOptions& options);
     InputFrames(const InputFrames&) = delete;
     InputFrames& operator=(const InputFrames&) = delete;
 
@@ -82,6 +86,13 @@ std::string shown_title(const std::string& title, const std::string& path);
 
 /// The trace in a file, or that of the scene in it: of the frame that was chosen, or the first.
 Trace load_trace(const std::string& path, const SceneOptions& options = {});
+
+/// Reads a file that is a scene, a trace, or claims. Throws a Problem.
+Source load_scene_trace_or_claims(const std::string& path, const InputLimits& limits);
+
+/// What claims are held against, in a source that is a scene or a trace. Remarks on a scene go to standard
+/// error. Throws a Problem.
+Truth truth_in(Source source, const SceneOptions& options);
 
 /// Reads the Markdown page in a file, which is no pipe and no device. Throws a Problem.
 Source load_page(const std::string& path);

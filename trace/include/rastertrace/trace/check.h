@@ -62,7 +62,7 @@ private:
 };
 
 /// What has been found about a claim, or about one of its fields.
-enum class Verdict {
+enum class ClaimVerdict {
     right,
     wrong,
     follows, ///< wrong only because it goes on from a wrong number, which was claimed elsewhere
@@ -78,7 +78,7 @@ struct LikelySlip {
 /// What has been found about one field of a claim.
 struct CheckedField {
     std::string name; ///< of the field
-    Verdict verdict = Verdict::right;
+    ClaimVerdict verdict = ClaimVerdict::right;
     std::string expected = {}; ///< as it would be written: "-1/4", "2, 5"
     std::string found = {};
     std::string remark =
@@ -92,7 +92,7 @@ struct CheckedField {
 
 struct CheckedClaim {
     std::size_t claim = 0; ///< which one of the claims
-    Verdict verdict = Verdict::right;
+    ClaimVerdict verdict = ClaimVerdict::right;
     std::vector<CheckedField> fields = {}; ///< those that were compared, in the claim's order
     std::size_t step = 0;                  ///< of the exact trace that it is about; 0 for none
 

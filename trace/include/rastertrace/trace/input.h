@@ -22,6 +22,9 @@ struct InputLimits {
 /// for a trace, or that is no text, is left alone as soon as that is known.
 Result<Source> read_source(const std::string& path, const InputLimits& limits);
 
+/// The same for a command that takes claims too, which need not be JSON.
+Result<Source> read_source_or_claims(const std::string& path, const InputLimits& limits);
+
 /// Reads a file of any text, such as one that another file names: no standard input, no pipe and no
 /// device.
 Result<Source> read_named_file(const std::string& path, const InputLimits& limits);

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+// `rastertrace check`: claims held against a scene or a trace.
+
+#include "check_report.h"
+#include "commands.h"
+#include "load.h"
+
+#include <rastertrace/trace/claims_template.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rastertrace {
+
+namespace {
+
+/// Checks files of claims, one after the other.
+class ClaimsChecker {
+public:
+    explicit ClaimsChecker(const CheckCommand& command)
+        : options_{.method = command.method, .limits = command.input, .frames = command.frames} {}
+
+    /// All claims are about this scene or trace, whatever scene they name.
+    void hold_against(Source source) { given_.emplace(truth_in(std::move(source), options_)); }
+
+    /// What the claims were held against is damaged, or sound.
+    ExitStatus report() const { return given_ ? report_damage(given_->decided()) : exit_fine; }
+
+    /// Throws a Problem if the file is none of claims, or its scene cannot be drawn.
+    CheckedFile check(const std::string& path) {
+        return check(load_scene_trace_or_claims(path, options_.limits));
+    }
+    CheckedFile check(Source source) {
+        CheckedFile file{.name = source.name};
+        file.claims = value_or_throw(read_claims(std::move(source)));
+        file.checked = rastertrace::check(truth_for(file.claims), file.claims);
+        return file;
+    }
+
+private:
+    const Truth& truth_for(const Claims& claims) {
+        if (given_)
+            return *given_;
+        if (claims.scene.empty())
+            throw problem_of(claims.source.name,
+                             "expected a scene before the claims, or its name in them, found none",
+                             "check SCENE CLAIMS, or a line `scene: FILE`");
+        const std::string path =
+            (std::filesystem::path(claims.source.name).parent_path() / claims.scene).string();
+        const auto known = by_path_.find(path);
+        if (known != by_path_.end())
+            return known->second;
+        Source scene = value_or_throw(read_named_file(path, options_.limits));
+        refuse_claims(scene);
+        return by_path_.emplace(path, truth_in(std::move(scene), options_)).first->second;
+    }
+
+    static void refuse_claims(const Source& source) {
+        if (is_claims(source))
+            throw problem_of(source.name, "expected a scene or a trace, found claims");
+    }
+
+    SceneOptions options_;
+    std::optional<Truth> given_;
+    std::map<std::string, Truth> by_path_; ///< of the scenes that claims have named
+};
+
+/// Checks each file of a pile. One that cannot be read is told, and the others go on.
+std::vector<CheckedFile> check_pile(ClaimsChecker& checker, std::optional<Source> first,
+                                    const std::vector<std::string>& paths) {
+    std::vector<CheckedFile> files;
+    const auto add = [&files](const std::string& name, auto&& check_file) {
+        try {
+            files.push_back(check_file());
+        } catch (const Problem& problem) {
+            if (problem.cause == Problem::Cause::system)
+                throw;
+            print_error(fmt::format("rastertrace: {}\n", to_text(problem)));
+            files.push_back({.name = name, .problem = problem});
+        }
+    };
+    if (first) {
+        const std::string name = first->name;
+        add(name, [&] { return checker.check(std::move(*first)); });
+    }
+    for (const std::string& path : paths)
+        add(path, [&] { return checker.check(path); });
+    return files;
+}
+
+std::string report_of(const CheckCommand& command, const std::vector<CheckedFile>& files) {
+    switch (command.format) {
+    case CheckFormat::json:
+        return check_json(files, command.has_answers);
+    case CheckFormat::junit:
+        return check_junit(files, command.has_answers);
+    case CheckFormat::csv:
+        return check_csv(files, command.has_answers);
+    case CheckFormat::text:
+        break;
+    }
+    return check_text(files, command.has_answers);
+}
+
+ExitStatus status_of(const std::vector<CheckedFile>& files) {
+    if (std::any_of(files.begin(), files.end(),
+                    [](const CheckedFile& file) { return file.problem.has_value(); }))
+        return exit_bad_input;
+    return std::any_of(
+               files.begin(), files.end(),
+               [](const CheckedFile& file) { return file.checked.wrong + file.checked.follow > 0; })
+               ? exit_difference
+               : exit_fine;
+}
+
+/// The claims file of a scene with everything left open.
+ExitStatus print_template(const CheckCommand& command, Source source) {
+    if (is_claims(source))
+        throw problem_of(source.name, "--template: expected a scene or a trace, found claims");
+    const std::string& path = command.files.front();
+    InputFrames input(
+        path, std::move(source),
+        {.method = command.method, .limits = command.input, .frames = command.frames});
+    const Trace trace = input.trace(input.first());
+    print((path == "-" ? "" : fmt::format("scene: {}\n\n", path)) + claims_template(trace));
+    return report_damage(trace);
+}
+
+} // namespace
+
+int run(const CheckCommand& command) {
+    Source first = load_scene_trace_or_claims(command.files.front(), command.input);
+    if (command.is_template)
+        return print_template(command, std::move(first));
+
+    // The scene comes first, or the claims say which one it is.
+    ClaimsChecker checker(command);
+    std::vector<std::string> rest(command.files.begin() + 1, command.files.end());
+    const bool is_scene_named = is_claims(first);
+    if (!is_scene_named && rest.empty())
+        throw problem_of(first.name, "expected claims behind the scene, found none",
+                         "--template writes a file of claims to fill in");
+    std::optional<Source> claims;
+    if (is_scene_named)
+        claims = std::move(first);
+    else
+        checker.hold_against(std::move(first));
+
+    std::vector<CheckedFile> files;
+    if (command.files.size() == (is_scene_named ? 1U : 2U))
+        files.push_back(claims ? checker.check(std::move(*claims)) : checker.check(rest.front()));
+    else
+        files = check_pile(checker, std::move(claims), rest);
+    print(report_of(command, files));
+    const ExitStatus damage = checker.report();
+    return damage == exit_fine ? status_of(files) : damage;
+}
+
+} // namespace rastertrace

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// A test suite for each file, a test case for each claim.
+
+#include "check_report.h"
+
+#include <rastertrace/numerics/plot_svg.h>
+#include <rastertrace/trace/text.h>
+
+#include <fmt/core.h>
+
+namespace rastertrace {
+
+namespace {
+
+/// `left: expected -1/4, found 0; right: ...`
+std::string message_of(const CheckedClaim& claim) {
+    std::vector<std::string> parts;
+    for (const CheckedField& field : claim.fields)
+        if (is_wrong(field.verdict))
+            parts.push_back(
+                fmt::format("{}: expected {}, found {}", field.name, field.expected, field.found));
+    parts.insert(parts.end(), claim.remarks.begin(), claim.remarks.end());
+    return parts.empty() ? "wrong" : joined(parts, "; ");
+}
+
+/// The likely slips, the picture and the working, a line each.
+std::string body_of(const CheckedClaim& claim) {
+    std::string text;
+    for (const CheckedField& field : claim.fields)
+        for (const LikelySlip& slip : field.slips)
+            text += fmt::format("{}: likely slip {}: {}\n", field.name, slip.name, slip.meaning);
+    for (const auto* lines : {&claim.picture, &claim.working})
+        for (const std::string& line : *lines)
+            text += line + "\n";
+    return text;
+}
+
+/// Text of several lines: only their ends stay as they are.
+std::string escaped_lines(const std::string& text) {
+    std::vector<std::string> lines;
+    for (const std::string& line : split_at(text, '\n'))
+        lines.push_back(escaped(line));
+    return joined(lines, "\n");
+}
+
+std::string test_case(const CheckedFile& file, const CheckedClaim& claim, bool has_answers) {
+    const Claim& claimed = file.claim_of(claim);
+    const std::string head = fmt::format(R"(    <testcase classname="{}" name="line {}: {}")",
+                                         escaped(file.name), claimed.line, escaped(claimed.text));
+    if (claim.verdict == ClaimVerdict::open)
+        return head + "><skipped/></testcase>\n";
+    if (!is_wrong(claim.verdict))
+        return head + "/>\n";
+    return head + fmt::format(">\n      <failure message=\"{}\">{}</failure>\n    </testcase>\n",
+                              has_answers ? escaped(message_of(claim)) : "wrong",
+                              has_answers ? escaped_lines(body_of(claim)) : "");
+}
+
+std::string test_suite(const CheckedFile& file, bool has_answers) {
+    const std::string name = escaped(file.name);
+    if (file.problem)
+        return fmt::format("  <testsuite name=\"{0}\" tests=\"1\" failures=\"0\" errors=\"1\" "
+                           "skipped=\"0\">\n    <testcase classname=\"{0}\" name=\"{0}\">\n"
+                           "      <error message=\"{1}\">{2}</error>\n    </testcase>\n"
+                           "  </testsuite>\n",
+                           name, escaped(file.problem->message),
+                           escaped_lines(to_text(*file.problem)));
+    const Checked& checked = file.checked;
+    std::string text =
+        fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" "
+                    "errors=\"0\" skipped=\"{}\">\n",
+                    name, checked.claims.size(), checked.wrong + checked.follow, checked.open);
+    for (const CheckedClaim& claim : checked.claims)
+        text += test_case(file, claim, has_answers);
+    return text + "  </testsuite>\n";
+}
+
+} // namespace
+
+std::string check_junit(const std::vector<CheckedFile>& files, bool has_answers) {
+    std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n";
+    for (const CheckedFile& file : files)
+        text += test_suite(file, has_answers);
+    return text + "</testsuites>\n";
+}
+
+} // namespace rastertrace

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What `check` has found about files of claims, in each of its formats.
+//
+//     const CheckedFile file{.name = "anna.txt", .claims = claims, .checked = check(truth, claims)};
+//     check_text({file}, true);  // "anna.txt:3: y=2: ... \n    left: expected -1/4, found 0\n..."
+
+#include <rastertrace/trace/check.h>
+#include <rastertrace/trace/claims.h>
+#include <rastertrace/trace/problem.h>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rastertrace {
+
+/// A file of claims.
+struct CheckedFile {
+    std::string name; ///< as messages call it
+    Claims claims = {};
+    Checked checked = {};
+    std::optional<Problem> problem = {}; ///< why it could not be checked; then the rest is empty
+
+    const Claim& claim_of(const CheckedClaim& checked_claim) const {
+        return claims.claims[checked_claim.claim];
+    }
+};
+
+/// right, wrong, follows, open
+std::string_view name_of(ClaimVerdict verdict);
+
+/// True of the fields, and of the claims, that are not as claimed.
+bool is_wrong(ClaimVerdict verdict);
+
+/// "12 right, 3 wrong, 2 that follow, 4 open"
+std::string counts_text(const Checked& checked);
+
+/// The slip that explains most of the wrong fields of a file, or "".
+std::string most_likely_slip(const Checked& checked);
+
+/// The wrong claims of one file with everything about them; of several files one line each. Without answers:
+/// which claims are right. The same choice in all formats.
+std::string check_text(const std::vector<CheckedFile>& files, bool has_answers);
+
+/// One object, or an array of them for several files.
+std::string check_json(const std::vector<CheckedFile>& files, bool has_answers);
+
+/// JUnit's XML, as programs that run tests show it.
+std::string check_junit(const std::vector<CheckedFile>& files, bool has_answers);
+
+/// A line for each file: RFC 4180.
+std::string check_csv(const std::vector<CheckedFile>& files, bool has_answers);
+
+} // namespace rastertrace

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "check_report.h"
+
+#include <rastertrace/trace/text.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <set>
+
+namespace rastertrace {
+
+namespace {
+
+/// How many slips of a claim are named.
+constexpr std::size_t most_slips = 3;
+
+/// How much of a claim, or of one of its values, is shown.
+constexpr std::size_t shown_of_claim = 100;
+
+std::string shown(std::string_view text) {
+    return shortened(printable(text), shown_of_claim);
+}
+
+/// `left: expected -1/4, found 0 (follows from line 2)`
+std::string field_line(const CheckedField& field) {
+    std::string line = fmt::format("    {}: expected {}, found {}", field.name,
+                                   shown(field.expected), shown(field.found));
+    if (field.verdict == ClaimVerdict::follows)
+        line += fmt::format("; follows from line {}", field.follows_from);
+    if (!field.remark.empty())
+        line += fmt::format(" ({})", printable(field.remark));
+    return line + "\n";
+}
+
+/// The likely slips of a claim's fields, each once.
+std::string slip_lines(const CheckedClaim& claim) {
+    std::string lines;
+    std::set<std::string> named;
+    for (const CheckedField& field : claim.fields)
+        for (const LikelySlip& slip : field.slips)
+            if (named.size() < most_slips && named.insert(slip.name).second)
+                lines +=
+                    fmt::format("    likely slip {}: {}\n", slip.name, printable(slip.meaning));
+    return lines;
+}
+
+std::string indented(const std::vector<std::string>& lines, std::string_view indent) {
+    std::string text;
+    for (const std::string& line : lines)
+        text += fmt::format("{}{}\n", indent, printable(line));
+    return text;
+}
+
+std::string place_of(const CheckedFile& file, const CheckedClaim& claim) {
+    return fmt::format("{}:{}: {}", printable(file.name), file.claim_of(claim).line,
+                       shown(file.claim_of(claim).text));
+}
+
+/// A claim that is wrong, and why.
+std::string wrong_claim(const CheckedFile& file, const CheckedClaim& claim) {
+    std::string text = place_of(file, claim) + "\n";
+    for (const CheckedField& field : claim.fields)
+        if (is_wrong(field.verdict))
+            text += field_line(field);
+    return text + slip_lines(claim) + indented(claim.remarks, "    ") +
+           indented(claim.picture, "    ") + indented(claim.working, "        ");
+}
+
+/// What there is to be said of a claim that is right or open; most have nothing.
+std::string remarks_on(const CheckedFile& file, const CheckedClaim& claim) {
+    std::string text;
+    for (const CheckedField& field : claim.fields)
+        if (!field.remark.empty())
+            text += fmt::format("    {}: {}, {}\n", field.name, name_of(field.verdict),
+                                printable(field.remark));
+    text += indented(claim.remarks, "    ");
+    return text.empty() ? "" : place_of(file, claim) + "\n" + text;
+}
+
+std::string text_of_one(const CheckedFile& file, bool has_answers) {
+    std::string text;
+    for (const CheckedClaim& claim : file.checked.claims) {
+        if (!has_answers)
+            text += fmt::format("{}: {}\n", place_of(file, claim),
+                                is_wrong(claim.verdict) ? "wrong" : name_of(claim.verdict));
+        else if (is_wrong(claim.verdict))
+            text += wrong_claim(file, claim);
+        else
+            text += remarks_on(file, claim);
+    }
+    return text + (text.empty() ? "" : "\n") + counts_text(file.checked) + "\n";
+}
+
+std::string line_of_pile(const CheckedFile& file, bool has_answers) {
+    if (file.problem)
+        return fmt::format("{}: could not be checked\n", printable(file.name));
+    const std::string slip = has_answers ? most_likely_slip(file.checked) : "";
+    return fmt::format("{}: {}{}\n", printable(file.name), counts_text(file.checked),
+                       slip.empty() ? "" : "; most likely " + slip);
+}
+
+} // namespace
+
+std::string_view name_of(ClaimVerdict verdict) {
+    switch (verdict) {
+    case ClaimVerdict::right:
+        return "right";
+    case ClaimVerdict::wrong:
+        return "wrong";
+    case ClaimVerdict::follows:
+        return "follows";
+    case ClaimVerdict::open:
+        break;
+    }
+    return "open";
+}
+
+bool is_wrong(ClaimVerdict verdict) {
+    return verdict == ClaimVerdict::wrong || verdict == ClaimVerdict::follows;
+}
+
+std::string counts_text(const Checked& checked) {
+    std::string text = fmt::format("{} right, {} wrong", checked.right, checked.wrong);
+    if (checked.follow > 0)
+        text += fmt::format(", {} that follow{}", checked.follow, checked.follow == 1 ? "s" : "");
+    if (checked.open > 0)
+        text += fmt::format(", {} open", checked.open);
+    return text;
+}
+
+std::string most_likely_slip(const Checked& checked) {
+    std::map<std::string, std::size_t> explained; // fields, by the name of the slip
+    for (const CheckedClaim& claim : checked.claims)
+        for (const CheckedField& field : claim.fields)
+            for (const LikelySlip& slip : field.slips)
+                ++explained[slip.name];
+    const auto most =
+        std::max_element(explained.begin(), explained.end(),
+                         [](const auto& a, const auto& b) { return a.second < b.second; });
+    return most == explained.end() ? "" : most->first;
+}
+
+std::string check_text(const std::vector<CheckedFile>& files, bool has_answers) {
+    if (files.size() == 1)
+        return text_of_one(files.front(), has_answers);
+    std::string text;
+    for (const CheckedFile& file : files)
+        text += line_of_pile(file, has_answers);
+    return text;
+}
+
+} // namespace rastertrace
