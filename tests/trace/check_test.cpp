@@ -13,6 +13,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -46,7 +47,7 @@ std::string verdicts(const Checked& checked) {
 const CheckedField& first_wrong(const Checked& checked) {
     for (const CheckedClaim& claim : checked.claims)
         for (const CheckedField& field : claim.fields)
-            if (field.verdict == Verdict::wrong)
+            if (field.verdict == ClaimVerdict::wrong)
                 return field;
     static const CheckedField none{};
     ADD_FAILURE() << "nothing is wrong";
@@ -74,10 +75,10 @@ TEST(Check, AWrongRowShowsTheRightValueAndItsWorking) {
     const Checked checked = check_claims(triangle, "y=2: 1/4, 25/8\n");
     ASSERT_EQ(verdicts(checked), "w");
     const CheckedClaim& claim = checked.claims[0];
-    EXPECT_EQ(claim.fields[0].verdict, Verdict::wrong);
+    EXPECT_EQ(claim.fields[0].verdict, ClaimVerdict::wrong);
     EXPECT_EQ(claim.fields[0].expected, "-1/4");
     EXPECT_EQ(claim.fields[0].found, "1/4");
-    EXPECT_EQ(claim.fields[1].verdict, Verdict::right);
+    EXPECT_EQ(claim.fields[1].verdict, ClaimVerdict::right);
     EXPECT_THAT(claim.working, Contains("left AB: x = 2 + 3/4 (2 - 5) = 2 - 9/4 = -1/4"));
 }
 
@@ -88,7 +89,7 @@ TEST(Check, WhatGoesOnFromAWrongNumberFollows) {
                                                    "(3,2): on\n");
     EXPECT_EQ(verdicts(checked), "wfr");
     EXPECT_EQ(checked.claims[0].fields[2].name, "from");
-    EXPECT_EQ(checked.claims[0].fields[2].verdict, Verdict::follows);
+    EXPECT_EQ(checked.claims[0].fields[2].verdict, ClaimVerdict::follows);
     EXPECT_EQ(checked.claims[1].fields[0].follows_from, 1U);
     EXPECT_EQ(checked.follow, 1U);
 }
@@ -311,6 +312,10 @@ std::string steps_as_claims(const Trace& trace) {
     std::string claims = R"({"claims":[)";
     std::string primitive;
     std::string side;
+    std::multiset<std::pair<std::string, std::string>> clips;
+    for (std::size_t n = 1; n <= trace.size(); ++n)
+        if (trace.kind_of(n) == StepKind::clip)
+            clips.emplace(trace.step(n).text("name"), trace.step(n).text("plane"));
     for (std::size_t n = 1; n <= trace.size(); ++n) {
         const StepView step = trace.step(n);
         const StepKind kind = *step.kind();
@@ -318,13 +323,17 @@ std::string steps_as_claims(const Trace& trace) {
             primitive = step.text("name"), side = "";
         if (step.field("octant") && kind == StepKind::edge)
             side = step.text("edge");
-        // A pixel is claimed of the final picture; runs of dropped ones come again and again.
-        if (kind == StepKind::reject || kind == StepKind::pixel || kind == StepKind::undecided)
+        // A pixel is claimed of the final picture; runs of dropped ones come again and again, and so do the sides of
+        // an outline that meet one plane.
+        if (kind == StepKind::reject || kind == StepKind::pixel || kind == StepKind::undecided ||
+            (kind == StepKind::clip &&
+             clips.count(std::pair(step.text("name"), step.text("plane"))) > 1))
             continue;
         std::string json(step.json());
         const bool is_inside = kind == StepKind::edge || kind == StepKind::scanline ||
                                kind == StepKind::sample || kind == StepKind::depth ||
-                               kind == StepKind::decide || kind == StepKind::along;
+                               kind == StepKind::decide || kind == StepKind::along ||
+                               kind == StepKind::half || kind == StepKind::ray;
         if (is_inside)
             json.insert(json.size() - 1, R"(,"in":")" + (side.empty() ? primitive : side) + '"');
         claims += (claims.ends_with('[') ? "" : ",\n") + json;
@@ -348,7 +357,8 @@ TEST(Check, WhoeverCopiesTheTraceIsRight) {
             checked_claims += checked.claims.size();
             for (const CheckedClaim& claim : checked.claims)
                 for (const CheckedField& field : claim.fields) {
-                    EXPECT_TRUE(field.verdict == Verdict::right || field.verdict == Verdict::open)
+                    EXPECT_TRUE(field.verdict == ClaimVerdict::right ||
+                                field.verdict == ClaimVerdict::open)
                         << "seed " << seed << ": " << field.name << " expected " << field.expected
                         << " found " << field.found << "\n"
                         << claims_in(claims).claims[claim.claim].text << "\n"

@@ -335,6 +335,15 @@ std::size_t stored_by(const StepIndex& index, const Subject& subject) {
     return stored;
 }
 
+/// True if a primitive, the one that is named or any, has the pixel, seen or hidden.
+bool is_inside_any(const StepIndex& index, const Subject& subject) {
+    StepIndex::Keys tested = subject.keys;
+    tested.emplace_back("inside", "true");
+    return !index.find(StepKind::pixel, subject.keys).empty() ||
+           !index.find(StepKind::depth, subject.keys).empty() ||
+           !index.find(StepKind::sample, tested).empty();
+}
+
 /// What is told of a pixel of the final picture.
 ToldValues told_of_pixel(const StepIndex& index, std::size_t step, const Subject& subject,
                          std::string_view field) {
@@ -346,6 +355,8 @@ ToldValues told_of_pixel(const StepIndex& index, std::size_t step, const Subject
     const bool is_plotted = names_primitive ? step != 0 : drawn_by != 0;
     if (field == "plotted")
         return std::vector<std::string>{is_plotted ? "true" : "false"};
+    if (field == "inside")
+        return std::vector<std::string>{is_inside_any(index, subject) ? "true" : "false"};
     if (field == "color")
         return std::vector{drawn_by == 0 ? "none"
                                          : to_text(index.frame().image.at(pixel_of(subject)))};
@@ -357,7 +368,9 @@ ToldValues told_of_pixel(const StepIndex& index, std::size_t step, const Subject
 
 /// The only row that a pixel could be in; 0 if there are several, or none.
 std::size_t row_of_pixel(const StepIndex& index, const Subject& subject) {
-    const auto& rows = index.find(StepKind::scanline, {{"y", value_of_key(subject, "y")}});
+    StepIndex::Keys keys = subject.keys;
+    std::erase_if(keys, [](const auto& key) { return key.first == "x"; });
+    const auto& rows = index.find(StepKind::scanline, keys);
     return rows.size() == 1 ? rows.front() : 0;
 }
 
@@ -399,12 +412,12 @@ std::size_t step_of(const Subject& subject, std::string_view field) {
     if (field == "z" || field == "inverse_z")
         return stored_by(*subject.exact, subject);
     const std::size_t row = row_of_pixel(*subject.exact, subject);
-    return field == "plotted" && row != 0 ? row : subject.step;
+    return (field == "plotted" || field == "inside") && row != 0 ? row : subject.step;
 }
 
 std::vector<Formula> formulas_of(const Subject& subject, const Numbers& numbers,
                                  std::string_view field) {
-    if (subject.kind == StepKind::pixel && field == "plotted") {
+    if (subject.kind == StepKind::pixel && (field == "plotted" || field == "inside")) {
         const std::size_t row = row_of_pixel(numbers.index(), subject);
         return row == 0 ? std::vector<Formula>{}
                         : std::vector{in_row(numbers, row, Rational(pixel_of(subject).x))};
@@ -414,7 +427,7 @@ std::vector<Formula> formulas_of(const Subject& subject, const Numbers& numbers,
 
 bool is_decision(StepKind kind, std::string_view field) {
     if (kind == StepKind::pixel)
-        return field == "plotted" || field == "color";
+        return field == "plotted" || field == "inside" || field == "color";
     const StepField* const known = field_of(kind, field);
     return known != nullptr && known->role == FieldRole::decision;
 }
