@@ -25,6 +25,7 @@ struct DerivedField {
 using enum FieldType;
 constexpr std::array derived_fields{
     DerivedField{StepKind::pixel, {.name = "plotted", .type = boolean}},
+    DerivedField{StepKind::pixel, {.name = "inside", .type = boolean}},
     DerivedField{StepKind::pixel, {.name = "z", .type = quantity}},
     DerivedField{StepKind::pixel, {.name = "inverse_z", .type = quantity}},
     DerivedField{StepKind::face, {.name = "centroid", .type = quantity, .is_list = true}},

@@ -143,31 +143,36 @@ private:
             names = index_.values_of(StepKind::primitive, "name");
         if (field == "edge" || field == "name")
             names = index_.values_of(kind_, field);
-        if (field == "in" && kind_ == StepKind::decide)
-            for (std::string& side : index_.values_of(StepKind::edge, "edge"))
-                names.push_back(std::move(side));
+        if (field == "in")
+            for (std::string& around : index_.values_of(kind_, "in"))
+                names.push_back(std::move(around));
+        if (kind_ == StepKind::vertex && names.empty())
+            for (const std::size_t n : index_.find(StepKind::primitive, {}))
+                for (std::string& corner : index_.trace().step(n).texts("vertices"))
+                    names.push_back(std::move(corner));
+        std::sort(names.begin(), names.end());
+        names.erase(std::unique(names.begin(), names.end()), names.end());
         return names;
     }
 
     void check_names(const StepIndex::Keys& keys) const {
+        if (kind_ != StepKind::pixel && kind_ != StepKind::vertex && index_.find(kind_, {}).empty())
+            fail("", fmt::format("expected a scene with steps `{}`, found none in its trace",
+                                 name_of(kind_)));
         for (const auto& [field, value] : keys) {
-            const auto names = names_for(field);
-            if ((field != "in" && field != "edge" && field != "name") ||
-                std::find(names.begin(), names.end(), normal_form(value)) != names.end())
+            if (field != "in" && field != "edge" && field != "name")
                 continue;
-            if (!index_.find(StepKind::primitive, {{"in", value}}).empty() && field == "in")
-                continue; // what was cut into parts
-            const std::string what = kind_ == StepKind::vertex ? "a vertex"
-                                     : field == "edge"         ? "an edge"
-                                     : kind_ == StepKind::face ? "a face"
-                                                               : "a primitive";
+            const auto names = names_for(field);
+            if (std::find(names.begin(), names.end(), value) != names.end())
+                continue;
+            const std::string_view what = kind_ == StepKind::vertex ? "a vertex"
+                                          : field == "edge"         ? "an edge"
+                                          : kind_ == StepKind::face ? "a face"
+                                                                    : "a primitive";
             const std::vector<std::string_view> known(names.begin(), names.end());
             fail(field,
-                 names.empty()
-                     ? fmt::format("expected a scene with steps `{}`, found none in its trace",
-                                   name_of(kind_))
-                     : fmt::format("expected {} of the scene ({}), found \"{}\"", what,
-                                   listed(names), printable(value)),
+                 fmt::format("expected {} of the scene ({}), found \"{}\"", what, listed(names),
+                             printable(value)),
                  did_you_mean(value, known));
         }
     }
@@ -194,11 +199,9 @@ private:
 
     /// The step that has these keys; 0 if none has.
     std::size_t step_in(const StepIndex& index, const StepIndex::Keys& keys) const {
-        if (kind_ == StepKind::decide && is_whole_line()) {
-            const auto decisions = index.decisions_on(claim_.find("in")->values.front());
-            return decisions.empty() ? 0 : decisions.front();
-        }
         const auto& steps = index.find(kind_, keys);
+        if (kind_ == StepKind::decide && is_whole_line())
+            return first_of_line(index, steps);
         if (kind_ == StepKind::pixel)
             return steps.empty() ? 0 : steps.back(); // what is seen
         if (kind_ == StepKind::vertex && steps.empty())
@@ -212,6 +215,15 @@ private:
     bool is_whole_line() const {
         const ClaimedField* const d = claim_.find("d");
         return d != nullptr && d->is_list && claim_.find("in") != nullptr;
+    }
+
+    /// The first step of the line that is named, rather than of a side of that name.
+    std::size_t first_of_line(const StepIndex& index, const std::vector<std::size_t>& steps) const {
+        for (const std::size_t n : steps)
+            if (index.trace().step(index.primitive_of(n)).text("name") ==
+                claim_.find("in")->values.front())
+                return n;
+        return steps.empty() ? 0 : steps.front();
     }
 
     /// A trace that does not tell its vertices has them in its primitives.
@@ -323,6 +335,15 @@ std::size_t stored_by(const StepIndex& index, const Subject& subject) {
     return stored;
 }
 
+/// True if a primitive, the one that is named or any, has the pixel, seen or hidden.
+bool is_inside_any(const StepIndex& index, const Subject& subject) {
+    StepIndex::Keys tested = subject.keys;
+    tested.emplace_back("inside", "true");
+    return !index.find(StepKind::pixel, subject.keys).empty() ||
+           !index.find(StepKind::depth, subject.keys).empty() ||
+           !index.find(StepKind::sample, tested).empty();
+}
+
 /// What is told of a pixel of the final picture.
 ToldValues told_of_pixel(const StepIndex& index, std::size_t step, const Subject& subject,
                          std::string_view field) {
@@ -334,6 +355,8 @@ ToldValues told_of_pixel(const StepIndex& index, std::size_t step, const Subject
     const bool is_plotted = names_primitive ? step != 0 : drawn_by != 0;
     if (field == "plotted")
         return std::vector<std::string>{is_plotted ? "true" : "false"};
+    if (field == "inside")
+        return std::vector<std::string>{is_inside_any(index, subject) ? "true" : "false"};
     if (field == "color")
         return std::vector{drawn_by == 0 ? "none"
                                          : to_text(index.frame().image.at(pixel_of(subject)))};
@@ -345,7 +368,9 @@ ToldValues told_of_pixel(const StepIndex& index, std::size_t step, const Subject
 
 /// The only row that a pixel could be in; 0 if there are several, or none.
 std::size_t row_of_pixel(const StepIndex& index, const Subject& subject) {
-    const auto& rows = index.find(StepKind::scanline, {{"y", value_of_key(subject, "y")}});
+    StepIndex::Keys keys = subject.keys;
+    std::erase_if(keys, [](const auto& key) { return key.first == "x"; });
+    const auto& rows = index.find(StepKind::scanline, keys);
     return rows.size() == 1 ? rows.front() : 0;
 }
 
@@ -387,12 +412,12 @@ std::size_t step_of(const Subject& subject, std::string_view field) {
     if (field == "z" || field == "inverse_z")
         return stored_by(*subject.exact, subject);
     const std::size_t row = row_of_pixel(*subject.exact, subject);
-    return field == "plotted" && row != 0 ? row : subject.step;
+    return (field == "plotted" || field == "inside") && row != 0 ? row : subject.step;
 }
 
 std::vector<Formula> formulas_of(const Subject& subject, const Numbers& numbers,
                                  std::string_view field) {
-    if (subject.kind == StepKind::pixel && field == "plotted") {
+    if (subject.kind == StepKind::pixel && (field == "plotted" || field == "inside")) {
         const std::size_t row = row_of_pixel(numbers.index(), subject);
         return row == 0 ? std::vector<Formula>{}
                         : std::vector{in_row(numbers, row, Rational(pixel_of(subject).x))};
@@ -402,7 +427,7 @@ std::vector<Formula> formulas_of(const Subject& subject, const Numbers& numbers,
 
 bool is_decision(StepKind kind, std::string_view field) {
     if (kind == StepKind::pixel)
-        return field == "plotted" || field == "color";
+        return field == "plotted" || field == "inside" || field == "color";
     const StepField* const known = field_of(kind, field);
     return known != nullptr && known->role == FieldRole::decision;
 }

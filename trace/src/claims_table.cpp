@@ -167,10 +167,10 @@ private:
         begin("pixel", {});
         read_place();
         if (!line_.peek().is(":"))
-            return read_sample(line_.next());
+            return read_in_primitive(line_.next());
         line_.next();
         if (find_value_word(line_.peek(), "inside"))
-            return read_inside();
+            return read_verdict("inside", "inside or outside");
         do
             read_of_pixel(line_.next());
         while (line_.take(","));
@@ -190,13 +190,9 @@ private:
     }
 
     /// (3,2) ABC: inside
-    void read_sample(const ClaimWord& primitive) {
+    void read_in_primitive(const ClaimWord& primitive) {
         put("in", primitive);
         line_.expect(":", "`:`");
-        read_inside();
-    }
-    void read_inside() {
-        claim_.step = "sample";
         read_verdict("inside", "inside or outside");
     }
 

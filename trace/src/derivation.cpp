@@ -462,9 +462,22 @@ Formulas Deriver::of_depth_test() const {
 
 } // namespace
 
+namespace {
+
+/// An end of a row as it was claimed, if somebody has.
+RoundedEnd end_in_row(const Numbers& numbers, std::size_t row, const std::string& side) {
+    const std::string pixel = side == "left" ? "from" : "to";
+    const auto claimed = numbers.one(row, pixel);
+    if (claimed && claimed != Numbers(numbers.index()).one(row, pixel))
+        return {.x = *claimed, .rule = {.rounding = Rounding::floor}};
+    return rounded_end(numbers, row, side);
+}
+
+} // namespace
+
 Formula in_row(const Numbers& numbers, std::size_t row, Rational x) {
     return {
-        InRow{rounded_end(numbers, row, "left"), rounded_end(numbers, row, "right"), std::move(x)}};
+        InRow{end_in_row(numbers, row, "left"), end_in_row(numbers, row, "right"), std::move(x)}};
 }
 
 std::vector<Formula> formulas_of(const Numbers& numbers, std::size_t step, std::string_view field) {

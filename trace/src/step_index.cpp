@@ -12,16 +12,6 @@ namespace {
 /// What stands between the parts of a key; no name holds it.
 constexpr char between = '\0';
 
-/// The name of a step's primitive, and those of all that it is a part of: ABC/1, ABC.
-std::vector<std::string> names_around(std::string name) {
-    std::vector<std::string> names{name};
-    for (std::size_t slash; (slash = name.find_last_of('/')) != std::string::npos;) {
-        name.resize(slash);
-        names.push_back(name);
-    }
-    return names;
-}
-
 } // namespace
 
 std::string normal_form(const std::string& value) {
@@ -29,13 +19,37 @@ std::string normal_form(const std::string& value) {
     return number ? number->get_str() : value;
 }
 
-StepIndex::StepIndex(const Trace& trace) : trace_(&trace), primitive_of_(trace.size() + 1) {
+StepIndex::StepIndex(const Trace& trace)
+    : trace_(&trace), primitive_of_(trace.size() + 1), side_of_(trace.size() + 1) {
     std::uint32_t primitive = 0;
+    std::uint32_t side = 0;
     for (std::size_t n = 1; n <= trace.size(); ++n) {
-        if (trace.kind_of(n) == StepKind::primitive)
+        const auto kind = trace.kind_of(n);
+        if (kind == StepKind::primitive) {
             primitive = static_cast<std::uint32_t>(n);
+            side = 0;
+        }
+        // The edges of a fill come before its rows; a side before its own pixels.
+        if (kind == StepKind::edge && trace.step(n).field("octant"))
+            side = static_cast<std::uint32_t>(n);
         primitive_of_[n] = primitive;
+        side_of_[n] = side;
     }
+}
+
+std::vector<std::string> StepIndex::names_around(std::size_t n) const {
+    std::vector<std::string> names;
+    if (primitive_of(n) == 0)
+        return names;
+    std::string name = trace_->step(primitive_of(n)).text("name");
+    names.push_back(name);
+    for (std::size_t slash; (slash = name.find_last_of('/')) != std::string::npos;) {
+        name.resize(slash); // what ABC/1 is a part of
+        names.push_back(name);
+    }
+    if (side_of_[n] != 0)
+        names.push_back(trace_->step(side_of_[n]).text("edge"));
+    return names;
 }
 
 const std::vector<std::size_t>& StepIndex::find(StepKind kind, const Keys& keys) const {
@@ -52,12 +66,9 @@ const std::vector<std::size_t>& StepIndex::find(StepKind kind, const Keys& keys)
             continue;
         std::vector<std::string> texts{""};
         for (const auto& [field, value] : keys) {
-            const bool is_primitive = field == "in";
-            const std::size_t owner = primitive_of(n);
             const std::vector<std::string> values =
-                !is_primitive ? std::vector{normal_form(trace_->step(n).text(field))}
-                : owner == 0  ? std::vector<std::string>{}
-                              : names_around(trace_->step(owner).text("name"));
+                field == "in" ? names_around(n)
+                              : std::vector{normal_form(trace_->step(n).text(field))};
             std::vector<std::string> longer;
             for (const std::string& text : texts)
                 for (const std::string& one : values)
@@ -90,23 +101,6 @@ std::size_t StepIndex::place_before(std::size_t n) const {
     const auto& places = find(StepKind::vertex, {{"name", trace_->step(n).text("name")}});
     const auto here = std::lower_bound(places.begin(), places.end(), n);
     return here == places.begin() ? 0 : *(here - 1);
-}
-
-std::vector<std::size_t> StepIndex::decisions_on(const std::string& line) const {
-    const auto& of_line = find(StepKind::decide, {{"in", line}});
-    if (!of_line.empty())
-        return of_line;
-    // A side of an outline: the steps from its `edge` to the next one.
-    std::vector<std::size_t> steps;
-    const auto& sides = find(StepKind::edge, {{"edge", line}});
-    for (std::size_t n = sides.empty() ? trace_->size() : sides.front(); ++n <= trace_->size();) {
-        const auto kind = trace_->kind_of(n);
-        if (kind == StepKind::edge || kind == StepKind::primitive)
-            break;
-        if (kind == StepKind::decide)
-            steps.push_back(n);
-    }
-    return steps;
 }
 
 const Frame& StepIndex::frame() const {

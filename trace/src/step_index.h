@@ -26,8 +26,8 @@ namespace rastertrace {
 /// The trace must outlive its index.
 class StepIndex {
 public:
-    /// A field and the value that it must have. "in" is the name of the step's primitive, or of what that is
-    /// a part of.
+    /// A field and the value that it must have. "in" is the name of the step's primitive, of what that is a
+    /// part of, or of the side of an outline.
     using Keys = std::vector<std::pair<std::string, std::string>>;
 
     explicit StepIndex(const Trace& trace);
@@ -49,17 +49,19 @@ public:
     /// The step before a `vertex` step of the same vertex, in the space that it comes from; 0 for none.
     std::size_t place_before(std::size_t n) const;
 
-    /// The steps `decide` of a line, or of a side of an outline, in order.
-    std::vector<std::size_t> decisions_on(const std::string& line) const;
-
     /// The final picture.
     const Frame& frame() const;
 
 private:
     using Found = std::unordered_map<std::string, std::vector<std::size_t>>;
 
+    /// The names that "in" may have for step n.
+    std::vector<std::string> names_around(std::size_t n) const;
+
     const Trace* trace_;
     std::vector<std::uint32_t> primitive_of_;
+    std::vector<std::uint32_t>
+        side_of_; ///< the `edge` step of the side that is being drawn; 0 for none
     mutable std::map<std::pair<StepKind, std::string>, Found>
         found_; ///< by kind and names of fields
     mutable std::optional<Frame> frame_;

@@ -12,6 +12,7 @@
 // step's primitive; the others are compared. Fields that are no fields of the trace, but follow from it:
 //
 //     pixel   plotted              the final picture has the pixel
+//             inside               a primitive has it, seen or hidden
 //             z, inverse_z         of what is seen there
 //             color                that is seen there
 //     face    centroid, plane      of the corners in the world; A, B, C, D of A x + B y + C z + D = 0

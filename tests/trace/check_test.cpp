@@ -1,0 +1,378 @@
+// SPDX-License-Identifier: MIT
+// What is true of a scene, and what is told of a claim that is not. The numbers are those of the texts
+// (docs/sources.md).
+
+#include "claims_support.h"
+#include "random_scene.h"
+#include "traces.h"
+
+#include "effort.h"
+
+#include <rastertrace/trace/check.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+#include <vector>
+
+namespace rastertrace {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// T0's triangle.
+const std::string triangle = R"({"canvas":{"width":17,"height":14},
+ "vertices":{"A":[2,5],"B":[-4,-3],"C":[5,-3]},"triangles":["ABC"],"method":{"scalar":"exact"}})";
+
+/// The triangle, drawn with other choices.
+std::string triangle_by(const std::string& method) {
+    return R"({"canvas":{"width":17,"height":14},"vertices":{"A":[2,5],"B":[-4,-3],"C":[5,-3]},)"
+           R"("triangles":["ABC"],"method":{)" +
+           method + "}}";
+}
+
+/// The verdicts, a letter each: r, w, f, o.
+std::string verdicts(const Checked& checked) {
+    std::string text;
+    for (const CheckedClaim& claim : checked.claims)
+        text += std::string("rwfo")[static_cast<std::size_t>(claim.verdict)];
+    return text;
+}
+
+const CheckedField& first_wrong(const Checked& checked) {
+    for (const CheckedClaim& claim : checked.claims)
+        for (const CheckedField& field : claim.fields)
+            if (field.verdict == ClaimVerdict::wrong)
+                return field;
+    static const CheckedField none{};
+    ADD_FAILURE() << "nothing is wrong";
+    return none;
+}
+
+/// The names of the slips of the first wrong field.
+std::vector<std::string> slips_of(const std::string& scene, const std::string& claims) {
+    return slip_names(first_wrong(check_claims(scene, claims)));
+}
+
+TEST(Check, RowsOfTheFirstTriangle) {
+    const Checked checked = check_claims(triangle, "y=5: 2, 2 -> 2..2\n"
+                                                   "y=4: 5/4, 19/8 -> 1..2\n"
+                                                   "y=3: 0.5, 2.75 -> 0..2\n"
+                                                   "y=2: -1/4, 25/8 -> -1..3\n"
+                                                   "y=1: -1, 7/2\n"
+                                                   "y=0: -> -2..3\n");
+    EXPECT_EQ(verdicts(checked), "rrrrrr");
+    EXPECT_EQ(checked.right, 6U);
+    EXPECT_EQ(checked.wrong + checked.follow + checked.open, 0U);
+}
+
+TEST(Check, AWrongRowShowsTheRightValueAndItsWorking) {
+    const Checked checked = check_claims(triangle, "y=2: 1/4, 25/8\n");
+    ASSERT_EQ(verdicts(checked), "w");
+    const CheckedClaim& claim = checked.claims[0];
+    EXPECT_EQ(claim.fields[0].verdict, ClaimVerdict::wrong);
+    EXPECT_EQ(claim.fields[0].expected, "-1/4");
+    EXPECT_EQ(claim.fields[0].found, "1/4");
+    EXPECT_EQ(claim.fields[1].verdict, ClaimVerdict::right);
+    EXPECT_THAT(claim.working, Contains("left AB: x = 2 + 3/4 (2 - 5) = 2 - 9/4 = -1/4"));
+}
+
+TEST(Check, WhatGoesOnFromAWrongNumberFollows) {
+    // 0 is the floor of 1/4, and the row that is claimed does not have (-1, 2).
+    const Checked checked = check_claims(triangle, "y=2: 1/4, 25/8 -> 0..3\n"
+                                                   "(-1,2): off\n"
+                                                   "(3,2): on\n");
+    EXPECT_EQ(verdicts(checked), "wfr");
+    EXPECT_EQ(checked.claims[0].fields[2].name, "from");
+    EXPECT_EQ(checked.claims[0].fields[2].verdict, ClaimVerdict::follows);
+    EXPECT_EQ(checked.claims[1].fields[0].follows_from, 1U);
+    EXPECT_EQ(checked.follow, 1U);
+}
+
+TEST(Check, ARowThatAddsTheSlopeToAWrongOneFollows) {
+    // -1/4 - 3/4 = -1 is right; from 1/4 it is -1/2, and then -5/4.
+    const Checked checked = check_claims(triangle, "y=2: 1/4, ?\ny=1: -1/2, ?\ny=0: -5/4, ?\n");
+    EXPECT_EQ(verdicts(checked), "wff");
+    EXPECT_EQ(checked.claims[2].fields[0].follows_from, 2U);
+}
+
+TEST(Check, AMovedVertexMovesItsRows) {
+    // With B at (-4, 3), y=4 lies on (2, 5) (-4, 3): 2 - 3 = -1.
+    const Checked checked = check_claims(triangle, "y=4: -1, 19/8\nB screen: -4, 3\n");
+    EXPECT_EQ(verdicts(checked), "fw");
+    EXPECT_EQ(checked.claims[0].fields[0].follows_from, 2U);
+}
+
+TEST(Check, DecimalsAreRoundedAndNotCutOff) {
+    const std::string thirds = R"({"canvas":{"width":17,"height":14},
+        "vertices":{"A":[0,0],"B":[2,3],"C":[4,0]},"triangles":["ABC"],"method":{"scalar":"exact"}})";
+    const Checked checked = check_claims(thirds, "y=1: 0.67, ?\ny=1: 0.6667, ?\ny=1: 0.66, ?\n");
+    EXPECT_EQ(verdicts(checked), "rrw");
+    EXPECT_EQ(checked.claims[0].fields[0].remark, "rounded to 2 digits");
+    EXPECT_EQ(checked.claims[1].fields[0].remark, "rounded to 4 digits");
+    EXPECT_EQ(checked.claims[2].fields[0].remark, "cut off behind 2 digits, not rounded");
+    EXPECT_EQ(verdicts(check_claims(thirds, "round: truncate\ny=1: 0.66, ?\ny=1: 0.67, ?\n")),
+              "rr");
+    EXPECT_EQ(verdicts(check_claims(thirds, "y=1: 0.7, ?\ny=1: 0.6, ?\n")), "rw");
+}
+
+TEST(Check, OpenValuesAreCountedApart) {
+    const Checked checked = check_claims(triangle, "y=2: ?, ? -> ?..?\ny=2: ?, 25/8\ny=2: ?, 3\n");
+    EXPECT_EQ(verdicts(checked), "orw");
+    EXPECT_EQ(checked.open, 1U);
+}
+
+TEST(Check, PixelsOfThePicture) {
+    EXPECT_EQ(verdicts(check_claims(triangle, "(3,2): on\n(4,2): off\n(4,2): outside\n(-1,2): on\n"
+                                              "(3,2): color black\n(3,2): color #000000\n"
+                                              "(3,2): off\n(4,2): on\n(3,2): color white\n")),
+              "rrrrrrwww");
+}
+
+TEST(Check, DecisionsAreThoseOfTheScenesRule) {
+    // Toward zero, the row y=2 has no pixel at -1: that is right where the scene says so.
+    const std::string truncated = triangle_by(R"("scalar":"exact","rounding":"truncate")");
+    EXPECT_EQ(verdicts(check_claims(truncated, "y=2: -> 0..3\n(-1,2): off\n")), "rr");
+    EXPECT_EQ(verdicts(check_claims(triangle, "y=2: -> 0..3\n(-1,2): off\n")), "wf");
+}
+
+TEST(Check, ValuesAreExactWhateverTheScalar) {
+    // The nearest double of 1/3 is not 1/3, and not what is claimed.
+    for (const std::string scalar : {"float", "double", "adaptive", "fixed", "exact"}) {
+        const std::string scene =
+            R"({"canvas":{"width":9,"height":9},"vertices":{"A":[0,0],"B":[1,3],"C":[4,0]},)"
+            R"("triangles":["ABC"],"method":{"scalar":")" +
+            scalar + R"("}})";
+        EXPECT_EQ(verdicts(check_claims(scene, "y=1: 1/3, 3\n")), "r") << scalar;
+        EXPECT_EQ(verdicts(check_claims(scene, "y=1: 0.3333333333333333, 3\n")), "r") << scalar;
+        EXPECT_EQ(verdicts(check_claims(scene, "y=1: 333333/1000000, 3\n")), "w") << scalar;
+    }
+}
+
+TEST(Check, WhatTheScalarDecidesOtherwiseIsTold) {
+    std::size_t differ = 0;
+    for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+        const std::string scene = RandomScene(seed).text();
+        if (!read_scene({"scene.json", scene}, {{"scalar", "float"}}))
+            continue;
+        const Truth truth({"scene.json", scene}, {{"scalar", "float"}});
+        const std::size_t count = std::min(truth.decided().size(), truth.exact().size());
+        std::string primitive;
+        for (std::size_t n = 1; n <= count; ++n) {
+            const StepView decided = truth.decided().step(n);
+            const StepView right = truth.exact().step(n);
+            if (decided.kind_name() != right.kind_name())
+                break; // from here on the traces tell of different things
+            if (decided.kind() == StepKind::primitive)
+                primitive = decided.text("name");
+            if (decided.kind() != StepKind::scanline || decided.text("y") != right.text("y") ||
+                decided.text("from") == right.text("from"))
+                continue;
+            ++differ;
+            const std::string row = primitive + " y=" + decided.text("y") + ": -> ";
+            const Checked checked = check(truth, claims_in(row + right.text("from") + "..?\n" +
+                                                           row + decided.text("from") + "..?\n"));
+            EXPECT_EQ(verdicts(checked), "rr") << scene;
+            EXPECT_EQ(checked.claims[0].fields[0].remark,
+                      "the scene's `float` has " + decided.text("from") + ", exact arithmetic " +
+                          right.text("from"));
+        }
+    }
+    EXPECT_GT(differ, 3U);
+}
+
+TEST(Check, ATraceIsHeldToWhatItTells) {
+    const std::string text = trace_text(scene_in(triangle_by(R"("scalar":"double")")));
+    const Truth truth(readable_trace(text));
+    const Checked checked = check(truth, claims_in("y=2: -1/4, 3.125 -> -1..3\ny=2: 1/4, ?\n"
+                                                   "A screen: 2, 5\nC screen: 5, 3\n"));
+    EXPECT_EQ(verdicts(checked), "rwrw");
+}
+
+TEST(Check, FacesAreKnownThoughNothingIsCulled) {
+    const std::string cube = example_text("t0-hidden/cube-inverse-z.json");
+    const Checked checked = check_claims(cube, "normal ABC: 0, 0, -4\ncentroid ABC: 1/3, 1/3, 3\n"
+                                               "view ABC: -1/3, -1/3, -3\ndot ABC: 12\n"
+                                               "plane ABC: 0, 0, -4, 12\ncosine ABC: 0.9879\n"
+                                               "dot ABC: 12 drawn\ndot ABC: 12 culled\n");
+    EXPECT_EQ(verdicts(checked), "rrrrrrrw");
+}
+
+TEST(Check, TheFiguresNumbersAndTheirSlips) {
+    // T0, figures 22 to 24 and 12 to 13.
+    const std::string cube = example_text("t0-hidden/cube-culled.json");
+    EXPECT_THAT(slips_of(cube, "normal ABC: 0, -4, 0\n"), ElementsAre("y-for-z"));
+    EXPECT_THAT(slips_of(cube, "view ABC: 0, -4, 0\n"), ElementsAre("normal-for-view"));
+    EXPECT_THAT(slips_of(cube, "view ABC: 1/3, 1/3, 3\n"), Contains("view-turned-round"));
+    EXPECT_THAT(slips_of(cube, "dot ABC: -12\n"), Contains("view-turned-round"));
+    EXPECT_THAT(slips_of(cube, "E world: -1, 1, 4\n"), Contains("term-dropped"));
+    EXPECT_THAT(slips_of(cube, "A screen: -3, 3\n"), Contains("truncate-for-floor"));
+    EXPECT_THAT(slips_of(cube, "A canonical: -1, 1, 2\n"), ElementsAre("not-divided"));
+    EXPECT_THAT(slips_of(triangle, "edge AB: 4/3\n"), ElementsAre("dx-dy-inverted"));
+    EXPECT_THAT(slips_of(triangle, "y=4: 2, ?\n"), Contains("neighbor-row"));
+    EXPECT_THAT(slips_of(triangle, "y=0: -> -1..3\n"), Contains("truncate-for-floor"));
+}
+
+TEST(Check, TheStartExchangedWithTheStep) {
+    // T0, figure 13: a LERP from 3 to 4 over y = -3 to 3, told as 0.16, 3.16, 6.16, ... for 3, 19/6, 10/3.
+    const std::string edge = R"({"canvas":{"width":17,"height":14},
+        "vertices":{"A":[-3,-3,3],"B":[-3,3,4],"C":[6,-3,3]},"triangles":["ABC"],
+        "method":{"scalar":"exact","depth":"linear-z"},"keep":["depth"]})";
+    EXPECT_EQ(verdicts(check_claims(edge, "y=-2 depth: 19/6, ?\ny=-1 depth: 10/3, ?\n")), "rr");
+    const Checked checked = check_claims(
+        edge,
+        "y=-3 depth: 0.16, ?\ny=-2 depth: 3.16, ?\ny=-1 depth: 6.16, ?\ny=0 depth: 9.16, ?\n");
+    EXPECT_EQ(verdicts(checked), "wwww");
+    // 3.16 is 19/6 cut off: where the start is 3 and k is 1, a + 3 k is right by accident.
+    EXPECT_EQ(checked.claims[1].fields[0].remark, "cut off behind 2 digits, not rounded");
+    for (const std::size_t i : {0U, 2U, 3U})
+        EXPECT_EQ(slip_names(checked.claims[i].fields[0]).at(0), "start-and-step-exchanged");
+}
+
+TEST(Check, TheCosineOfT1) {
+    // T1 divides N . E by |N . E|: 1, 0/0 and -1 where it is 0.7071, 0 and -0.7071.
+    const std::string angles = example_text("t1-hidden/three-angles.json");
+    EXPECT_THAT(slips_of(angles, "cosine ABC: 1\n"), Contains("cosine-of-dot-only"));
+}
+
+TEST(Check, BresenhamsDecisions) {
+    const std::string lines = example_text("t2-lines/worked-lines.json");
+    EXPECT_EQ(verdicts(check_claims(lines, "OP: 1 -3 3 -1 5\nAB: 4 0 12 8 4 0 12 8\n"
+                                           "AC: -2 4 -6 0 6 -4 2 -8\n")),
+              "rrr");
+    // d = 0 decided the other way: 4 is followed by 0, then by -4.
+    EXPECT_THAT(slips_of(lines, "AB: 4 0 -4 8 4 0 -4 8\n"), Contains("tie-the-other-way"));
+    // dy - dx = 3 - 5 to begin with.
+    EXPECT_THAT(slips_of(lines, "OP: -2 1 -1 2 0\n"), Contains("factor-2-dropped"));
+}
+
+TEST(Check, APictureShowsWhereItDiffers) {
+    EXPECT_EQ(verdicts(check_claims(triangle, "picture:\n......#...\n.....##...\n....###...\n"
+                                              "...#####..\n...#####..\n..######..\n.########.\n"
+                                              "#########.\n##########\n")),
+              "r");
+    const Checked checked = check_claims(triangle, "picture:\n......#...\n.....##...\n....###...\n"
+                                                   "....####..\n...######.\n..######..\n"
+                                                   ".########.\n#########.\n##########\n");
+    ASSERT_EQ(verdicts(checked), "w");
+    EXPECT_THAT(checked.claims[0].picture,
+                ElementsAre("   5  ......#...", "   4  .....##...", "   3  ....###...",
+                            "   2  ...?####..  -1/4, 25/8 -> -1..3",
+                            "   1  ...#####!.  -1, 7/2 -> -1..3", "   0  ..######..",
+                            "  -1  .########.", "  -2  #########.", "  -3  ##########"));
+}
+
+TEST(Check, ContradictionsAreTold) {
+    const Checked checked = check_claims(triangle, "y=2: -1/4, ?\ny=3: 1/2, ?\ny=2: 1/4, ?\n");
+    EXPECT_EQ(verdicts(checked), "rrw");
+    EXPECT_THAT(checked.claims[2].remarks, ElementsAre("contradicts line 1"));
+}
+
+TEST(Check, WhatTheSceneDoesNotHave) {
+    EXPECT_EQ(problem_of_claims(triangle, "D screen: 1, 2\n"),
+              "claims:1:1: expected a vertex of the scene (A, B, C), found \"D\"\n"
+              "D screen: 1, 2\n^");
+    EXPECT_EQ(
+        problem_of_claims(triangle, "A screen: 2, 5\nA clip: 1, 2, 3, 4\n"),
+        "claims:2:3: expected a space that A is in (object, world, camera, screen), found clip\n"
+        "A clip: 1, 2, 3, 4\n  ^");
+    EXPECT_EQ(problem_of_claims(triangle, "normal ABD: 1, 2, 3\n"),
+              "claims:1:8: expected a face of the scene (ABC), found \"ABD\"\n"
+              "normal ABD: 1, 2, 3\n       ^\nhint: did you mean ABC?");
+    EXPECT_EQ(problem_of_claims(triangle, "(9,2): on\n"),
+              "claims:1:2: expected a pixel of the canvas (x -8 to 8, y -6 to 7), found (9, 2)\n"
+              "(9,2): on\n ^");
+    EXPECT_EQ(problem_of_claims(triangle, "(3,2): z 3\n"),
+              "claims:1:10: expected a scene with a depth buffer, found one without\n"
+              "(3,2): z 3\n         ^\nhint: --depth inverse-z gives it one");
+    EXPECT_EQ(problem_of_claims(triangle, "AB: 1 2 3\n"),
+              "claims:1:1: expected a scene with steps `decide`, found none in its trace\n"
+              "AB: 1 2 3\n^");
+    const Checked row = check_claims(triangle, "y=6: 1, 2\n");
+    EXPECT_EQ(verdicts(row), "w");
+    EXPECT_THAT(row.claims[0].remarks, ElementsAre("there is no such row: rows are y=-3 to 5"));
+}
+
+TEST(Check, AClaimSaysWhichPrimitiveIsMeant) {
+    const std::string two = R"({"canvas":{"width":9,"height":9},
+        "vertices":{"A":[0,0],"B":[0,3],"C":[3,0],"D":[-3,0]},"triangles":["ABC","ABD"]})";
+    EXPECT_EQ(problem_of_claims(two, "y=1: 0, 2\n"),
+              "claims:1:1: expected a claim about one step, found one about 2 of kind `scanline`\n"
+              "y=1: 0, 2\n^\nhint: say which is meant: ABC, ABD; ABC y=2: ..., or \"in\": \"ABC\"");
+    EXPECT_EQ(verdicts(check_claims(two, "ABC y=1: 0, 2\nABD y=1: -2, 0\n")), "rr");
+}
+
+/// Each step of a trace as a claim: whoever copies them is right.
+std::string steps_as_claims(const Trace& trace) {
+    std::string claims = R"({"claims":[)";
+    std::string primitive;
+    std::string side;
+    std::multiset<std::pair<std::string, std::string>> clips;
+    for (std::size_t n = 1; n <= trace.size(); ++n)
+        if (trace.kind_of(n) == StepKind::clip)
+            clips.emplace(trace.step(n).text("name"), trace.step(n).text("plane"));
+    for (std::size_t n = 1; n <= trace.size(); ++n) {
+        const StepView step = trace.step(n);
+        const StepKind kind = *step.kind();
+        if (kind == StepKind::primitive)
+            primitive = step.text("name"), side = "";
+        if (step.field("octant") && kind == StepKind::edge)
+            side = step.text("edge");
+        // A pixel is claimed of the final picture; runs of dropped ones come again and again, and so do the sides of
+        // an outline that meet one plane.
+        if (kind == StepKind::reject || kind == StepKind::pixel || kind == StepKind::undecided ||
+            (kind == StepKind::clip &&
+             clips.count(std::pair(step.text("name"), step.text("plane"))) > 1))
+            continue;
+        std::string json(step.json());
+        const bool is_inside = kind == StepKind::edge || kind == StepKind::scanline ||
+                               kind == StepKind::sample || kind == StepKind::depth ||
+                               kind == StepKind::decide || kind == StepKind::along ||
+                               kind == StepKind::half || kind == StepKind::ray;
+        if (is_inside)
+            json.insert(json.size() - 1, R"(,"in":")" + (side.empty() ? primitive : side) + '"');
+        claims += (claims.ends_with('[') ? "" : ",\n") + json;
+    }
+    return claims + "]}";
+}
+
+TEST(Check, WhoeverCopiesTheTraceIsRight) {
+    std::size_t checked_claims = 0;
+    for (std::uint64_t seed = 1; seed <= random_cases(400U); ++seed) {
+        const std::string scene = RandomScene(seed).text();
+        auto read = read_scene({"scene.json", scene}, {{"scalar", "exact"}});
+        if (!read)
+            continue;
+        const Trace trace = trace_of(read.value().scene);
+        const std::string claims = steps_as_claims(trace);
+        if (claims.ends_with("[]}"))
+            continue;
+        try {
+            const Checked checked = check_claims(scene, claims);
+            checked_claims += checked.claims.size();
+            for (const CheckedClaim& claim : checked.claims)
+                for (const CheckedField& field : claim.fields) {
+                    EXPECT_TRUE(field.verdict == ClaimVerdict::right ||
+                                field.verdict == ClaimVerdict::open)
+                        << "seed " << seed << ": " << field.name << " expected " << field.expected
+                        << " found " << field.found << "\n"
+                        << claims_in(claims).claims[claim.claim].text << "\n"
+                        << scene;
+                    EXPECT_THAT(field.slips, IsEmpty());
+                }
+        } catch (const Problem& problem) {
+            ADD_FAILURE() << "seed " << seed << ": " << to_text(problem) << "\n" << scene;
+        }
+        if (HasFailure())
+            return;
+    }
+    EXPECT_GT(checked_claims, random_cases(10'000U));
+}
+
+} // namespace
+} // namespace rastertrace
