@@ -10,7 +10,7 @@
 # build/fuzz/tests/fuzz/TARGET. Exit status: 0 nothing found, 1 something found, 2 bad usage.
 set -eu
 usage() {
-    echo "usage: tests/fuzz/run.sh SECONDS|INPUTSx [fuzz_number] [fuzz_obj] [fuzz_scene] [fuzz_trace]" >&2
+    echo "usage: tests/fuzz/run.sh SECONDS|INPUTSx [fuzz_claims] [fuzz_number] [fuzz_obj] [fuzz_scene] [fuzz_trace]" >&2
     exit 2
 }
 case ${1:-} in
@@ -21,10 +21,10 @@ case ${limit#*=} in
 '' | *[!0-9]*) usage ;;
 esac
 shift
-[ $# -gt 0 ] || set -- fuzz_number fuzz_obj fuzz_scene fuzz_trace
+[ $# -gt 0 ] || set -- fuzz_claims fuzz_number fuzz_obj fuzz_scene fuzz_trace
 for target; do
     case $target in
-    fuzz_number | fuzz_obj | fuzz_scene | fuzz_trace) ;;
+    fuzz_claims | fuzz_number | fuzz_obj | fuzz_scene | fuzz_trace) ;;
     *) usage ;;
     esac
 done
@@ -34,11 +34,14 @@ cmake --preset fuzz -G Ninja
 cmake --build --preset fuzz --parallel "${CMAKE_BUILD_PARALLEL_LEVEL:-1}" \
     --target rastertrace_program "$@"
 
-# To start from: a few numbers, the models, the examples, and traces of them in both layouts, cut short.
+# To start from: claims, a few numbers, the models, the examples, and traces of them in both layouts, cut short.
 # What is longer than an input may be is cut.
 longest=2560
 corpus=build/fuzz/corpus
-mkdir -p "$corpus/fuzz_number" "$corpus/fuzz_obj" "$corpus/fuzz_scene" "$corpus/fuzz_trace"
+mkdir -p "$corpus/fuzz_claims" "$corpus/fuzz_number" "$corpus/fuzz_obj" "$corpus/fuzz_scene" "$corpus/fuzz_trace"
+for claims in examples/claims/*; do
+    head -c "$longest" "$claims" >"$corpus/fuzz_claims/seed-$(basename "$claims")"
+done
 for number in -4 0.25 1e-3 25/8 -1/4 1e-320 123456789012345678901/7; do
     printf %s "$number" >"$corpus/fuzz_number/seed-$(printf %s "$number" | tr / _)"
 done

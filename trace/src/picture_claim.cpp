@@ -76,12 +76,18 @@ CheckedClaim check_picture(const Claim& claim, const Claims& claims, const StepI
     CheckedClaim checked;
     std::size_t extra = 0;
     std::size_t missing = 0;
+    bool is_open = true; // no pixel is claimed
     for (std::size_t i = 0; i < claim.picture.size(); ++i) {
         const int y = canvas.y_of(part.row0 + static_cast<int>(i));
         std::string row;
         bool is_right = true;
         for (std::size_t k = 0; k < claim.picture[i].size(); ++k) {
             const int x = part.x0 + static_cast<int>(k);
+            is_open = is_open && claim.picture[i][k] == '?';
+            if (claim.picture[i][k] == '?') {
+                row += ' ';
+                continue;
+            }
             const bool is_drawn = frame.drawn_by[canvas.offset_of({x, y})] != 0;
             const bool is_claimed = claim.picture[i][k] != '.';
             row += is_drawn ? (is_claimed ? '#' : '?') : (is_claimed ? '!' : '.');
@@ -98,6 +104,7 @@ CheckedClaim check_picture(const Claim& claim, const Claims& claims, const StepI
         field.expected = "the picture";
         field.found = fmt::format("{} too many, {} missing", extra, missing);
     } else {
+        field.verdict = is_open ? ClaimVerdict::open : ClaimVerdict::right;
         checked.picture.clear();
     }
     checked.fields.push_back(std::move(field));

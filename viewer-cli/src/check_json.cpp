@@ -8,7 +8,7 @@
 
 #include <fmt/core.h>
 
-#include <map>
+#include <string>
 
 namespace rastertrace {
 
@@ -67,11 +67,9 @@ std::string as_json(const CheckedFile& file, const CheckedClaim& claim, bool has
                                                         : "true");
     if (!has_answers)
         return text + "}";
-    text +=
-        fmt::format(R"(,"verdict":"{}","step":{},"expected":{},"found":{},"remarks":{})",
-                    name_of(claim.verdict), claim.step == 0 ? "null" : std::to_string(claim.step),
-                    values_of(claim, &CheckedField::expected),
-                    values_of(claim, &CheckedField::found), remarks_on(claim));
+    text += fmt::format(R"(,"verdict":"{}","expected":{},"found":{},"remarks":{})",
+                        name_of(claim.verdict), values_of(claim, &CheckedField::expected),
+                        values_of(claim, &CheckedField::found), remarks_on(claim));
     return text + fmt::format(R"(,"working":{},"slips":{},"follows_from":{},"picture":{}}})",
                               array_of(claim.working), slips_of(claim), follows_from(claim),
                               array_of(claim.picture));

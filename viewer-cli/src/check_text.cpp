@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace rastertrace {
 
@@ -59,14 +60,19 @@ std::string place_of(const CheckedFile& file, const CheckedClaim& claim) {
                        shown(file.claim_of(claim).text));
 }
 
-/// A claim that is wrong, and why.
-std::string wrong_claim(const CheckedFile& file, const CheckedClaim& claim) {
+/// A claim that is wrong, and why. What has been worked out for another claim is not written out again.
+std::string wrong_claim(const CheckedFile& file, const CheckedClaim& claim,
+                        std::map<std::vector<std::string>, std::size_t>& line_of_working) {
     std::string text = place_of(file, claim) + "\n";
     for (const CheckedField& field : claim.fields)
         if (is_wrong(field.verdict))
             text += field_line(field);
-    return text + slip_lines(claim) + indented(claim.remarks, "    ") +
-           indented(claim.picture, "    ") + indented(claim.working, "        ");
+    text += slip_lines(claim) + indented(claim.remarks, "    ") + indented(claim.picture, "    ");
+    const auto [known, is_new] =
+        line_of_working.try_emplace(claim.working, file.claim_of(claim).line);
+    if (!is_new && !claim.working.empty())
+        return text + fmt::format("        worked out as for line {}\n", known->second);
+    return text + indented(claim.working, "        ");
 }
 
 /// What there is to be said of a claim that is right or open; most have nothing.
@@ -82,12 +88,13 @@ std::string remarks_on(const CheckedFile& file, const CheckedClaim& claim) {
 
 std::string text_of_one(const CheckedFile& file, bool has_answers) {
     std::string text;
+    std::map<std::vector<std::string>, std::size_t> line_of_working;
     for (const CheckedClaim& claim : file.checked.claims) {
         if (!has_answers)
             text += fmt::format("{}: {}\n", place_of(file, claim),
                                 is_wrong(claim.verdict) ? "wrong" : name_of(claim.verdict));
         else if (is_wrong(claim.verdict))
-            text += wrong_claim(file, claim);
+            text += wrong_claim(file, claim, line_of_working);
         else
             text += remarks_on(file, claim);
     }
@@ -132,11 +139,19 @@ std::string counts_text(const Checked& checked) {
 }
 
 std::string most_likely_slip(const Checked& checked) {
-    std::map<std::string, std::size_t> explained; // fields, by the name of the slip
+    // By name, in the order in which the fields rank them: of equals, the first one stays.
+    std::vector<std::pair<std::string, std::size_t>> explained;
     for (const CheckedClaim& claim : checked.claims)
         for (const CheckedField& field : claim.fields)
-            for (const LikelySlip& slip : field.slips)
-                ++explained[slip.name];
+            for (const LikelySlip& slip : field.slips) {
+                const auto known =
+                    std::find_if(explained.begin(), explained.end(),
+                                 [&slip](const auto& one) { return one.first == slip.name; });
+                if (known == explained.end())
+                    explained.emplace_back(slip.name, 1);
+                else
+                    ++known->second;
+            }
     const auto most =
         std::max_element(explained.begin(), explained.end(),
                          [](const auto& a, const auto& b) { return a.second < b.second; });

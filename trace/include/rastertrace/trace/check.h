@@ -102,7 +102,7 @@ struct CheckedClaim {
     std::vector<std::string> remarks = {};
     std::vector<std::string> working = {};
 
-    /// Of a picture that differs: `#` right, `!` extra, `?` missing, `.` empty, each row with what the
+    /// Of a picture that differs: `#` right, `!` extra, `?` missing, `.` empty, blank left open, each row with what the
     /// trace tells of it behind it.
     std::vector<std::string> picture = {};
 };

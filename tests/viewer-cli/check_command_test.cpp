@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: MIT
+// `rastertrace check` as a student and a teacher meet it. The numbers are those of the texts.
+
+#include "program.h"
+#include "xml_fault.h"
+
+#include <rastertrace/trace/slips.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rastertrace {
+namespace {
+
+using testing::AllOf;
+using testing::Contains;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+/// With T0's triangle as scene.json, and two students.
+class CheckTest : public ProgramTest {
+protected:
+    CheckTest() {
+        fs::copy(fs::path(RASTERTRACE_EXAMPLES) / "t0-fill/first-triangle.json",
+                 folder_ / "scene.json");
+        write("anna.txt", "y=4: 1.25, 2.375 -> 1..2\n"
+                          "y=2: -1/4, 25/8 -> 0..3   # rounded toward 0\n"
+                          "y=1: ?, 7/2\n"
+                          "(3,2): ?\n"
+                          "(0,2): on\n");
+        write("ben.txt", "scene: scene.json\n"
+                         "edge AB: 4/3\n"
+                         "y=4: 1.4, 2.38\n");
+    }
+};
+
+TEST_F(CheckTest, AWrongLineIsToldWithItsValueItsWorkingAndTheSlip) {
+    const Outcome checked = shell("$rastertrace check scene.json anna.txt");
+    EXPECT_EQ(checked.status, 1);
+    EXPECT_EQ(checked.err, "");
+    EXPECT_THAT(checked.out, StartsWith("anna.txt:2: y=2: -1/4, 25/8 -> 0..3\n"
+                                        "    from: expected -1, found 0\n"
+                                        "    likely slip truncate-for-floor: rounded toward 0"));
+    EXPECT_THAT(checked.out,
+                HasSubstr("\n        left AB: x = 2 + 3/4 (2 - 5) = 2 - 9/4 = -1/4\n"));
+    EXPECT_THAT(checked.out, EndsWith("\n\n3 right, 1 wrong, 1 open\n"));
+}
+
+TEST_F(CheckTest, WhatIsRightIsOnlyCounted) {
+    write("right.txt", "scene: scene.json\ny=2: -1/4, 25/8 -> -1..3\n(-2,2): off\n");
+    const Outcome checked = shell("$rastertrace check right.txt");
+    EXPECT_EQ(checked.status, 0);
+    EXPECT_EQ(checked.out, "2 right, 0 wrong\n");
+}
+
+TEST_F(CheckTest, ARoundedDecimalIsRightAndSaysSo) {
+    write("rounded.txt", "y=4: 1.25, 2.38\n");
+    EXPECT_EQ(shell("$rastertrace check scene.json rounded.txt").out,
+              "rounded.txt:1: y=4: 1.25, 2.38\n"
+              "    right: right, rounded to 2 digits\n"
+              "\n"
+              "1 right, 0 wrong\n");
+    write("cut.txt", "y=0: -1.75, 3.8\n");
+    EXPECT_EQ(shell("$rastertrace check scene.json cut.txt").status, 1);
+    write("cut.txt", "round: truncate\ny=0: -1.75, 3.8\n");
+    EXPECT_EQ(shell("$rastertrace check scene.json cut.txt").status, 0);
+}
+
+TEST_F(CheckTest, WhatGoesOnFromAWrongNumberIsCountedApart) {
+    // T0, figures 22 to 24: both vectors are wrong, and then 16 is their product.
+    const Outcome checked = shell("$rastertrace check $examples/claims/t0-figs-22-24.claims");
+    EXPECT_THAT(checked.out, HasSubstr("dot ABC: 16\n    dot: expected 12, found 16; follows from "
+                                       "line "));
+    EXPECT_THAT(checked.out, HasSubstr("\n        worked out as for line "));
+    EXPECT_THAT(checked.out, EndsWith("\n1 right, 2 wrong, 2 that follow\n"));
+    EXPECT_EQ(checked.status, 1);
+}
+
+TEST_F(CheckTest, APictureIsComparedPixelByPixel) {
+    // Rounded toward 0; one row is left open.
+    write("picture.txt", "picture:\n......#...\n.....##...\n....###...\n....####..\n...#####..\n"
+                         "...#####..\n..#######.\n??????????\n##########\n");
+    EXPECT_EQ(shell("$rastertrace check scene.json picture.txt").out,
+              "picture.txt:1: picture:\n"
+              "    picture: expected the picture, found 0 too many, 3 missing\n"
+              "       5  ......#...\n"
+              "       4  .....##...\n"
+              "       3  ....###...\n"
+              "       2  ...?####..  -1/4, 25/8 -> -1..3\n"
+              "       1  ...#####..\n"
+              "       0  ..?#####..  -7/4, 31/8 -> -2..3\n"
+              "      -1  .?#######.  -5/2, 17/4 -> -3..4\n"
+              "      -2            \n"
+              "      -3  ##########\n"
+              "\n"
+              "0 right, 1 wrong\n");
+}
+
+TEST_F(CheckTest, JsonHasEverything) {
+    const auto report = nlohmann::json::parse(shell("$rastertrace check ben.txt --json").out);
+    EXPECT_EQ(report["file"], "ben.txt");
+    EXPECT_EQ(report["right"], 0);
+    EXPECT_EQ(report["wrong"], 2);
+    EXPECT_EQ(report["follow"], 0);
+    EXPECT_EQ(report["open"], 0);
+    ASSERT_EQ(report["claims"].size(), 2u);
+    const auto& slope = report["claims"][0];
+    EXPECT_EQ(slope["line"], 2);
+    EXPECT_EQ(slope["claim"], "edge AB: 4/3");
+    EXPECT_EQ(slope["right"], false);
+    EXPECT_EQ(slope["verdict"], "wrong");
+    EXPECT_EQ(slope["expected"], nlohmann::json({{"dx_dy", "3/4"}}));
+    EXPECT_EQ(slope["found"], nlohmann::json({{"dx_dy", "4/3"}}));
+    EXPECT_EQ(slope["slips"][0]["name"], "dx-dy-inverted");
+    EXPECT_EQ(slope["slips"][0]["field"], "dx_dy");
+    EXPECT_TRUE(slope["follows_from"].is_null());
+    EXPECT_THAT(slope["working"].dump(), HasSubstr("dx = -4 - 2 = -6, dy = -3 - 5 = -8"));
+    EXPECT_EQ(report["claims"][1]["expected"], nlohmann::json({{"left", "5/4"}}));
+    EXPECT_THAT(report["claims"][1]["remarks"].dump(), HasSubstr("right: rounded to 2 digits"));
+}
+
+TEST_F(CheckTest, JUnitIsXmlWithATestCaseForEachClaim) {
+    const std::string xml = shell("$rastertrace check scene.json anna.txt --format junit").out;
+    EXPECT_EQ(xml_fault(xml.substr(xml.find('\n') + 1)), "");
+    EXPECT_THAT(xml, HasSubstr("<testsuite name=\"anna.txt\" tests=\"5\" failures=\"1\" "
+                               "errors=\"0\" skipped=\"1\">"));
+    EXPECT_THAT(xml, HasSubstr("name=\"line 2: y=2: -1/4, 25/8 -&gt; 0..3\">\n"
+                               "      <failure message=\"from: expected -1, found 0\">"));
+    EXPECT_THAT(xml, HasSubstr("name=\"line 4: (3,2): ?\"><skipped/></testcase>\n"));
+}
+
+TEST_F(CheckTest, APileHasALineForEachFileAndGoesOnBehindABadOne) {
+    write("carl.txt", "y=2: -1/4 25/8\n");
+    const Outcome text = shell("$rastertrace check scene.json anna.txt carl.txt ben.txt");
+    EXPECT_EQ(text.status, 2);
+    EXPECT_EQ(text.out, "anna.txt: 3 right, 1 wrong, 1 open; most likely truncate-for-floor\n"
+                        "carl.txt: could not be checked\n"
+                        "ben.txt: 0 right, 2 wrong; most likely dx-dy-inverted\n");
+    EXPECT_EQ(text.err,
+              "rastertrace: carl.txt:1:11: expected a comma between left and right, found "
+              "25/8\n"
+              "y=2: -1/4 25/8\n"
+              "          ^\n");
+    EXPECT_EQ(shell("$rastertrace check scene.json anna.txt carl.txt ben.txt --format csv").out,
+              "file,right,wrong,follow,open,likely_slip\r\n"
+              "anna.txt,3,1,0,1,truncate-for-floor\r\n"
+              "carl.txt,,,,,\r\n"
+              "ben.txt,0,2,0,0,dx-dy-inverted\r\n");
+    const auto json =
+        nlohmann::json::parse(shell("$rastertrace check scene.json anna.txt carl.txt --json").out);
+    EXPECT_EQ(json[0]["wrong"], 1);
+    EXPECT_THAT(json[1]["problem"].get<std::string>(), StartsWith("carl.txt:1:11: expected"));
+    const std::string xml =
+        shell("$rastertrace check scene.json anna.txt carl.txt --format junit").out;
+    EXPECT_EQ(xml_fault(xml.substr(xml.find('\n') + 1)), "");
+    EXPECT_THAT(xml, HasSubstr("errors=\"1\""));
+    EXPECT_EQ(shell("$rastertrace check scene.json anna.txt ben.txt").status, 1);
+}
+
+TEST_F(CheckTest, WithoutAnswersNoFormatHasOne) {
+    EXPECT_EQ(shell("$rastertrace check ben.txt --no-answers").out,
+              "ben.txt:2: edge AB: 4/3: wrong\n"
+              "ben.txt:3: y=4: 1.4, 2.38: wrong\n"
+              "\n"
+              "0 right, 2 wrong\n");
+    for (const std::string format : {"text", "json", "junit", "csv"}) {
+        const Outcome checked = shell("$rastertrace check ben.txt --no-answers --format " + format);
+        EXPECT_EQ(checked.status, 1);
+        EXPECT_THAT(checked.out, AllOf(Not(HasSubstr("3/4")), Not(HasSubstr("inverted")),
+                                       Not(HasSubstr("rounded"))))
+            << format;
+    }
+}
+
+TEST_F(CheckTest, ATemplateIsOpenAndNamesItsScene) {
+    const Outcome written = shell("$rastertrace check scene.json --template > open.txt");
+    EXPECT_EQ(written.status, 0);
+    EXPECT_THAT(content("open.txt"), StartsWith("scene: scene.json\n\nedge AB: ?\nedge AC: ?\n"));
+    const Outcome checked = shell("$rastertrace check open.txt");
+    EXPECT_EQ(checked.out, "0 right, 0 wrong, 12 open\n"); // 2 edges, 9 rows, the picture
+    EXPECT_EQ(checked.status, 0);
+}
+
+TEST_F(CheckTest, ATraceIsTakenAtItsWord) {
+    shell("$rastertrace trace scene.json --rounding truncate -o cut.trace.json");
+    const Outcome checked = shell("$rastertrace check cut.trace.json anna.txt");
+    EXPECT_EQ(checked.status, 0) << checked.out;
+    EXPECT_EQ(shell("$rastertrace check scene.json anna.txt --rounding truncate").status, 0);
+    EXPECT_EQ(
+        shell("$rastertrace check cut.trace.json anna.txt --rounding floor").err,
+        "rastertrace: cut.trace.json: expected a scene to draw with --rounding floor, found a "
+        "trace, which is drawn already\n");
+}
+
+TEST_F(CheckTest, ReadsStandardInput) {
+    EXPECT_EQ(shell("$rastertrace check scene.json - < anna.txt").out.substr(0, 17),
+              "standard input:2:");
+    EXPECT_EQ(shell("$rastertrace check - < ben.txt").status, 1);
+    EXPECT_EQ(shell("cat scene.json | $rastertrace check - anna.txt").status, 1);
+}
+
+TEST_F(CheckTest, FilesInTheWrongPlaceAreTold) {
+    write("none.txt", "y=2: -1/4, 25/8\n");
+    write("turned.txt", "scene: none.txt\ny=2: -1/4, 25/8\n");
+    write("lost.txt", "scene: lost.json\ny=2: -1/4, 25/8\n");
+    const std::vector<std::pair<std::string, std::string>> faults{
+        {"none.txt", "none.txt: expected a scene before the claims, or its name in them, found "
+                     "none\nhint: check SCENE CLAIMS, or a line `scene: FILE`\n"},
+        {"scene.json", "scene.json: expected claims behind the scene, found none\n"
+                       "hint: --template writes a file of claims to fill in\n"},
+        {"scene.json scene.json", "scene.json:1:1: expected claims, found a scene\n"
+                                  "{\"title\": \"First triangle\",\n^\n"
+                                  "hint: claims come behind the scene: check SCENE CLAIMS\n"},
+        {"turned.txt", "none.txt: expected a scene or a trace, found claims\n"},
+        {"lost.txt", "lost.json: expected a file that can be read, found: No such file or "
+                     "directory\n"},
+        {"anna.txt --template",
+         "anna.txt: --template: expected a scene or a trace, found claims\n"},
+        {"scene.json anna.txt --template",
+         "--template: expected one scene, without claims, found \"anna.txt\"\n"},
+        {"ben.txt --format cvs", "--format: expected one of text, json, junit, csv, found \"cvs\"\n"
+                                 "hint: did you mean csv?\n"},
+        {"ben.txt --json --format csv", "--json: expected no --format beside it, found \"csv\"\n"},
+    };
+    for (const auto& [arguments, message] : faults) {
+        const Outcome checked = shell("$rastertrace check " + arguments);
+        EXPECT_EQ(checked.status, 2) << arguments;
+        EXPECT_EQ(checked.err, "rastertrace: " + message);
+        EXPECT_EQ(checked.out, "");
+    }
+}
+
+TEST_F(CheckTest, NamesFromFilesAreSafeToPrint) {
+    write("named.json",
+          R"({"canvas":{"width":8,"height":8},"vertices":{"A":[0,3],"B":[-3,-3],"C":[3,-3]},
+        "triangles":[{"vertices":"ABC","name":"a\u001b]0;x\u0007"}]})");
+    write("named.txt", R"("a\u001b]0;x\u0007" y=3: 1, 1)");
+    for (const std::string format : {"text", "json", "junit", "csv"}) {
+        const Outcome checked = shell("$rastertrace check named.json named.txt --format " + format);
+        EXPECT_EQ(checked.status, 1) << checked.err;
+        EXPECT_EQ(checked.out.find_first_of("\x1b\x07"), std::string::npos) << format;
+    }
+}
+
+/// The slips that a claims file of the examples says it has, in comments.
+std::vector<std::string> slips_said_in(const fs::path& file) {
+    std::vector<std::string> slips;
+    std::ifstream text(file);
+    for (std::string line; std::getline(text, line);)
+        if (line.starts_with("# slip: "))
+            slips.push_back(line.substr(8));
+    return slips;
+}
+
+TEST_F(CheckTest, TheMistakesOfTheTextsAreFoundAndNamed) {
+    std::set<std::string> all;
+    for (const auto& entry : fs::directory_iterator(fs::path(RASTERTRACE_EXAMPLES) / "claims")) {
+        const std::string path = entry.path().string();
+        const Outcome checked = shell("$rastertrace check '" + path + "' --json");
+        ASSERT_EQ(checked.err, "");
+        const auto report = nlohmann::json::parse(checked.out);
+        std::vector<std::string> most_likely;
+        for (const auto& claim : report["claims"])
+            if (!claim["slips"].empty())
+                most_likely.push_back(claim["slips"][0]["name"]);
+        const auto said = slips_said_in(entry.path());
+        for (const std::string& slip : said)
+            EXPECT_THAT(most_likely, Contains(slip)) << path;
+        EXPECT_EQ(checked.status, said.empty() ? 0 : 1) << path;
+        all.insert(said.begin(), said.end());
+    }
+    EXPECT_GE(all.size(), 10u);
+}
+
+TEST(CheckPage, HasTheTableOfSlips) {
+    std::string table = "\n| slip | what happened |\n|---|---|\n";
+    for (const Slip& slip : slips())
+        table += "| `" + std::string(slip.name) + "` | " + std::string(slip.meaning) + " |\n";
+    std::ostringstream page;
+    page << std::ifstream(fs::path(RASTERTRACE_EXAMPLES) / "../docs/check.md").rdbuf();
+    EXPECT_THAT(page.str(), HasSubstr(table + "\n"));
+}
+
+} // namespace
+} // namespace rastertrace
