@@ -325,8 +325,10 @@ Result planted(const Trace& trace, const Planter& planter, Random& random) {
     for (std::size_t n = 1; n <= trace.size() && all.size() < 20; ++n) {
         if (trace.kind_of(n) == StepKind::primitive)
             primitive = n;
-        const bool is_whole = primitive == 0 || trace.step(primitive).text("part") != "true";
-        if (trace.kind_of(n) == planter.kind && is_whole)
+        if (trace.kind_of(n) != planter.kind)
+            continue;
+        const bool is_part = primitive != 0 && trace.step(primitive).text("part") == "true";
+        if (!is_part)
             if (Result one = planter.plant({trace, n, primitive}))
                 all.push_back(std::move(one));
     }
@@ -342,16 +344,17 @@ TEST(Slips, APlantedOneIsNamed) {
     std::size_t count = 0;
     for (std::uint64_t seed = 1; count < wanted; ++seed) {
         const std::string scene = RandomScene(seed).text();
-        const Planter& planter = planters[seed % planters.size()];
         // Faces are tested where something is culled.
         MethodOverrides method{{"scalar", "exact"}, {"keep", "model"}, {"keep", "view"}};
-        if (planter.kind == StepKind::face)
+        if (seed % 4 == 0)
             method.emplace_back("cull", "back");
         const auto read = read_scene({"scene.json", scene}, method);
         if (!read)
             continue;
         const Trace trace = trace_of(read.value().scene);
-        const Result mistake = planted(trace, planter, random);
+        Result mistake;
+        for (std::size_t i = 0; i < planters.size() && !mistake; ++i)
+            mistake = planted(trace, planters[(seed + i) % planters.size()], random);
         if (!mistake)
             continue;
         ++count;
@@ -366,7 +369,7 @@ TEST(Slips, APlantedOneIsNamed) {
         ASSERT_THAT(names, testing::Contains(mistake->slip)) << mistake->claim << "\n" << scene;
     }
     for (const auto& [slip, times] : named)
-        EXPECT_GE(times, random_cases(20U)) << slip;
+        EXPECT_GE(times, random_cases(10U)) << slip;
     EXPECT_GE(named.size(), 11U);
 }
 

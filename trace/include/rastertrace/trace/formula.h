@@ -29,7 +29,7 @@ struct Slope {
     std::optional<Vec<Rational, 2>> other = {}; ///< the triangle's third corner
 };
 
-/// d1 + (d2 - d1) / (i2 - i1) (i - i1): the x where an edge meets a row, or the depth there.
+/// d1 + (d2 - d1) / (i2 - i1) (i - i1): the x where an edge meets a row, or the depth there; d1 if i2 = i1.
 struct Lerp {
     Rational d1, i1;
     Rational d2, i2;
