@@ -307,43 +307,57 @@ TEST(Check, AClaimSaysWhichPrimitiveIsMeant) {
     EXPECT_EQ(verdicts(check_claims(two, "ABC y=1: 0, 2\nABD y=1: -2, 0\n")), "rr");
 }
 
-/// Each step of a trace as a claim: whoever copies them is right.
+/// A step as a claim, and what tells it from the others: its key fields, and the primitive or the side.
+struct CopiedStep {
+    std::string claim;
+    std::string keys;
+};
+
+CopiedStep copied(const StepView& step, const std::string& in) {
+    CopiedStep copy{std::string(step.json()), step.kind_name()};
+    const auto& fields = row_of(*step.kind()).fields;
+    const bool has_name = std::any_of(fields.begin(), fields.end(),
+                                      [](const auto& field) { return field.name == "name"; });
+    if (!in.empty() && !has_name) {
+        copy.claim.insert(copy.claim.size() - 1, R"(,"in":")" + in + '"');
+        copy.keys += in;
+    }
+    for (const StepField& field : fields)
+        if (field.role == FieldRole::key)
+            copy.keys += " " + step.text(field.name);
+    return copy;
+}
+
+/// Each step of a trace as a claim: whoever copies them is right. Left out are pixels, which are claimed of the
+/// final picture, what has nothing to claim but its place, and steps that keys do not tell apart, such as the
+/// decisions of a fan's lines in one pixel.
 std::string steps_as_claims(const Trace& trace) {
-    std::string claims = R"({"claims":[)";
-    std::string primitive;
-    std::string side;
-    std::multiset<std::pair<std::string, std::string>> clips;
-    for (std::size_t n = 1; n <= trace.size(); ++n)
-        if (trace.kind_of(n) == StepKind::clip)
-            clips.emplace(trace.step(n).text("name"), trace.step(n).text("plane"));
+    std::vector<CopiedStep> copies;
+    std::multiset<std::string> keys;
+    std::string in;
     for (std::size_t n = 1; n <= trace.size(); ++n) {
         const StepView step = trace.step(n);
         const StepKind kind = *step.kind();
         if (kind == StepKind::primitive)
-            primitive = step.text("name"), side = "";
-        if (step.field("octant") && kind == StepKind::edge)
-            side = step.text("edge");
-        // A pixel is claimed of the final picture; runs of dropped ones come again and again, and so do the sides of
-        // an outline that meet one plane.
-        if (kind == StepKind::reject || kind == StepKind::pixel || kind == StepKind::undecided ||
-            (kind == StepKind::clip &&
-             clips.count(std::pair(step.text("name"), step.text("plane"))) > 1))
+            in = step.text("name");
+        if (kind == StepKind::edge && step.field("octant"))
+            in = step.text("edge");
+        if (kind == StepKind::pixel || kind == StepKind::reject || kind == StepKind::undecided ||
+            kind == StepKind::ray)
             continue;
-        std::string json(step.json());
-        const bool is_inside = kind == StepKind::edge || kind == StepKind::scanline ||
-                               kind == StepKind::sample || kind == StepKind::depth ||
-                               kind == StepKind::decide || kind == StepKind::along ||
-                               kind == StepKind::half || kind == StepKind::ray;
-        if (is_inside)
-            json.insert(json.size() - 1, R"(,"in":")" + (side.empty() ? primitive : side) + '"');
-        claims += (claims.ends_with('[') ? "" : ",\n") + json;
+        copies.push_back(copied(step, in));
+        keys.insert(copies.back().keys);
     }
-    return claims + "]}";
+    std::string claims;
+    for (const CopiedStep& copy : copies)
+        if (keys.count(copy.keys) == 1)
+            claims += (claims.empty() ? "" : ",\n") + copy.claim;
+    return R"({"claims":[)" + claims + "]}";
 }
 
 TEST(Check, WhoeverCopiesTheTraceIsRight) {
     std::size_t checked_claims = 0;
-    for (std::uint64_t seed = 1; seed <= random_cases(400U); ++seed) {
+    for (std::uint64_t seed = 1; seed <= random_cases(200U); ++seed) {
         const std::string scene = RandomScene(seed).text();
         auto read = read_scene({"scene.json", scene}, {{"scalar", "exact"}});
         if (!read)

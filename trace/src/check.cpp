@@ -272,7 +272,7 @@ private:
             if (follows(subject, field, i, checked))
                 continue;
             const auto formulas = formulas_of(subject, Numbers(*subject.exact), field.name);
-            if (!formulas.empty())
+            if (!formulas.empty() && gives_what_is_told(formulas.front(), subject, field))
                 checked.slips = slips_that_give(formulas.front(), field);
         }
     }
@@ -296,6 +296,21 @@ private:
         else
             return false;
         checked.verdict = ClaimVerdict::follows;
+        return true;
+    }
+
+    /// True if a formula is the one that the number was worked out by: no slip is named by any other.
+    static bool gives_what_is_told(const Formula& formula, const Subject& subject,
+                                   const ClaimedField& field) {
+        const ToldValues told = told_exactly(subject, field);
+        const Values right = value_of(formula);
+        if (!told || told->size() != right.size())
+            return false;
+        for (std::size_t i = 0; i < right.size(); ++i) {
+            const auto number = number_in((*told)[i]);
+            if (number && !agrees(right[i], *number, subject.exact->trace()))
+                return false;
+        }
         return true;
     }
 

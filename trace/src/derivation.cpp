@@ -188,6 +188,8 @@ private:
         return values.size() == 3 ? std::optional(Vec3{values[0], values[1], values[2]})
                                   : std::nullopt;
     }
+    std::optional<MixedDepth> depth_in_row() const;
+    std::optional<MixedDepth> depth_in_triangle() const;
     bool has_inverse_z() const { return numbers_.trace().method_value("depth") == "inverse-z"; }
     std::optional<std::array<Vec2, 3>> corners() const;
 
@@ -434,21 +436,55 @@ Formulas Deriver::of_weights() const {
     return {{Weights{*triangle, *sample}}};
 }
 
-/// `as_z` and `as_inverse`: not the depth of the trace, but z, or 1/z.
-Formulas Deriver::of_depth(bool as_z, bool as_inverse) const {
+/// A share of the way from one depth to another, held between them.
+MixedDepth between(const Rational& first, const Rational& last, const Rational& at,
+                   const Rational& d1, const Rational& d2) {
+    if (first >= last)
+        return {.weights = {1}, .depths = {d1}};
+    const Rational share =
+        std::clamp(Rational((at - first) / (last - first)), Rational(0), Rational(1));
+    return {.weights = {1 - share, share}, .depths = {d1, d2}};
+}
+
+/// From the ends of the row that a depth test lies in, as fills along the edges do.
+std::optional<MixedDepth> Deriver::depth_in_row() const {
+    const auto x = number_in(view_, "x");
+    for (const std::size_t row :
+         numbers_.index().find(StepKind::scanline, {{"y", view_.text("y")}})) {
+        const auto left_depth = numbers_.one(row, "left_depth");
+        const auto right_depth = numbers_.one(row, "right_depth");
+        if (numbers_.index().primitive_of(row) != primitive_ || !left_depth || !right_depth || !x)
+            continue;
+        const bool is_rounded = numbers_.trace().method_value("depth_at") == "rounded-ends";
+        const auto first = numbers_.one(row, is_rounded ? "from" : "left");
+        const auto last = numbers_.one(row, is_rounded ? "to" : "right");
+        if (first && last)
+            return between(*first, *last, *x, *left_depth, *right_depth);
+    }
+    return std::nullopt;
+}
+
+/// From the depths of all three corners, as a plane over the screen.
+std::optional<MixedDepth> Deriver::depth_in_triangle() const {
     const auto triangle = corners();
     const auto sample = sample_of(numbers_.trace(), view_);
     const Values depths = numbers_.of(primitive_, "depths");
     if (!triangle || !sample || depths.size() != 3)
-        return {};
+        return std::nullopt;
     const Values weights = value_of({Weights{*triangle, *sample}});
-    if (weights.empty())
+    return weights.empty() ? std::nullopt
+                           : std::optional(MixedDepth{.weights = weights, .depths = depths});
+}
+
+/// `as_z` and `as_inverse`: not the depth of the trace, but z, or 1/z.
+Formulas Deriver::of_depth(bool as_z, bool as_inverse) const {
+    std::optional<MixedDepth> mixed = depth_in_row();
+    if (!mixed)
+        mixed = depth_in_triangle();
+    if (!mixed)
         return {};
-    const bool is_inverse = has_inverse_z();
-    return {{MixedDepth{.weights = {weights[0], weights[1], weights[2]},
-                        .depths = {depths[0], depths[1], depths[2]},
-                        .is_inverse_z = is_inverse,
-                        .gives_inverse = is_inverse ? as_z : as_inverse}}};
+    mixed->gives_inverse = has_inverse_z() ? as_z : as_inverse;
+    return {{std::move(*mixed)}};
 }
 
 Formulas Deriver::of_depth_test() const {

@@ -32,7 +32,7 @@ Values value(const Slope& edge) {
 
 Values value(const Lerp& lerp) {
     const auto slope = lerp.slope();
-    return slope ? Values{lerp.d1 + *slope * (lerp.i - lerp.i1)} : Values{};
+    return {slope ? lerp.d1 + *slope * (lerp.i - lerp.i1) : lerp.d1};
 }
 
 Values value(const RoundedEnd& end) {

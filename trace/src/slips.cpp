@@ -388,10 +388,11 @@ std::vector<std::vector<Rational>> terms_of(const Formula& formula) {
     if (const auto* lerp = as<Lerp>(formula))
         if (const auto slope = lerp->slope())
             sums = {std::vector<Rational>{lerp->d1, *slope * lerp->i, -(*slope * lerp->i1)}};
-    if (const auto* mixed = as<MixedDepth>(formula); mixed && !mixed->gives_inverse)
-        sums = {std::vector<Rational>{mixed->weights[0] * mixed->depths[0],
-                                      mixed->weights[1] * mixed->depths[1],
-                                      mixed->weights[2] * mixed->depths[2]}};
+    if (const auto* mixed = as<MixedDepth>(formula); mixed && !mixed->gives_inverse) {
+        sums.emplace_back();
+        for (std::size_t i = 0; i < mixed->depths.size(); ++i)
+            sums.back().push_back(mixed->weights[i] * mixed->depths[i]);
+    }
     return sums;
 }
 

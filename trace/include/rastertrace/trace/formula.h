@@ -29,7 +29,7 @@ struct Slope {
     std::optional<Vec<Rational, 2>> other = {}; ///< the triangle's third corner
 };
 
-/// d1 + (d2 - d1) / (i2 - i1) (i - i1): the x where an edge meets a row, or the depth there.
+/// d1 + (d2 - d1) / (i2 - i1) (i - i1): the x where an edge meets a row, or the depth there; d1 if i2 = i1.
 struct Lerp {
     Rational d1, i1;
     Rational d2, i2;
@@ -135,11 +135,10 @@ struct Decisions {
     bool steps_at_ties = false; ///< d = 0 goes diagonally
 };
 
-/// A depth in a triangle: the corners' depths by their weights.
+/// A depth between others, by their weights: those of a triangle's corners, or of the ends of a row.
 struct MixedDepth {
-    std::array<Rational, 3> weights;
-    std::array<Rational, 3> depths;
-    bool is_inverse_z = false;  ///< the depths are 1/z
+    std::vector<Rational> weights;
+    std::vector<Rational> depths;
     bool gives_inverse = false; ///< 1 over the depth is asked for
 };
 

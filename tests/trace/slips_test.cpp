@@ -1,0 +1,402 @@
+// SPDX-License-Identifier: MIT
+// Mistakes that are made on purpose, in random scenes, and named. They are made here, from the numbers of the
+// trace, and not by the table that is to find them.
+
+#include "claims_support.h"
+#include "effort.h"
+#include "random_choice.h"
+#include "random_scene.h"
+#include "traces.h"
+
+#include <rastertrace/trace/check.h>
+#include <rastertrace/trace/slips.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace rastertrace {
+namespace {
+
+/// A claim with a mistake in it.
+struct Planted {
+    std::string slip;
+    std::string claim; ///< JSON
+};
+
+Rational rational(const std::string& text) {
+    Rational number(text); // the exact trace writes fractions in lowest terms
+    number.canonicalize();
+    return number;
+}
+
+std::vector<Rational> rationals(const std::vector<std::string>& texts) {
+    std::vector<Rational> numbers;
+    for (const std::string& text : texts)
+        numbers.push_back(rational(text));
+    return numbers;
+}
+
+std::string quoted(const Rational& number) {
+    return '"' + number.get_str() + '"';
+}
+
+std::string quoted(const std::vector<Rational>& numbers) {
+    std::string text;
+    for (const Rational& number : numbers)
+        text += (text.empty() ? "[" : ",") + quoted(number);
+    return text + "]";
+}
+
+/// A trace, and which step of a kind a mistake is made in.
+struct Place {
+    const Trace& trace;
+    std::size_t n;
+    std::size_t primitive; ///< its step; 0 for none
+
+    StepView step() const { return trace.step(n); }
+    StepView owner() const { return trace.step(primitive); }
+
+    /// The corner of the primitive with this name.
+    std::vector<Rational> corner(char name) const {
+        const auto names = owner().texts("vertices");
+        const auto at = owner().text_rows("at");
+        for (std::size_t i = 0; i < names.size() && i < at.size(); ++i)
+            if (names[i] == std::string(1, name))
+                return rationals(at[i]);
+        return {};
+    }
+
+    std::string in() const { return R"("in":")" + owner().text("name") + R"(",)"; }
+
+    std::string row_claim(const std::string& field, const Rational& value) const {
+        return R"({"step":"scanline",)" + in() + R"("y":)" + step().text("y") + ",\"" + field +
+               "\":" + quoted(value) + "}";
+    }
+    std::string face_claim(const std::string& field, const std::string& value) const {
+        return R"({"step":"face","name":")" + step().text("name") + "\",\"" + field +
+               "\":" + value + "}";
+    }
+};
+
+using Result = std::optional<Planted>;
+
+/// The LERP of a row's left end: x1, y1, x2, y2 and y, if it has an edge that climbs.
+struct RowEnd {
+    Rational x1, y1, x2, y2, y;
+    Rational slope() const { return (x2 - x1) / (y2 - y1); }
+    Rational x() const { return x1 + slope() * (y - y1); }
+};
+std::optional<RowEnd> left_end(const Place& place) {
+    const std::string edge = place.step().text("left_edge");
+    if (edge.size() != 2)
+        return std::nullopt;
+    const auto from = place.corner(edge[0]);
+    const auto to = place.corner(edge[1]);
+    if (from.empty() || to.empty() || from[1] == to[1])
+        return std::nullopt;
+    const Rational offset = place.trace.samples_at_centers() ? Rational(1, 2) : Rational(0);
+    return RowEnd{from[0], from[1], to[0], to[1], rational(place.step().text("y")) + offset};
+}
+
+Result planted_row(const Place& place, const std::string& slip, const Rational& wrong) {
+    return rational(place.step().text("left")) == wrong
+               ? std::nullopt
+               : Result({slip, place.row_claim("left", wrong)});
+}
+
+Result invert_slope(const Place& place) {
+    const auto end = left_end(place);
+    if (!end || end->x1 == end->x2)
+        return std::nullopt;
+    return planted_row(place, "dx-dy-inverted", end->x1 + (end->y - end->y1) / end->slope());
+}
+
+Result exchange_start_and_step(const Place& place) {
+    const auto end = left_end(place);
+    if (!end)
+        return std::nullopt;
+    return planted_row(place, "start-and-step-exchanged",
+                       end->slope() + end->x1 * (end->y - end->y1));
+}
+
+Result take_the_row_above(const Place& place) {
+    const auto end = left_end(place);
+    if (!end)
+        return std::nullopt;
+    return planted_row(place, "neighbor-row", end->x() + end->slope());
+}
+
+Result forget_the_start(const Place& place) {
+    const auto end = left_end(place);
+    if (!end)
+        return std::nullopt;
+    return planted_row(place, "term-dropped", end->slope() * (end->y - end->y1));
+}
+
+Result lose_the_minus(const Place& place) {
+    return planted_row(place, "sign", -rational(place.step().text("left")));
+}
+
+Result cut_off(const Place& place) {
+    const Rational x = rational(place.step().text("left"));
+    const std::string rounding = place.trace.method_value("rounding");
+    if (place.trace.method_value("fill") == "top-left" || // it asks samples
+        rounding.substr(0, rounding.find('+')) != "floor" || sgn(x) >= 0 || x.get_den() == 1)
+        return std::nullopt;
+    const mpz_class toward_zero = x.get_num() / x.get_den();
+    return Planted{"truncate-for-floor", place.row_claim("from", Rational(toward_zero))};
+}
+
+/// An edge of a triangle from its upper end to the third corner.
+Result take_another_corner(const Place& place) {
+    const std::string edge = place.step().text("edge");
+    const auto names = place.owner().texts("vertices");
+    const std::string slope = place.step().text("dx_dy");
+    if (edge.size() != 2 || names.size() != 3 || slope.empty() || slope == "null")
+        return std::nullopt;
+    for (const std::string& name : names) {
+        if (name.size() != 1 || edge.find(name) != std::string::npos)
+            continue;
+        const auto from = place.corner(edge[0]);
+        const auto to = place.corner(name[0]);
+        if (from.empty() || to.empty() || from[1] == to[1])
+            return std::nullopt;
+        const Rational wrong = (to[0] - from[0]) / (to[1] - from[1]);
+        if (wrong == rational(slope))
+            return std::nullopt;
+        return Planted{"c-minus-a", R"({"step":"edge",)" + place.in() + R"("edge":")" + edge +
+                                        R"(","dx_dy":)" + quoted(wrong) + "}"};
+    }
+    return std::nullopt;
+}
+
+Result exchange_y_and_z(const Place& place) {
+    auto normal = rationals(place.step().texts("normal"));
+    if (normal.size() != 3 || normal[1] == normal[2])
+        return std::nullopt;
+    std::swap(normal[1], normal[2]);
+    return Planted{"y-for-z", place.face_claim("normal", quoted(normal))};
+}
+
+Result turn_the_view_round(const Place& place) {
+    const Rational dot = rational(place.step().text("dot"));
+    if (sgn(dot) == 0)
+        return std::nullopt;
+    return Planted{"view-turned-round", place.face_claim("dot", quoted(-dot))};
+}
+
+Result forget_the_lengths(const Place& place) {
+    const std::string dot = place.step().text("dot");
+    if (place.step().text("cosine") == "null" || rational(dot) == 0)
+        return std::nullopt;
+    return Planted{"cosine-of-dot-only", place.face_claim("cosine", quoted(rational(dot)))};
+}
+
+std::string vertex_claim(const StepView& step, const std::vector<Rational>& at) {
+    return R"({"step":"vertex","name":")" + step.text("name") + R"(","space":")" +
+           step.text("space") + R"(","at":)" + quoted(at) + "}";
+}
+
+/// The step before, which is of the same vertex in the space that it comes from.
+std::vector<Rational> place_before(const Place& place) {
+    const StepView before = place.trace.step(place.n - 1);
+    const bool is_same =
+        before.kind() == StepKind::vertex && before.text("name") == place.step().text("name");
+    return is_same ? rationals(before.texts("at")) : std::vector<Rational>{};
+}
+
+Result forget_to_divide(const Place& place) {
+    auto clip = place_before(place);
+    if (place.step().text("space") != "canonical" || clip.size() != 4)
+        return std::nullopt;
+    clip.pop_back();
+    if (clip == rationals(place.step().texts("at")))
+        return std::nullopt;
+    return Planted{"not-divided", vertex_claim(place.step(), clip)};
+}
+
+/// A translation that is forgotten in y.
+Result forget_to_move(const Place& place) {
+    const std::map<std::string, std::string> matrices{
+        {"world", "model"}, {"camera", "view"}, {"screen", "viewport"}};
+    const auto name = matrices.find(place.step().text("space"));
+    auto at = rationals(place.step().texts("at"));
+    if (name == matrices.end() || place_before(place).empty())
+        return std::nullopt;
+    std::optional<Rational> moved;
+    int found = 0;
+    for (std::size_t n = 1; n <= place.trace.size(); ++n)
+        if (const StepView step = place.trace.step(n);
+            step.kind() == StepKind::matrix && step.text("name") == name->second) {
+            moved = rational(step.text_rows("rows")[1][3]);
+            ++found;
+        }
+    if (found != 1 || sgn(*moved) == 0)
+        return std::nullopt;
+    at[1] -= *moved;
+    return Planted{"term-dropped", vertex_claim(place.step(), at)};
+}
+
+Result take_z_for_its_inverse(const Place& place) {
+    const Rational depth = rational(place.step().text("depth"));
+    const std::string fill = place.trace.method_value("fill");
+    if (place.trace.method_value("depth") != "inverse-z" || sgn(depth) == 0 || abs(depth) == 1 ||
+        place.owner().text("kind") != "triangle" || depth.get_den() == 1 ||
+        place.trace.method_value("depth_at") == "rounded-ends")
+        return std::nullopt;
+    return Planted{"z-for-inverse-z", R"({"step":"depth",)" + place.in() + R"("x":)" +
+                                          place.step().text("x") + R"(,"y":)" +
+                                          place.step().text("y") + R"(,"depth":)" +
+                                          quoted(1 / depth) + "}"};
+}
+
+/// A line whose d = 0 goes the other way.
+Result decide_ties_otherwise(const Place& place) {
+    if (place.trace.kind_of(place.n - 1) != StepKind::primitive)
+        return std::nullopt; // not the first of its line
+    std::vector<Rational> right;
+    for (std::size_t n = place.n; n <= place.trace.size(); ++n) {
+        if (place.trace.kind_of(n) == StepKind::primitive)
+            break;
+        if (place.trace.kind_of(n) == StepKind::decide)
+            right.push_back(rational(place.trace.step(n).text("d")));
+    }
+    // d begins at 2 minor - major, and each step adds 2 minor, or 2 (minor - major).
+    const auto at = place.owner().text_rows("at");
+    const auto nearest = [](const std::string& text) {
+        const Rational shifted = rational(text) + Rational(1, 2);
+        mpz_class floor;
+        mpz_fdiv_q(floor.get_mpz_t(), shifted.get_num_mpz_t(), shifted.get_den_mpz_t());
+        return Rational(floor);
+    };
+    const Rational dx = abs(nearest(at[1][0]) - nearest(at[0][0]));
+    const Rational dy = abs(nearest(at[1][1]) - nearest(at[0][1]));
+    const Rational major = std::max(dx, dy);
+    const Rational minor = std::min(dx, dy);
+    if (right.size() != major.get_num().get_ui())
+        return std::nullopt; // the canvas does not have all of it
+    const bool steps_at_ties = place.trace.method_value("ties").find("step") != std::string::npos;
+    std::vector<Rational> wrong;
+    Rational d = 2 * minor - major;
+    for (std::size_t i = 0; i < right.size(); ++i) {
+        wrong.push_back(d);
+        const bool is_diagonal = sgn(d) > 0 || (sgn(d) == 0 && !steps_at_ties);
+        d += is_diagonal ? Rational(2 * (minor - major)) : Rational(2 * minor);
+    }
+    if (wrong == right)
+        return std::nullopt;
+    return Planted{"tie-the-other-way",
+                   R"({"step":"decide",)" + place.in() + R"("d":)" + quoted(wrong) + "}"};
+}
+
+/// A way to make a mistake, and the kind of step that it is made in.
+struct Planter {
+    StepKind kind;
+    Result (*plant)(const Place& place);
+};
+constexpr std::array planters{
+    Planter{StepKind::scanline, invert_slope},
+    Planter{StepKind::scanline, exchange_start_and_step},
+    Planter{StepKind::scanline, take_the_row_above},
+    Planter{StepKind::scanline, forget_the_start},
+    Planter{StepKind::scanline, lose_the_minus},
+    Planter{StepKind::scanline, cut_off},
+    Planter{StepKind::edge, take_another_corner},
+    Planter{StepKind::face, exchange_y_and_z},
+    Planter{StepKind::face, turn_the_view_round},
+    Planter{StepKind::face, forget_the_lengths},
+    Planter{StepKind::vertex, forget_to_divide},
+    Planter{StepKind::vertex, forget_to_move},
+    Planter{StepKind::depth, take_z_for_its_inverse},
+    Planter{StepKind::decide, decide_ties_otherwise},
+};
+
+/// A mistake in some step of the trace that it can be made in.
+Result planted(const Trace& trace, const Planter& planter, Random& random) {
+    std::vector<Result> all;
+    std::size_t primitive = 0;
+    for (std::size_t n = 1; n <= trace.size() && all.size() < 20; ++n) {
+        if (trace.kind_of(n) == StepKind::primitive)
+            primitive = n;
+        if (trace.kind_of(n) != planter.kind)
+            continue;
+        const bool is_part = primitive != 0 && trace.step(primitive).text("part") == "true";
+        if (!is_part)
+            if (Result one = planter.plant({trace, n, primitive}))
+                all.push_back(std::move(one));
+    }
+    return all.empty()
+               ? std::nullopt
+               : all[static_cast<std::size_t>(random.whole(0, static_cast<int>(all.size()) - 1))];
+}
+
+TEST(Slips, APlantedOneIsNamed) {
+    const std::size_t wanted = random_cases(2000U);
+    Random random(20221122);
+    std::map<std::string, std::size_t> named;
+    std::size_t count = 0;
+    for (std::uint64_t seed = 1; count < wanted; ++seed) {
+        const std::string scene = RandomScene(seed).text();
+        // Faces are tested where something is culled.
+        MethodOverrides method{{"scalar", "exact"}, {"keep", "model"}, {"keep", "view"}};
+        if (seed % 4 == 0)
+            method.emplace_back("cull", "back");
+        const auto read = read_scene({"scene.json", scene}, method);
+        if (!read)
+            continue;
+        const Trace trace = trace_of(read.value().scene);
+        Result mistake;
+        for (std::size_t i = 0; i < planters.size() && !mistake; ++i)
+            mistake = planted(trace, planters[(seed + i) % planters.size()], random);
+        if (!mistake)
+            continue;
+        ++count;
+        ++named[mistake->slip];
+        const Checked checked =
+            check_claims(scene, R"({"claims":[)" + mistake->claim + "]}", method);
+        ASSERT_EQ(checked.wrong, 1U) << mistake->claim << "\n" << scene;
+        std::vector<std::string> names;
+        for (const CheckedField& field : checked.claims[0].fields)
+            for (const std::string& name : slip_names(field))
+                names.push_back(name);
+        ASSERT_THAT(names, testing::Contains(mistake->slip)) << mistake->claim << "\n" << scene;
+    }
+    for (const auto& [slip, times] : named)
+        EXPECT_GE(times, random_cases(10U)) << slip;
+    EXPECT_GE(named.size(), 11U);
+}
+
+TEST(Slips, TheTableHasEachNameOnce) {
+    std::set<std::string_view> names;
+    for (const Slip& slip : slips()) {
+        EXPECT_TRUE(names.insert(slip.name).second) << slip.name;
+        EXPECT_EQ(find_slip(slip.name), &slip);
+        EXPECT_FALSE(slip.meaning.empty());
+    }
+    EXPECT_EQ(find_slip("no-such-slip"), nullptr);
+}
+
+TEST(Slips, NoneGivesTheRightResult) {
+    const Formula formulas[] = {
+        {Lerp{.d1 = 2, .i1 = 5, .d2 = -4, .i2 = -3, .i = 2, .other = {{5, -3}}}},
+        {Slope{{2, 5}, {-4, -3}, Vec<Rational, 2>{5, -3}}},
+        {FaceNormal{{{{-1, 1, 3}, {1, 1, 3}, {1, -1, 3}}}}},
+        {FaceDot{{0, 0, -4}, {Rational(-1, 3), Rational(-1, 3), -3}}},
+        {DividedByW{{-1, 1, 2, 3}}},
+        {Decisions{.major = 8, .minor = 6, .steps = 8}},
+    };
+    for (const Formula& formula : formulas)
+        for (const Slip& slip : slips())
+            for (const Values& values : slip.redo(formula))
+                EXPECT_NE(values, value_of(formula)) << slip.name;
+}
+
+} // namespace
+} // namespace rastertrace
