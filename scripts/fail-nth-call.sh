@@ -31,6 +31,7 @@ cat >inputs/mesh.json <<'JSON'
  "vertices": {"A": ["1e-30", "1/123456789012345678901"], "B": [3, "1e-40"], "C": [1, 4]},
  "triangles": ["ABC"], "method": {"scalar": "exact", "fill": "top-left"}}
 JSON
+printf 'y=2: -1/4, 25/8 -> -1..3\nA screen: 2, 5\n(3,2): on\n' >inputs/claims.txt
 cp -r inputs ../inputs
 
 runs=0
@@ -128,6 +129,8 @@ if [ $stride = 1 ]; then
     try no yes yes show inputs/trace.json --every scanline
     try no yes yes stats inputs/mesh.json
     try no yes yes stats inputs/trace.json --json
+    try no yes yes check inputs/scene.json inputs/claims.txt
+    try no yes yes check inputs/scene.json --template
     try no yes yes plan inputs/mesh.json
     try no yes yes stress --case S1
     try no yes yes stress inputs/scene.json

@@ -489,7 +489,7 @@ private:
                         "A scene or a trace, then files of claims; or only claims that name their "
                         "scenes; - for standard input")
             ->required()
-            ->type_name("[SCENE] CLAIMS...");
+            ->type_name("[SCENE] CLAIMS");
         command
             .add_option("--format", check_format_,
                         "text, json, junit, or csv: one line for each file")
