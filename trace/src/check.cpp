@@ -239,9 +239,9 @@ private:
     void note_number(const ClaimedField& field, const std::vector<std::string>& right,
                      std::size_t order, CheckedField& checked, CheckedClaim& claim) {
         const Subject& subject = *subjects_.back();
-        const std::string name = number_name(subject, field.name);
+        const std::string name = name_of_number(subject, field);
         const Values values = claimed_values(field, right);
-        if (name.empty() || values.empty() || checked.verdict == ClaimVerdict::open)
+        if (values.empty() || checked.verdict == ClaimVerdict::open)
             return;
         const std::size_t line = claims_.claims[order].line;
         const auto [first, is_new] = claimed_.try_emplace(name, std::pair(values, line));
@@ -251,11 +251,6 @@ private:
             claim.remarks.push_back(remark);
         if (checked.verdict == ClaimVerdict::wrong)
             wrong_.try_emplace(name, WrongNumber{values, order, line});
-    }
-
-    static std::string number_name(const Subject& subject, const std::string& field) {
-        return subject.step == 0 ? std::string()
-                                 : name_of_number(*subject.exact, subject.step, field);
     }
 
     /// Finds what a wrong field goes on from, or the slip behind it.
@@ -273,30 +268,41 @@ private:
                 continue;
             const auto formulas = formulas_of(subject, Numbers(*subject.exact), field.name);
             if (!formulas.empty() && gives_what_is_told(formulas.front(), subject, field))
-                checked.slips = slips_that_give(formulas.front(), field);
+                checked.slips =
+                    slips_that_give(formulas.front(), name_of_number(subject, field), field);
         }
     }
 
-    /// True if redoing the formula from other wrong numbers gives what is claimed: from those claimed before by
-    /// any formula, from later ones by that of the textbook, which never goes in a circle.
+    /// True if redoing a formula from other wrong numbers gives what is claimed: the textbook's from any of them,
+    /// another, which could go in a circle, from those claimed before.
     bool follows(const Subject& subject, const ClaimedField& field, std::size_t order,
-                 CheckedField& checked) const {
-        const std::string name = number_name(subject, field.name);
-        const Numbers before(*subject.exact, wrong_, order, name);
-        const Numbers all(*subject.exact, wrong_, claims_.claims.size(), name);
-        const auto by_any = formulas_of(subject, before, field.name);
-        const auto by_textbook = formulas_of(subject, all, field.name);
-        const auto comes_to_it = [&field](const Formula& formula) {
-            return gives(value_of(formula), field);
+                 CheckedField& checked) {
+        const Values right =
+            subject.step == 0 ? Values{} : subject.exact->numbers(subject.step, field.name);
+        const auto comes_to_it = [&](const Formula& formula) {
+            const Values values = value_of(formula);
+            return values != right && gives(values, field);
         };
-        if (before.line_used() != 0 && std::any_of(by_any.begin(), by_any.end(), comes_to_it))
-            checked.follows_from = before.line_used();
-        else if (all.line_used() != 0 && !by_textbook.empty() && comes_to_it(by_textbook.front()))
-            checked.follows_from = all.line_used();
-        else
-            return false;
-        checked.verdict = ClaimVerdict::follows;
-        return true;
+        const auto is_from = [&](std::size_t line, bool is_it) {
+            if (line == 0 || !is_it)
+                return false;
+            checked.verdict = ClaimVerdict::follows;
+            checked.follows_from = line;
+            return true;
+        };
+        const Numbers& all = claimed_numbers(*subject.exact);
+        all.line_used();
+        const auto by_textbook = formulas_of(subject, all, field.name);
+        if (is_from(all.line_used(), !by_textbook.empty() && comes_to_it(by_textbook.front())))
+            return true;
+        const Numbers before(*subject.exact, wrong_, order);
+        const auto by_any = formulas_of(subject, before, field.name);
+        return is_from(before.line_used(), std::any_of(by_any.begin(), by_any.end(), comes_to_it));
+    }
+
+    /// The numbers of a trace with all wrong ones in place of the right ones.
+    const Numbers& claimed_numbers(const StepIndex& index) {
+        return numbers_.try_emplace(&index, index, wrong_).first->second;
     }
 
     /// True if a formula is the one that the number was worked out by: no slip is named by any other.
@@ -314,15 +320,24 @@ private:
         return true;
     }
 
-    static std::vector<LikelySlip> slips_that_give(const Formula& formula,
-                                                   const ClaimedField& field) {
+    /// What a formula comes to with each slip in it. Several claims may be about one number.
+    const std::vector<std::vector<Values>>& redone(const std::string& number,
+                                                   const Formula& formula) {
+        const auto [place, is_new] = redone_.try_emplace(number);
+        if (is_new)
+            for (const Slip& slip : slips())
+                place->second.push_back(slip.redo(formula));
+        return place->second;
+    }
+
+    std::vector<LikelySlip> slips_that_give(const Formula& formula, const std::string& number,
+                                            const ClaimedField& field) {
         std::vector<LikelySlip> found;
-        for (const Slip& slip : slips()) {
-            const auto results = slip.redo(formula);
-            if (std::any_of(results.begin(), results.end(),
+        const auto& results = redone(number, formula);
+        for (std::size_t i = 0; i < results.size(); ++i)
+            if (std::any_of(results[i].begin(), results[i].end(),
                             [&](const Values& values) { return gives(values, field); }))
-                found.push_back({std::string(slip.name), std::string(slip.meaning)});
-        }
+                found.push_back({std::string(slips()[i].name), std::string(slips()[i].meaning)});
         return found;
     }
 
@@ -395,6 +410,8 @@ private:
     std::vector<std::unique_ptr<ClaimedField>> snapped_;
     std::map<std::string, std::pair<Values, std::size_t>> claimed_; ///< with the line
     WrongNumbers wrong_;
+    std::map<const StepIndex*, Numbers> numbers_; ///< once all wrong ones are known
+    std::map<std::string, std::vector<std::vector<Values>>> redone_; ///< by number, for each slip
 };
 
 } // namespace

@@ -406,6 +406,19 @@ ToldValues told_as_decided(const Subject& subject, const ClaimedField& field) {
     return told(*subject.decided, subject.decided_step, subject, field);
 }
 
+std::string name_of_number(const Subject& subject, const ClaimedField& field) {
+    const bool is_of_step = subject.step != 0 && subject.kind != StepKind::pixel &&
+                            !(subject.kind == StepKind::decide && field.is_list) &&
+                            subject.exact->trace().kind_of(subject.step) == subject.kind;
+    if (is_of_step)
+        return name_of_number(*subject.exact, subject.step, field.name);
+    std::string name =
+        fmt::format("{}{} of {}", field.is_list ? "all " : "", field.name, name_of(subject.kind));
+    for (const auto& [key, value] : subject.keys)
+        name += fmt::format(" {}={}", key, normal_form(value));
+    return name;
+}
+
 std::size_t step_of(const Subject& subject, std::string_view field) {
     if (subject.kind != StepKind::pixel)
         return subject.step;

@@ -65,6 +65,9 @@ ToldValues told_as_decided(const Subject& subject, const ClaimedField& field);
 std::vector<Formula> formulas_of(const Subject& subject, const Numbers& numbers,
                                  std::string_view field);
 
+/// Where the number stands that a field is about, see derivation.h; a pixel's by where it lies.
+std::string name_of_number(const Subject& subject, const ClaimedField& field);
+
 /// The step that shows how a field is worked out; 0 for none.
 std::size_t step_of(const Subject& subject, std::string_view field);
 

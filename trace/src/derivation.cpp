@@ -30,7 +30,7 @@ std::string name_of_number(const StepIndex& index, std::size_t step, std::string
 }
 
 const WrongNumber* Numbers::replacement(const std::string& name) const {
-    if (wrong_ == nullptr || name == except_)
+    if (wrong_ == nullptr)
         return nullptr;
     const auto found = wrong_->find(name);
     if (found == wrong_->end() || found->second.order > last_order_)
@@ -60,21 +60,13 @@ Values Numbers::of(std::size_t step, std::string_view field) const {
         const std::string name = name_of_number(*index_, step, field);
         if (const WrongNumber* claimed = replacement(name))
             return claimed->values;
-        if (const WorkedOut& again = worked_out(step, field, name); !again.values.empty()) {
-            line_used_ = again.line;
-            return again.values;
-        }
+        if (works_out_)
+            if (const WorkedOut& again = worked_out(step, field, name); !again.values.empty()) {
+                line_used_ = again.line;
+                return again.values;
+            }
     }
-    const StepView view = trace().step(step);
-    const bool is_list = view.field(field).value_or("").starts_with('[');
-    Values values;
-    for (const std::string& text : is_list ? view.texts(field) : std::vector{view.text(field)}) {
-        const auto number = number_in(text);
-        if (!number)
-            return {};
-        values.push_back(*number);
-    }
-    return values;
+    return index_->numbers(step, field);
 }
 
 std::optional<Rational> Numbers::one(std::size_t step, std::string_view field) const {
@@ -229,6 +221,8 @@ Formulas Deriver::of_row_end(const std::string& side) const {
     Lerp by_slope = lerp;
     by_slope.step = slope;
     formulas.push_back({by_slope});
+    if (!numbers_.takes_only_claims())
+        return formulas;
     for (const int rows : {1, -1}) {
         const Rational beside = *number_in(view_, "y") + rows;
         for (const std::size_t n :

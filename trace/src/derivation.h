@@ -15,10 +15,12 @@
 #include <rastertrace/trace/formula.h>
 
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace rastertrace {
@@ -41,10 +43,17 @@ class Numbers {
 public:
     explicit Numbers(const StepIndex& index) : index_(&index) {}
 
-    /// Claims up to this one replace what they are about, but for the number `except`.
-    Numbers(const StepIndex& index, const WrongNumbers& wrong, std::size_t last_order,
-            std::string except)
-        : index_(&index), wrong_(&wrong), last_order_(last_order), except_(std::move(except)) {}
+    /// All claims replace what they are about, and what comes of it.
+    Numbers(const StepIndex& index, const WrongNumbers& wrong)
+        : index_(&index), wrong_(&wrong), last_order_(std::numeric_limits<std::size_t>::max()) {}
+
+    /// Claims up to this one replace what they are about, and nothing else.
+    Numbers(const StepIndex& index, const WrongNumbers& wrong, std::size_t last_order)
+        : index_(&index), wrong_(&wrong), last_order_(last_order), works_out_(false) {}
+
+    /// True if nothing is taken but what is claimed itself. Only then may a number come of its neighbors, which
+    /// come of it.
+    bool takes_only_claims() const { return !works_out_; }
 
     const StepIndex& index() const { return *index_; }
     const Trace& trace() const { return index_->trace(); }
@@ -61,8 +70,8 @@ public:
     /// Where a vertex is in the world.
     std::optional<Vec<Rational, 3>> in_world(const std::string& vertex) const;
 
-    /// The line of the last claim that a number was taken from; 0 for none.
-    std::size_t line_used() const { return line_used_; }
+    /// The line of the last claim that a number was taken from since this was asked; 0 for none.
+    std::size_t line_used() const { return std::exchange(line_used_, 0); }
 
 private:
     struct WorkedOut {
@@ -77,7 +86,7 @@ private:
     const StepIndex* index_;
     const WrongNumbers* wrong_ = nullptr;
     std::size_t last_order_ = 0;
-    std::string except_;
+    bool works_out_ = true;
     mutable std::size_t line_used_ = 0;
     mutable std::map<std::string, WorkedOut> worked_out_; ///< by the names of numbers
 };

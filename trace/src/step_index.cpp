@@ -103,6 +103,24 @@ std::size_t StepIndex::place_before(std::size_t n) const {
     return here == places.begin() ? 0 : *(here - 1);
 }
 
+const Values& StepIndex::numbers(std::size_t step, std::string_view field) const {
+    const auto [place, is_new] = numbers_.try_emplace({step, std::string(field)});
+    Values& values = place->second;
+    if (!is_new)
+        return values;
+    const StepView view = trace_->step(step);
+    const bool is_list = view.field(field).value_or("").starts_with('[');
+    for (const std::string& text : is_list ? view.texts(field) : std::vector{view.text(field)}) {
+        const auto number = number_in(text);
+        if (!number) {
+            values.clear();
+            break;
+        }
+        values.push_back(*number);
+    }
+    return values;
+}
+
 const Frame& StepIndex::frame() const {
     if (!frame_)
         frame_.emplace(frame_after(*trace_, trace_->size()));

@@ -7,6 +7,7 @@
 //     index.find(StepKind::scanline, {{"y", "2"}});  // {14}
 
 #include <rastertrace/core/raster/image.h>
+#include <rastertrace/trace/formula.h>
 #include <rastertrace/trace/frame.h>
 #include <rastertrace/trace/step_kind.h>
 #include <rastertrace/trace/trace.h>
@@ -49,6 +50,9 @@ public:
     /// The step before a `vertex` step of the same vertex, in the space that it comes from; 0 for none.
     std::size_t place_before(std::size_t n) const;
 
+    /// What a field of a step says, as numbers; nothing if it holds anything else.
+    const Values& numbers(std::size_t step, std::string_view field) const;
+
     /// The final picture.
     const Frame& frame() const;
 
@@ -64,6 +68,7 @@ private:
         side_of_; ///< the `edge` step of the side that is being drawn; 0 for none
     mutable std::map<std::pair<StepKind, std::string>, Found>
         found_; ///< by kind and names of fields
+    mutable std::map<std::pair<std::size_t, std::string>, Values> numbers_; ///< that were asked for
     mutable std::optional<Frame> frame_;
 };
 
