@@ -9,6 +9,7 @@
 #include "terminal_text.h"
 #include "view.h"
 
+#include <rastertrace/trace/explain.h>
 #include <rastertrace/trace/input.h>
 #include <rastertrace/trace/method_names.h>
 #include <rastertrace/trace/vary.h>
@@ -115,6 +116,17 @@ struct StatsCommand {
     FrameChoice frames;
 };
 int run(const StatsCommand& command);
+
+struct ExplainCommand {
+    std::string trace;
+    Question question;
+    std::string against; ///< METHOD: the same question under another one; empty: none
+    bool json = false;
+    MethodOverrides method;
+    InputLimits input;
+    FrameChoice frames;
+};
+int run(const ExplainCommand& command);
 
 struct RenewCommand {
     std::vector<std::string> pages;
