@@ -79,8 +79,10 @@ TEST(Working, OfTheFirstTriangle) {
     EXPECT_THAT(working(trace, StepKind::edge, "AC"),
                 ElementsAre("dx = 5 - 2 = 3, dy = -3 - 5 = -8", "x = 2 - 3/8 (y - 5)",
                             "  = -3/8 y + 31/8", "y = -8/3 x + 31/3"));
-    const Working row{"left AB: x = 2 + 3/4 (2 - 5) = 2 - 9/4 = -1/4",
-                      "right AC: x = 2 - 3/8 (2 - 5) = 2 + 9/8 = 25/8",
+    const Working row{"left AB: x = (x2 - x1)/(y2 - y1) (y - y1) + x1 = (-4 - 2)/(-3 - 5) (2 - 5) "
+                      "+ 2 = 3/4 (-3) + 2 = -1/4 -> floor -> -1",
+                      "right AC: x = (x2 - x1)/(y2 - y1) (y - y1) + x1 = (5 - 2)/(-3 - 5) (2 - 5) "
+                      "+ 2 = (-3/8) (-3) + 2 = 25/8 -> floor -> 3",
                       "-1/4 < 25/8: AB is left, AC is right",
                       "x = -1 to 3: 3 - (-1) + 1 = 5 pixels"};
     EXPECT_EQ(working(trace, StepKind::scanline, 0, 2), row);
@@ -390,7 +392,7 @@ TEST(Working, LeavesOutWhatTheTraceContradicts) {
     const Trace trace = readable_trace(text);
     const Working row = working(trace, StepKind::scanline, 0, 2);
     EXPECT_THAT(row, Not(Contains(HasSubstr("left AB:"))));
-    EXPECT_THAT(row, Contains(HasSubstr("right AC: x = 2 - 3/8 (2 - 5) = 2 + 9/8 = 25/8")));
+    EXPECT_THAT(row, Contains(HasSubstr("(2 - 5) + 2 = (-3/8) (-3) + 2 = 25/8")));
 }
 
 /// A trace of some steps, or one that was edited, has what it has.

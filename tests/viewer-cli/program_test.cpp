@@ -1387,7 +1387,9 @@ TEST_F(ProgramTest, OneGrammarSaysWhichStep) {
 
 TEST_F(ProgramTest, WorkingIsWrittenBelowTheSentence) {
     const std::string show = "$rastertrace show $examples/t0-fill/first-triangle.json ";
-    const std::string crossing = "left AB: x = 2 + 3/4 (2 - 5) = 2 - 9/4 = -1/4\n";
+    const std::string crossing =
+        "left AB: x = (x2 - x1)/(y2 - y1) (y - y1) + x1 = "
+        "(-4 - 2)/(-3 - 5) (2 - 5) + 2 = 3/4 (-3) + 2 = -1/4 -> floor -> -1\n";
     const std::string plain = shell(show + "--step 'scanline y=2'").out;
     EXPECT_THAT(plain, Not(HasSubstr(crossing)));
     const std::string worked = shell(show + "--step 'scanline y=2' --working").out;

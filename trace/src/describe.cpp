@@ -34,8 +34,9 @@ std::string name_of_primitive(const Context& context) {
     const std::string name = context.step.text("name");
     if (!name.empty())
         return name;
-    return context.replay.primitive() == 0 ? fmt::format("of step {}", context.replay.step())
-                                           : context.primitive.name;
+    return context.replay.primitive() == 0
+               ? fmt::format("of step {}", context.replay.trace().number_of(context.replay.step()))
+               : context.primitive.name;
 }
 
 std::string corners(const Context& context) {
@@ -215,8 +216,9 @@ std::string drawn_over(const Context& context) {
     const auto& [replay, step, primitive] = context;
     if (!replay.trace().canvas.contains(*step.whole("x"), *step.whole("y")))
         return "   not on the canvas, not drawn";
-    return replay.drew_over() != 0 ? fmt::format("   over step {}", replay.drew_over())
-                                   : std::string();
+    return replay.drew_over() != 0
+               ? fmt::format("   over step {}", replay.trace().number_of(replay.drew_over()))
+               : std::string();
 }
 
 std::string dropped(const Context& context) {
@@ -262,12 +264,13 @@ std::string rounded_by(const std::string& rule, const std::string& ties,
     return fmt::format(" -> {}{}", rule, is_tie ? ", ties " + (ties.empty() ? "up" : ties) : "");
 }
 
-/// How the end of a row becomes its pixel: the rounding by its name, or how it lies to the pixel's sample.
-std::string rule_of_end(const Context& context, const std::string& side, const std::string& pixel) {
-    const Trace& trace = context.replay.trace();
+} // namespace
+
+std::string rule_of_end(const Trace& trace, const StepView& step, const std::string& side,
+                        const std::string& pixel) {
     const bool is_left = side == "left";
     const std::string rounding = rule_of_rows(trace, "rounding");
-    const auto x = number_in(context.step, side);
+    const auto x = number_in(step, side);
     if (rounding == "inside")
         return is_left ? " -> ceil" : " -> floor";
     if (rounding == "half-open")
@@ -284,6 +287,8 @@ std::string rule_of_end(const Context& context, const std::string& side, const s
     return fmt::format(" {} sample {}{}", is_left ? "<=" : ">", pixel,
                        sgn(offset) != 0 ? " + 1/2" : "");
 }
+
+namespace {
 
 /// One end of a row: `left AB: x = 2 + 3/4 (2 - 5) = -1/4 -> floor -> -1`.
 std::string end_of_row(const Context& context, const std::string& side, const std::string& pixel) {
@@ -311,8 +316,8 @@ std::string end_of_row(const Context& context, const std::string& side, const st
     else if (slope && ends)
         text += fmt::format("{} {} ({} {}) = ", in_formula(ends->from[0]), plus(in_formula(*slope)),
                             y, minus(in_formula(ends->from[1])));
-    return text +
-           fmt::format("{}{} -> {}", with_fraction(x), rule_of_end(context, side, pixel), pixel);
+    return text + fmt::format("{}{} -> {}", with_fraction(x),
+                              rule_of_end(replay.trace(), step, side, pixel), pixel);
 }
 
 /// Depths at the ends of a row: `   depth 1/3 to 1/5`.

@@ -15,9 +15,6 @@ namespace rastertrace {
 
 namespace {
 
-/// The longest line of a trace, in bytes.
-constexpr std::size_t longest_line = 16'000'000;
-
 /// From so many bytes on, a beginning is long enough to be judged.
 constexpr std::size_t enough_to_judge = 4096;
 
@@ -35,6 +32,12 @@ bool can_begin_json(std::string_view text) {
 }
 
 } // namespace
+
+Problem line_too_long(const Source& source, std::size_t line_begin) {
+    return problem_at(source, line_begin,
+                      fmt::format("expected lines of at most {} in a trace, found a longer one",
+                                  in_words(longest_line)));
+}
 
 bool InputCheck::holds_trace(const Source& source) {
     if (!is_trace_)
@@ -64,9 +67,7 @@ std::optional<Problem> InputCheck::operator()(const Source& source, std::size_t 
     const std::size_t newline = added.find('\n');
     const std::size_t line_end = newline == std::string_view::npos ? text.size() : block + newline;
     if (line_end - line_begin_ > longest_line && holds_trace(source))
-        return problem_at(source, line_begin_,
-                          fmt::format("expected lines of at most {} in a trace, found a longer one",
-                                      in_words(longest_line)));
+        return line_too_long(source, line_begin_);
     if (newline != std::string_view::npos)
         line_begin_ = text.rfind('\n') + 1;
 

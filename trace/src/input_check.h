@@ -12,6 +12,12 @@
 
 namespace rastertrace {
 
+/// The longest line of a trace, in bytes.
+inline constexpr std::size_t longest_line = 16'000'000;
+
+/// What is said of a longer one.
+Problem line_too_long(const Source& source, std::size_t line_begin);
+
 class InputCheck {
 public:
     enum class Kind {

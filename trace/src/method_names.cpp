@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/trace/method_names.h>
 
+#include <rastertrace/trace/text.h>
+
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -245,6 +249,51 @@ const MethodKey* find_method_key(std::string_view name) {
         if (key.name == name)
             return &key;
     return nullptr;
+}
+
+namespace {
+
+/// A problem at a place of a METHOD, which is one line and needs no number.
+Problem problem_in_method(const Source& source, std::size_t offset, std::string message,
+                          std::string hint = {}) {
+    Problem problem = problem_at(source, offset, std::move(message), std::move(hint));
+    problem.line = 0;
+    return problem;
+}
+
+} // namespace
+
+Result<MethodOverrides> parse_method(const Source& source) {
+    std::vector<std::string_view> keys;
+    for (const MethodKey& key : method_keys())
+        keys.push_back(key.name);
+    MethodOverrides method;
+    std::size_t offset = 0;
+    for (const std::string& choice : split_at(source.text, ',')) {
+        const std::size_t equals = choice.find('=');
+        if (equals == std::string::npos)
+            return problem_in_method(
+                source, offset,
+                fmt::format("expected a choice like rounding=truncate, found \"{}\"", choice));
+        std::string name = choice.substr(0, equals);
+        std::replace(name.begin(), name.end(), '-', '_');
+        const std::string value = choice.substr(equals + 1);
+        const MethodKey* const key = find_method_key(name);
+        if (key == nullptr)
+            return problem_in_method(
+                source, offset,
+                fmt::format("expected a key out of {}, found \"{}\"", joined(keys, ", "), name),
+                did_you_mean(name, keys));
+        Method scratch;
+        if (!key->set(scratch, value))
+            return problem_in_method(source, offset + equals + 1,
+                                     fmt::format("expected {} out of {}, found \"{}\"", name,
+                                                 joined(key->values, ", "), value),
+                                     did_you_mean(value, key->values));
+        method.emplace_back(name, value);
+        offset += choice.size() + 1;
+    }
+    return method;
 }
 
 } // namespace rastertrace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "input_check.h"
+#include "input_file.h"
 #include "zero_byte.h"
 
 #include <rastertrace/trace/input.h>
@@ -8,14 +9,9 @@
 
 #include <fmt/core.h>
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <system_error>
 
 namespace rastertrace {
 
@@ -109,58 +105,21 @@ Problem::Cause cause_of_open_error(int error) {
 
 namespace {
 
-Result<Source> read_path(const std::string& path, bool is_standard_input, bool must_be_regular,
-                         InputCheck fault_of) {
-    Source source{.name = is_standard_input ? "standard input" : path, .text = {}};
-    const auto failure = [&source](Problem::Cause cause, const std::string& why) {
-        Problem problem = problem_of(source.name, why);
-        problem.cause = cause;
-        return problem;
-    };
-
-    // A file that is not there was asked for wrongly; one that cannot be read on is broken.
-    const int flags = O_RDONLY | O_CLOEXEC | (must_be_regular ? O_NONBLOCK : 0);
-    const Descriptor opened(is_standard_input ? -1 : ::open(path.c_str(), flags));
-    if (!is_standard_input && !opened.is_open())
-        return failure(cause_of_open_error(errno),
-                       fmt::format("expected a file that can be read, found: {}",
-                                   std::generic_category().message(errno)));
-    const int descriptor = is_standard_input ? STDIN_FILENO : opened.number();
-    struct stat status {};
-    int error = ::fstat(descriptor, &status) == 0 ? 0 : errno;
-    const bool is_folder = error == 0 && S_ISDIR(status.st_mode);
-    const bool is_refused =
-        is_folder || (error == 0 && must_be_regular && !S_ISREG(status.st_mode));
-
-    // Neither the size that the system tells nor the end of the file is trusted.
-    std::optional<Problem> fault;
-    if (error == 0 && !is_refused) {
-        if (S_ISREG(status.st_mode))
-            source.file = FileId{.device = status.st_dev, .inode = status.st_ino};
-        std::array<char, 1 << 16> buffer;
-        ssize_t count = 0;
-        while (!fault && (count = ::read(descriptor, buffer.data(), buffer.size())) != 0) {
-            if (count > 0) {
-                const std::size_t block = source.text.size();
-                source.text.append(buffer.data(), static_cast<std::size_t>(count));
-                fault = fault_of(source, block);
-            } else if (errno == EAGAIN) {
-                wait_until_readable(descriptor);
-            } else if (errno != EINTR) {
-                error = errno;
-                break;
-            }
+Result<Source> read_path(const std::string& path, InputFile::Kind kind, InputCheck fault_of) {
+    auto file = InputFile::open(path, kind);
+    if (!file)
+        return file.problem();
+    Source source{.name = file.value().name(), .text = {}, .file = file.value().id()};
+    try {
+        std::size_t block = 0;
+        while (file.value().read_into(source.text)) {
+            if (auto fault = fault_of(source, block))
+                return *std::move(fault);
+            block = source.text.size();
         }
+    } catch (const Problem& problem) {
+        return problem;
     }
-    if (is_refused)
-        return failure(Problem::Cause::input, is_folder
-                                                  ? "expected a file, found a folder"
-                                                  : "expected a file, found a pipe or a device");
-    if (fault)
-        return *std::move(fault);
-    if (error != 0)
-        return failure(Problem::Cause::system,
-                       "could not be read: " + std::generic_category().message(error));
     return source;
 }
 
@@ -171,17 +130,17 @@ Result<Source> read_source(const std::string& path) {
 }
 
 Result<Source> read_source(const std::string& path, const InputLimits& limits) {
-    return read_path(path, path == "-", false, {InputCheck::Kind::scene_or_trace, limits});
+    return read_path(path, InputFile::Kind::any, {InputCheck::Kind::scene_or_trace, limits});
 }
 
 Result<Source> read_source_or_claims(const std::string& path, const InputLimits& limits) {
-    return read_path(path, path == "-", false, {InputCheck::Kind::scene_trace_or_claims, limits});
+    return read_path(path, InputFile::Kind::any, {InputCheck::Kind::scene_trace_or_claims, limits});
 }
 
 Result<Source> read_named_file(const std::string& path, const InputLimits& limits) {
     if (path.find('\0') != std::string::npos)
         return problem_of(path, "expected the name of a file, found one with a zero byte");
-    return read_path(path, false, true, {InputCheck::Kind::other, limits});
+    return read_path(path, InputFile::Kind::regular_file, {InputCheck::Kind::other, limits});
 }
 
 } // namespace rastertrace

@@ -52,6 +52,22 @@ std::optional<std::array<Rational, size>> numbers_in(const std::vector<std::stri
 /// 2 (-3), (-2) (-3)
 std::string product(const Rational& a, const Rational& b);
 
+/// The function of an edge, E = a (x - x1) + b (y - y1) from its first end.
+struct EdgeFunctionText {
+    Rational a, b;
+    Vec2 from;
+    bool is_top_left;
+
+    Rational value_at(const Vec2& p) const { return a * (p.x - from.x) + b * (p.y - from.y); }
+
+    /// 8 (1/2) + (-8) (1/2) = 0: on a top or left edge, inside
+    std::string at(const Vec2& p) const;
+};
+
+/// That of an `edge` step, if it has one.
+std::optional<EdgeFunctionText> edge_function_in(const StepView& step,
+                                                 const PrimitiveText& primitive);
+
 // The workings of steps in space (working_in_space.cpp): matrices and vertices on their way to the screen,
 // faces and their light.
 void write_triangulation(Sheet& sheet);

@@ -136,11 +136,18 @@ std::string point(std::vector<std::string> coordinates) {
     return fmt::format("({})", joined(coordinates, ", "));
 }
 
-PrimitiveText primitive_of(const Replay& replay) {
-    if (replay.primitive() == 0)
-        return {};
-    const StepView step = replay.trace().step(replay.primitive());
+PrimitiveText primitive_in(const StepView& step) {
     return {step.text("kind"), step.text("name"), step.texts("vertices"), step.text_rows("at")};
+}
+
+std::string edge_name(const PrimitiveText& primitive, std::size_t from, std::size_t to) {
+    const std::vector<std::string_view> names(primitive.vertices.begin(), primitive.vertices.end());
+    return fmt::format("{}{}{}", names[from], name_separator(names), names[to]);
+}
+
+PrimitiveText primitive_of(const Replay& replay) {
+    return replay.primitive() == 0 ? PrimitiveText{}
+                                   : primitive_in(replay.trace().step(replay.primitive()));
 }
 
 std::optional<EdgeEnds> ends_of_edge(const PrimitiveText& primitive, const std::string& edge) {
@@ -267,6 +274,24 @@ std::optional<ColorOnLine> color_on_line(const Replay& replay, const PrimitiveTe
     return color;
 }
 
+std::optional<bool> is_x_major_octant(const StepView& step) {
+    const auto octant = step.whole("octant");
+    if (!octant)
+        return std::nullopt;
+    return *octant == 1 || *octant == 4 || *octant == 5 || *octant == 8;
+}
+
+bool covers(const StepView& step, Pixel pixel) {
+    const auto lies_between = [&step](Index at, std::string_view from, std::string_view to) {
+        const auto first = step.whole(from);
+        const auto last = step.field(to) ? step.whole(to) : first;
+        return first && last && std::min(*first, *last) <= at && at <= std::max(*first, *last);
+    };
+    const bool is_whole_row = !step.field("x") && step.field("to_y");
+    return lies_between(pixel.y, "y", "to_y") &&
+           (is_whole_row || lies_between(pixel.x, "x", "to_x"));
+}
+
 std::optional<SlopeForm> slope_form_of(const LineEnds& ends, bool is_x_major) {
     const Rational dx = ends.to.x - ends.from.x;
     const Rational dy = ends.to.y - ends.from.y;
@@ -324,7 +349,7 @@ std::size_t along_before(const Replay& replay, std::size_t n) {
         const auto kind = replay.trace().kind_of(before);
         if (kind == StepKind::along)
             return before;
-        if (kind != StepKind::pixel && kind != StepKind::reject)
+        if (kind != StepKind::pixel && kind != StepKind::depth && kind != StepKind::reject)
             break;
     }
     return 0;

@@ -69,6 +69,12 @@ struct PrimitiveText {
     std::vector<std::vector<std::string>> positions;
 };
 
+/// What a `primitive` step says.
+PrimitiveText primitive_in(const StepView& step);
+
+/// AB, or A1-B1: the edge between two of its vertices.
+std::string edge_name(const PrimitiveText& primitive, std::size_t from, std::size_t to);
+
 /// The primitive that the current step of a replay belongs to.
 PrimitiveText primitive_of(const Replay& replay);
 
@@ -109,6 +115,12 @@ struct ColorOnLine {
 };
 std::optional<ColorOnLine> color_on_line(const Replay& replay, const PrimitiveText& primitive);
 
+/// True for a line of octant 1, 4, 5 or 8, which goes from column to column; `nullopt` if the step tells none.
+std::optional<bool> is_x_major_octant(const StepView& step);
+
+/// True if a step is about a pixel, or about a run of pixels that it is one of.
+bool covers(const StepView& step, Pixel pixel);
+
 /// A line as y = m x + b, or, where y is the longer direction, as x = m y + b.
 struct SlopeForm {
     Rational m;
@@ -138,6 +150,10 @@ Rational sample_offset(const Trace& trace);
 
 /// The sample point of the pixel that a step is about.
 std::optional<Vec2> sample_of(const Trace& trace, const StepView& step);
+
+/// How an end of a row, `left` or `right`, becomes its pixel: ` -> floor`; or how it lies to the pixel's sample.
+std::string rule_of_end(const Trace& trace, const StepView& step, const std::string& side,
+                        const std::string& pixel);
 
 /// The `along` step before step n of the current primitive on the same line; 0 if there is none.
 std::size_t along_before(const Replay& replay, std::size_t n);

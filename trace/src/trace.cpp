@@ -4,6 +4,7 @@
 #include "canvas_json.h"
 #include "json_document.h"
 #include "json_scanner.h"
+#include "trace_lines.h"
 #include "zero_byte.h"
 
 #include <rastertrace/core/numbers/number.h>
@@ -83,6 +84,31 @@ std::vector<std::vector<std::string>> StepView::text_rows(std::string_view name)
     return result;
 }
 
+Trace Trace::without_steps() const {
+    Trace excerpt;
+    excerpt.title = title;
+    excerpt.canvas = canvas;
+    excerpt.background = background;
+    excerpt.method = method;
+    excerpt.stages = stages;
+    excerpt.is_partial = is_partial;
+    excerpt.left_out = left_out;
+    excerpt.end = end;
+    return excerpt;
+}
+
+void Trace::add_to_excerpt(const StepView& step, std::optional<StepKind> kind, std::size_t number) {
+    const std::string_view json = step.json();
+    steps_.push_back({source_.text.size(), static_cast<std::uint32_t>(json.size()), kind});
+    numbers_.push_back(number);
+    source_.text += json;
+}
+
+bool Trace::lacks(StepKind kind) const {
+    const auto& only = left_out.only;
+    return only && std::find(only->begin(), only->end(), name_of(kind)) == only->end();
+}
+
 std::string Trace::method_value(std::string_view key) const {
     for (const auto& [name, value] : method)
         if (name == key)
@@ -129,6 +155,40 @@ bool has_type(std::string_view json, FieldType type) {
 
 } // namespace
 
+bool is_header(std::string_view line, std::string_view last_key) {
+    JsonScanner fields(line);
+    bool has_version = false;
+    bool has_steps = false;
+    while (fields.next_field()) {
+        has_version = has_version || fields.key() == "rastertrace";
+        has_steps = has_steps || fields.key() == "steps";
+    }
+    return !fields.failed() && has_version &&
+           (last_key.empty() ? !has_steps : fields.key() == last_key);
+}
+
+LineLayout layout_of(std::string_view first_line) {
+    // A document's first line ends where its steps begin; that of JSON Lines is an object by itself.
+    if (first_line.ends_with('[') && is_header(std::string(first_line) + "]}", "steps"))
+        return LineLayout::document;
+    return is_header(first_line, "") ? LineLayout::lines : LineLayout::other;
+}
+
+bool is_end_line(std::string_view line) {
+    JsonScanner fields(line);
+    return fields.next_field() && fields.key() == "end";
+}
+
+std::string truncation_after(std::size_t steps) {
+    return fmt::format("expected the rest of the trace, found the end of the file: the trace is "
+                       "truncated after {} whole steps",
+                       steps);
+}
+
+std::string disagreement(std::string_view told, std::string_view what, std::string_view found) {
+    return fmt::format("expected {} {} as the end record says, found {}", told, what, found);
+}
+
 /// Reads one trace. What makes the rest useless is thrown as a Problem; what does not is damage.
 class TraceReader {
 public:
@@ -138,16 +198,17 @@ public:
     }
 
     Trace read() {
-        // The first line of our own layouts says which it is: a document's ends where its steps
-        // begin, and that of JSON Lines is an object by itself.
         const std::string_view first_line = line_at(0);
-        const std::string closed = std::string(first_line) + "]}";
-        if (first_line.ends_with('[') && is_header(closed, "steps")) {
+        switch (layout_of(first_line)) {
+        case LineLayout::document:
             read_line_by_line(first_line, "]}", ']');
-        } else if (is_header(first_line, "")) {
+            break;
+        case LineLayout::lines:
             read_line_by_line(first_line, "", '\0');
-        } else {
+            break;
+        case LineLayout::other:
             read_document();
+            break;
         }
         if (!is_sound_)
             compare_with_end();
@@ -168,20 +229,6 @@ private:
         line = line.substr(0, line.find('\n'));
         line.remove_suffix(line.size() - (line.find_last_not_of(" \t\r") + 1));
         return line;
-    }
-
-    /// True for an object that has the trace's version, and whose last key is `last_key`; for one
-    /// without steps if that is "".
-    static bool is_header(std::string_view line, std::string_view last_key) {
-        JsonScanner fields(line);
-        bool has_version = false;
-        bool has_steps = false;
-        while (fields.next_field()) {
-            has_version = has_version || fields.key() == "rastertrace";
-            has_steps = has_steps || fields.key() == "steps";
-        }
-        return !fields.failed() && has_version &&
-               (last_key.empty() ? !has_steps : fields.key() == last_key);
     }
 
     /// Any layout of a complete JSON document.
@@ -238,11 +285,6 @@ private:
             offset = next;
         }
         cut_short(text().size());
-    }
-
-    static bool is_end_line(std::string_view line) {
-        JsonScanner fields(line);
-        return fields.next_field() && fields.key() == "end";
     }
 
     void read_end_line(std::size_t begin, std::string_view line, bool is_last) {
@@ -327,11 +369,7 @@ private:
 
     void cut_short(std::size_t offset) {
         if (!was_cut_short_)
-            trace_.damage.push_back(problem_at(
-                source(), offset,
-                fmt::format("expected the rest of the trace, found the end of the file: the trace "
-                            "is truncated after {} whole steps",
-                            trace_.size())));
+            trace_.damage.push_back(problem_at(source(), offset, truncation_after(trace_.size())));
         was_cut_short_ = true;
     }
 
@@ -377,19 +415,30 @@ private:
         if (const auto stages = header.find("stages"))
             for (const JsonValue& stage : stages->elements())
                 read_stage(stage);
-        const auto only = header.find("only");
-        const auto leaves_out = [&only](StepKind kind) {
-            if (!only)
-                return false;
+        read_left_out(header);
+    }
+
+    /// Which steps were left out.
+    void read_left_out(const JsonValue& header) {
+        LeftOut& left_out = trace_.left_out;
+        const auto region = header.find("region");
+        const auto primitive = header.find("primitive");
+        if (const auto only = header.find("only")) {
+            left_out.only.emplace();
             for (const JsonValue& name : only->elements())
-                if (name.text == name_of(kind))
-                    return false;
-            return true;
-        };
-        const bool leaves_out_places = header.find("region") || header.find("primitive");
-        trace_.is_partial = only || leaves_out_places;
-        has_every_pixel_ = !leaves_out_places && !leaves_out(StepKind::pixel);
-        has_every_color_ = has_every_pixel_ && !leaves_out(StepKind::primitive);
+                left_out.only->push_back(name.text);
+        }
+        if (region && region->elements().size() == 4) {
+            left_out.region.emplace();
+            for (std::size_t i = 0; i < 4; ++i)
+                (*left_out.region)[i] = whole_in(region->elements()[i].text).value_or(0);
+        }
+        if (primitive)
+            left_out.primitive = primitive->text;
+        const bool leaves_out_places = region || primitive;
+        trace_.is_partial = left_out.only || leaves_out_places;
+        has_every_pixel_ = !leaves_out_places && !trace_.lacks(StepKind::pixel);
+        has_every_color_ = has_every_pixel_ && !trace_.lacks(StepKind::primitive);
     }
 
     /// A stage that ran. What is no such record is passed over.
@@ -514,9 +563,8 @@ private:
         }
         const auto disagree = [this](std::string_view told, std::string_view what,
                                      const auto& found) {
-            trace_.damage.push_back(problem_at(
-                source(), end_offset_,
-                fmt::format("expected {} {} as the end record says, found {}", told, what, found)));
+            trace_.damage.push_back(problem_at(source(), end_offset_,
+                                               disagreement(told, what, fmt::format("{}", found))));
         };
         if (trace_.end->steps && *trace_.end->steps != trace_.size())
             disagree(fmt::format("{}", *trace_.end->steps), "steps", trace_.size());

@@ -7,7 +7,6 @@
 #include <rastertrace/core/numbers/vec.h>
 #include <rastertrace/core/scene/stages.h>
 #include <rastertrace/trace/color_text.h>
-#include <rastertrace/trace/scene_file.h>
 #include <rastertrace/trace/text.h>
 
 #include <fmt/core.h>
@@ -34,12 +33,6 @@ void order(Sheet& sheet) {
         sheet.put(fmt::format("{}. {} at {}", i + 1, names[i], in_sentence(distances[i])));
 }
 
-/// AB, or A1-B1.
-std::string side_name(const PrimitiveText& primitive, std::size_t from, std::size_t to) {
-    const std::vector<std::string_view> names(primitive.vertices.begin(), primitive.vertices.end());
-    return fmt::format("{}{}{}", names[from], name_separator(names), names[to]);
-}
-
 /// Which way a triangle is turned: each vertex against the edge before it.
 void primitive(Sheet& sheet) {
     const auto corners = corners_of(sheet.primitive);
@@ -55,8 +48,8 @@ void primitive(Sheet& sheet) {
         const Rational value = doubled_area(a, b, p);
         const bool is_left = (sgn(value) > 0) == is_y_up;
         sheet.put(fmt::format(
-            "{0} x {1} = {2} - {3} = {4}: {5} lies {6}", side_name(sheet.primitive, i, (i + 1) % 3),
-            side_name(sheet.primitive, i, (i + 2) % 3), product(b.x - a.x, p.y - a.y),
+            "{0} x {1} = {2} - {3} = {4}: {5} lies {6}", edge_name(sheet.primitive, i, (i + 1) % 3),
+            edge_name(sheet.primitive, i, (i + 2) % 3), product(b.x - a.x, p.y - a.y),
             product(b.y - a.y, p.x - a.x), text(value), names[(i + 2) % 3],
             sgn(value) == 0 ? "on it"
             : is_left       ? "left of it"
@@ -68,25 +61,18 @@ void primitive(Sheet& sheet) {
     sheet.put(fmt::format("area = |{}| / 2 = {}, {}", text(area), text(abs(area) / 2), turn));
 }
 
-/// The function of an edge, E = a (x - x1) + b (y - y1) from its first end.
-struct EdgeFunctionText {
-    Rational a, b;
-    Vec2 from;
-    bool is_top_left;
+} // namespace
 
-    /// 8 (1/2) + (-8) (1/2) = 0: on a top or left edge, inside
-    std::string at(const Vec2& p) const {
-        const Rational value = a * (p.x - from.x) + b * (p.y - from.y);
-        return fmt::format("{} + {} = {}: {}", product(a, p.x - from.x), product(b, p.y - from.y),
-                           text(value),
-                           sgn(value) > 0   ? "> 0, inside"
-                           : sgn(value) < 0 ? "< 0, outside"
-                           : is_top_left    ? "on a top or left edge, inside"
-                                            : "on the edge, outside");
-    }
-};
+std::string EdgeFunctionText::at(const Vec2& p) const {
+    const Rational value = value_at(p);
+    return fmt::format("{} + {} = {}: {}", product(a, p.x - from.x), product(b, p.y - from.y),
+                       text(value),
+                       sgn(value) > 0   ? "> 0, inside"
+                       : sgn(value) < 0 ? "< 0, outside"
+                       : is_top_left    ? "on a top or left edge, inside"
+                                        : "on the edge, outside");
+}
 
-/// That of an `edge` step, if it has one.
 std::optional<EdgeFunctionText> edge_function_in(const StepView& step,
                                                  const PrimitiveText& primitive) {
     const auto a = number_in(step, "a");
@@ -97,6 +83,8 @@ std::optional<EdgeFunctionText> edge_function_in(const StepView& step,
         return std::nullopt;
     return EdgeFunctionText{*a, *b, *from, step.text("top_left") == "true"};
 }
+
+namespace {
 
 /// Both forms of the line, and on which side the third corner lies.
 void edge(Sheet& sheet) {
@@ -146,10 +134,14 @@ void put_crossing(Sheet& sheet, const std::string& side) {
     const Rational way = slope * (y - from->y);
     if (!sheet.agrees(from->x + way, *told))
         return;
-    sheet.put(fmt::format("{} {}: x = {} {} ({} {}) = {} {} = {}", side,
-                          sheet.step.text(side + "_edge"), text(from->x), plus(text(slope)),
-                          text(y), minus(text(from->y)), text(from->x), plus(text(way)),
-                          text(*told)));
+    const std::string pixel = sheet.step.text(side == "left" ? "from" : "to");
+    sheet.put(fmt::format(
+        "{} {}: x = (x2 - x1)/(y2 - y1) (y - y1) + x1 = ({} {})/({} {}) ({} {}) {} = {} {} = {}{} "
+        "-> {}",
+        side, sheet.step.text(side + "_edge"), text(to->x), minus(text(from->x)), text(to->y),
+        minus(text(from->y)), text(y), minus(text(from->y)), plus(text(from->x)),
+        product(slope, y - from->y), plus(text(from->x)), text(*told),
+        rule_of_end(sheet.trace(), sheet.step, side, pixel), pixel));
 
     // The same LERP for the depth there.
     const auto depth_of = [&](const std::vector<std::string>& end) -> std::optional<Rational> {
@@ -234,8 +226,8 @@ void sample(Sheet& sheet) {
     const auto& names = sheet.primitive.vertices;
     const auto& [xs, ys, weights] = *cross;
     sheet.put(fmt::format("P = {}: {} = {}, {} = {}, P to {} = {}", text(*p),
-                          side_name(sheet.primitive, 0, 1), text(Vec2{xs.x, ys.x}),
-                          side_name(sheet.primitive, 0, 2), text(Vec2{xs.y, ys.y}), names[0],
+                          edge_name(sheet.primitive, 0, 1), text(Vec2{xs.x, ys.x}),
+                          edge_name(sheet.primitive, 0, 2), text(Vec2{xs.y, ys.y}), names[0],
                           text(Vec2{xs.z, ys.z})));
     sheet.put(fmt::format("{} x {} = {}", text(xs), text(ys), text(weights)));
     const Rational u = weights.x / weights.z;
@@ -459,7 +451,7 @@ void pixel(Sheet& sheet) {
         // The row or the sample is of the same primitive, with the same edges.
         Sheet of_reason{sheet.replay, reason, sheet.trace().step(reason), sheet.primitive};
         write_working(of_reason);
-        sheet.put(fmt::format("because of step {}", reason));
+        sheet.put(fmt::format("because of step {}", sheet.trace().number_of(reason)));
         for (std::string& line : of_reason.lines)
             sheet.put(std::move(line));
     }

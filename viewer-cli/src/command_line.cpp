@@ -251,6 +251,7 @@ public:
                     std::string(exit_statuses));
         add_trace();
         add_show();
+        add_explain();
         add_stats();
         add_check();
         add_plan();
@@ -434,6 +435,76 @@ private:
             show_.frames = show_frames_.choice();
             action_ = [this] { return rastertrace::run(show_); };
         });
+    }
+
+    void add_explain() {
+        CLI::App& command = add_command(
+            "explain", "Say why a pixel, a row, a face, ... is as it is",
+            "rastertrace explain examples/t0-fill/first-triangle.json --pixel 4,2\n\n"
+            "Of a pixel: who drew it, and what kept all others out, with the numbers. --against\n"
+            "rounding=truncate asks the same under another method, and tells the first decision\n"
+            "that differs.");
+        command.add_option("trace", explain_.trace, std::string(trace_input))
+            ->required()
+            ->type_name("TRACE");
+        CLI::Option_group* const what = command.add_option_group("What is asked", "One of these");
+        what->require_option(1);
+        what->add_option("--pixel", explain_pixel_, "Who drew it, and why others did not")
+            ->type_name("X,Y");
+        what->add_option("--scanline", explain_row_, "Both ends of the row")->type_name("Y");
+        const auto add_text = [&](const char* name, const char* meaning, const char* type) {
+            what->add_option(name, explain_texts_[name], meaning)->type_name(type);
+        };
+        add_text("--face", "How it is turned, lit and clipped, and what is seen of it", "NAME");
+        add_text("--vertex", "Where it is, from space to space", "NAME");
+        add_text("--edge", "How it is set up, and the rows that end at it", "NAME");
+        add_text("--pair", "Who has each pixel along the edge of two triangles", "NAME,NAME");
+        add_text("--step", "One step: a number, or like \"scanline y=2\"", "STEP");
+        command
+            .add_option("--against", explain_.against,
+                        "Ask the same of the scene drawn by another method, like "
+                        "rounding=truncate,sample=center")
+            ->type_name("METHOD");
+        command.add_option("--format", explain_format_, "text or json")->type_name("NAME");
+        command.add_flag("--json", explain_.json, "Short for --format json");
+        explain_method_.add_to(command);
+        explain_input_.add_to(command);
+        explain_frames_.add_to(command, first_frame);
+        command.callback([this] {
+            if (!explain_format_.empty() && explain_format_ != "text" && explain_format_ != "json")
+                refuse("--format", "text or json", explain_format_);
+            explain_.json = explain_.json || explain_format_ == "json";
+            explain_.question = explain_question();
+            explain_.method = explain_method_.overrides();
+            explain_.input = explain_input_.limits();
+            explain_.frames = explain_frames_.choice();
+            action_ = [this] { return rastertrace::run(explain_); };
+        });
+    }
+
+    /// What `explain` is asked.
+    Question explain_question() const {
+        if (!explain_pixel_.empty()) {
+            const auto words = split_at(explain_pixel_, ',');
+            const auto x = whole_in<int>(words.front());
+            const auto y = words.size() == 2 ? whole_in<int>(words.back()) : std::nullopt;
+            if (!x || !y)
+                refuse("--pixel", "a pixel as x,y, like 4,2", explain_pixel_);
+            return {.about = Topic::pixel, .pixel = {*x, *y}};
+        }
+        if (!explain_row_.empty()) {
+            const auto y = whole_in<int>(explain_row_);
+            if (!y)
+                refuse("--scanline", "the y of a row, like 2", explain_row_);
+            return {.about = Topic::scanline, .pixel = {0, *y}};
+        }
+        for (const Topic topic :
+             {Topic::face, Topic::vertex, Topic::edge, Topic::pair, Topic::step}) {
+            const auto text = explain_texts_.find("--" + std::string(name_of(topic)));
+            if (text != explain_texts_.end() && !text->second.empty())
+                return {.about = topic, .text = text->second};
+        }
+        return {};
     }
 
     void add_stats() {
@@ -816,6 +887,15 @@ private:
     MethodOptions show_method_;
     InputOptions show_input_;
     FrameOptions show_frames_;
+
+    ExplainCommand explain_;
+    std::string explain_pixel_;
+    std::string explain_row_;
+    std::map<std::string, std::string> explain_texts_; ///< --face, --vertex, ...
+    std::string explain_format_;
+    MethodOptions explain_method_;
+    InputOptions explain_input_;
+    FrameOptions explain_frames_;
 
     StatsCommand stats_;
     std::string fail_on_;

@@ -9,6 +9,7 @@
 #include "terminal_text.h"
 #include "view.h"
 
+#include <rastertrace/trace/explain.h>
 #include <rastertrace/trace/input.h>
 #include <rastertrace/trace/method_names.h>
 #include <rastertrace/trace/vary.h>
@@ -130,6 +131,17 @@ struct CheckCommand {
     FrameChoice frames;
 };
 int run(const CheckCommand& command);
+
+struct ExplainCommand {
+    std::string trace;
+    Question question;
+    std::string against; ///< METHOD: the same question under another one; empty: none
+    bool json = false;
+    MethodOverrides method;
+    InputLimits input;
+    FrameChoice frames;
+};
+int run(const ExplainCommand& command);
 
 struct RenewCommand {
     std::vector<std::string> pages;

@@ -63,6 +63,15 @@ void refuse_scene_options(const Source& source, const SceneOptions& options) {
                      "a trace is what this command makes; `show` and `stats` read it");
 }
 
+/// The trace of a scene, which is given up before its trace is read: both may be large.
+Trace drawn(PlannedScene planned, const std::string& name) {
+    Source source = [&] {
+        const PlannedScene scene = std::move(planned);
+        return written_trace(scene.scene, scene.plan, name);
+    }();
+    return value_or_throw(read_written_trace(std::move(source)));
+}
+
 Trace titled(Trace trace, const std::string& path) {
     trace.title = shown_title(trace.title, path);
     return trace;
@@ -73,8 +82,8 @@ Trace titled(Trace trace, const std::string& path) {
 InputFrames::InputFrames(const std::string& path, const SceneOptions& options)
     : InputFrames(path, read_input(path, options.limits), options) {}
 
-InputFrames::InputFrames(std::string path, Source source, const SceneOptions& options)
-    : path_(std::move(path)), source_(std::move(source)) {
+InputFrames::InputFrames(const std::string& path, Source source, const SceneOptions& options)
+    : path_(path), options_(options), source_(std::move(source)) {
     if (is_trace(source_)) {
         refuse_scene_options(source_, options);
         return;
@@ -98,12 +107,25 @@ PlannedScene InputFrames::scene(std::size_t frame) {
 Trace InputFrames::trace(std::size_t frame) {
     if (!scenes_)
         return titled(value_or_throw(read_trace(std::move(source_))), path_);
-    // The scene is given up before its trace is read: both may be large.
-    Source drawn = [&] {
-        const PlannedScene scene = this->scene(frame);
-        return written_trace(scene.scene, scene.plan, source_.name);
-    }();
-    return titled(value_or_throw(read_written_trace(std::move(drawn))), path_);
+    return titled(drawn(scene(frame), source_.name), path_);
+}
+
+Trace InputFrames::trace_by(std::size_t frame, const MethodOverrides& method) const {
+    if (!scenes_)
+        refuse_scene_options(source_, {.method = method});
+    SceneSequence scenes(source_, method, options_.limits, options_.frames.vary);
+    return titled(drawn(scenes.frame(frame), source_.name), path_);
+}
+
+std::variant<StepStream, Source> open_input(const std::string& path, const SceneOptions& options) {
+    auto opened = open_steps(path, options.limits);
+    const auto* const steps = std::get_if<StepStream>(&opened);
+    const auto& file = steps ? steps->file() : std::get<Source>(opened).file;
+    if (file)
+        refuse_as_standard_output({*file});
+    if (steps)
+        refuse_scene_options({path == "-" ? "standard input" : path, {}, {}}, options);
+    return opened;
 }
 
 PlannedScene load_scene(const std::string& path, const SceneOptions& options) {

@@ -9,6 +9,7 @@
 #include <rastertrace/trace/check.h>
 #include <rastertrace/trace/problem.h>
 #include <rastertrace/trace/scene_file.h>
+#include <rastertrace/trace/step_stream.h>
 #include <rastertrace/trace/trace.h>
 #include <rastertrace/trace/vary.h>
 
@@ -17,6 +18,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 
 namespace rastertrace {
 
@@ -45,8 +47,8 @@ public:
     /// files that are read is one.
     InputFrames(const std::string& path, const SceneOptions& options);
 
-    /// The same of a file that has been read.
-    InputFrames(std::string path, Source source, const SceneOptions& options);
+    /// The same for a file that has been read.
+    InputFrames(const std::string& path, Source source, const SceneOptions& options);
     InputFrames(const InputFrames&) = delete;
     InputFrames& operator=(const InputFrames&) = delete;
 
@@ -67,13 +69,22 @@ public:
     /// Damage that leaves a trace usable is left to the caller, see report_damage.
     Trace trace(std::size_t frame);
 
+    /// That of the scene's frame, drawn by another method instead. Throws a Problem; that the input is a
+    /// trace is one.
+    Trace trace_by(std::size_t frame, const MethodOverrides& method) const;
+
 private:
     std::string path_;
+    SceneOptions options_;
     Source source_;
     std::optional<SceneSequence> scenes_; ///< none: it is a trace
     std::size_t first_ = 1;
     std::size_t last_ = 1;
 };
+
+/// The steps of the trace in a file, to be read one by one; or the file whole, if it is a scene, or a trace that has
+/// not one step a line. Throws a Problem, as InputFrames does.
+std::variant<StepStream, Source> open_input(const std::string& path, const SceneOptions& options);
 
 /// The scene in a file: the frame that was chosen, or the first.
 PlannedScene load_scene(const std::string& path, const SceneOptions& options = {});

@@ -6,6 +6,7 @@
 
 #include <rastertrace/core/scene/method.h>
 #include <rastertrace/core/scene/scene.h>
+#include <rastertrace/trace/problem.h>
 
 #include <span>
 #include <string>
@@ -41,5 +42,9 @@ const MethodKey* find_method_key(std::string_view name);
 
 /// Choices made on the command line instead of in the scene: key and value.
 using MethodOverrides = std::vector<std::pair<std::string, std::string>>;
+
+/// Reads METHOD, choices in one word: `rounding=truncate` or `fill=top-left,sample=center`. The problem of a text
+/// that is none points into it.
+Result<MethodOverrides> parse_method(const Source& source);
 
 } // namespace rastertrace

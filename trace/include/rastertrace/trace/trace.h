@@ -15,6 +15,7 @@
 #include <rastertrace/trace/problem.h>
 #include <rastertrace/trace/step_kind.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -68,6 +69,13 @@ struct EndRecord {
     std::string frame;                          ///< name of the final picture, see frame_name
 };
 
+/// Which steps were left out, as the header says: `only`, `region`, `primitive`.
+struct LeftOut {
+    std::optional<std::vector<std::string>> only; ///< the kinds that were written
+    std::optional<std::array<Index, 4>> region;   ///< x0, y0, x1, y1: those about these pixels
+    std::string primitive;                        ///< the one whose steps were written
+};
+
 class Trace {
 public:
     std::string title;
@@ -76,6 +84,7 @@ public:
     std::vector<std::pair<std::string, std::string>> method; ///< key and value, as in the header
     std::vector<std::string> stages; ///< those that ran, as in the header; see stages.h
     bool is_partial = false; ///< the header says that steps were left out: only, region, primitive
+    LeftOut left_out;
     std::optional<EndRecord> end;
 
     /// What is wrong with the trace though its whole steps can be used: cut short, pixels off the
@@ -90,6 +99,20 @@ public:
 
     /// The kind of step n, if we know it.
     std::optional<StepKind> kind_of(std::size_t n) const { return steps_[n - 1].kind; }
+
+    /// The number of step n in the trace that this is an excerpt of; n, if it is none.
+    std::size_t number_of(std::size_t n) const {
+        return numbers_.empty() || n == 0 ? n : numbers_[n - 1];
+    }
+
+    /// The header and the end of this trace, without a step: the beginning of an excerpt.
+    Trace without_steps() const;
+
+    /// Adds a step to an excerpt: step `number` of the whole trace.
+    void add_to_excerpt(const StepView& step, std::optional<StepKind> kind, std::size_t number);
+
+    /// True if steps of this kind were left out.
+    bool lacks(StepKind kind) const;
 
     /// The value of a method's key, or "".
     std::string method_value(std::string_view key) const;
@@ -111,6 +134,7 @@ private:
 
     Source source_;
     std::vector<StepPlace> steps_;
+    std::vector<std::size_t> numbers_; ///< of an excerpt: those of its steps in the whole trace
 };
 
 /// Reads a trace in either layout, found by its content. A problem comes back only if nothing can

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#include <rastertrace/trace/explain.h>
+
+#include "picture.h"
+#include "traces.h"
+
+#include <rastertrace/trace/frame.h>
+#include <rastertrace/trace/method_names.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rastertrace {
+namespace {
+
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+Explanation answer_to(const Trace& trace, const Question& question) {
+    auto answer = explain(trace, question);
+    if (!answer) {
+        ADD_FAILURE() << to_text(answer.problem());
+        return {};
+    }
+    return std::move(answer.value());
+}
+
+Question pixel(int x, int y) {
+    return {.about = Topic::pixel, .pixel = {x, y}};
+}
+
+/// The only reason why a pixel is not drawn.
+std::string why_not(const Trace& trace, int x, int y) {
+    const Explanation answer = answer_to(trace, pixel(x, y));
+    EXPECT_EQ(answer.why_not.size(), 1U);
+    return answer.why_not.empty() ? "" : answer.why_not.front().sentence;
+}
+
+Trace first_triangle_by(Fill fill, std::optional<Rounding> rounding = {}) {
+    return trace_of(
+        first_triangle({.scalar = ScalarKind::exact, .fill = fill, .rounding = rounding}));
+}
+
+// T3's table of points: (4, 2) has the weights 5/8, -7/72, 17/36.
+TEST(Explain, WhatKeepsAPixelOutOfEachFill) {
+    EXPECT_EQ(why_not(first_triangle_by(Fill::scanline), 4, 2),
+              "AC ends row y=2 at x = 25/8 -> floor -> 3; x = 4 lies beyond it by 7/8");
+    EXPECT_EQ(why_not(first_triangle_by(Fill::scanline, Rounding::half_open), 5, -3),
+              "AC ends row y=-3 at x = 5 -> ceil - 1 -> 4; x = 5 lies on it, and the rule leaves "
+              "it out");
+    EXPECT_EQ(why_not(first_triangle_by(Fill::scanline, Rounding::truncate), -1, 2),
+              "AB begins row y=2 at x = -1/4 -> truncate -> 0; x = -1 lies before it by 3/4");
+    EXPECT_THAT(
+        why_not(first_triangle_by(Fill::barycentric), 4, 2),
+        testing::StartsWith("at (4, 2) the weight of B is -7/72 < 0: beyond CA, by 0.8192"));
+    EXPECT_EQ(why_not(first_triangle_by(Fill::barycentric), 7, 2),
+              "(7, 2) lies beyond the box around it, x -4 to 5, y -3 to 5, by 2");
+    EXPECT_EQ(why_not(first_triangle_by(Fill::fan), 5, 5),
+              "no line of the fan passes through the pixel");
+}
+
+// E of AB = 8 (x - 2) - 6 (y - 5), E of BC = y + 3 times 9: in (-1/2, 5/2) and (1, -3).
+TEST(Explain, TheEdgeFunctionAndTheTieRule) {
+    EXPECT_EQ(why_not(first_triangle_by(Fill::top_left), -1, 2),
+              "E of AB at (-1/2, 5/2) = 8 (-5/2) + (-6) (-5/2) = -5: < 0, outside, 0.5 px beyond "
+              "it");
+    const Trace on_points = trace_of(first_triangle(
+        {.scalar = ScalarKind::exact, .fill = Fill::top_left, .sample = Sample::integer}));
+    EXPECT_THAT(why_not(on_points, 1, -3),
+                HasSubstr("= 0: on the edge, outside: it is no top or left edge"));
+    EXPECT_THAT(why_not(on_points, 1, -3), HasSubstr("E of BC at (1, -3)"));
+    EXPECT_THAT(answer_to(on_points, pixel(-1, 1)).why_not, IsEmpty()); // on AB, a left edge
+}
+
+TEST(Explain, BothEndsOfARowAreWrittenOut) {
+    const Explanation answer =
+        answer_to(trace_of(first_triangle()), {.about = Topic::scanline, .pixel = {0, 2}});
+    ASSERT_EQ(answer.tries.size(), 1U);
+    EXPECT_EQ(answer.tries[0].number, 14U);
+    EXPECT_THAT(answer.tries[0].working,
+                Contains("left AB: x = (x2 - x1)/(y2 - y1) (y - y1) + x1 = "
+                         "(-4 - 2)/(-3 - 5) (2 - 5) + 2 = 3/4 (-3) + 2 = -1/4 -> floor -> -1"));
+}
+
+// T0's cube: ABC and ACD at z = 3; the back face at z = 5.
+TEST(Explain, DepthsThatFailAndFacesThatAreCulled) {
+    Scene cube = cube_of_t0({"EGF", "ABC", "EFG"});
+    cube.method.depth = Depth::inverse_z;
+    cube.method.cull = Cull::none;
+    const Trace drawn = trace_of(cube);
+    const Explanation shown = answer_to(drawn, pixel(1, 1));
+    EXPECT_THAT(shown.answer, HasSubstr("drawn by ABC at step "));
+    EXPECT_THAT(shown.answer, HasSubstr(", over EGF"));
+    ASSERT_FALSE(shown.why_not.empty());
+    EXPECT_EQ(shown.why_not[0].reason, "hidden");
+    EXPECT_THAT(
+        shown.why_not[0].sentence,
+        HasSubstr("1/5 against 1/3 of ABC: fails (1/z, larger is nearer; z = 5 against 3)"));
+
+    cube.method.cull = Cull::back;
+    const Explanation culled = answer_to(trace_of(cube), pixel(1, 1));
+    for (const WhyNot& why : culled.why_not)
+        if (why.reason == "culled") {
+            EXPECT_THAT(why.sentence, HasSubstr("-20"));
+        }
+    EXPECT_THAT(culled.why_not, Contains(testing::Field(&WhyNot::reason, "culled")));
+}
+
+TEST(Explain, FromPlaceToPlace) {
+    const Trace trace = trace_of(cube_of_t0({"ABC", "ACD"}));
+    const Explanation vertex = answer_to(trace, {.about = Topic::vertex, .text = "A"});
+    EXPECT_EQ(vertex.answer, "screen space: (-10/3, 10/3)");
+    std::vector<std::string> spaces;
+    for (const Try& one : vertex.tries)
+        spaces.push_back(StepView(one.step).text("space"));
+    EXPECT_THAT(spaces, ElementsAre("object", "world", "clip", "canonical", "screen"));
+    EXPECT_THAT(vertex.tries[1].working, Contains("z = 0 (-1) + 0 (1) + 1 (-1) + 4 (1) = 3"));
+
+    // T0: the normal (0, 0, -4), the view (1/3, ...), -12 from the eye to the face.
+    const Explanation face = answer_to(trace, {.about = Topic::face, .text = "ABC"});
+    EXPECT_THAT(face.tries[1].sentence, HasSubstr("normal (0, 0, -4)"));
+    EXPECT_THAT(face.tries[1].sentence, HasSubstr("= 12"));
+}
+
+/// Every pixel along an edge of a triangle on each side of it, with the top-left rule, has one owner.
+TEST(Explain, APairHasEachPixelAlongItsEdgeOnce) {
+    const Scene scene = lettered_triangles(
+        {{'p', {"0", "0", "9", "0", "0", "9"}}, {'q', {"9", "0", "9", "9", "0", "9"}}},
+        {.width = 10, .height = 10, .origin = Origin::bottom_left},
+        {.scalar = ScalarKind::exact, .fill = Fill::top_left});
+    const Trace trace = trace_of(scene);
+    const Explanation pair = answer_to(trace, {.about = Topic::pair, .text = "p,q"});
+    const Frame frame = frame_after(trace, trace.size());
+    ASSERT_FALSE(pair.pixels.empty());
+    for (const PixelAlongEdge& one : pair.pixels) {
+        const bool is_drawn = frame.image.at(one.pixel) != no_color;
+        EXPECT_EQ(one.owners.size(), is_drawn ? 1U : 0U);
+        EXPECT_EQ(one.why.size(), 2U);
+    }
+}
+
+TEST(Explain, WhatATraceLacksIsSaid) {
+    const Scene scene = first_triangle();
+    const auto only = [&scene](std::vector<StepKind> kinds) {
+        return readable_trace(trace_text(scene, {.filter = {.only = std::move(kinds)}}));
+    };
+    const Explanation rows =
+        answer_to(only({StepKind::primitive, StepKind::scanline}), pixel(0, 2));
+    EXPECT_EQ(rows.answer, "no step of the trace draws it, but not all steps are there");
+    EXPECT_THAT(rows.lacks, Contains("pixel steps were left out of the trace"));
+    ASSERT_EQ(rows.why_not.size(), 1U);
+    EXPECT_EQ(rows.why_not[0].sentence, "row y=2 has the pixels -1 to 3, but no step of the trace "
+                                        "says what became of this one");
+
+    const Explanation pixels = answer_to(only({StepKind::primitive, StepKind::pixel}), pixel(4, 2));
+    EXPECT_THAT(pixels.lacks, IsEmpty()); // that it is not drawn can be told; why, not
+    ASSERT_EQ(pixels.why_not.size(), 1U);
+    EXPECT_EQ(pixels.why_not[0].sentence,
+              "the trace has no edge, scanline, sample steps, which would say why");
+}
+
+TEST(Explain, TheFirstDecisionThatDiffers) {
+    const Trace floor = first_triangle_by(Fill::scanline);
+    const Trace truncate = first_triangle_by(Fill::scanline, Rounding::truncate);
+    const auto difference = first_difference(floor, truncate, pixel(-1, 2));
+    ASSERT_TRUE(difference && difference->one && difference->other);
+    EXPECT_THAT(difference->one->sentence, HasSubstr("-1/4 -> floor -> -1"));
+    EXPECT_THAT(difference->other->sentence, HasSubstr("-1/4 -> truncate -> 0"));
+    EXPECT_FALSE(first_difference(floor, truncate, pixel(1, 4))); // 5/4 -> 1 by both
+}
+
+TEST(Explain, AMethodIsReadFromOneWord) {
+    const auto method = parse_method({"--against", "fill=top-left,color-rounding=truncate"});
+    ASSERT_TRUE(method);
+    EXPECT_THAT(method.value(), ElementsAre(std::pair("fill", "top-left"),
+                                            std::pair("color_rounding", "truncate")));
+    EXPECT_EQ(to_text(parse_method({"--against", "fill=top-lfet"}).problem()),
+              "--against: expected fill out of scanline, two-halves, barycentric, top-left, fan, "
+              "found \"top-lfet\"\nfill=top-lfet\n     ^\nhint: did you mean top-left?");
+    EXPECT_EQ(to_text(parse_method({"--against", "truncate"}).problem()),
+              "--against: expected a choice like rounding=truncate, found \"truncate\"\n"
+              "truncate\n^");
+}
+
+} // namespace
+} // namespace rastertrace

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+// `rastertrace explain` as a user calls it: what it prints, and what it says to bad input.
+
+#include "program.h"
+
+#include <nlohmann/json.hpp>
+
+#include <gmock/gmock.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rastertrace {
+namespace {
+
+using ::testing::HasSubstr;
+
+class ExplainTest : public ProgramTest {
+protected:
+    Outcome explain(const std::string& arguments) const {
+        return shell("$rastertrace explain $examples/t0-fill/first-triangle.json " + arguments);
+    }
+};
+
+TEST_F(ExplainTest, APixelThatIsNotDrawn) {
+    const Outcome told = explain("--pixel 4,2");
+    EXPECT_EQ(told.status, 0);
+    EXPECT_EQ(told.out,
+              "First triangle\n"
+              "pixel (4, 2): not drawn: ABC does not cover it\n"
+              "\n"
+              "not drawn by\n"
+              "  ABC  outside  AC ends row y=2 at x = 25/8 -> floor -> 3; x = 4 lies beyond it by "
+              "7/8\n"
+              "      right AC: x = (x2 - x1)/(y2 - y1) (y - y1) + x1 = (5 - 2)/(-3 - 5) (2 - 5) + "
+              "2 = (-3/8) (-3) + 2 = 25/8 -> floor -> 3\n");
+}
+
+TEST_F(ExplainTest, JsonHasTheStepsWithWhatIsSaidOfThem) {
+    const auto told = nlohmann::json::parse(explain("--pixel -1,2 --json").out);
+    EXPECT_EQ(told["question"], "pixel (-1, 2)");
+    const auto& one = told["tries"].at(0);
+    EXPECT_EQ(one["step"], "pixel");
+    EXPECT_EQ(one["x"], -1);
+    EXPECT_EQ(one["number"], 15);
+    EXPECT_EQ(one["sentence"], "pixel (-1, 2)   row y=2: -1 to 3");
+    EXPECT_EQ(one["before"], "empty");
+    EXPECT_EQ(one["after"], "ABC #000000");
+    EXPECT_EQ(told["why_not"].size(), 0U);
+    EXPECT_EQ(explain("--pixel -1,2 --format json").out, explain("--pixel -1,2 --json").out);
+}
+
+TEST_F(ExplainTest, AgainstAnotherMethod) {
+    const std::string told = explain("--pixel -1,2 --against rounding=truncate").out;
+    EXPECT_THAT(told, HasSubstr("pixel (-1, 2): drawn by ABC at step 15\n"));
+    EXPECT_THAT(told, HasSubstr("\nwith rounding=truncate: not drawn: ABC does not cover it\n"));
+    EXPECT_THAT(told, HasSubstr("\nthe first decision that differs\n"
+                                "  as it is           step 14: scanline y=2 "));
+    EXPECT_THAT(told, HasSubstr("\n  rounding=truncate  step 14: scanline y=2 "));
+    const auto json =
+        nlohmann::json::parse(explain("--pixel -1,2 --against rounding=truncate --json").out);
+    EXPECT_EQ(json["first_difference"]["here"]["from"], -1);
+    EXPECT_EQ(json["first_difference"]["there"]["from"], 0);
+    EXPECT_EQ(json["against"]["method"], "rounding=truncate");
+}
+
+/// Whole messages: what was expected, what was found, and what is near.
+TEST_F(ExplainTest, BadInput) {
+    const std::vector<std::pair<std::string, std::string>> cases{
+        {"--pixel 9,2", "rastertrace: --pixel: expected a pixel of the canvas (x -8 to 8, y -6 to "
+                        "7), found 9,2\n"},
+        {"--scanline 8",
+         "rastertrace: --scanline: expected a row of the canvas (y -6 to 7), found 8\n"},
+        {"--pixel 4", "rastertrace: --pixel: expected a pixel as x,y, like 4,2, found \"4\"\n"},
+        {"--pixel 4,2,1",
+         "rastertrace: --pixel: expected a pixel as x,y, like 4,2, found \"4,2,1\"\n"},
+        {"--scanline 1.5", "rastertrace: --scanline: expected the y of a row, like 2, found "
+                           "\"1.5\"\n"},
+        {"--face ABD", "rastertrace: --face: expected the name of a face, found \"ABD\"\n"
+                       "hint: did you mean ABC?\n"},
+        {"--vertex Q", "rastertrace: --vertex: expected the name of a vertex, found \"Q\"\n"
+                       "hint: there are A, B, C\n"},
+        {"--edge AZ", "rastertrace: --edge: expected the name of an edge, found \"AZ\"\n"
+                      "hint: did you mean AB?\n"},
+        {"--pair ABC", "rastertrace: --pair: expected two triangles, like ABC,ACD, found "
+                       "\"ABC\"\n"},
+        {"--pair ABC,ACD", "rastertrace: --pair: expected the name of a triangle, found \"ACD\"\n"
+                           "hint: did you mean ABC?\n"},
+        {"--step scanline", "rastertrace: --step: expected one step, found 9: 5, 7, 10, 14, 20, "
+                            "26, 33, 42, 52\nscanline\n^\nhint: say which\n"},
+        {"--pixel 1,1 --against rounding=trunk",
+         "rastertrace: --against: expected rounding out of floor, nearest, truncate, inside, "
+         "half-open, found \"trunk\"\nrounding=trunk\n         ^\n"},
+        {"--pixel 1,1 --format csv",
+         "rastertrace: --format: expected text or json, found \"csv\"\n"},
+    };
+    for (const auto& [arguments, message] : cases) {
+        const Outcome told = explain(arguments);
+        EXPECT_EQ(told.status, 2) << arguments;
+        EXPECT_EQ(told.out, "") << arguments;
+        EXPECT_EQ(told.err, message) << arguments;
+    }
+}
+
+TEST_F(ExplainTest, ATraceIsDrawnAlready) {
+    shell("$rastertrace trace $examples/t0-fill/first-triangle.json -o t.json");
+    EXPECT_EQ(shell("$rastertrace explain t.json --pixel 4,2").out, explain("--pixel 4,2").out);
+    const Outcome against =
+        shell("$rastertrace explain t.json --pixel 4,2 --against rounding=truncate");
+    EXPECT_EQ(against.status, 2);
+    EXPECT_EQ(against.err,
+              "rastertrace: t.json: expected a scene to draw with --rounding truncate, "
+              "found a trace, which is drawn already\n");
+}
+
+} // namespace
+} // namespace rastertrace

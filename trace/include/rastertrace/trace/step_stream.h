@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A trace read once, step by step, without keeping it: for those that are larger than the memory. Each step is
+// checked as read_trace does.
+//
+//     auto opened = open_steps("trace.jsonl", {});  // throws a Problem
+//     if (auto* stream = std::get_if<StepStream>(&opened))
+//         while (stream->next())
+//             use(stream->number(), stream->step());
+//
+// It takes the layouts of this program, one step a line, also from a pipe. What has another layout, or is a scene,
+// is read whole.
+
+#include <rastertrace/trace/input.h>
+#include <rastertrace/trace/problem.h>
+#include <rastertrace/trace/trace.h>
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace rastertrace {
+
+class StepStream {
+public:
+    StepStream(StepStream&&) noexcept;
+    ~StepStream();
+
+    /// What stands in front of the steps: a trace without any.
+    const Trace& header() const;
+
+    /// Which file it is, if it is a regular one.
+    const std::optional<FileId>& file() const;
+
+    /// Goes to the next step; false behind the last. Throws a Problem.
+    bool next();
+
+    /// The current step, valid until the next one is asked for.
+    StepView step() const;
+    std::optional<StepKind> kind() const;
+    std::size_t number() const; ///< from 1
+
+    /// Behind the last step: what the end record says, if there is one.
+    const std::optional<EndRecord>& end() const;
+
+    /// Behind the last step: what is wrong though the steps can be used. The picture is not held against the end
+    /// record, since it is not drawn.
+    const std::vector<Problem>& damage() const;
+
+private:
+    friend std::variant<StepStream, Source> open_steps(const std::string& path,
+                                                       const InputLimits& limits);
+    struct State;
+    explicit StepStream(std::unique_ptr<State> state);
+
+    std::unique_ptr<State> state_;
+};
+
+/// Opens a file ("-" for standard input): the steps of a trace, or, if it is none of one step a line, all that it
+/// holds. Throws a Problem.
+std::variant<StepStream, Source> open_steps(const std::string& path, const InputLimits& limits);
+
+} // namespace rastertrace

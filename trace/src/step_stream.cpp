@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: MIT
+#include <rastertrace/trace/step_stream.h>
+
+#include "input_check.h"
+#include "input_file.h"
+#include "trace_lines.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <string_view>
+#include <tuple>
+#include <utility>
+
+namespace rastertrace {
+
+namespace {
+
+/// So many bytes of steps are looked at at once.
+constexpr std::size_t block_size = 1 << 20;
+
+std::string_view without_blanks(std::string_view line) {
+    const std::size_t begin = std::min(line.find_first_not_of(" \t"), line.size());
+    line.remove_prefix(begin);
+    line.remove_suffix(line.size() - (line.find_last_not_of(" \t\r") + 1));
+    return line;
+}
+
+template <typename T> T value_of(Result<T> result) {
+    if (!result)
+        throw result.problem();
+    return std::move(result.value());
+}
+
+} // namespace
+
+/// The file comes in blocks of whole lines. Each block is read as a trace of its own, with the header in front, so
+/// that every line is checked as in a trace that is read whole.
+struct StepStream::State {
+    InputFile file;
+    LineLayout layout = LineLayout::other;
+    std::string header_line;
+    std::string text; ///< what has been read and is in no block yet, from the beginning of a line
+    bool has_all = false;         ///< the file has come to its end
+    std::size_t lines_before = 1; ///< lines of the file in front of `text`
+
+    Trace header;
+    Trace block;
+    std::size_t place = 0;  ///< of the current step in the block
+    std::size_t before = 0; ///< steps in front of the block
+    bool is_behind = false; ///< the last step has been passed
+    std::array<std::uint64_t, step_kinds> count{};
+    std::map<std::string, std::uint64_t> other_count; ///< of kinds that we do not know
+    std::optional<EndRecord> end;
+    std::vector<Problem> damage;
+
+    explicit State(InputFile opened) : file(std::move(opened)) {}
+
+    void read_more() { has_all = !file.read_into(text); }
+
+    /// A problem of a block, with the line that it has in the file.
+    Problem moved(Problem problem) const {
+        if (problem.line > 1)
+            problem.line += lines_before - 1;
+        return problem;
+    }
+
+    /// The steps of some lines, as a trace of its own; what is wrong with them is damage of the whole.
+    Trace trace_of(std::string_view lines, bool is_cut_off) {
+        const bool is_document = layout == LineLayout::document;
+        Source source{file.name(), header_line + "\n", {}};
+        source.text += lines;
+        if (!is_cut_off)
+            source.text += is_document ? "],\"end\":{}}" : "{\"end\":{}}";
+        auto read = read_trace(std::move(source));
+        if (!read)
+            throw moved(read.problem());
+        for (Problem& problem : read.value().damage)
+            damage.push_back(moved(std::move(problem)));
+        return std::move(read.value());
+    }
+
+    /// True for the line behind the last step.
+    bool is_end(std::string_view line) const {
+        line = without_blanks(line);
+        return layout == LineLayout::document ? line.starts_with(']')
+                                              : !line.starts_with("{\"step\"") && is_end_line(line);
+    }
+
+    /// Where the line behind the last step begins, among the whole lines of `text`; or else where these end.
+    std::pair<std::size_t, bool> end_of_steps() const {
+        std::size_t begin = 0;
+        while (begin < text.size()) {
+            const std::size_t newline = text.find('\n', begin);
+            const bool is_whole = newline != std::string::npos || has_all;
+            if (!is_whole)
+                break;
+            const std::size_t length =
+                newline == std::string::npos ? text.size() - begin : newline - begin;
+            if (is_end(std::string_view(text).substr(begin, length)))
+                return {begin, true};
+            begin += length + (newline == std::string::npos ? 0 : 1);
+        }
+        return {begin, false};
+    }
+
+    /// Goes to the next block that has a step.
+    bool next_block() {
+        if (is_behind)
+            return false;
+        before += block.size();
+        while (!has_all && text.size() < block_size)
+            read_more();
+        auto [size, is_last] = end_of_steps();
+        while (size == 0 && !is_last && !has_all) { // a line longer than a block
+            if (text.size() > longest_line)
+                throw moved(line_too_long({file.name(), header_line + "\n" + text, {}},
+                                          header_line.size() + 1));
+            read_more();
+            std::tie(size, is_last) = end_of_steps();
+        }
+        const std::string_view lines = std::string_view(text).substr(0, size);
+        const bool is_cut_off = !is_last && has_all;
+        block = trace_of(lines, is_cut_off);
+        place = 0;
+        if (is_cut_off && !block.end && !damage.empty())
+            damage.back().message = truncation_after(before + block.size());
+        count_steps();
+        lines_before += static_cast<std::size_t>(std::count(lines.begin(), lines.end(), '\n'));
+        text.erase(0, size);
+        is_behind = is_last || has_all;
+        if (is_last)
+            read_end();
+        return block.size() > 0 || next_block();
+    }
+
+    void count_steps() {
+        for (std::size_t n = 1; n <= block.size(); ++n)
+            if (const auto kind = block.kind_of(n))
+                ++count[static_cast<std::size_t>(*kind)];
+            else
+                ++other_count[block.step(n).kind_name()];
+    }
+
+    /// What is left is the end record, and nothing behind it.
+    void read_end() {
+        while (!has_all && text.size() < 16 * block_size)
+            read_more();
+        Source source{file.name(), header_line + "\n" + text, {}};
+        const Trace rest = value_of(read_end_of(std::move(source)));
+        end = rest.end;
+        if (!end) {
+            for (Problem problem : rest.damage) {
+                if (problem.message == truncation_after(0))
+                    problem.message = truncation_after(before + block.size());
+                damage.push_back(moved(std::move(problem)));
+            }
+            return;
+        }
+        compare_with_end();
+    }
+
+    Result<Trace> read_end_of(Source source) const {
+        auto read = read_trace(std::move(source));
+        return read ? std::move(read) : Result<Trace>(moved(read.problem()));
+    }
+
+    /// Says what does not agree with the end record.
+    void compare_with_end() {
+        const auto disagree = [this](std::uint64_t told, std::string_view what,
+                                     std::uint64_t found) {
+            Problem problem = problem_of(
+                file.name(), disagreement(fmt::format("{}", told), what, fmt::format("{}", found)));
+            problem.line = lines_before + 1;
+            problem.column = 1;
+            damage.push_back(std::move(problem));
+        };
+        if (end->steps && *end->steps != before + block.size())
+            disagree(*end->steps, "steps", before + block.size());
+        for (const auto& [name, told] : end->count) {
+            const auto kind = step_kind_named(name);
+            const auto other = other_count.find(name);
+            const std::uint64_t found = kind ? count[static_cast<std::size_t>(*kind)]
+                                        : other == other_count.end() ? 0
+                                                                     : other->second;
+            if (found != told)
+                disagree(told, name + " steps", found);
+        }
+    }
+};
+
+StepStream::StepStream(std::unique_ptr<State> state) : state_(std::move(state)) {}
+StepStream::StepStream(StepStream&&) noexcept = default;
+StepStream::~StepStream() = default;
+
+const Trace& StepStream::header() const {
+    return state_->header;
+}
+
+const std::optional<FileId>& StepStream::file() const {
+    return state_->file.id();
+}
+
+bool StepStream::next() {
+    if (state_->place < state_->block.size()) {
+        ++state_->place;
+        return true;
+    }
+    if (!state_->next_block())
+        return false;
+    state_->place = 1;
+    return true;
+}
+
+StepView StepStream::step() const {
+    return state_->block.step(state_->place);
+}
+
+std::optional<StepKind> StepStream::kind() const {
+    return state_->block.kind_of(state_->place);
+}
+
+std::size_t StepStream::number() const {
+    return state_->before + state_->place;
+}
+
+const std::optional<EndRecord>& StepStream::end() const {
+    return state_->end;
+}
+
+const std::vector<Problem>& StepStream::damage() const {
+    return state_->damage;
+}
+
+std::variant<StepStream, Source> open_steps(const std::string& path, const InputLimits& limits) {
+    auto state = std::make_unique<StepStream::State>(value_of(InputFile::open(path)));
+    Source source{.name = state->file.name(), .text = {}, .file = state->file.id()};
+    InputCheck fault_of(InputCheck::Kind::scene_or_trace, limits);
+    std::size_t block = 0;
+    while (state->file.read_into(source.text)) {
+        if (auto fault = fault_of(source, block))
+            throw *std::move(fault);
+        block = source.text.size();
+        if (state->layout != LineLayout::other || !state->header_line.empty())
+            continue;
+
+        // The first line, once it is there, says whether steps follow, one a line.
+        const std::size_t newline = source.text.find('\n');
+        if (newline == std::string::npos)
+            continue;
+        state->header_line = without_blanks(source.text.substr(0, newline));
+        state->layout = layout_of(state->header_line);
+        if (state->layout == LineLayout::other)
+            continue;
+        state->text = source.text.substr(newline + 1);
+        state->header = state->trace_of("", false);
+        state->damage.clear();
+        return StepStream(std::move(state));
+    }
+    return source;
+}
+
+} // namespace rastertrace

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The two layouts that have one step a line, and what is said of a trace that ends too soon.
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace rastertrace {
+
+/// True for an object that has the trace's version, and whose last key is `last_key`; for one without steps if
+/// that is "".
+bool is_header(std::string_view line, std::string_view last_key);
+
+/// How the lines behind a header are laid out.
+enum class LineLayout : std::uint8_t {
+    document, ///< `]` closes the steps
+    lines,    ///< JSON Lines: a line of its own has the end record
+    other,    ///< not a step a line
+};
+
+/// The layout that the first line of a trace tells.
+LineLayout layout_of(std::string_view first_line);
+
+/// True for a line with the end record of JSON Lines.
+bool is_end_line(std::string_view line);
+
+/// That so many steps are whole, and then the file ends.
+std::string truncation_after(std::size_t steps);
+
+/// That there are not as many as the end record says: `expected 62 steps as the end record says, found 61`.
+std::string disagreement(std::string_view told, std::string_view what, std::string_view found);
+
+} // namespace rastertrace

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "explain_text.h"
+
+#include <rastertrace/trace/text.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <vector>
+
+namespace rastertrace {
+
+namespace {
+
+/// More primitives than this are counted, and the nearest of them told.
+constexpr std::size_t most_told = 12;
+
+std::string lines_below(const std::vector<std::string>& lines, std::size_t indent) {
+    std::string text;
+    for (const std::string& line : lines)
+        text += std::string(indent, ' ') + line + "\n";
+    return text;
+}
+
+/// How wide a column is: as its widest cell.
+template <typename Item>
+std::size_t width_of(const std::vector<Item>& items, std::string Item::*cell,
+                     std::string_view title) {
+    std::size_t width = columns_in(title);
+    for (const Item& item : items)
+        width = std::max(width, columns_in(printable(item.*cell)));
+    return width;
+}
+
+/// One line for each step; what the pixel shows before and after, if the steps are about one.
+std::string table_of(const std::vector<Try>& tries) {
+    const bool has_pixels =
+        std::any_of(tries.begin(), tries.end(), [](const Try& one) { return !one.before.empty(); });
+    const std::size_t before = width_of(tries, &Try::before, "before");
+    const std::size_t after = width_of(tries, &Try::after, "after");
+    std::string text;
+    if (has_pixels)
+        text += fmt::format("step  {}  {}\n", padded("before", before), "after");
+    constexpr std::size_t indent = 6;
+    for (const Try& one : tries) {
+        text += fmt::format("{:>4}  ", one.number);
+        if (has_pixels)
+            text += fmt::format("{}  {}  ", padded(one.before, before), padded(one.after, after));
+        text += one.sentence + "\n" + lines_below(one.working, indent);
+    }
+    return text;
+}
+
+/// Those that were nearest to drawing the pixel come first: hidden, then by their distance.
+bool is_nearer(const WhyNot& one, const WhyNot& other) {
+    const bool is_hidden = one.reason == "hidden";
+    if (is_hidden != (other.reason == "hidden"))
+        return is_hidden;
+    if (one.distance.has_value() != other.distance.has_value())
+        return one.distance.has_value();
+    return one.distance && *one.distance < *other.distance;
+}
+
+std::string why_not_text(std::vector<WhyNot> why_not) {
+    std::string rest;
+    if (why_not.size() > most_told) {
+        std::stable_sort(why_not.begin(), why_not.end(), is_nearer);
+        std::map<std::string, std::size_t> count;
+        for (std::size_t i = most_told; i < why_not.size(); ++i)
+            ++count[why_not[i].reason];
+        std::vector<std::string> counts;
+        for (const auto& [reason, number] : count)
+            counts.push_back(fmt::format("{} {}", number, reason));
+        rest = fmt::format("  and {} more: {}\n", why_not.size() - most_told, joined(counts, ", "));
+        why_not.resize(most_told);
+    }
+    const std::size_t name = width_of(why_not, &WhyNot::primitive, "");
+    const std::size_t reason = width_of(why_not, &WhyNot::reason, "");
+    std::string text;
+    for (const WhyNot& one : why_not)
+        text += fmt::format("  {}  {}  {}\n", padded(printable(one.primitive), name),
+                            padded(one.reason, reason), one.sentence) +
+                lines_below(one.working, 6);
+    return text + rest;
+}
+
+std::string pixels_text(const std::vector<PixelAlongEdge>& pixels) {
+    std::string text;
+    for (const PixelAlongEdge& one : pixels) {
+        text +=
+            fmt::format("({}, {})  {}\n", one.pixel.x, one.pixel.y,
+                        one.owners.empty() ? "neither" : printable(joined(one.owners, " and ")));
+        text += lines_below(one.why, 6);
+    }
+    return text;
+}
+
+/// What has been found, below the answer.
+std::string details_text(const Explanation& explanation) {
+    std::string text;
+    if (!explanation.lacks.empty())
+        text += "\n" + lines_below(explanation.lacks, 0);
+    if (!explanation.tries.empty())
+        text += "\n" + table_of(explanation.tries);
+    if (!explanation.why_not.empty())
+        text += "\nnot drawn by\n" + why_not_text(explanation.why_not);
+    if (!explanation.pixels.empty())
+        text += "\n" + pixels_text(explanation.pixels);
+    return text;
+}
+
+std::string step_text(const std::string& who, const std::optional<Try>& step) {
+    return step ? fmt::format("  {}  step {}: {}\n", who, step->number, step->sentence)
+                : fmt::format("  {}  no such step\n", who);
+}
+
+} // namespace
+
+std::string explanation_text(const Explanation& explanation) {
+    return fmt::format("{}: {}\n", explanation.question, explanation.answer) +
+           details_text(explanation);
+}
+
+std::string other_answer_text(const OtherAnswer& other) {
+    const std::string method = printable(other.method);
+    std::string text = fmt::format("\nwith {}: {}\n", method, other.explanation.answer) +
+                       details_text(other.explanation);
+    if (!other.difference)
+        return text + "\nno decision about it differs\n";
+    const std::string here = padded("as it is", columns_in(method));
+    return text + "\nthe first decision that differs\n" + step_text(here, other.difference->one) +
+           step_text(padded(method, columns_in(here)), other.difference->other);
+}
+
+} // namespace rastertrace
