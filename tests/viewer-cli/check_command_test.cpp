@@ -209,6 +209,17 @@ TEST_F(CheckTest, ReadsStandardInput) {
     EXPECT_EQ(shell("cat scene.json | $rastertrace check - anna.txt").status, 1);
 }
 
+TEST_F(CheckTest, ALongTableIsReadWhole) {
+    std::string table;
+    for (int i = 0; i < 300; ++i)
+        table += "y=2: -1/4, 25/8 -> -1..3\n";
+    write("long.txt", table);
+    EXPECT_EQ(shell("$rastertrace check scene.json long.txt").out, "300 right, 0 wrong\n");
+    EXPECT_EQ(shell("$rastertrace check scene.json long.txt --max-input 7kB").err,
+              "rastertrace: long.txt: expected a file of at most 7000 bytes, found a larger one\n"
+              "hint: --max-input SIZE raises the limit\n");
+}
+
 TEST_F(CheckTest, FilesInTheWrongPlaceAreTold) {
     write("none.txt", "y=2: -1/4, 25/8\n");
     write("turned.txt", "scene: none.txt\ny=2: -1/4, 25/8\n");

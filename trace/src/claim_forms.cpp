@@ -2,6 +2,7 @@
 #include "claim_forms.h"
 
 #include "claim_fields.h"
+#include "verdict_words.h"
 
 #include <rastertrace/trace/text.h>
 
@@ -47,28 +48,22 @@ constexpr std::array<FaceWord, 8> face_words{{{"normal", "face", "normal", 3},
                                               {"light", "light", "light", 3},
                                               {"intensity", "light", "intensity", 1}}};
 
-/// A word for the value of a field that is true or false.
-struct ValueWord {
-    std::string_view word;
-    std::string_view field;
-    std::string_view value;
-};
-constexpr std::array<ValueWord, 10> value_words{{{"on", "plotted", "true"},
-                                                 {"off", "plotted", "false"},
-                                                 {"inside", "inside", "true"},
-                                                 {"outside", "inside", "false"},
-                                                 {"passes", "pass", "true"},
-                                                 {"pass", "pass", "true"},
-                                                 {"fails", "pass", "false"},
-                                                 {"fail", "pass", "false"},
-                                                 {"culled", "culled", "true"},
-                                                 {"drawn", "culled", "false"}}};
+/// The words for true and false that only a table of claims has.
+constexpr std::array<VerdictWord, 4> words_of_table{{{"on", "plotted", "true"},
+                                                     {"off", "plotted", "false"},
+                                                     {"passes", "pass", "true"},
+                                                     {"fails", "pass", "false"}}};
 
-const ValueWord* find_value_word(const ClaimWord& word, std::string_view field) {
-    for (const ValueWord& known : value_words)
-        if (known.field == field && word.is(known.word))
-            return &known;
-    return nullptr;
+/// What a word says of a field, or nullptr.
+const VerdictWord* find_verdict(const ClaimWord& word, std::string_view field) {
+    const auto says = [&](const VerdictWord& known) {
+        return known.field == field && word.is(known.word);
+    };
+    const auto own = std::find_if(words_of_table.begin(), words_of_table.end(), says);
+    if (own != words_of_table.end())
+        return &*own;
+    const auto shared = std::find_if(verdict_words.begin(), verdict_words.end(), says);
+    return shared == verdict_words.end() ? nullptr : &*shared;
 }
 
 /// Reads the claim of one line. What is wrong is thrown as a Problem.
@@ -157,7 +152,7 @@ private:
         if (!line_.peek().is(":"))
             return read_in_primitive(line_.next());
         line_.next();
-        if (find_value_word(line_.peek(), "inside"))
+        if (find_verdict(line_.peek(), "inside"))
             return read_verdict("inside", "inside or outside");
         do
             read_of_pixel(line_.next());
@@ -165,7 +160,7 @@ private:
     }
 
     void read_of_pixel(const ClaimWord& word) {
-        if (const ValueWord* const verdict = find_value_word(word, "plotted"))
+        if (const VerdictWord* const verdict = find_verdict(word, "plotted"))
             return put_value(*verdict, word);
         if (word.is(open_value))
             return put("plotted", word);
@@ -190,7 +185,7 @@ private:
         begin("depth", line_.peek().is("(") ? std::nullopt : std::optional(line_.next()));
         read_place();
         line_.expect(":", "`:`");
-        if (!find_value_word(line_.peek(), "pass"))
+        if (!find_verdict(line_.peek(), "pass"))
             put("depth", line_.next());
         if (!line_.at_end())
             read_verdict("pass", "passes or fails");
@@ -240,7 +235,7 @@ private:
     /// AB: -1 3 -3 1 -5, or ABC: culled
     void read_line_or_verdict(const ClaimWord& name) {
         line_.next();
-        if (find_value_word(line_.peek(), "culled")) {
+        if (find_verdict(line_.peek(), "culled")) {
             begin("face", {});
             put("name", name);
             return read_verdict("culled", "culled or drawn");
@@ -299,7 +294,7 @@ private:
 
     void read_verdict(std::string_view field, std::string_view expected) {
         const ClaimWord word = line_.next();
-        if (const ValueWord* const verdict = find_value_word(word, field))
+        if (const VerdictWord* const verdict = find_verdict(word, field))
             put_value(*verdict, word);
         else if (word.is(open_value))
             put(field, word);
@@ -315,7 +310,7 @@ private:
 
     void put(std::string_view field, const ClaimWord& word) { put_list(field, {word}); }
 
-    void put_value(const ValueWord& verdict, const ClaimWord& word) {
+    void put_value(const VerdictWord& verdict, const ClaimWord& word) {
         put(verdict.field, {.text = std::string(verdict.value), .offset = word.offset});
     }
 

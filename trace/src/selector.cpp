@@ -2,13 +2,13 @@
 #include <rastertrace/trace/selector.h>
 
 #include "json_scanner.h"
+#include "verdict_words.h"
 
 #include <rastertrace/trace/text.h>
 
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <span>
 #include <string_view>
@@ -27,19 +27,6 @@ constexpr std::string_view primitive_field = "in";
 
 /// How many values or steps a message names.
 constexpr std::size_t most_named = 5;
-
-/// What people say for the values of a boolean field.
-struct Verdict {
-    std::string_view word;
-    std::string_view field;
-    std::string_view value;
-};
-constexpr std::array<Verdict, 6> verdicts{{{"pass", "pass", "true"},
-                                           {"fail", "pass", "false"},
-                                           {"culled", "culled", "true"},
-                                           {"drawn", "culled", "false"},
-                                           {"inside", "inside", "true"},
-                                           {"outside", "inside", "false"}}};
 
 std::optional<Number> number_in(std::string_view text) {
     auto parsed = parse_number(text, NumberSize::any);
@@ -178,7 +165,7 @@ private:
         add(field, value, type);
     }
 
-    void add(const Verdict& verdict) { add(verdict.field, verdict.value, FieldType::boolean); }
+    void add(const VerdictWord& verdict) { add(verdict.field, verdict.value, FieldType::boolean); }
 
     /// Adds a condition. Fields that a foreign rasterizer has put in may be of any type.
     void add(std::string_view field, std::string_view value, std::optional<FieldType> type) {
@@ -247,9 +234,9 @@ private:
              did_you_mean(name, known));
     }
 
-    Verdict verdict_of(std::string_view word) const {
+    VerdictWord verdict_of(std::string_view word) const {
         std::vector<std::string_view> known;
-        for (const Verdict& verdict : verdicts)
+        for (const VerdictWord& verdict : verdict_words)
             for (const StepField& field : fields_)
                 if (field.name == verdict.field && field.type == FieldType::boolean) {
                     if (verdict.word == word)
