@@ -20,17 +20,17 @@ namespace {
 constexpr int rows = 1000;
 
 Truth triangle() {
-    return Truth({"triangle.json", R"({"canvas":{"width":1200,"height":1200,"origin":"bottom-left"},
-"vertices":{"A":[0,0],"B":[0,1000],"C":[750,0]},"triangles":["ABC"]})"},
+    return Truth({"triangle.json", R"({"canvas":{"width":80,"height":1001,"origin":"bottom-left"},
+"vertices":{"A":[0,0],"B":[0,1000],"C":[75,0]},"triangles":["ABC"]})"},
                  {});
 }
 
-/// The right end of row y is 750 - 3/4 y. In every tenth row the slope is turned over.
+/// The right end of row y is 75 - 3/40 y. In every tenth row the slope is turned over.
 std::string claims_text() {
     std::string text;
     for (int y = 0; y < rows; ++y)
-        text += y % 10 == 9 ? fmt::format("y={}: 0, {}/3\n", y, 2250 - 4 * y)
-                            : fmt::format("y={}: 0, {}/4\n", y, 3000 - 3 * y);
+        text += y % 10 == 9 ? fmt::format("y={}: 0, {}/3\n", y, 225 - 40 * y)
+                            : fmt::format("y={}: 0, {}/40\n", y, 3000 - 3 * y);
     return text;
 }
 
