@@ -79,7 +79,9 @@ TEST(Check, AWrongRowShowsTheRightValueAndItsWorking) {
     EXPECT_EQ(claim.fields[0].expected, "-1/4");
     EXPECT_EQ(claim.fields[0].found, "1/4");
     EXPECT_EQ(claim.fields[1].verdict, ClaimVerdict::right);
-    EXPECT_THAT(claim.working, Contains("left AB: x = 2 + 3/4 (2 - 5) = 2 - 9/4 = -1/4"));
+    EXPECT_THAT(claim.working, Contains("left AB: x = (x2 - x1)/(y2 - y1) (y - y1) + x1 = "
+                                        "(-4 - 2)/(-3 - 5) (2 - 5) + 2 = 3/4 (-3) + 2 = -1/4 -> "
+                                        "floor -> -1"));
 }
 
 TEST(Check, WhatGoesOnFromAWrongNumberFollows) {

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/trace/check.h>
 
+#include "claim_comparison.h"
 #include "claim_subject.h"
-#include "claimed_number.h"
 #include "derivation.h"
 #include "picture_claim.h"
 #include "step_text.h"
 
-#include <rastertrace/trace/color_text.h>
 #include <rastertrace/trace/describe.h>
 #include <rastertrace/trace/slips.h>
 #include <rastertrace/trace/text.h>
@@ -23,94 +22,6 @@
 namespace rastertrace {
 
 namespace {
-
-/// How a claimed value, or a list of them, is the one that is told.
-struct Comparison {
-    bool is_right = true;
-    bool is_open = true; ///< nothing of it has been worked out
-    int places = 0;      ///< of a decimal that was rounded or cut off
-    Fit fit = Fit::exact;
-};
-
-/// True if two doubles are the same number: a trace of doubles cannot tell more.
-bool is_one_double(const Rational& a, const Rational& b, bool holds_doubles) {
-    return holds_doubles && nearest_double(a) == nearest_double(b);
-}
-
-void compare_one(Comparison& comparison, const std::string& claimed, const std::string& told,
-                 bool holds_doubles) {
-    if (claimed == open_value)
-        return;
-    comparison.is_open = false;
-    const auto number = claimed_number(claimed);
-    const auto truth = number_in(told);
-    if (!number || !truth) {
-        const auto color = parse_color(claimed);
-        const bool is_same = claimed == told || (color && color == parse_color(told));
-        comparison.is_right = comparison.is_right && is_same;
-        return;
-    }
-    const Fit fit =
-        is_one_double(number->value, *truth, holds_doubles) ? Fit::exact : fit_of(*number, *truth);
-    if (fit == Fit::none)
-        comparison.is_right = false;
-    if (fit != Fit::exact)
-        comparison.places = std::max(comparison.places, number->places.value_or(0));
-    comparison.fit = std::max(comparison.fit, fit);
-}
-
-/// A vertex may be given without a z of 0.
-Comparison compare(const ClaimedField& claimed, const std::vector<std::string>& told,
-                   bool holds_doubles) {
-    Comparison comparison;
-    const std::size_t count = claimed.values.size();
-    comparison.is_right =
-        count <= told.size() &&
-        std::all_of(told.begin() + static_cast<std::ptrdiff_t>(std::min(count, told.size())),
-                    told.end(), [](const auto& text) { return text == "0"; });
-    for (std::size_t i = 0; i < count; ++i)
-        compare_one(comparison, claimed.values[i], i < told.size() ? told[i] : std::string(),
-                    holds_doubles);
-    return comparison;
-}
-
-/// The numbers of a claim, 1 and 0 for true and false; what is open as it is told. Nothing if one is no number.
-Values claimed_values(const ClaimedField& field, const std::vector<std::string>& told) {
-    Values values;
-    for (std::size_t i = 0; i < std::max(field.values.size(), told.size()); ++i) {
-        const bool is_claimed = i < field.values.size() && field.values[i] != open_value;
-        const std::string& text = is_claimed        ? field.values[i]
-                                  : i < told.size() ? told[i]
-                                                    : field.name;
-        const auto number = text == "true"    ? std::optional(Rational(1))
-                            : text == "false" ? std::optional(Rational(0))
-                                              : number_in(text);
-        if (!number)
-            return {};
-        values.push_back(*number);
-    }
-    return values;
-}
-
-/// True if somebody who found these values would have written the claim.
-bool gives(const Values& values, const ClaimedField& claimed) {
-    if (values.size() < claimed.values.size())
-        return false;
-    for (std::size_t i = 0; i < claimed.values.size(); ++i) {
-        const std::string& text = claimed.values[i];
-        if (text == open_value)
-            continue;
-        if (text == "true" || text == "false") {
-            if (values[i] != (text == "true" ? 1 : 0))
-                return false;
-            continue;
-        }
-        const auto number = claimed_number(text);
-        if (!number || fit_of(*number, values[i]) == Fit::none)
-            return false;
-    }
-    return true;
-}
 
 /// Checks the claims of one file.
 class Checker {

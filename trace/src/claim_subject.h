@@ -55,6 +55,9 @@ Subject subject_of(const Claim& claim, const Claims& claims, const TruthIndex& t
 /// check.h are worked out. nullopt if nothing is.
 using ToldValues = std::optional<std::vector<std::string>>;
 
+/// In one step.
+ToldValues told_in(const StepIndex& index, std::size_t step, const ClaimedField& field);
+
 /// By exact arithmetic.
 ToldValues told_exactly(const Subject& subject, const ClaimedField& field);
 

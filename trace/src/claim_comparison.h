@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What somebody wrote down, held against what is told: 0.33 is 1/3, rounded to 2 digits.
+//
+//     compare(field, {"1/3"}, false).fit;  // Fit::rounded
+
+#include <rastertrace/trace/claims.h>
+#include <rastertrace/trace/formula.h>
+
+#include <string>
+#include <vector>
+
+namespace rastertrace {
+
+/// How a claimed number is the true one.
+enum class Fit {
+    exact,
+    rounded,   ///< to the digits written
+    truncated, ///< cut off behind the digits written, and not rounded to them
+    none,
+};
+
+/// How a claimed value, or a list of them, is the one that is told.
+struct Comparison {
+    bool is_right = true;
+    bool is_open = true; ///< nothing of it has been worked out
+    int places = 0;      ///< of a decimal that was rounded or cut off
+    Fit fit = Fit::exact;
+};
+
+/// Compares a field with what is told of it. A vertex may be given without a z of 0; two numbers with one nearest
+/// double are the same where the trace holds doubles.
+Comparison compare(const ClaimedField& claimed, const std::vector<std::string>& told,
+                   bool holds_doubles);
+
+/// The numbers of a claim, 1 and 0 for true and false; what is open as it is told. Nothing if one is no number.
+Values claimed_values(const ClaimedField& field, const std::vector<std::string>& told);
+
+/// True if somebody who found these values would have written the claim.
+bool gives(const Values& values, const ClaimedField& claimed);
+
+} // namespace rastertrace
