@@ -23,8 +23,7 @@ namespace {
 /// Plays the steps that matter to a pixel once, and notes what each primitive did there.
 class PixelStory {
 public:
-    PixelStory(const Trace& trace, Pixel pixel)
-        : trace_(trace), pixel_(pixel), replay_(trace, {.depths = true}) {}
+    PixelStory(const Trace& trace, Pixel pixel) : trace_(trace), pixel_(pixel) {}
 
     Explanation tell() {
         for (std::size_t n = 1; n <= trace_.size(); ++n)
@@ -40,16 +39,22 @@ private:
         const auto kind = trace_.kind_of(n);
         if (kind == StepKind::primitive)
             close_primitive();
-        const std::string before = shown_at(replay_, pixel_);
-        replay_.go_to(n);
         if (kind == StepKind::primitive)
             current_ = PrimitiveSteps{.first = n};
         if (current_)
             current_->last = n;
         if (is_try(n))
-            take_try(n, before);
+            take_try(n);
         else if (current_ && kind)
             take_reason(n, *kind);
+    }
+
+    /// The replay, at step n. It has a picture as large as the canvas, so most pixels do without it.
+    const Replay& replay_to(std::size_t n) {
+        if (!replay_)
+            replay_.emplace(trace_, FrameParts{.depths = true});
+        replay_->go_to(n);
+        return *replay_;
     }
 
     /// True for a step that tried to write the pixel.
@@ -60,10 +65,11 @@ private:
         return is_known && covers(trace_.step(n), pixel_);
     }
 
-    void take_try(std::size_t n, const std::string& before) {
-        Try one = try_of(replay_);
+    void take_try(std::size_t n) {
+        const std::string before = shown_at(replay_to(n - 1), pixel_);
+        Try one = try_of(replay_to(n));
         one.before = before;
-        one.after = shown_at(replay_, pixel_);
+        one.after = shown_at(*replay_, pixel_);
         const auto kind = trace_.kind_of(n);
         if (kind == StepKind::pixel)
             last_drawn_ = one.number;
@@ -80,15 +86,15 @@ private:
     void take_reason(std::size_t n, StepKind kind) {
         const StepView step = trace_.step(n);
         if (kind == StepKind::face)
-            current_->face = describe_step(replay_);
+            current_->face = describe_step(replay_to(n));
         if (kind == StepKind::clip)
-            current_->clips.push_back(describe_step(replay_));
+            current_->clips.push_back(describe_step(replay_to(n)));
         if (kind == StepKind::skip)
             current_->skip = step.text("why");
         const bool is_of_pixel =
             kind == StepKind::scanline ? step.whole("y") == pixel_.y : kind == StepKind::sample;
         if (is_of_pixel)
-            current_->working = working_of(replay_);
+            current_->working = working_of(replay_to(n));
     }
 
     /// The primitive has come to its end: if it did not draw the pixel, why not?
@@ -115,8 +121,9 @@ private:
 
     void tell_what_lacks() {
         auto& lacks = explanation_.lacks;
+        const bool has_depths = !trace_.method_value("depth").empty();
         for (const StepKind kind : {StepKind::primitive, StepKind::pixel, StepKind::depth})
-            if (trace_.lacks(kind))
+            if (trace_.lacks(kind) && (kind != StepKind::depth || has_depths))
                 lacks.push_back(fmt::format("{} steps were left out of the trace", name_of(kind)));
         if (const auto& region = trace_.left_out.region) {
             const auto& [x0, y0, x1, y1] = *region;
@@ -175,7 +182,7 @@ private:
 
     const Trace& trace_;
     Pixel pixel_;
-    Replay replay_;
+    std::optional<Replay> replay_;
     Explanation explanation_;
     std::optional<PrimitiveSteps> current_;
     std::optional<std::size_t> whole_;  ///< in why_not: the primitive that the parts belong to

@@ -159,7 +159,9 @@ struct StepStream::State {
             }
             return;
         }
-        compare_with_end();
+        // Held against no steps, it has told where it disagrees.
+        compare_with_end(rest.damage.empty() ? problem_of(file.name(), "")
+                                             : moved(rest.damage.front()));
     }
 
     Result<Trace> read_end_of(Source source) const {
@@ -167,15 +169,12 @@ struct StepStream::State {
         return read ? std::move(read) : Result<Trace>(moved(read.problem()));
     }
 
-    /// Says what does not agree with the end record.
-    void compare_with_end() {
-        const auto disagree = [this](std::uint64_t told, std::string_view what,
-                                     std::uint64_t found) {
-            Problem problem = problem_of(
-                file.name(), disagreement(fmt::format("{}", told), what, fmt::format("{}", found)));
-            problem.line = lines_before + 1;
-            problem.column = 1;
-            damage.push_back(std::move(problem));
+    /// Says what does not agree with the end record; a problem points at it.
+    void compare_with_end(const Problem& at) {
+        const auto disagree = [&](std::uint64_t told, std::string_view what, std::uint64_t found) {
+            damage.push_back(at);
+            damage.back().message =
+                disagreement(fmt::format("{}", told), what, fmt::format("{}", found));
         };
         if (end->steps && *end->steps != before + block.size())
             disagree(*end->steps, "steps", before + block.size());

@@ -288,6 +288,8 @@ bool covers(const StepView& step, Pixel pixel) {
         return first && last && std::min(*first, *last) <= at && at <= std::max(*first, *last);
     };
     const bool is_whole_row = !step.field("x") && step.field("to_y");
+    if (step.field("to_x") && step.field("to_y"))
+        return false; // of a line, which leads off the canvas
     return lies_between(pixel.y, "y", "to_y") &&
            (is_whole_row || lies_between(pixel.x, "x", "to_x"));
 }

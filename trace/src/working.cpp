@@ -77,9 +77,9 @@ std::optional<EdgeFunctionText> edge_function_in(const StepView& step,
                                                  const PrimitiveText& primitive) {
     const auto a = number_in(step, "a");
     const auto b = number_in(step, "b");
-    const auto ends = ends_of_edge(primitive, step.text("edge"));
+    const auto ends = a && b ? ends_of_edge(primitive, step.text("edge")) : std::nullopt;
     const auto from = ends ? vec2_in(ends->from) : std::nullopt;
-    if (!a || !b || !from)
+    if (!from)
         return std::nullopt;
     return EdgeFunctionText{*a, *b, *from, step.text("top_left") == "true"};
 }

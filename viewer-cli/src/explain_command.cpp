@@ -19,14 +19,12 @@ namespace rastertrace {
 
 namespace {
 
-/// The question asked again, of the scene drawn by the method that --against names.
-OtherAnswer answer_against(const ExplainCommand& command, InputFrames& input, const Trace& trace) {
+/// The trace of the scene drawn by the method that --against names.
+Trace trace_against(const ExplainCommand& command, const InputFrames& input) {
     const auto changes = value_or_throw(parse_method({"--against", command.against}));
     MethodOverrides method = command.method;
     method.insert(method.end(), changes.begin(), changes.end());
-    const Trace other = input.trace_by(input.first(), method);
-    return {command.against, value_or_throw(explain(other, command.question)),
-            first_difference(trace, other, command.question)};
+    return input.trace_by(input.first(), method);
 }
 
 /// The steps of a trace that its pixel needs; none of the others is kept.
@@ -41,11 +39,13 @@ Trace steps_of_pixel(StepStream& stream, const ExplainCommand& command) {
     return excerpt;
 }
 
-ExitStatus tell(const ExplainCommand& command, const Trace& trace, InputFrames* input) {
+/// Answers the question, and once more with the trace drawn by another method, if there is one.
+ExitStatus tell(const ExplainCommand& command, const Trace& trace, const Trace* against = nullptr) {
     const Explanation explanation = value_or_throw(explain(trace, command.question));
     std::optional<OtherAnswer> other;
-    if (input != nullptr && !command.against.empty())
-        other = answer_against(command, *input, trace);
+    if (against != nullptr)
+        other = {command.against, value_or_throw(explain(*against, command.question)),
+                 first_difference(trace, *against, command.question)};
     if (command.json) {
         print(explanation_json(explanation, other));
     } else {
@@ -62,16 +62,18 @@ ExitStatus tell(const ExplainCommand& command, const Trace& trace, InputFrames* 
 int run(const ExplainCommand& command) {
     const SceneOptions options{
         .method = command.method, .limits = command.input, .frames = command.frames};
-    const bool can_stream = command.question.about == Topic::pixel && command.against.empty();
-    if (!can_stream) {
+    if (!command.against.empty()) {
         InputFrames input(command.trace, options);
-        return tell(command, input.trace(input.first()), &input);
+        const Trace against = trace_against(command, input);
+        return tell(command, input.trace(input.first()), &against);
     }
+    if (command.question.about != Topic::pixel)
+        return tell(command, load_trace(command.trace, options));
     auto opened = open_input(command.trace, options);
     if (auto* const steps = std::get_if<StepStream>(&opened))
-        return tell(command, steps_of_pixel(*steps, command), nullptr);
+        return tell(command, steps_of_pixel(*steps, command));
     InputFrames input(command.trace, std::get<Source>(std::move(opened)), options);
-    return tell(command, input.trace(input.first()), &input);
+    return tell(command, input.trace(input.first()));
 }
 
 } // namespace rastertrace
