@@ -26,7 +26,7 @@ namespace {
 /// Checks the claims of one file.
 class Checker {
 public:
-    Checker(const Truth& truth, const Claims& claims) : truth_(truth), claims_(claims) {}
+    Checker(const Truth& truth, const Claims& claims) : truth_(truth.index()), claims_(claims) {}
 
     Checked run() {
         for (std::size_t i = 0; i < claims_.claims.size(); ++i)
@@ -41,11 +41,22 @@ public:
     }
 
 private:
+    /// What was claimed of a number first.
+    struct Said {
+        Values values;
+        std::size_t line;
+        bool is_right;
+    };
+
     /// Compares each field with what is told.
     void compare_claim(std::size_t i) {
         const Claim& claim = claims_.claims[i];
         subjects_.emplace_back();
         if (claim.step == "picture") {
+            if (truth_.decided().trace().is_partial)
+                throw problem_at(claims_.source, claim.offset,
+                                 "expected a trace with all pixels, found one that steps were left "
+                                 "out of");
             checked_.claims.push_back(check_picture(claim, claims_, truth_.decided()));
             checked_.claims.back().claim = i;
             return;
@@ -53,7 +64,9 @@ private:
         subjects_.back() = subject_of(claim, claims_, truth_);
         const Subject& subject = *subjects_.back();
         CheckedClaim checked{.claim = i, .step = subject.step};
-        if (!subject.absence.empty())
+        if (subject.is_left_out)
+            checked.remarks.push_back("steps were left out of the trace: it may be one of these");
+        else if (!subject.absence.empty())
             checked.remarks.push_back(subject.absence);
         snap_if_whole(*subjects_.back());
         for (const ClaimedField* field : subject.fields)
@@ -69,7 +82,10 @@ private:
 
     /// Where a vertex is snapped, whole numbers are its pixel.
     void snap_if_whole(Subject& subject) {
-        if (subject.kind != StepKind::vertex || subject.step == 0 ||
+        const bool names_pixel =
+            std::any_of(subject.fields.begin(), subject.fields.end(),
+                        [](const ClaimedField* field) { return field->name == "snapped"; });
+        if (subject.kind != StepKind::vertex || subject.step == 0 || names_pixel ||
             !subject.exact->trace().step(subject.step).field("snapped"))
             return;
         for (const ClaimedField*& field : subject.fields) {
@@ -94,27 +110,37 @@ private:
         if (!decided && !exact) {
             refuse_untold(field, subject);
             checked.expected = "none";
-            checked.verdict = ClaimVerdict::wrong;
+            checked.verdict = subject.is_left_out ? ClaimVerdict::open : ClaimVerdict::wrong;
             return checked;
         }
         const std::vector<std::string>& right = decided ? *decided : *exact;
         checked.expected = joined(right, ", ");
-        const bool holds_doubles = subject.exact->trace().method_value("scalar") != "exact";
-        Comparison comparison = compare(field, right, holds_doubles);
+        const bool is_vertex = subject.kind == StepKind::vertex;
+        const NumbersHeld held = numbers_held(subject.exact->trace());
+        Comparison comparison = compare(field, right, held, is_vertex);
         if (decides && exact && decided != exact) {
             checked.remark = fmt::format("the scene's `{}` has {}, exact arithmetic {}",
                                          truth_.decided().trace().method_value("scalar"),
                                          checked.expected, joined(*exact, ", "));
             if (!comparison.is_right)
-                comparison = compare(field, *exact, holds_doubles);
+                comparison = compare(field, *exact, held, is_vertex);
         }
         note_fit(comparison, checked);
+        if (!comparison.is_right && field.name == "culled" && subject.decided_step == 0)
+            claim.remarks.push_back("the scene culls nothing");
         if (comparison.is_open)
             checked.verdict = ClaimVerdict::open;
         else if (!comparison.is_right)
             checked.verdict = ClaimVerdict::wrong;
         note_number(field, right, order, checked, claim);
         return checked;
+    }
+
+    static NumbersHeld numbers_held(const Trace& trace) {
+        const std::string scalar = trace.method_value("scalar");
+        return scalar == "exact" || scalar == "fixed" ? NumbersHeld::fractions
+               : scalar == "float"                    ? NumbersHeld::floats
+                                                      : NumbersHeld::doubles;
     }
 
     /// A field that nothing is told of: the scene does not have it, or there is no such step.
@@ -155,9 +181,13 @@ private:
         if (values.empty() || checked.verdict == ClaimVerdict::open)
             return;
         const std::size_t line = claims_.claims[order].line;
-        const auto [first, is_new] = claimed_.try_emplace(name, std::pair(values, line));
-        const std::string remark = fmt::format("contradicts line {}", first->second.second);
-        if (!is_new && first->second.first != values &&
+        const bool is_right = checked.verdict == ClaimVerdict::right;
+        const auto [place, is_new] = claimed_.try_emplace(name, Said{values, line, is_right});
+        const Said& first = place->second;
+        const std::string remark = fmt::format("contradicts line {}", first.line);
+        // Two roundings of one number are no contradiction.
+        if (!is_new && first.values != values && first.line != line &&
+            !(first.is_right && is_right) &&
             std::find(claim.remarks.begin(), claim.remarks.end(), remark) == claim.remarks.end())
             claim.remarks.push_back(remark);
         if (checked.verdict == ClaimVerdict::wrong)
@@ -314,12 +344,12 @@ private:
         }
     }
 
-    TruthIndex truth_;
+    const TruthIndex& truth_;
     const Claims& claims_;
     Checked checked_;
     std::vector<std::optional<Subject>> subjects_; ///< of each claim; none of a picture
     std::vector<std::unique_ptr<ClaimedField>> snapped_;
-    std::map<std::string, std::pair<Values, std::size_t>> claimed_; ///< with the line
+    std::map<std::string, Said> claimed_; ///< first, by number
     WrongNumbers wrong_;
     std::map<const StepIndex*, Numbers> numbers_; ///< once all wrong ones are known
     std::map<std::string, std::vector<std::vector<Values>>> redone_; ///< by number, for each slip

@@ -29,10 +29,12 @@ struct Comparison {
     Fit fit = Fit::exact;
 };
 
-/// Compares a field with what is told of it. A vertex may be given without a z of 0; two numbers with one nearest
-/// double are the same where the trace holds doubles.
+/// What kind of numbers a trace holds: where they are rounded, a fraction is right that rounds to them.
+enum class NumbersHeld { fractions, doubles, floats };
+
+/// Compares a field with what is told of it. A vertex may be given without a z of 0.
 Comparison compare(const ClaimedField& claimed, const std::vector<std::string>& told,
-                   bool holds_doubles);
+                   NumbersHeld held, bool may_lack_z);
 
 /// The numbers of a claim, 1 and 0 for true and false; what is open as it is told. Nothing if one is no number.
 Values claimed_values(const ClaimedField& field, const std::vector<std::string>& told);

@@ -13,25 +13,20 @@
 
 namespace rastertrace {
 
-TruthIndex::TruthIndex(const Truth& truth) : truth_(truth), decided_(truth.decided()) {
-    if (&truth.exact() != &truth.decided())
-        exact_.emplace(truth.exact());
-}
-
 const StepIndex& TruthIndex::faces() const {
-    if (!exact().find(StepKind::face, {}).empty())
-        return exact();
-    const Trace* const tested = truth_.with_faces();
-    if (tested == nullptr)
+    const auto& tested = exact().find(StepKind::face, {});
+    const auto& by_light = exact().find(StepKind::face, {{"by", "light"}});
+    if (!tested.empty() && by_light.empty())
         return exact();
     if (!faces_)
-        faces_.emplace(*tested);
-    return *faces_;
+        if (const Trace* const drawn = draw_faces_())
+            faces_.emplace(*drawn);
+    return faces_ ? *faces_ : exact();
 }
 
 namespace {
 
-/// The field of a kind that holds the name of what it is about.
+/// The field of that name; nullptr if the kind has none.
 const StepField* field_of(StepKind kind, std::string_view name) {
     const auto& fields = row_of(kind).fields;
     const auto found = std::find_if(fields.begin(), fields.end(),
@@ -65,10 +60,12 @@ public:
     Subject find() {
         Subject subject{.kind = kind_, .exact = &index_, .decided = &truth_.decided()};
         for (const ClaimedField& field : claim_.fields)
-            if (is_key(kind_, field.name) && !field.values.empty())
-                subject.keys.emplace_back(field.name, field.values.front());
+            if (is_key(kind_, field.name))
+                subject.keys.emplace_back(field.name, key_value(field));
             else
                 subject.fields.push_back(&field);
+        check_keys(subject.keys);
+        check_trace();
         check_names(subject.keys);
         if (kind_ == StepKind::pixel)
             check_pixel();
@@ -76,6 +73,9 @@ public:
         subject.decided_step = step_in(*subject.decided, subject.keys);
         if (subject.step == 0 && kind_ != StepKind::pixel)
             subject.absence = absence(subject.keys);
+        const Trace& trace = index_.trace();
+        subject.is_left_out = subject.step == 0 && (trace.is_partial || !trace.damage.empty());
+        subject.culls = &index_ == &truth_.exact();
         return subject;
     }
 
@@ -85,6 +85,54 @@ private:
         const ClaimedField* const at = claim_.find(field);
         throw problem_at(claims_.source, at == nullptr ? claim_.offset : at->offset,
                          std::move(message), std::move(hint));
+    }
+
+    /// The value of a key: one, which is known. An edge may be named from either end.
+    std::string key_value(const ClaimedField& field) const {
+        if (field.values.size() != 1 || field.is_list || field.values.front() == open_value)
+            fail(field.name,
+                 fmt::format("expected one value of {}, which says what the claim is about",
+                             field.name));
+        const std::string& value = field.values.front();
+        const bool is_turned = field.name == "edge" && value.size() == 2 &&
+                               index_.find(StepKind::edge, {{"edge", value}}).empty();
+        return is_turned ? std::string{value[1], value[0]} : value;
+    }
+
+    /// Without its keys, nobody knows what a claim is about. All decisions of a line have no place.
+    void check_keys(const StepIndex::Keys& keys) const {
+        for (const StepField& field : row_of(kind_).fields) {
+            const bool is_there = std::any_of(
+                keys.begin(), keys.end(), [&](const auto& key) { return key.first == field.name; });
+            if (field.role == FieldRole::key && field.is_required && !is_there && !is_whole_line())
+                fail("", fmt::format("expected the `{}` that this claim is about, found none",
+                                     field.name));
+        }
+    }
+
+    /// What a claim is about must be told by the trace.
+    void check_trace() const {
+        const Trace& trace = index_.trace();
+        if (kind_ == StepKind::pixel && (trace.is_partial || trace.lacks(StepKind::pixel)))
+            fail("", "expected a trace with all pixels, found one that steps were left out of");
+        const bool has_other_places = kind_ == StepKind::pixel || kind_ == StepKind::vertex;
+        if (has_other_places || !index_.find(kind_, {}).empty())
+            return;
+        constexpr std::array<std::pair<StepKind, std::string_view>, 7> ways{
+            {{StepKind::decide, "lines are drawn so by --line bresenham"},
+             {StepKind::along, "lines are drawn so by --line naive and --line dda"},
+             {StepKind::depth, "--depth inverse-z gives the scene a depth buffer"},
+             {StepKind::sample, "--fill barycentric tests samples"},
+             {StepKind::scanline, "--fill scanline fills row by row"},
+             {StepKind::order, "--depth painter sorts the triangles"},
+             {StepKind::light, "--shade lambert lights faces"}}};
+        const auto way = std::find_if(ways.begin(), ways.end(),
+                                      [this](const auto& one) { return one.first == kind_; });
+        fail("",
+             fmt::format("expected a claim about something that the trace tells, found one about "
+                         "`{}`, of which it has no step",
+                         name_of(kind_)),
+             way == ways.end() ? std::string() : std::string(way->second));
     }
 
     /// The names that a key can have.
@@ -106,12 +154,15 @@ private:
         return names;
     }
 
+    /// True if something has this name, found without a list of all.
+    bool is_known(const std::string& field, const std::string& value) const {
+        return !index_.find(kind_, {{field, value}}).empty() ||
+               (field == "in" && !index_.find(StepKind::primitive, {{"in", value}}).empty());
+    }
+
     void check_names(const StepIndex::Keys& keys) const {
-        if (kind_ != StepKind::pixel && kind_ != StepKind::vertex && index_.find(kind_, {}).empty())
-            fail("", fmt::format("expected a scene with steps `{}`, found none in its trace",
-                                 name_of(kind_)));
         for (const auto& [field, value] : keys) {
-            if (field != "in" && field != "edge" && field != "name")
+            if ((field != "in" && field != "edge" && field != "name") || is_known(field, value))
                 continue;
             const auto names = names_for(field);
             if (std::find(names.begin(), names.end(), value) != names.end())
@@ -171,8 +222,9 @@ private:
     /// The first step of the line that is named, rather than of a side of that name.
     std::size_t first_of_line(const StepIndex& index, const std::vector<std::size_t>& steps) const {
         for (const std::size_t n : steps)
-            if (index.trace().step(index.primitive_of(n)).text("name") ==
-                claim_.find("in")->values.front())
+            if (const std::size_t owner = index.primitive_of(n);
+                owner != 0 &&
+                index.trace().step(owner).text("name") == claim_.find("in")->values.front())
                 return n;
         return steps.empty() ? 0 : steps.front();
     }

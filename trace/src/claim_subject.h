@@ -9,9 +9,11 @@
 #include <rastertrace/trace/check.h>
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace rastertrace {
@@ -19,18 +21,23 @@ namespace rastertrace {
 /// The traces that claims are held against, each with its index.
 class TruthIndex {
 public:
-    explicit TruthIndex(const Truth& truth);
+    /// No `exact`: the decided one is. `draw_faces` gives the trace that has every face tested, or nullptr.
+    TruthIndex(const Trace& decided, const Trace* exact, std::function<const Trace*()> draw_faces)
+        : decided_(decided), draw_faces_(std::move(draw_faces)) {
+        if (exact != nullptr)
+            exact_.emplace(*exact);
+    }
 
     const StepIndex& decided() const { return decided_; }
     const StepIndex& exact() const { return exact_ ? *exact_ : decided_; }
 
-    /// The one that has the tests of all faces: the exact one, if it has any.
+    /// The one that has the tests of all faces, toward the eye: the exact one, if it has any.
     const StepIndex& faces() const;
 
 private:
-    const Truth& truth_;
     StepIndex decided_;
-    std::optional<StepIndex> exact_; ///< none: it is the same
+    std::optional<StepIndex> exact_;
+    std::function<const Trace*()> draw_faces_;
     mutable std::optional<StepIndex> faces_;
 };
 
@@ -45,6 +52,8 @@ struct Subject {
     std::size_t step = 0;                         ///< of `exact`; 0: there is none
     std::size_t decided_step = 0;                 ///< of `decided`
     std::string absence = {};                     ///< why there is no such step
+    bool is_left_out = false; ///< it may be one of those that the trace leaves out
+    bool culls = true;        ///< of a face: the scene tests faces by itself
 };
 
 /// Finds it. Throws a Problem that points at a name which the scene does not have, or at a claim that several

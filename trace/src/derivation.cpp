@@ -5,7 +5,6 @@
 
 #include <rastertrace/trace/describe.h>
 #include <rastertrace/trace/method_names.h>
-#include <rastertrace/trace/scene_file.h>
 
 #include <fmt/core.h>
 
@@ -58,14 +57,12 @@ private:
 
     /// An edge of the step's primitive, found by its name.
     std::optional<Edge> edge_named(const std::string& name) const {
-        const StepView primitive = numbers_.step(primitive_);
-        const PrimitiveText text{.kind = primitive.text("kind"),
-                                 .name = primitive.text("name"),
-                                 .vertices = primitive.texts("vertices"),
-                                 .positions = primitive.text_rows("at")};
+        if (primitive_ == 0)
+            return std::nullopt;
+        const PrimitiveText text = primitive_in(numbers_.step(primitive_));
         for (std::size_t i = 0; i < text.vertices.size(); ++i)
             for (std::size_t k = 0; k < text.vertices.size(); ++k) {
-                if (i == k || joined_edge(text.vertices, i, k) != name)
+                if (i == k || edge_name(text, i, k) != name)
                     continue;
                 const auto from = numbers_.corner(primitive_, i);
                 const auto to = numbers_.corner(primitive_, k);
@@ -88,9 +85,6 @@ private:
         return 0;
     }
 
-    static std::string joined_edge(const std::vector<std::string>& names, std::size_t i,
-                                   std::size_t k);
-
     Rational sample_y() const { return *number_in(view_, "y") + sample_offset(numbers_.trace()); }
 
     std::optional<std::array<Vec3, 3>> world_corners(std::size_t primitive) const;
@@ -109,12 +103,6 @@ private:
     StepView view_;
     std::size_t primitive_;
 };
-
-std::string Deriver::joined_edge(const std::vector<std::string>& names, std::size_t i,
-                                 std::size_t k) {
-    const std::vector<std::string_view> views(names.begin(), names.end());
-    return fmt::format("{}{}{}", names[i], name_separator(views), names[k]);
-}
 
 Formulas Deriver::of_edge() const {
     const auto edge = edge_named(view_.text("edge"));
@@ -252,6 +240,8 @@ Formulas Deriver::of_snapped() const {
 }
 
 std::optional<std::array<Vec3, 3>> Deriver::world_corners(std::size_t primitive) const {
+    if (primitive == 0)
+        return std::nullopt;
     const auto names = numbers_.step(primitive).texts("vertices");
     std::array<Vec3, 3> corners;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -301,6 +291,9 @@ Formulas Deriver::of_face(std::string_view field) const {
                     .normal = *normal}}};
 }
 
+/// The longest line whose decisions are worked out.
+constexpr int most_decisions = 1000;
+
 Formulas Deriver::of_decisions() const {
     Replay replay(numbers_.trace());
     replay.go_to(step_);
@@ -310,6 +303,8 @@ Formulas Deriver::of_decisions() const {
     const Rational dx = abs(ends->to.x - ends->from.x);
     const Rational dy = abs(ends->to.y - ends->from.y);
     const Rational longer = std::max(dx, dy);
+    if (longer > most_decisions)
+        return {}; // no hand works that out
     return {{Decisions{.major = longer,
                        .minor = std::min(dx, dy),
                        .steps = static_cast<std::size_t>(longer.get_num().get_ui()),
@@ -322,7 +317,7 @@ Formulas Deriver::of_along() const {
     const auto from = numbers_.corner(primitive_, 0);
     const auto to = numbers_.corner(primitive_, 1);
     const auto at = number_in(view_, is_x_major ? "x" : "y");
-    if (!from || !to || !at || numbers_.step(primitive_).text("kind") != "line")
+    if (primitive_ == 0 || !from || !to || !at || numbers_.step(primitive_).text("kind") != "line")
         return {};
     Lerp lerp{.d1 = from->y, .i1 = from->x, .d2 = to->y, .i2 = to->x, .i = *at};
     if (!is_x_major)

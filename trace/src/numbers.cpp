@@ -68,6 +68,8 @@ std::optional<Rational> Numbers::one(std::size_t step, std::string_view field) c
 }
 
 std::optional<Vec<Rational, 2>> Numbers::corner(std::size_t primitive, std::size_t i) const {
+    if (primitive == 0)
+        return std::nullopt; // the trace leaves its primitives out
     const StepView view = trace().step(primitive);
     const auto names = view.texts("vertices");
     const auto places = view.text_rows("at");

@@ -56,11 +56,6 @@ Rational truncated(const Rational& number) {
     return Rational(mpz_class(number.get_num() / number.get_den()));
 }
 
-/// A decision the other way.
-Values opposite(const Values& decision) {
-    return {1 - decision.front()};
-}
-
 std::vector<Values> dx_dy_inverted(const Formula& formula) {
     Results results(formula);
     if (const auto* edge = as<Slope>(formula))
@@ -171,20 +166,27 @@ void exchange(Results& results, const Values& values, std::size_t i, std::size_t
     results.add(std::move(exchanged));
 }
 
+/// True of a formula for a point or a vector.
+bool gives_vector(const Formula& formula) {
+    return as<TakenOver>(formula) || as<FaceNormal>(formula) || as<Centroid>(formula) ||
+           as<Toward>(formula) || as<MatrixTimes>(formula) || as<DividedByW>(formula);
+}
+
 std::vector<Values> y_for_z(const Formula& formula) {
     Results results(formula);
-    if (results.right().size() >= 3)
+    if (gives_vector(formula) && results.right().size() >= 3)
         exchange(results, results.right(), 1, 2);
     return results.take();
 }
 
 std::vector<Values> coordinates_exchanged(const Formula& formula) {
     Results results(formula);
-    if (as<Decisions>(formula))
+    if (!gives_vector(formula) && !as<Weights>(formula) && !as<RoundedPlace>(formula))
         return {};
     exchange(results, results.right(), 0, 1);
-    if (results.right().size() >= 3)
-        exchange(results, results.right(), 0, 2);
+    exchange(results, results.right(), 0, 2);
+    if (as<Weights>(formula))
+        exchange(results, results.right(), 1, 2);
     return results.take();
 }
 
@@ -197,8 +199,8 @@ std::vector<Values> view_turned_round(const Formula& formula) {
             value = -value;
         results.add(std::move(turned));
     }
-    if (as<IsCulled>(formula))
-        results.add(opposite(results.right()));
+    if (const auto* face = as<IsCulled>(formula))
+        results.add_formula({IsCulled{-face->dot, face->hides_back}});
     return results.take();
 }
 
@@ -307,8 +309,10 @@ std::vector<Values> z_for_inverse_z(const Formula& formula) {
         results.add_formula({of_z});
         inverted(value_of({of_z}));
     }
-    if (as<DepthComparison>(formula))
-        results.add(opposite(results.right()));
+    if (const auto* test = as<DepthComparison>(formula))
+        if (sgn(test->depth) != 0 && sgn(test->stored) != 0)
+            results.add_formula(
+                {DepthComparison{1 / test->depth, 1 / test->stored, test->larger_passes}});
     return results.take();
 }
 
@@ -414,7 +418,8 @@ std::vector<Values> sign(const Formula& formula) {
     for (Rational& value : negated)
         value = -value;
     results.add(std::move(negated));
-    for (std::size_t i = 0; right.size() > 1 && i < right.size(); ++i) {
+    const bool has_components = right.size() > 1 && !as<Decisions>(formula);
+    for (std::size_t i = 0; has_components && i < right.size(); ++i) {
         Values one = right;
         one[i] = -one[i];
         results.add(std::move(one));
@@ -518,7 +523,7 @@ constexpr Slip table[] = {
     {"factor-2-dropped", "dy where 2 dy belongs", factor_2_dropped},
     {"dx-and-dy-exchanged", "the longer direction taken for the shorter one", dx_and_dy_exchanged},
     {"not-divided", "a division left out", not_divided},
-    {"neighbor-row", "the row above or below", neighbor_row},
+    {"neighbor-row", "the row above or below, or the column beside", neighbor_row},
     {"sign", "a minus lost, or one too many", sign},
     {"term-dropped", "a term of the sum left out", term_dropped},
     {"c-minus-a", "C - A taken where C - B belongs: another corner", c_minus_a},

@@ -52,12 +52,26 @@ std::vector<std::string> StepIndex::names_around(std::size_t n) const {
     return names;
 }
 
+namespace {
+
+/// A value as it is compared in a field: numbers by what they are, names as they stand.
+std::string compared(StepKind kind, std::string_view field, const std::string& value) {
+    const auto& fields = row_of(kind).fields;
+    const bool is_number = std::any_of(fields.begin(), fields.end(), [&](const StepField& one) {
+        return one.name == field &&
+               (one.type == FieldType::whole || one.type == FieldType::quantity);
+    });
+    return is_number ? normal_form(value) : value;
+}
+
+} // namespace
+
 const std::vector<std::size_t>& StepIndex::find(StepKind kind, const Keys& keys) const {
     std::string fields;
     std::string wanted;
     for (const auto& [field, value] : keys) {
         fields += field + between;
-        wanted += normal_form(value) + between;
+        wanted += compared(kind, field, value) + between;
     }
     const auto [place, is_new] = found_.try_emplace({kind, fields});
     Found& found = place->second;
@@ -68,7 +82,7 @@ const std::vector<std::size_t>& StepIndex::find(StepKind kind, const Keys& keys)
         for (const auto& [field, value] : keys) {
             const std::vector<std::string> values =
                 field == "in" ? names_around(n)
-                              : std::vector{normal_form(trace_->step(n).text(field))};
+                              : std::vector{compared(kind, field, trace_->step(n).text(field))};
             std::vector<std::string> longer;
             for (const std::string& text : texts)
                 for (const std::string& one : values)

@@ -19,12 +19,25 @@ std::vector<std::string> decisions_from(const StepIndex& index, std::size_t firs
     std::vector<std::string> decisions;
     for (std::size_t n = first; n <= index.trace().size(); ++n) {
         const auto kind = index.trace().kind_of(n);
-        if (kind == StepKind::edge || kind == StepKind::primitive)
+        if (kind == StepKind::edge || kind == StepKind::primitive || kind == StepKind::ray)
             break;
         if (kind == StepKind::decide)
             decisions.push_back(index.trace().step(n).text("d"));
     }
     return decisions;
+}
+
+/// The same of the whole line, of which the canvas may have a part: that part, if as many are claimed.
+std::vector<std::string> told_decisions(const StepIndex& index, std::size_t first,
+                                        std::size_t claimed) {
+    std::vector<std::string> on_canvas = decisions_from(index, first);
+    const auto formulas = formulas_of(Numbers(index), first, "d");
+    if (on_canvas.size() == claimed || formulas.empty())
+        return on_canvas;
+    std::vector<std::string> all;
+    for (const Rational& d : value_of(formulas.front()))
+        all.push_back(d.get_str());
+    return all;
 }
 
 /// z, or 1/z, by a depth test.
@@ -43,7 +56,7 @@ ToldValues told_in(const StepIndex& index, std::size_t step, const ClaimedField&
         return std::nullopt;
     const StepView view = index.trace().step(step);
     if (view.kind() == StepKind::decide && field.name == "d" && field.is_list)
-        return decisions_from(index, step);
+        return told_decisions(index, step, field.values.size());
     if (view.kind() == StepKind::depth && (field.name == "z" || field.name == "inverse_z"))
         return told_z(index, step, field.name == "inverse_z");
     const auto json = view.field(field.name);
@@ -152,6 +165,9 @@ ToldValues told(const StepIndex& index, std::size_t step, const Subject& subject
 } // namespace
 
 ToldValues told_exactly(const Subject& subject, const ClaimedField& field) {
+    // What is culled, the scene's method says, and not the trace that has faces tested for their numbers.
+    if (subject.kind == StepKind::face && field.name == "culled" && !subject.culls)
+        return told_as_decided(subject, field);
     return told(*subject.exact, subject.step, subject, field);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/trace/check.h>
 
+#include "claim_subject.h"
+
 #include <rastertrace/trace/scene_file.h>
 #include <rastertrace/trace/stage_name.h>
 #include <rastertrace/trace/write_trace.h>
@@ -20,6 +22,7 @@ struct Truth::State {
     std::optional<Trace> exact = {};
     std::optional<Trace> with_faces = {};
     std::vector<Problem> remarks = {};
+    std::optional<TruthIndex> index = {};
 
     /// Draws the scene with more choices than it has. Every stage runs: it changes no picture, and each
     /// vertex is told in every space.
@@ -33,8 +36,29 @@ struct Truth::State {
             throw read.problem();
         const PlannedScene& planned = read.value();
         remarks = planned.remarks;
-        return std::move(
-            read_written_trace(written_trace(planned.scene, planned.plan, scene->name)).value());
+        Result<Trace> drawn =
+            read_written_trace(written_trace(planned.scene, planned.plan, scene->name));
+        if (!drawn)
+            throw drawn.problem();
+        return std::move(drawn.value());
+    }
+
+    /// The same scene in exact numbers; nullptr if it is drawn in them.
+    const Trace* drawn_exactly() {
+        if (!scene || decided->method_value("scalar") == "exact")
+            return nullptr;
+        if (!exact)
+            exact = draw({{"scalar", "exact"}});
+        return &*exact;
+    }
+
+    /// The same with every face tested; nullptr if there is no scene.
+    const Trace* drawn_with_faces() {
+        if (!scene)
+            return nullptr;
+        if (!with_faces)
+            with_faces = draw({{"scalar", "exact"}, {"cull", "back"}});
+        return &*with_faces;
     }
 };
 
@@ -59,19 +83,19 @@ const Trace& Truth::decided() const {
 }
 
 const Trace& Truth::exact() const {
-    if (!state_->scene || decided().method_value("scalar") == "exact")
-        return decided();
-    if (!state_->exact)
-        state_->exact = state_->draw({{"scalar", "exact"}});
-    return *state_->exact;
+    const Trace* const exact = state_->drawn_exactly();
+    return exact == nullptr ? decided() : *exact;
 }
 
 const Trace* Truth::with_faces() const {
-    if (!state_->scene)
-        return nullptr;
-    if (!state_->with_faces)
-        state_->with_faces = state_->draw({{"scalar", "exact"}, {"cull", "back"}});
-    return &*state_->with_faces;
+    return state_->drawn_with_faces();
+}
+
+const TruthIndex& Truth::index() const {
+    if (!state_->index)
+        state_->index.emplace(decided(), state_->drawn_exactly(),
+                              [state = state_.get()] { return state->drawn_with_faces(); });
+    return *state_->index;
 }
 
 const std::vector<Problem>& Truth::remarks() const {

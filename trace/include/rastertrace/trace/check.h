@@ -33,6 +33,8 @@
 
 namespace rastertrace {
 
+class TruthIndex;
+
 /// What claims are held against. Of a scene: values against exact arithmetic, decisions against the scene's
 /// own method and scalar, both drawn when someone asks. Of a trace: what it tells.
 class Truth {
@@ -56,6 +58,9 @@ public:
 
     /// What can be drawn, but is probably not what the scene's author meant.
     const std::vector<Problem>& remarks() const;
+
+    /// For check(): its steps by their keys, found once for all files of claims.
+    const TruthIndex& index() const;
 
 private:
     struct State;

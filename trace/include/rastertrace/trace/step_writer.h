@@ -181,13 +181,15 @@ public:
         if (!wants(StepKind::order))
             return;
         begin_line(StepKind::order);
-        std::string_view before = R"({"step":"order","names":[)";
+        put(R"({"step":"order","names":[)");
+        std::string_view before = "";
         for (const std::string_view name : step.names) {
             put(before, std::string_view(json_quoted(name)));
             before = ",";
         }
         // Different ones that round to one double are told as they are: their order hangs on it.
-        before = R"(],"distances":[)";
+        put(R"(],"distances":[)");
+        before = "";
         const auto& distances = step.distances;
         for (std::size_t i = 0, end = 0; i < distances.size(); i = end) {
             const double near = to_double(distances[i]);

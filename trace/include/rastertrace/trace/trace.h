@@ -16,6 +16,7 @@
 #include <rastertrace/trace/step_kind.h>
 
 #include <array>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -95,7 +96,10 @@ public:
     std::size_t size() const { return steps_.size(); }
 
     /// Step n, from 1 to size().
-    StepView step(std::size_t n) const { return StepView(text_of(steps_[n - 1])); }
+    StepView step(std::size_t n) const {
+        assert(n > 0 && n <= steps_.size());
+        return StepView(text_of(steps_[n - 1]));
+    }
 
     /// The kind of step n, if we know it.
     std::optional<StepKind> kind_of(std::size_t n) const { return steps_[n - 1].kind; }
