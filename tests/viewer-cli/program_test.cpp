@@ -1527,7 +1527,7 @@ TEST_F(ProgramTest, UsageErrorsNameTheWordAndANearOne) {
     EXPECT_THAT(shell("$rastertrace").err, HasSubstr("rastertrace show examples/"));
     EXPECT_EQ(shell("$rastertrace shw x").err,
               "rastertrace: expected a command out of trace, "
-              "show, stats, plan, stress, report, renew, help, found "
+              "show, explain, stats, plan, stress, report, renew, help, found "
               "\"shw\"\n"
               "hint: did you mean show?\n");
     EXPECT_EQ(shell("$rastertrace show x --evry pixel").err,

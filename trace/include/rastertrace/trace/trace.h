@@ -11,6 +11,7 @@
 // unknown names are kept.
 
 #include <rastertrace/core/raster/canvas.h>
+#include <rastertrace/core/raster/image.h>
 #include <rastertrace/trace/problem.h>
 #include <rastertrace/trace/step_kind.h>
 
