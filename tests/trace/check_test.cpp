@@ -293,8 +293,9 @@ TEST(Check, WhatTheSceneDoesNotHave) {
               "claims:1:10: expected a scene with a depth buffer, found one without\n"
               "(3,2): z 3\n         ^\nhint: --depth inverse-z gives it one");
     EXPECT_EQ(problem_of_claims(triangle, "AB: 1 2 3\n"),
-              "claims:1:1: expected a scene with steps `decide`, found none in its trace\n"
-              "AB: 1 2 3\n^");
+              "claims:1:1: expected a claim about something that the trace tells, found one about "
+              "`decide`, of which it has no step\nAB: 1 2 3\n^\n"
+              "hint: lines are drawn so by --line bresenham");
     const Checked row = check_claims(triangle, "y=6: 1, 2\n");
     EXPECT_EQ(verdicts(row), "w");
     EXPECT_THAT(row.claims[0].remarks, ElementsAre("there is no such row: rows are y=-3 to 5"));
