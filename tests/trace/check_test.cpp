@@ -103,6 +103,15 @@ TEST(Check, ARowThatAddsTheSlopeToAWrongOneFollows) {
     EXPECT_EQ(checked.claims[2].fields[0].follows_from, 2U);
 }
 
+TEST(Check, WhoRoundsTooEarlyIsTold) {
+    // dx/dy = 6/7 is 0.9 to one digit; 2 + 0.9 (3 - 5) = 0.2, where 2 - 12/7 = 2/7 is 0.3.
+    const std::string sevenths = R"({"canvas":{"width":17,"height":14},
+        "vertices":{"A":[2,5],"B":[-4,-2],"C":[5,-3]},"triangles":["ABC"],"method":{"scalar":"exact"}})";
+    const Checked checked = check_claims(sevenths, "edge AB: 0.9\ny=3: 0.2, ?\n");
+    EXPECT_EQ(verdicts(checked), "rf");
+    EXPECT_EQ(checked.claims[1].fields[0].follows_from, 1U);
+}
+
 TEST(Check, AMovedVertexMovesItsRows) {
     // With B at (-4, 3), y=4 lies on (2, 5) (-4, 3): 2 - 3 = -1.
     const Checked checked = check_claims(triangle, "y=4: -1, 19/8\nB screen: -4, 3\n");
@@ -308,6 +317,129 @@ TEST(Check, AClaimSaysWhichPrimitiveIsMeant) {
               "claims:1:1: expected a claim about one step, found one about 2 of kind `scanline`\n"
               "y=1: 0, 2\n^\nhint: say which is meant: ABC, ABD; ABC y=2: ..., or \"in\": \"ABC\"");
     EXPECT_EQ(verdicts(check_claims(two, "ABC y=1: 0, 2\nABD y=1: -2, 0\n")), "rr");
+}
+
+TEST(Check, AClaimSaysWhatItIsAbout) {
+    EXPECT_EQ(
+        problem_of_claims(triangle, R"({"claims":[{"step":"vertex","space":"eye","at":[1,2,3]}]})"),
+        "claims:1:12: expected the `name` that this claim is about, found none\n"
+        "{\"claims\":[{\"step\":\"vertex\",\"space\":\"eye\",\"at\":[1,2...\n           ^");
+    EXPECT_EQ(verdicts(check_claims(triangle, "edge BA: 3/4\n")), "r"); // from either end
+}
+
+TEST(Check, NamesMayLookLikeNumbers) {
+    const std::string digits = R"({"canvas":{"width":17,"height":14},
+        "vertices":{"0":[2,5],"1":[-4,-3],"2":[5,-3]},"triangles":["012"],"lines":["01"]})";
+    EXPECT_EQ(verdicts(check_claims(digits, "012 y=2: -1/4, 25/8 -> -1..3\n(3,2) 012: inside\n"
+                                            "012 edge 01: 3/4\n01: 4 0 12 8 4 0 12 8\n")),
+              "rrrr");
+}
+
+TEST(Check, ALineMayLeaveTheCanvas) {
+    const std::string off = R"({"canvas":{"width":8,"height":4,"origin":"bottom-left"},
+        "vertices":{"A":[-3,0],"B":[5,2]},"lines":["AB"]})";
+    EXPECT_EQ(verdicts(check_claims(off, "AB: -4 0 4 -8 -4 0 4 -8\n")), "r");
+    EXPECT_EQ(verdicts(check_claims(off, "AB: -4 0 4 -8 -4 0 4 8\n")), "w");
+    const std::string far = R"({"canvas":{"width":8,"height":8},
+        "vertices":{"A":[-3,0],"B":[2000000000,3]},"lines":["AB"]})";
+    EXPECT_EQ(verdicts(check_claims(far, "AB: 1 2 3\n")), "w");
+}
+
+/// A trace that some steps were left out of.
+Truth truth_of_kinds(const std::string& scene, std::vector<StepKind> kinds) {
+    return Truth(
+        readable_trace(trace_text(scene_in(scene), {.filter = {.only = std::move(kinds)}})));
+}
+
+TEST(Check, WhatATraceLacksIsNotGuessed) {
+    const Truth rows = truth_of_kinds(triangle, {StepKind::scanline});
+    EXPECT_EQ(verdicts(check(rows, claims_in("y=2: -1/4, 25/8\n"))), "r");
+    EXPECT_THROW(check(rows, claims_in("(3,2): on\n")), Problem);
+    EXPECT_THROW(check(rows, claims_in("picture:\n#\n")), Problem);
+    EXPECT_THROW(check(rows, claims_in("edge AB: 3/4\n")), Problem);
+    // Without its primitive, an edge has no working: it is right or wrong, and no slip is named.
+    const Truth edges = truth_of_kinds(triangle, {StepKind::edge});
+    const Checked checked = check(edges, claims_in("edge AB: 3/4\nedge AB: 4/3\n"));
+    EXPECT_EQ(verdicts(checked), "rw");
+    EXPECT_THAT(checked.claims[1].fields[0].slips, IsEmpty());
+    // A trace that breaks off may have told the row.
+    std::string text = trace_text(scene_in(triangle));
+    text.resize(text.find(R"({"step":"scanline","y":2)"));
+    const Checked cut =
+        check(Truth(readable_trace(text)), claims_in("y=3: 1/2, 11/4\ny=2: 1, 2\n"));
+    EXPECT_EQ(verdicts(cut), "ro");
+    EXPECT_THAT(cut.claims[1].remarks,
+                ElementsAre("steps were left out of the trace: it may be one of these"));
+}
+
+TEST(Check, APainterMayHaveNothingToSort) {
+    const std::string line = R"({"canvas":{"width":8,"height":4,"origin":"bottom-left"},
+        "vertices":{"A":[0,0],"B":[5,2]},"lines":["AB"],"method":{"depth":"painter"}})";
+    EXPECT_EQ(verdicts(check_claims(line, "(0,0): on\n")), "r");
+}
+
+TEST(Check, TheViewIsTowardTheEyeWhateverCulls) {
+    const std::string by_light = R"({"canvas":{"width":8,"height":8},
+        "vertices":{"A":[0,0,3],"B":[1,1,3],"C":[1,0,3]},"triangles":["ABC"],
+        "projection":{"type":"pinhole","distance":1},"light":{"direction":[0,0,-1]},
+        "method":{"scalar":"exact","cull":"light","shade":"lambert"}})";
+    EXPECT_EQ(verdicts(check_claims(by_light, "view ABC: -2/3, -1/3, -3\n")), "r");
+}
+
+TEST(Check, WhereNothingIsCulledAllIsDrawn) {
+    const std::string turned = R"({"canvas":{"width":20,"height":20},
+        "vertices":{"A":[-1,1,3],"B":[1,1,3],"C":[1,-1,3]},"triangles":["ACB"],
+        "projection":{"type":"pinhole","distance":1},"method":{"scalar":"exact"}})";
+    const Checked checked = check_claims(turned, "ACB: drawn\nACB: culled\n");
+    EXPECT_EQ(verdicts(checked), "rw");
+    EXPECT_THAT(checked.claims[1].remarks, Contains("the scene culls nothing"));
+    EXPECT_EQ(checked.claims[0].fields[0].remark, "");
+}
+
+TEST(Check, NoSlipGivesAPartOfAList) {
+    const Checked checked =
+        check_claims(triangle, R"({"claims":[{"step":"face","name":"ABC","normal":[0]}]})");
+    EXPECT_EQ(verdicts(checked), "w");
+    EXPECT_THAT(checked.claims[0].fields[0].slips, IsEmpty());
+}
+
+TEST(Check, EqualDepthsAreNoMatterOfZ) {
+    const std::string equal = R"({"canvas":{"width":10,"height":10,"origin":"bottom-left"},
+        "vertices":{"A":[1,1,2],"B":[8,1,2],"C":[1,8,2],"D":[8,8,2]},
+        "triangles":["ABC","ABD"],"method":{"scalar":"exact","depth":"linear-z"}})";
+    EXPECT_THAT(slips_of(equal, "depth ABD (2,1): passes\n"), IsEmpty());
+}
+
+TEST(Check, TwoRoundingsDoNotContradict) {
+    const Checked checked = check_claims(triangle, "y=-2: -3.3, ?\ny=-2: -13/4, ?\n");
+    EXPECT_EQ(verdicts(checked), "rr");
+    EXPECT_THAT(checked.claims[1].remarks, IsEmpty());
+}
+
+TEST(Check, APlaceAndItsPixelAreTwoThings) {
+    const Checked checked =
+        check_claims(example_text("t0-hidden/cube-culled.json"), "A screen: -3, 3 -> -4, 3\n");
+    EXPECT_EQ(verdicts(checked), "w");
+    EXPECT_EQ(checked.claims[0].fields[0].expected, "-10/3, 10/3");
+    EXPECT_EQ(checked.claims[0].fields[1].verdict, ClaimVerdict::right);
+}
+
+TEST(Check, ATraceOfRoundedNumbersTakesTheFraction) {
+    const std::string sevenths = R"({"canvas":{"width":17,"height":14},
+        "vertices":{"A":[2,5],"B":[-4,-2],"C":[5,-3]},"triangles":["ABC"],"method":{"scalar":")";
+    for (const std::string scalar : {"float", "double", "adaptive"}) {
+        const Truth truth(readable_trace(trace_text(scene_in(sevenths + scalar + "\"}}"))));
+        EXPECT_EQ(
+            verdicts(check(truth, claims_in("edge AB: 6/7\ny=1: -10/7, 7/2\nedge AB: 7/8\n"))),
+            "rrw")
+            << scalar;
+    }
+}
+
+TEST(Check, ADecimalMayBeLong) {
+    const std::string thirds = R"({"canvas":{"width":17,"height":14},
+        "vertices":{"A":[0,0],"B":[2,3],"C":[4,0]},"triangles":["ABC"],"method":{"scalar":"exact"}})";
+    EXPECT_EQ(verdicts(check_claims(thirds, "y=1: 0." + std::string(99, '6') + "7, ?\n")), "r");
 }
 
 /// A step as a claim, and what tells it from the others: its key fields, and the primitive or the side.

@@ -190,8 +190,14 @@ private:
             !(first.is_right && is_right) &&
             std::find(claim.remarks.begin(), claim.remarks.end(), remark) == claim.remarks.end())
             claim.remarks.push_back(remark);
-        if (checked.verdict == ClaimVerdict::wrong)
+        // Who has rounded a number goes on from what is written.
+        if (checked.verdict == ClaimVerdict::wrong || values != true_values(right))
             wrong_.try_emplace(name, WrongNumber{values, order, line});
+    }
+
+    /// What is told, as claimed_values has it.
+    static Values true_values(const std::vector<std::string>& told) {
+        return claimed_values({.name = {}, .values = told}, told);
     }
 
     /// Finds what a wrong field goes on from, or the slip behind it.
@@ -214,8 +220,8 @@ private:
         }
     }
 
-    /// True if redoing a formula from other wrong numbers gives what is claimed: the textbook's from any of them,
-    /// another, which could go in a circle, from those claimed before.
+    /// True if redoing a formula from the numbers of other claims gives what is claimed: the textbook's formula
+    /// from all of them, any other from those claimed before.
     bool follows(const Subject& subject, const ClaimedField& field, std::size_t order,
                  CheckedField& checked) {
         const Values right =
@@ -232,13 +238,14 @@ private:
             return true;
         };
         const Numbers& all = claimed_numbers(*subject.exact);
-        all.line_used();
+        all.take_line_used();
         const auto by_textbook = formulas_of(subject, all, field.name);
-        if (is_from(all.line_used(), !by_textbook.empty() && comes_to_it(by_textbook.front())))
+        if (is_from(all.take_line_used(), !by_textbook.empty() && comes_to_it(by_textbook.front())))
             return true;
         const Numbers before(*subject.exact, wrong_, order);
         const auto by_any = formulas_of(subject, before, field.name);
-        return is_from(before.line_used(), std::any_of(by_any.begin(), by_any.end(), comes_to_it));
+        return is_from(before.take_line_used(),
+                       std::any_of(by_any.begin(), by_any.end(), comes_to_it));
     }
 
     /// The numbers of a trace with all wrong ones in place of the right ones.

@@ -404,10 +404,6 @@ Formulas Deriver::of_depth_test() const {
     return {{DepthComparison{*depth, *stored, *larger}}};
 }
 
-} // namespace
-
-namespace {
-
 /// An end of a row as it was claimed, if somebody has.
 RoundedEnd end_in_row(const Numbers& numbers, std::size_t row, const std::string& side) {
     const std::string pixel = side == "left" ? "from" : "to";

@@ -47,8 +47,8 @@ public:
     Numbers(const StepIndex& index, const WrongNumbers& wrong, std::size_t last_order)
         : index_(&index), wrong_(&wrong), last_order_(last_order), works_out_(false) {}
 
-    /// True if nothing is taken but what is claimed itself. Only then may a number come of its neighbors, which
-    /// come of it.
+    /// True if claims replace only what they are about. Then a row's end may be worked out from the row above,
+    /// and that one from the row below, without going in a circle.
     bool takes_only_claims() const { return !works_out_; }
 
     const StepIndex& index() const { return *index_; }
@@ -66,8 +66,8 @@ public:
     /// Where a vertex is in the world.
     std::optional<Vec<Rational, 3>> in_world(const std::string& vertex) const;
 
-    /// The line of the last claim that a number was taken from since this was asked; 0 for none.
-    std::size_t line_used() const { return std::exchange(line_used_, 0); }
+    /// The line of the claim that a number was taken from last, 0 for none; then forgets it.
+    std::size_t take_line_used() const { return std::exchange(line_used_, 0); }
 
 private:
     struct WorkedOut {

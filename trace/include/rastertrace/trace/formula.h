@@ -52,7 +52,7 @@ struct RoundedEnd {
     Rational by(const SpanRounding& other) const;
 };
 
-/// What is taken over as it is: a vertex as it was typed, or in a space that nothing leads to but the last one.
+/// A number that is copied: a vertex as it was typed, or in a space where it stands as in the one before.
 struct TakenOver {
     Values values;
 };
