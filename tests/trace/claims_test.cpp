@@ -195,9 +195,23 @@ TEST(Claims, FaultsOfATableArePointedAt) {
         {"y=2: x, 3", "claims.txt:1:6: expected a number, like 3.125 or 25/8, found x\n"
                       "y=2: x, 3\n"
                       "     ^"},
-        {"y=2: 1/0, 3", "claims.txt:1:6: expected a number, like 3.125 or 25/8, found 1/0\n"
+        {"y=2: 1/0, 3", "claims.txt:1:6: expected a denominator other than 0, found 1/0\n"
                         "y=2: 1/0, 3\n"
                         "     ^"},
+        {"y=2: 1, 1e400", "claims.txt:1:9: expected a number up to 1.797e308, found 1e400\n"
+                          "y=2: 1, 1e400\n"
+                          "        ^"},
+        {"y=1e-400: 1, 3",
+         "claims.txt:1:3: expected 0 or a number from 4.941e-324 on, found 1e-400\n"
+         "y=1e-400: 1, 3\n"
+         "  ^"},
+        {"y=2: +1, 3", "claims.txt:1:6: expected a number without + in front, found +1\n"
+                       "y=2: +1, 3\n"
+                       "     ^"},
+        {"y=2: -.25, 3", "claims.txt:1:6: expected a digit before the point, like -0.25, found "
+                         "-.25\n"
+                         "y=2: -.25, 3\n"
+                         "     ^"},
         {"y=?: 1, 3", "claims.txt:1:3: expected a whole number, found ?\n"
                       "y=?: 1, 3\n"
                       "  ^"},
@@ -267,6 +281,14 @@ TEST(Claims, FaultsOfATableArePointedAt) {
         EXPECT_EQ(complaint(text), message) << text;
 }
 
+TEST(Claims, ANumberThatIsTooLongIsRefused) {
+    const std::string digits(10'000, '7');
+    const auto claims = read_claims({"claims.txt", "y=2: 1, " + digits});
+    ASSERT_FALSE(static_cast<bool>(claims));
+    EXPECT_EQ(claims.problem().message, "expected a number of at most 1200 characters, found " +
+                                            digits.substr(0, 37) + "...");
+}
+
 TEST(Claims, ALineOfNoFormIsShownTheForms) {
     for (const std::string text : {"-> 3", "ABC", "= 2", "A, B: 3"})
         EXPECT_NE(complaint(text).find("\nhint: a line looks like `y=2: -1/4, 25/8 -> -1..3`, "),
@@ -299,6 +321,10 @@ TEST(Claims, FaultsOfJsonArePointedAt) {
          "claims.txt:1:36: expected a whole number, found null\n"
          "{\"claims\": [{\"step\":\"scanline\",\"y\":null,\"left\":1}]}\n"
          "                                   ^"},
+        {R"({"claims": [{"step":"scanline","y":2,"left":"1/0"}]})",
+         "claims.txt:1:45: expected a denominator other than 0, found \"1/0\"\n"
+         "{\"claims\": [{\"step\":\"scanline\",\"y\":2,\"left\":\"1/0\"}]}\n"
+         "                                            ^"},
         {R"({"claims": [{"step":"scanline","y":2,"left":[1]}]})",
          "claims.txt:1:45: expected one value for left, found an array of 1\n"
          "{\"claims\": [{\"step\":\"scanline\",\"y\":2,\"left\":[1]}]}\n"
