@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -26,6 +28,13 @@ Claims claims_in(const std::string& text) {
 std::string complaint(const std::string& text) {
     const auto claims = read_claims({"claims.txt", text});
     return claims ? "" : to_text(claims.problem());
+}
+
+std::string repeated(std::string_view text, std::size_t count) {
+    std::string all;
+    for (std::size_t i = 0; i < count; ++i)
+        all += text;
+    return all;
 }
 
 /// What claims say, whichever layout they were written in.
@@ -279,6 +288,24 @@ TEST(Claims, FaultsOfATableArePointedAt) {
     };
     for (const auto& [text, message] : faults)
         EXPECT_EQ(complaint(text), message) << text;
+}
+
+TEST(Claims, OfALongLineTheFirstWordTooManyIsRefused) {
+    // Twice Bresenham's d, with commas, of the longest line: a canvas is up to 16384 pixels wide.
+    const std::size_t most = 65536;
+    EXPECT_EQ(claims_in("AB:" + repeated(" 1", most - 2)).claims[0].find("d")->values.size(),
+              most - 2);
+    for (const std::string word : {" 1", "(", " \"a\""}) {
+        const std::string long_line = "AB:" + repeated(word, most);
+        const auto claims = read_claims({"claims.txt", long_line});
+        ASSERT_FALSE(static_cast<bool>(claims));
+        EXPECT_EQ(claims.problem().message, "expected at most 65536 words in a line, found more");
+        EXPECT_EQ(claims.problem().column,
+                  3 + (most - 2) * word.size() + word.find_first_not_of(' ') + 1);
+    }
+    // A row of a picture has no words.
+    EXPECT_EQ(claims_in("picture:\n" + repeated("..", most + 1)).claims[0].picture[0].size(),
+              2 * (most + 1));
 }
 
 TEST(Claims, ANumberThatIsTooLongIsRefused) {

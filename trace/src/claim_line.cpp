@@ -21,11 +21,6 @@ constexpr std::string_view blanks = " \t\r";
 /// How much of a word is shown.
 constexpr std::size_t shown_of_word = 40;
 
-std::string_view without_blanks(std::string_view text) {
-    const std::size_t first = std::min(text.find_first_not_of(blanks), text.size());
-    return text.substr(first, text.find_last_not_of(blanks) + 1 - first);
-}
-
 /// The mark at the front of `text`, or "".
 std::string_view mark_at(std::string_view text) {
     constexpr std::array<std::string_view, 7> marks{"->", "..", "(", ")", ",", ":", "="};
@@ -78,9 +73,9 @@ void ClaimLine::read_words() {
 std::size_t ClaimLine::read_word(std::size_t at) {
     const std::string_view mark = mark_at(raw_.substr(at));
     const std::size_t length = mark.empty() ? word_length(raw_.substr(at)) : mark.size();
-    words_.push_back({.text = std::string(raw_.substr(at, length)),
-                      .offset = offset_of(raw_.substr(at)),
-                      .is_mark = !mark.empty()});
+    add({.text = std::string(raw_.substr(at, length)),
+         .offset = offset_of(raw_.substr(at)),
+         .is_mark = !mark.empty()});
     return at + length;
 }
 
@@ -92,10 +87,18 @@ std::size_t ClaimLine::read_quoted(std::size_t at) {
     if (end >= raw_.size())
         throw problem_at(source_, offset_of(raw_.substr(at)),
                          "expected a closing quote, found none");
-    words_.push_back({.text = plain_text(raw_.substr(at, end + 1 - at)),
-                      .offset = offset_of(raw_.substr(at)),
-                      .is_quoted = true});
+    add({.text = plain_text(raw_.substr(at, end + 1 - at)),
+         .offset = offset_of(raw_.substr(at)),
+         .is_quoted = true});
     return end + 1;
+}
+
+void ClaimLine::add(ClaimWord word) {
+    if (words_.size() == most_words)
+        throw problem_at(
+            source_, word.offset,
+            fmt::format("expected at most {} words in a line, found more", most_words));
+    words_.push_back(std::move(word));
 }
 
 std::size_t ClaimLine::offset_of(std::string_view part) const {
@@ -165,6 +168,11 @@ void ClaimLine::fail(const ClaimWord& word, std::string_view expected, std::stri
 
 void ClaimLine::fail_at_begin(std::string message, std::string hint) const {
     throw problem_at(source_, offset_of(raw_), std::move(message), std::move(hint));
+}
+
+std::string_view without_blanks(std::string_view text) {
+    const std::size_t first = std::min(text.find_first_not_of(blanks), text.size());
+    return text.substr(first, text.find_last_not_of(blanks) + 1 - first);
 }
 
 bool is_one_word(std::string_view text) {
