@@ -221,6 +221,14 @@ TEST(Claims, FaultsOfATableArePointedAt) {
                          "-.25\n"
                          "y=2: -.25, 3\n"
                          "     ^"},
+        {"scene: a.json\n\nscene: b.json",
+         "claims.txt:3:1: expected one line `scene:`, found another\n"
+         "scene: b.json\n"
+         "^"},
+        {"round: nearest\n round: truncate",
+         "claims.txt:2:2: expected one line `round:`, found another\n"
+         " round: truncate\n"
+         " ^"},
         {"y=?: 1, 3", "claims.txt:1:3: expected a whole number, found ?\n"
                       "y=?: 1, 3\n"
                       "  ^"},

@@ -81,12 +81,17 @@ private:
     }
 
     void read_scene(ClaimLine& line) {
+        if (!claims_.scene.empty())
+            line.fail_at_begin("expected one line `scene:`, found another");
         claims_.scene = line.rest();
         if (claims_.scene.empty())
             line.fail(line.peek(), "the name of a scene file");
     }
 
     void read_round(ClaimLine& line) {
+        if (has_round_)
+            line.fail_at_begin("expected one line `round:`, found another");
+        has_round_ = true;
         const ClaimWord word = line.next();
         if (!word.is("nearest") && !word.is("truncate"))
             line.fail(word, "nearest or truncate",
@@ -97,6 +102,7 @@ private:
 
     Claims& claims_;
     bool in_picture_ = false;
+    bool has_round_ = false;
 };
 
 } // namespace
