@@ -298,6 +298,36 @@ TEST(Claims, FaultsOfATableArePointedAt) {
         EXPECT_EQ(complaint(text), message) << text;
 }
 
+TEST(Claims, CharactersThatOnlyLookRightAreTold) {
+    const std::vector<Fault> faults{
+        {"y=2: \u22121/4, 25/8",
+         "claims.txt:1:6: expected a number, like 3.125 or 25/8, found \u22121/4\n"
+         "y=2: \u22121/4, 25/8\n"
+         "     ^\n"
+         "hint: a minus is -, not U+2212"},
+        {"y=2: -1/4,\u00A025/8",
+         "claims.txt:1:11: expected a number, like 3.125 or 25/8, found \u00A025/8\n"
+         "y=2: -1/4,\u00A025/8\n"
+         "          ^\n"
+         "hint: a blank is a plain space, not U+00A0"},
+        {"y=2: -1/4, 25/8 \u2192 -1..3",
+         "claims.txt:1:17: expected `->` and the pixels, or the end of the line, found \u2192\n"
+         "y=2: -1/4, 25/8 \u2192 -1..3\n"
+         "                ^\n"
+         "hint: an arrow is ->, not U+2192"},
+        {"y=2: 1, 3 -> 1\u20263", "claims.txt:1:14: expected a whole number, found 1\u20263\n"
+                                  "y=2: 1, 3 -> 1\u20263\n"
+                                  "             ^\n"
+                                  "hint: from the first to the last pixel is .., not U+2026"},
+    };
+    for (const auto& [text, message] : faults)
+        EXPECT_EQ(complaint(text), message) << text;
+    EXPECT_EQ(complaint("\"A\u2212B\" screen: x, 1"),
+              "claims.txt:1:15: expected a number, like 3.125 or 25/8, found x\n"
+              "\"A\u2212B\" screen: x, 1\n"
+              "              ^");
+}
+
 TEST(Claims, OfALongLineTheFirstWordTooManyIsRefused) {
     // Twice Bresenham's d, with commas, of the longest line: a canvas is up to 16384 pixels wide.
     const std::size_t most = 65536;

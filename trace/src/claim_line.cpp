@@ -39,6 +39,30 @@ std::size_t word_length(std::string_view text) {
     return length;
 }
 
+/// A character that looks like a mark or a blank of a table of claims, and what to type instead.
+struct LookAlike {
+    std::string_view character;
+    std::string_view hint;
+};
+constexpr std::array<LookAlike, 9> look_alikes{
+    {{"\u2212", "a minus is -, not U+2212"},
+     {"\u2013", "a minus is -, not U+2013"},
+     {"\u00A0", "a blank is a plain space, not U+00A0"},
+     {"\u202F", "a blank is a plain space, not U+202F"},
+     {"\u2009", "a blank is a plain space, not U+2009"},
+     {"\u2192", "an arrow is ->, not U+2192"},
+     {"\u2026", "from the first to the last pixel is .., not U+2026"},
+     {"\u201C", "a quote is \", not U+201C"},
+     {"\u201D", "a quote is \", not U+201D"}}};
+
+/// The hint for the first look-alike of the list that a word has, or "".
+std::string hint_for_look_alike(const ClaimWord& word) {
+    for (const LookAlike& known : look_alikes)
+        if (!word.is_quoted && word.text.find(known.character) != std::string::npos)
+            return std::string(known.hint);
+    return {};
+}
+
 /// True if a comma stands between two digits, as in 0,25.
 bool has_decimal_comma(std::string_view text) {
     using number_text::is_digit;
@@ -157,7 +181,9 @@ std::string ClaimLine::rest() {
 
 void ClaimLine::fail(const ClaimWord& word, std::string_view expected, std::string hint) const {
     const bool is_end = word.text.empty() && !word.is_quoted;
-    if (hint.empty() && has_decimal_comma(text_behind_colon()))
+    if (const std::string look_alike = hint_for_look_alike(word); !look_alike.empty())
+        hint = look_alike;
+    else if (hint.empty() && has_decimal_comma(text_behind_colon()))
         hint = "a decimal has a point: 0.25, not 0,25";
     throw problem_at(
         source_, word.offset,
