@@ -185,10 +185,23 @@ TEST_F(CheckTest, WithoutAnswersNoFormatHasOne) {
 TEST_F(CheckTest, ATemplateIsOpenAndNamesItsScene) {
     const Outcome written = shell("$rastertrace check scene.json --template > open.txt");
     EXPECT_EQ(written.status, 0);
-    EXPECT_THAT(content("open.txt"), StartsWith("scene: scene.json\n\nedge AB: ?\nedge AC: ?\n"));
+    EXPECT_THAT(content("open.txt"),
+                StartsWith("# a relative name is looked for from the folder of this file\n"
+                           "scene: scene.json\n\nedge AB: ?\nedge AC: ?\n"));
     const Outcome checked = shell("$rastertrace check open.txt");
     EXPECT_EQ(checked.out, "0 right, 0 wrong, 12 open\n"); // 2 edges, 9 rows, the picture
     EXPECT_EQ(checked.status, 0);
+}
+
+TEST_F(CheckTest, ATemplateNamesAnySceneSoThatItIsFound) {
+    for (const std::string name : {"a #b.json", " a.json", "a.json ", "\"a\".json", "a\nb.json",
+                                   "a\\b.json", "color #1.json", "first one.json"}) {
+        fs::copy(folder_ / "scene.json", folder_ / name);
+        const Outcome written = shell("$rastertrace check '" + name + "' --template > open.txt");
+        EXPECT_EQ(written.status, 0) << written.err;
+        const Outcome checked = shell("$rastertrace check open.txt");
+        EXPECT_EQ(checked.out, "0 right, 0 wrong, 12 open\n") << name << checked.err;
+    }
 }
 
 TEST_F(CheckTest, ATraceIsTakenAtItsWord) {
