@@ -204,6 +204,23 @@ TEST_F(CheckTest, ATemplateNamesAnySceneSoThatItIsFound) {
     }
 }
 
+TEST_F(CheckTest, ALongFractionIsShownByItsFirstDigits) {
+    write("long.json", R"({"canvas":{"width":8,"height":8},
+        "vertices":{"A":["1234567890123/1000000000007",3],"B":[0,0],"C":[3,0]},
+        "triangles":["ABC"]})");
+    write("long.txt", "scene: long.json\nA screen: 1, 3\n");
+    EXPECT_EQ(
+        shell("$rastertrace check long.txt").out,
+        "long.txt:2: A screen: 1, 3\n"
+        "    at: expected 12345678.../10000000... = 1.234568, 3, found 1, 3\n"
+        "        vertex A in screen space: (12345678.../10000000... = 1.234568, 3), from camera "
+        "(12345678.../10000000... = 1.234568, 3, 0)\n"
+        "\n"
+        "0 right, 1 wrong\n");
+    const auto report = nlohmann::json::parse(shell("$rastertrace check long.txt --json").out);
+    EXPECT_EQ(report["claims"][0]["expected"]["at"], "1234567890123/1000000000007, 3");
+}
+
 TEST_F(CheckTest, ATraceIsTakenAtItsWord) {
     shell("$rastertrace trace scene.json --rounding truncate -o cut.trace.json");
     const Outcome checked = shell("$rastertrace check cut.trace.json anna.txt");
