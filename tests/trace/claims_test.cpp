@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -26,6 +28,13 @@ Claims claims_in(const std::string& text) {
 std::string complaint(const std::string& text) {
     const auto claims = read_claims({"claims.txt", text});
     return claims ? "" : to_text(claims.problem());
+}
+
+std::string repeated(std::string_view text, std::size_t count) {
+    std::string all;
+    for (std::size_t i = 0; i < count; ++i)
+        all += text;
+    return all;
 }
 
 /// What claims say, whichever layout they were written in.
@@ -195,9 +204,31 @@ TEST(Claims, FaultsOfATableArePointedAt) {
         {"y=2: x, 3", "claims.txt:1:6: expected a number, like 3.125 or 25/8, found x\n"
                       "y=2: x, 3\n"
                       "     ^"},
-        {"y=2: 1/0, 3", "claims.txt:1:6: expected a number, like 3.125 or 25/8, found 1/0\n"
+        {"y=2: 1/0, 3", "claims.txt:1:6: expected a denominator other than 0, found 1/0\n"
                         "y=2: 1/0, 3\n"
                         "     ^"},
+        {"y=2: 1, 1e400", "claims.txt:1:9: expected a number up to 1.797e308, found 1e400\n"
+                          "y=2: 1, 1e400\n"
+                          "        ^"},
+        {"y=1e-400: 1, 3",
+         "claims.txt:1:3: expected 0 or a number from 4.941e-324 on, found 1e-400\n"
+         "y=1e-400: 1, 3\n"
+         "  ^"},
+        {"y=2: +1, 3", "claims.txt:1:6: expected a number without + in front, found +1\n"
+                       "y=2: +1, 3\n"
+                       "     ^"},
+        {"y=2: -.25, 3", "claims.txt:1:6: expected a digit before the point, like -0.25, found "
+                         "-.25\n"
+                         "y=2: -.25, 3\n"
+                         "     ^"},
+        {"scene: a.json\n\nscene: b.json",
+         "claims.txt:3:1: expected one line `scene:`, found another\n"
+         "scene: b.json\n"
+         "^"},
+        {"round: nearest\n round: truncate",
+         "claims.txt:2:2: expected one line `round:`, found another\n"
+         " round: truncate\n"
+         " ^"},
         {"y=?: 1, 3", "claims.txt:1:3: expected a whole number, found ?\n"
                       "y=?: 1, 3\n"
                       "  ^"},
@@ -267,6 +298,62 @@ TEST(Claims, FaultsOfATableArePointedAt) {
         EXPECT_EQ(complaint(text), message) << text;
 }
 
+TEST(Claims, CharactersThatOnlyLookRightAreTold) {
+    const std::vector<Fault> faults{
+        {"y=2: \u22121/4, 25/8",
+         "claims.txt:1:6: expected a number, like 3.125 or 25/8, found \u22121/4\n"
+         "y=2: \u22121/4, 25/8\n"
+         "     ^\n"
+         "hint: a minus is -, not U+2212"},
+        {"y=2: -1/4,\u00A025/8",
+         "claims.txt:1:11: expected a number, like 3.125 or 25/8, found \u00A025/8\n"
+         "y=2: -1/4,\u00A025/8\n"
+         "          ^\n"
+         "hint: a blank is a plain space, not U+00A0"},
+        {"y=2: -1/4, 25/8 \u2192 -1..3",
+         "claims.txt:1:17: expected `->` and the pixels, or the end of the line, found \u2192\n"
+         "y=2: -1/4, 25/8 \u2192 -1..3\n"
+         "                ^\n"
+         "hint: an arrow is ->, not U+2192"},
+        {"y=2: 1, 3 -> 1\u20263", "claims.txt:1:14: expected a whole number, found 1\u20263\n"
+                                  "y=2: 1, 3 -> 1\u20263\n"
+                                  "             ^\n"
+                                  "hint: from the first to the last pixel is .., not U+2026"},
+    };
+    for (const auto& [text, message] : faults)
+        EXPECT_EQ(complaint(text), message) << text;
+    EXPECT_EQ(complaint("\"A\u2212B\" screen: x, 1"),
+              "claims.txt:1:15: expected a number, like 3.125 or 25/8, found x\n"
+              "\"A\u2212B\" screen: x, 1\n"
+              "              ^");
+}
+
+TEST(Claims, OfALongLineTheFirstWordTooManyIsRefused) {
+    // Twice Bresenham's d, with commas, of the longest line: a canvas is up to 16384 pixels wide.
+    const std::size_t most = 65536;
+    EXPECT_EQ(claims_in("AB:" + repeated(" 1", most - 2)).claims[0].find("d")->values.size(),
+              most - 2);
+    for (const std::string word : {" 1", "(", " \"a\""}) {
+        const std::string long_line = "AB:" + repeated(word, most);
+        const auto claims = read_claims({"claims.txt", long_line});
+        ASSERT_FALSE(static_cast<bool>(claims));
+        EXPECT_EQ(claims.problem().message, "expected at most 65536 words in a line, found more");
+        EXPECT_EQ(claims.problem().column,
+                  3 + (most - 2) * word.size() + word.find_first_not_of(' ') + 1);
+    }
+    // A row of a picture has no words.
+    EXPECT_EQ(claims_in("picture:\n" + repeated("..", most + 1)).claims[0].picture[0].size(),
+              2 * (most + 1));
+}
+
+TEST(Claims, ANumberThatIsTooLongIsRefused) {
+    const std::string digits(10'000, '7');
+    const auto claims = read_claims({"claims.txt", "y=2: 1, " + digits});
+    ASSERT_FALSE(static_cast<bool>(claims));
+    EXPECT_EQ(claims.problem().message, "expected a number of at most 1200 characters, found " +
+                                            digits.substr(0, 37) + "...");
+}
+
 TEST(Claims, ALineOfNoFormIsShownTheForms) {
     for (const std::string text : {"-> 3", "ABC", "= 2", "A, B: 3"})
         EXPECT_NE(complaint(text).find("\nhint: a line looks like `y=2: -1/4, 25/8 -> -1..3`, "),
@@ -299,6 +386,10 @@ TEST(Claims, FaultsOfJsonArePointedAt) {
          "claims.txt:1:36: expected a whole number, found null\n"
          "{\"claims\": [{\"step\":\"scanline\",\"y\":null,\"left\":1}]}\n"
          "                                   ^"},
+        {R"({"claims": [{"step":"scanline","y":2,"left":"1/0"}]})",
+         "claims.txt:1:45: expected a denominator other than 0, found \"1/0\"\n"
+         "{\"claims\": [{\"step\":\"scanline\",\"y\":2,\"left\":\"1/0\"}]}\n"
+         "                                            ^"},
         {R"({"claims": [{"step":"scanline","y":2,"left":[1]}]})",
          "claims.txt:1:45: expected one value for left, found an array of 1\n"
          "{\"claims\": [{\"step\":\"scanline\",\"y\":2,\"left\":[1]}]}\n"

@@ -185,10 +185,40 @@ TEST_F(CheckTest, WithoutAnswersNoFormatHasOne) {
 TEST_F(CheckTest, ATemplateIsOpenAndNamesItsScene) {
     const Outcome written = shell("$rastertrace check scene.json --template > open.txt");
     EXPECT_EQ(written.status, 0);
-    EXPECT_THAT(content("open.txt"), StartsWith("scene: scene.json\n\nedge AB: ?\nedge AC: ?\n"));
+    EXPECT_THAT(content("open.txt"),
+                StartsWith("# a relative name is looked for from the folder of this file\n"
+                           "scene: scene.json\n\nedge AB: ?\nedge AC: ?\n"));
     const Outcome checked = shell("$rastertrace check open.txt");
     EXPECT_EQ(checked.out, "0 right, 0 wrong, 12 open\n"); // 2 edges, 9 rows, the picture
     EXPECT_EQ(checked.status, 0);
+}
+
+TEST_F(CheckTest, ATemplateNamesAnySceneSoThatItIsFound) {
+    for (const std::string name : {"a #b.json", " a.json", "a.json ", "\"a\".json", "a\nb.json",
+                                   "a\\b.json", "color #1.json", "first one.json"}) {
+        fs::copy(folder_ / "scene.json", folder_ / name);
+        const Outcome written = shell("$rastertrace check '" + name + "' --template > open.txt");
+        EXPECT_EQ(written.status, 0) << written.err;
+        const Outcome checked = shell("$rastertrace check open.txt");
+        EXPECT_EQ(checked.out, "0 right, 0 wrong, 12 open\n") << name << checked.err;
+    }
+}
+
+TEST_F(CheckTest, ALongFractionIsShownByItsFirstDigits) {
+    write("long.json", R"({"canvas":{"width":8,"height":8},
+        "vertices":{"A":["1234567890123/1000000000007",3],"B":[0,0],"C":[3,0]},
+        "triangles":["ABC"]})");
+    write("long.txt", "scene: long.json\nA screen: 1, 3\n");
+    EXPECT_EQ(
+        shell("$rastertrace check long.txt").out,
+        "long.txt:2: A screen: 1, 3\n"
+        "    at: expected 12345678.../10000000... = 1.234568, 3, found 1, 3\n"
+        "        vertex A in screen space: (12345678.../10000000... = 1.234568, 3), from camera "
+        "(12345678.../10000000... = 1.234568, 3, 0)\n"
+        "\n"
+        "0 right, 1 wrong\n");
+    const auto report = nlohmann::json::parse(shell("$rastertrace check long.txt --json").out);
+    EXPECT_EQ(report["claims"][0]["expected"]["at"], "1234567890123/1000000000007, 3");
 }
 
 TEST_F(CheckTest, ATraceIsTakenAtItsWord) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "claim_fields.h"
 
+#include "number_fault.h"
+
 #include <rastertrace/core/numbers/number.h>
 #include <rastertrace/trace/claims.h>
 #include <rastertrace/trace/color_text.h>
@@ -42,6 +44,18 @@ FieldType element_type(std::string_view name) {
     return name == "inside" ? boolean : quantity;
 }
 
+/// What `text`, which is no number, should be: `expected`, or what keeps it from being one.
+std::string expected_of_number(std::string_view text, NumberFault fault,
+                               std::string_view expected) {
+    if (fault != NumberFault::malformed)
+        return expected_instead_of(fault);
+    if (text.starts_with('+'))
+        return "a number without + in front";
+    if (text.starts_with('.') || text.starts_with("-."))
+        return "a digit before the point, like -0.25";
+    return std::string(expected);
+}
+
 } // namespace
 
 std::vector<ClaimField> claim_fields_of(StepKind kind) {
@@ -69,19 +83,22 @@ std::vector<std::string_view> claim_kinds() {
     return names;
 }
 
-std::optional<std::string_view> expected_instead(const ClaimField& field, std::string_view text) {
+std::optional<std::string> expected_instead(const ClaimField& field, std::string_view text) {
     if (text == open_value && !field.is_key)
         return std::nullopt;
     const auto parsed = parse_number(text);
     const Number* const number = std::get_if<Number>(&parsed);
     switch (field.type) {
     case whole:
-        if (!number || number->exact().get_den() != 1)
+        if (!number)
+            return expected_of_number(text, std::get<NumberFault>(parsed), "a whole number");
+        if (number->exact().get_den() != 1)
             return "a whole number";
         break;
     case quantity:
         if (!number)
-            return "a number, like 3.125 or 25/8";
+            return expected_of_number(text, std::get<NumberFault>(parsed),
+                                      "a number, like 3.125 or 25/8");
         break;
     case boolean:
         if (text != "true" && text != "false")

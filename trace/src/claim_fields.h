@@ -28,7 +28,7 @@ std::vector<ClaimField> claim_fields_of(StepKind kind);
 std::vector<std::string_view> claim_kinds();
 
 /// What a value of a field should be, if `text` is not one: "a whole number". A key cannot be left open.
-std::optional<std::string_view> expected_instead(const ClaimField& field, std::string_view text);
+std::optional<std::string> expected_instead(const ClaimField& field, std::string_view text);
 
 /// What is wrong with the last row of a picture: its marks, or its length.
 std::optional<std::string> fault_in_last_row(const std::vector<std::string>& rows);

@@ -324,7 +324,7 @@ private:
             if (word.is_mark || word.text.empty())
                 line_.fail(word, fmt::format("a value for {}", name));
             if (const auto expected = expected_instead(field, word.text))
-                line_.fail(word, std::string(*expected));
+                line_.fail(word, *expected);
             claimed.values.push_back(word.text);
         }
         claim_.fields.push_back(std::move(claimed));

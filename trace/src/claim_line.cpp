@@ -21,11 +21,6 @@ constexpr std::string_view blanks = " \t\r";
 /// How much of a word is shown.
 constexpr std::size_t shown_of_word = 40;
 
-std::string_view without_blanks(std::string_view text) {
-    const std::size_t first = std::min(text.find_first_not_of(blanks), text.size());
-    return text.substr(first, text.find_last_not_of(blanks) + 1 - first);
-}
-
 /// The mark at the front of `text`, or "".
 std::string_view mark_at(std::string_view text) {
     constexpr std::array<std::string_view, 7> marks{"->", "..", "(", ")", ",", ":", "="};
@@ -42,6 +37,30 @@ std::size_t word_length(std::string_view text) {
            text[length] != '"' && text[length] != '#' && mark_at(text.substr(length)).empty())
         ++length;
     return length;
+}
+
+/// A character that looks like a mark or a blank of a table of claims, and what to type instead.
+struct LookAlike {
+    std::string_view character;
+    std::string_view hint;
+};
+constexpr std::array<LookAlike, 9> look_alikes{
+    {{"\u2212", "a minus is -, not U+2212"},
+     {"\u2013", "a minus is -, not U+2013"},
+     {"\u00A0", "a blank is a plain space, not U+00A0"},
+     {"\u202F", "a blank is a plain space, not U+202F"},
+     {"\u2009", "a blank is a plain space, not U+2009"},
+     {"\u2192", "an arrow is ->, not U+2192"},
+     {"\u2026", "from the first to the last pixel is .., not U+2026"},
+     {"\u201C", "a quote is \", not U+201C"},
+     {"\u201D", "a quote is \", not U+201D"}}};
+
+/// The hint for the first look-alike of the list that a word has, or "".
+std::string hint_for_look_alike(const ClaimWord& word) {
+    for (const LookAlike& known : look_alikes)
+        if (!word.is_quoted && word.text.find(known.character) != std::string::npos)
+            return std::string(known.hint);
+    return {};
 }
 
 /// True if a comma stands between two digits, as in 0,25.
@@ -78,9 +97,9 @@ void ClaimLine::read_words() {
 std::size_t ClaimLine::read_word(std::size_t at) {
     const std::string_view mark = mark_at(raw_.substr(at));
     const std::size_t length = mark.empty() ? word_length(raw_.substr(at)) : mark.size();
-    words_.push_back({.text = std::string(raw_.substr(at, length)),
-                      .offset = offset_of(raw_.substr(at)),
-                      .is_mark = !mark.empty()});
+    add({.text = std::string(raw_.substr(at, length)),
+         .offset = offset_of(raw_.substr(at)),
+         .is_mark = !mark.empty()});
     return at + length;
 }
 
@@ -92,10 +111,18 @@ std::size_t ClaimLine::read_quoted(std::size_t at) {
     if (end >= raw_.size())
         throw problem_at(source_, offset_of(raw_.substr(at)),
                          "expected a closing quote, found none");
-    words_.push_back({.text = plain_text(raw_.substr(at, end + 1 - at)),
-                      .offset = offset_of(raw_.substr(at)),
-                      .is_quoted = true});
+    add({.text = plain_text(raw_.substr(at, end + 1 - at)),
+         .offset = offset_of(raw_.substr(at)),
+         .is_quoted = true});
     return end + 1;
+}
+
+void ClaimLine::add(ClaimWord word) {
+    if (words_.size() == most_words)
+        throw problem_at(
+            source_, word.offset,
+            fmt::format("expected at most {} words in a line, found more", most_words));
+    words_.push_back(std::move(word));
 }
 
 std::size_t ClaimLine::offset_of(std::string_view part) const {
@@ -154,7 +181,9 @@ std::string ClaimLine::rest() {
 
 void ClaimLine::fail(const ClaimWord& word, std::string_view expected, std::string hint) const {
     const bool is_end = word.text.empty() && !word.is_quoted;
-    if (hint.empty() && has_decimal_comma(text_behind_colon()))
+    if (const std::string look_alike = hint_for_look_alike(word); !look_alike.empty())
+        hint = look_alike;
+    else if (hint.empty() && has_decimal_comma(text_behind_colon()))
         hint = "a decimal has a point: 0.25, not 0,25";
     throw problem_at(
         source_, word.offset,
@@ -165,6 +194,11 @@ void ClaimLine::fail(const ClaimWord& word, std::string_view expected, std::stri
 
 void ClaimLine::fail_at_begin(std::string message, std::string hint) const {
     throw problem_at(source_, offset_of(raw_), std::move(message), std::move(hint));
+}
+
+std::string_view without_blanks(std::string_view text) {
+    const std::size_t first = std::min(text.find_first_not_of(blanks), text.size());
+    return text.substr(first, text.find_last_not_of(blanks) + 1 - first);
 }
 
 bool is_one_word(std::string_view text) {

@@ -7,6 +7,7 @@
 //     line.next().text;                     // "y"
 //     line.expect("=", "`=`");
 
+#include <rastertrace/core/raster/canvas.h>
 #include <rastertrace/trace/problem.h>
 
 #include <cstddef>
@@ -30,10 +31,14 @@ struct ClaimWord {
     bool is_name() const { return !is_mark && (is_quoted || !text.empty()); }
 };
 
+/// The most words and marks of a line: twice those of Bresenham's d, with commas, along the longest line.
+inline constexpr std::size_t most_words = 4 * std::size_t{largest_canvas_side};
+
 /// What is wrong is thrown as a Problem that points at it.
 class ClaimLine {
 public:
-    /// The bytes of a source from `begin` to `end`, which hold one line. A # begins a comment.
+    /// The bytes of a source from `begin` to `end`, which hold one line. A # begins a comment. More than
+    /// `most_words` are refused.
     ClaimLine(const Source& source, std::size_t begin, std::size_t end);
 
     bool at_end() const { return next_ == words_.size(); }
@@ -56,9 +61,6 @@ public:
     /// The line without its comment and the blanks around it.
     std::string_view text() const { return text_; }
 
-    /// The same with everything that looks like a comment.
-    std::string_view raw() const { return raw_; }
-
     /// Fails with "expected ..., found ..." at a word.
     [[noreturn]] void fail(const ClaimWord& word, std::string_view expected,
                            std::string hint = {}) const;
@@ -72,6 +74,7 @@ private:
     void read_words();
     std::size_t read_word(std::size_t at);
     std::size_t read_quoted(std::size_t at);
+    void add(ClaimWord word);
 
     const Source& source_;
     std::string_view raw_;
@@ -79,6 +82,9 @@ private:
     std::vector<ClaimWord> words_;
     std::size_t next_ = 0;
 };
+
+/// `text` without the blanks around it.
+std::string_view without_blanks(std::string_view text);
 
 /// True if `text` is read as one word that is no mark.
 bool is_one_word(std::string_view text);

@@ -10,6 +10,7 @@
 #include <rastertrace/trace/text.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace rastertrace {
@@ -30,22 +31,18 @@ public:
             begin = end + 1;
         }
         if (in_picture_)
-            read_row(ClaimLine(claims_.source, text.size(), text.size()));
+            read_row(text.size(), text.size());
     }
 
 private:
     void read_line(std::size_t number, std::size_t begin, std::size_t end) {
-        ClaimLine line(claims_.source, begin, end);
         if (in_picture_)
-            return read_row(line);
+            return read_row(begin, end);
+        ClaimLine line(claims_.source, begin, end);
         if (line.at_end())
             return;
-        if (line.take("scene", ":")) {
-            claims_.scene = line.rest();
-            if (claims_.scene.empty())
-                line.fail(line.peek(), "the name of a scene file");
-            return;
-        }
+        if (line.take("scene", ":"))
+            return read_scene(line);
         if (line.take("round", ":"))
             return read_round(line);
         Claim claim{.line = number,
@@ -65,20 +62,36 @@ private:
     }
 
     /// A row of a picture; a blank line ends it.
-    void read_row(const ClaimLine& line) {
+    void read_row(std::size_t begin, std::size_t end) {
         std::vector<std::string>& rows = claims_.claims.back().picture;
-        const std::string_view row = line.raw();
+        const std::string_view text = claims_.source.text;
+        const std::string_view row = without_blanks(text.substr(begin, end - begin));
+        const auto fail = [&](std::string message, std::string hint) {
+            throw problem_at(claims_.source, static_cast<std::size_t>(row.data() - text.data()),
+                             std::move(message), std::move(hint));
+        };
         in_picture_ = !row.empty();
         if (!in_picture_ && rows.empty())
-            line.fail_at_begin("expected the rows of a picture, found none");
+            fail("expected the rows of a picture, found none", "");
         if (!in_picture_)
             return;
         rows.emplace_back(row);
         if (const auto fault = fault_in_last_row(rows))
-            line.fail_at_begin(*fault, "a picture ends with a blank line");
+            fail(*fault, "a picture ends with a blank line");
+    }
+
+    void read_scene(ClaimLine& line) {
+        if (!claims_.scene.empty())
+            line.fail_at_begin("expected one line `scene:`, found another");
+        claims_.scene = line.rest();
+        if (claims_.scene.empty())
+            line.fail(line.peek(), "the name of a scene file");
     }
 
     void read_round(ClaimLine& line) {
+        if (has_round_)
+            line.fail_at_begin("expected one line `round:`, found another");
+        has_round_ = true;
         const ClaimWord word = line.next();
         if (!word.is("nearest") && !word.is("truncate"))
             line.fail(word, "nearest or truncate",
@@ -89,6 +102,7 @@ private:
 
     Claims& claims_;
     bool in_picture_ = false;
+    bool has_round_ = false;
 };
 
 } // namespace

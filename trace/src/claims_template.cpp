@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/trace/claims_template.h>
 
+#include "claim_line.h"
 #include "claims_table.h"
 
 #include <rastertrace/trace/claims.h>
+#include <rastertrace/trace/step_writer.h>
 #include <rastertrace/trace/text.h>
 
 #include <fmt/core.h>
@@ -174,6 +176,15 @@ private:
 
 std::string claims_template(const Trace& trace) {
     return TemplateWriter(trace).write();
+}
+
+std::string scene_line(std::string_view path) {
+    // A name in quotes is read as in JSON; without quotes it goes from its first word to a comment.
+    const bool is_plain = path.find('#') == std::string_view::npos &&
+                          without_blanks(path).size() == path.size() &&
+                          json_quoted(path).size() == path.size() + 2; // nothing escaped
+    return fmt::format("# a relative name is looked for from the folder of this file\nscene: {}\n",
+                       is_plain ? std::string(path) : json_quoted(path));
 }
 
 } // namespace rastertrace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "json_reader.h"
 
+#include "number_fault.h"
+
 #include <rastertrace/trace/method_names.h>
 #include <rastertrace/trace/text.h>
 
@@ -64,19 +66,10 @@ Number JsonReader::number_in(const JsonValue& value) const {
     auto parsed = parse_number(value.text);
     if (auto* number = std::get_if<Number>(&parsed))
         return std::move(*number);
-    switch (std::get<NumberFault>(parsed)) {
-    case NumberFault::zero_denominator:
-        fail_expecting(value, "a denominator other than 0");
-    case NumberFault::too_large:
-        fail_expecting(value, "a number up to 1.797e308");
-    case NumberFault::too_small:
-        fail_expecting(value, "0 or a number from 4.941e-324 on");
-    case NumberFault::too_long:
-        fail_expecting(value, fmt::format("a number of at most {} characters", longest_number));
-    case NumberFault::malformed:
-        break;
-    }
-    fail_expecting(value, "a number", R"(a fraction is written "25/8", in quotes)");
+    const NumberFault fault = std::get<NumberFault>(parsed);
+    fail_expecting(value, expected_instead_of(fault),
+                   fault == NumberFault::malformed ? R"(a fraction is written "25/8", in quotes)"
+                                                   : "");
 }
 
 Numbers3 JsonReader::numbers3_in(const JsonValue& value, std::string_view expected) const {

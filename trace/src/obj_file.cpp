@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/trace/obj_file.h>
 
+#include "number_fault.h"
 #include "zero_byte.h"
 
 #include <rastertrace/trace/text.h>
@@ -357,25 +358,14 @@ private:
     /// A word as a number, whatever its form.
     Number number_in(std::string_view word) const {
         if (word.size() > longest_number)
-            fail_expecting(fmt::format("a number of at most {} characters", longest_number), word);
+            fail_expecting(expected_instead_of(NumberFault::too_long), word);
         const auto usual = usual_form(word);
         if (!usual)
             fail_expecting("a number", word);
         auto parsed = parse_number(*usual);
         if (auto* number = std::get_if<Number>(&parsed))
             return std::move(*number);
-        switch (std::get<NumberFault>(parsed)) {
-        case NumberFault::too_large:
-            fail_expecting("a number up to 1.797e308", word);
-        case NumberFault::too_small:
-            fail_expecting("0 or a number from 4.941e-324 on", word);
-        case NumberFault::too_long:
-            fail_expecting(fmt::format("a number of at most {} characters", longest_number), word);
-        case NumberFault::zero_denominator: // there are no fractions here
-        case NumberFault::malformed:
-            break;
-        }
-        fail_expecting("a number", word);
+        fail_expecting(expected_instead_of(std::get<NumberFault>(parsed)), word);
     }
 
     const Source& source_;

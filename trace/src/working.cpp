@@ -497,4 +497,13 @@ std::vector<std::string> working_of(const Replay& replay) {
     return std::move(sheet.lines);
 }
 
+std::string as_in_working(std::string_view numbers) {
+    std::vector<std::string> parts;
+    for (const std::string& part : split_at(numbers, ',')) {
+        const std::size_t first = std::min(part.find_first_not_of(' '), part.size());
+        parts.push_back(part.substr(0, first) + in_sentence(part.substr(first)));
+    }
+    return joined(parts, ",");
+}
+
 } // namespace rastertrace

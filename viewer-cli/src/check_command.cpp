@@ -129,7 +129,7 @@ ExitStatus print_template(const CheckCommand& command, Source source) {
         path, std::move(source),
         {.method = command.method, .limits = command.input, .frames = command.frames});
     const Trace trace = input.trace(input.first());
-    print((path == "-" ? "" : fmt::format("scene: {}\n\n", path)) + claims_template(trace));
+    print((path == "-" ? "" : scene_line(path) + "\n") + claims_template(trace));
     return report_damage(trace);
 }
 

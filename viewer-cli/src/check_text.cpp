@@ -2,6 +2,7 @@
 #include "check_report.h"
 
 #include <rastertrace/trace/text.h>
+#include <rastertrace/trace/working.h>
 
 #include <fmt/core.h>
 
@@ -18,17 +19,24 @@ namespace {
 /// How many slips of a claim are named.
 constexpr std::size_t most_slips = 3;
 
-/// How much of a claim, or of one of its values, is shown.
+/// How much of a claim, or of a value that was claimed, is shown.
 constexpr std::size_t shown_of_claim = 100;
+
+/// How much of a right value is shown: four long fractions.
+constexpr std::size_t shown_of_expected = 200;
 
 std::string shown(std::string_view text) {
     return shortened(printable(text), shown_of_claim);
 }
 
+std::string shown_expected(std::string_view text) {
+    return shortened(printable(as_in_working(text)), shown_of_expected);
+}
+
 /// `left: expected -1/4, found 0 (follows from line 2)`
 std::string field_line(const CheckedField& field) {
     std::string line = fmt::format("    {}: expected {}, found {}", field.name,
-                                   shown(field.expected), shown(field.found));
+                                   shown_expected(field.expected), shown(field.found));
     if (field.verdict == ClaimVerdict::follows)
         line += fmt::format("; follows from line {}", field.follows_from);
     if (!field.remark.empty())

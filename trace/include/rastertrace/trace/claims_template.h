@@ -9,6 +9,7 @@
 #include <rastertrace/trace/trace.h>
 
 #include <string>
+#include <string_view>
 
 namespace rastertrace {
 
@@ -16,5 +17,8 @@ namespace rastertrace {
 /// rows, Bresenham's d, depth tests of pixels that several primitives meet, the picture if it is small. Of a
 /// long trace the first lines, and how many more there would be.
 std::string claims_template(const Trace& trace);
+
+/// The line of a table that names its scene, and a comment that tells where it is looked for.
+std::string scene_line(std::string_view path);
 
 } // namespace rastertrace

@@ -13,6 +13,7 @@
 #include <rastertrace/trace/frame.h>
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rastertrace {
@@ -20,5 +21,8 @@ namespace rastertrace {
 /// The working of the current step of a replay, safe to print. Kinds of steps in which nothing is worked out have
 /// none.
 std::vector<std::string> working_of(const Replay& replay);
+
+/// A number, or several with commas between, as a working writes them: long fractions by their first digits.
+std::string as_in_working(std::string_view numbers);
 
 } // namespace rastertrace
