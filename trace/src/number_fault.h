@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What is wrong with the text of a number, said alike in scenes, models and claims.
+// What is wrong with the text of a number, said alike in scenes and claims. Models have a limit of their own.
 //
 //     expected_instead_of(NumberFault::zero_denominator);  // "a denominator other than 0"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/trace/obj_file.h>
 
-#include "number_fault.h"
 #include "zero_byte.h"
 
 #include <rastertrace/trace/text.h>
@@ -358,14 +357,25 @@ private:
     /// A word as a number, whatever its form.
     Number number_in(std::string_view word) const {
         if (word.size() > longest_number)
-            fail_expecting(expected_instead_of(NumberFault::too_long), word);
+            fail_expecting(fmt::format("a number of at most {} characters", longest_number), word);
         const auto usual = usual_form(word);
         if (!usual)
             fail_expecting("a number", word);
         auto parsed = parse_number(*usual);
         if (auto* number = std::get_if<Number>(&parsed))
             return std::move(*number);
-        fail_expecting(expected_instead_of(std::get<NumberFault>(parsed)), word);
+        switch (std::get<NumberFault>(parsed)) {
+        case NumberFault::too_large:
+            fail_expecting("a number up to 1.797e308", word);
+        case NumberFault::too_small:
+            fail_expecting("0 or a number from 4.941e-324 on", word);
+        case NumberFault::too_long:
+            fail_expecting(fmt::format("a number of at most {} characters", longest_number), word);
+        case NumberFault::zero_denominator: // there are no fractions here
+        case NumberFault::malformed:
+            break;
+        }
+        fail_expecting("a number", word);
     }
 
     const Source& source_;
