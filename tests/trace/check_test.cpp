@@ -229,6 +229,21 @@ TEST(Check, TheFiguresNumbersAndTheirSlips) {
     EXPECT_THAT(slips_of(triangle, "y=0: -> -1..3\n"), Contains("truncate-for-floor"));
 }
 
+TEST(Check, ThePixelsCornerForItsCenter) {
+    // The row y=2 of T0's triangle runs from -1/4 to 25/8; that of its samples, y = 5/2, from 1/8.
+    const std::string by_samples = triangle_by(R"("scalar":"exact","fill":"top-left")");
+    EXPECT_EQ(verdicts(check_claims(by_samples, "y=2: 1/8, 47/16\n")), "r");
+    EXPECT_THAT(slips_of(by_samples, "y=2: -1/4, ?\n"), Contains("corner-for-center"));
+    EXPECT_THAT(slips_of(by_samples, "y=2: ?, 25/8\n"), Contains("corner-for-center"));
+}
+
+TEST(Check, ACosineGoesOnFromAWrongProduct) {
+    // 13 / (4 sqrt(83) / 3) = 1.0702, where 12 gives 0.9879.
+    const Checked checked = check_claims(example_text("t0-hidden/cube-culled.json"),
+                                         "dot ABC: 13\ncosine ABC: 1.0702\n");
+    EXPECT_EQ(verdicts(checked), "wf");
+}
+
 TEST(Check, TheStartExchangedWithTheStep) {
     // T0, figure 13: a LERP from 3 to 4 over y = -3 to 3, told as 0.16, 3.16, 6.16, ... for 3, 19/6, 10/3.
     const std::string edge = R"({"canvas":{"width":17,"height":14},

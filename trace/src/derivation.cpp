@@ -262,7 +262,7 @@ Formulas Deriver::of_face(std::string_view field) const {
     if (field == "dot" && normal && view)
         return {{FaceDot{*normal, *view}}};
     if ((field == "cosine" || field == "intensity") && normal && view)
-        return {{FaceCosine{*normal, *view, field == "intensity"}}};
+        return {{FaceCosine{*normal, *view, numbers_.one(step_, "dot"), field == "intensity"}}};
     if (field == "culled")
         if (const auto dot = numbers_.one(step_, "dot"))
             return {{IsCulled{*dot, method_of(numbers_.trace()).cull != Cull::front}}};

@@ -76,7 +76,8 @@ Values value(const FaceCosine& face) {
     const Rational squares = dot(face.normal, face.normal) * dot(face.view, face.view);
     if (!std::isnormal(nearest_double(squares)))
         return {};
-    const Rational cosine = dot(face.normal, face.view) / square_root(squares);
+    const Rational product = face.dot.value_or(dot(face.normal, face.view));
+    const Rational cosine = product / square_root(squares);
     return {face.is_intensity ? std::max(cosine, Rational(0)) : cosine};
 }
 

@@ -94,6 +94,23 @@ std::vector<Values> neighbor_row(const Formula& formula) {
     return results.take();
 }
 
+std::vector<Values> corner_for_center(const Formula& formula) {
+    Results results(formula);
+    const Rational half(1, 2);
+    if (const auto* lerp = as<Lerp>(formula); lerp && lerp->i.get_den() == 2) {
+        Lerp at_corner = *lerp;
+        at_corner.i -= half;
+        results.add_formula({at_corner});
+    }
+    if (const auto* triangle = as<Weights>(formula);
+        triangle && triangle->sample.y.get_den() == 2) {
+        Weights at_corner = *triangle;
+        at_corner.sample = {triangle->sample.x - half, triangle->sample.y - half};
+        results.add_formula({at_corner});
+    }
+    return results.take();
+}
+
 /// The same with another rule for what is rounded.
 void put_rounded(Results& results, const Formula& formula, const SpanRounding& rule) {
     if (const auto* end = as<RoundedEnd>(formula))
@@ -518,6 +535,8 @@ constexpr Slip table[] = {
     {"z-for-inverse-z", "z taken where 1/z belongs, or the other way round", z_for_inverse_z},
     {"cosine-of-dot-only", "the dot product not divided by both lengths", cosine_of_dot_only},
     {"normal-for-view", "the normal used once more as the view", normal_for_view},
+    {"corner-for-center", "a pixel's own x and y where its center, 1/2 further, belongs",
+     corner_for_center},
     {"corner-for-centroid", "a corner taken where the centroid belongs", corner_for_centroid},
     {"tie-the-other-way", "d = 0 decided the other way", tie_the_other_way},
     {"factor-2-dropped", "dy where 2 dy belongs", factor_2_dropped},

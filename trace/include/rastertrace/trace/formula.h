@@ -107,6 +107,7 @@ struct FaceDot {
 struct FaceCosine {
     Vec<Rational, 3> normal;
     Vec<Rational, 3> view;
+    std::optional<Rational> dot = {}; ///< in the place of their product
     bool is_intensity = false;
 };
 
