@@ -371,6 +371,95 @@ TEST(Explain, TheFirstDecisionThatDiffers) {
     EXPECT_FALSE(first_difference(floor, truncate, pixel(1, 4))); // 5/4 -> 1 by both
 }
 
+TEST(Explain, AStepThatChangesNothingIsNoDecision) {
+    const Trace rows = first_triangle_by(Fill::scanline);
+    Scene culled = first_triangle({.scalar = ScalarKind::exact, .fill = Fill::scanline});
+    culled.method.cull = Cull::back;
+    EXPECT_FALSE(first_difference(rows, trace_of(culled), pixel(0, 0))); // tested, and drawn
+    culled.method.cull = Cull::front;
+    const auto difference = first_difference(rows, trace_of(culled), pixel(0, 0));
+    ASSERT_TRUE(difference && difference->other);
+    EXPECT_THAT(difference->other->sentence, testing::EndsWith("culled"));
+
+    // 49 pixels against 36: the first row, y = 5, has the pixel (2, 5) by one of the rules only.
+    const auto face = first_difference(rows, first_triangle_by(Fill::top_left),
+                                       {.about = Topic::face, .text = "ABC"});
+    ASSERT_TRUE(face && face->one);
+    EXPECT_THAT(face->one->sentence, testing::StartsWith("pixel (2, 5)"));
+}
+
+TEST(Explain, AStepIsFoundInAnotherTraceByWhatItIsAbout) {
+    const Trace rows = first_triangle_by(Fill::scanline);
+    Scene scene = first_triangle({.scalar = ScalarKind::exact, .fill = Fill::scanline});
+    scene.method.cull = Cull::back;
+    const Question row{.about = Topic::step, .text = "scanline y=2"};
+    const Question numbered{.about = Topic::step,
+                            .text = std::to_string(answer_to(rows, row).tries.at(0).number)};
+    const Trace tested = trace_of(scene); // one step more, the facing test
+    const auto there = question_for(tested, rows, numbered);
+    ASSERT_TRUE(there);
+    EXPECT_EQ(answer_to(tested, *there).tries.at(0).sentence,
+              answer_to(rows, row).tries.at(0).sentence);
+
+    scene.method.cull = Cull::front;
+    EXPECT_FALSE(question_for(trace_of(scene), rows, numbered)); // nothing is drawn
+}
+
+TEST(Explain, APairBeyondTheRegionIsNotTold) {
+    const Trace trace = traced_in_region(
+        lettered_triangles(
+            {{'p', {"0", "0", "9", "0", "0", "9"}}, {'q', {"9", "0", "9", "9", "0", "9"}}},
+            {.width = 10, .height = 10, .origin = Origin::bottom_left},
+            {.scalar = ScalarKind::exact, .fill = Fill::fan}),
+        {0, 0, 1, 1});
+    const Explanation pair = answer_to(trace, {.about = Topic::pair, .text = "p,q"});
+    EXPECT_THAT(pair.answer, HasSubstr(" 0 of neither, "));
+    EXPECT_THAT(pair.answer, testing::EndsWith(" not told"));
+}
+
+TEST(Explain, ARowSaysWhoseItIs) {
+    const Trace two = trace_of(lettered_triangles(
+        {{'p', {"0", "0", "9", "0", "0", "9"}}, {'q', {"9", "0", "9", "9", "0", "9"}}},
+        {.width = 10, .height = 10, .origin = Origin::bottom_left},
+        {.scalar = ScalarKind::exact, .fill = Fill::scanline}));
+    const Explanation row = answer_to(two, {.about = Topic::scanline, .pixel = {0, 3}});
+    ASSERT_EQ(row.tries.size(), 2U);
+    EXPECT_EQ(row.tries[0].primitive, "p");
+    EXPECT_EQ(row.tries[1].primitive, "q");
+
+    const Trace line = trace_of(scene_in(R"({"vertices":{"A":[0,0],"B":[3,0]},"lines":["AB"]})"));
+    EXPECT_EQ(answer_to(line, {.about = Topic::scanline, .pixel = {0, 0}}).answer,
+              "no filled triangle has this row; 1 line with pixels in it has no rows");
+    EXPECT_EQ(answer_to(line, {.about = Topic::scanline, .pixel = {0, 1}}).answer,
+              "no primitive has this row");
+}
+
+TEST(Explain, AnEdgeOfATriangleThatIsCulled) {
+    const Trace trace = trace_of(scene_in(
+        R"({"vertices":{"A":[0,0],"B":[3,0],"C":[0,3],"D":[0,-3]},"triangles":["ABC","ABD"],
+            "method":{"cull":"back"}})"));
+    EXPECT_EQ(answer_to(trace, {.about = Topic::edge, .text = "AD"}).answer,
+              "no edge is set up: ABD is culled");
+}
+
+TEST(Explain, APairIsAskedByTheNamesOfWhatIsDrawn) {
+    const Trace clipped = trace_of(scene_in(
+        R"({"canvas":{"width":9,"height":9},"vertices":{"A":[0,0,-5],"B":[1,0,5],"C":[0,1,5],
+            "D":[2,2,5]},"triangles":["ABC","BCD"],
+            "projection":{"type":"pinhole","distance":1}})"));
+    const auto pair = explain(clipped, {.about = Topic::pair, .text = "ABC,BCD"});
+    ASSERT_FALSE(pair);
+    EXPECT_EQ(to_text(pair.problem()),
+              "--pair: expected the name of a triangle that is drawn, found \"ABC\"\n"
+              "hint: ABC was clipped: ask of its parts, ABC/1, ABC/2");
+
+    const Trace named = trace_of(scene_in(
+        R"({"vertices":{"A":[0,0],"B":[3,0],"C":[0,3],"D":[3,3]},
+            "triangles":[{"vertices":"ABC","name":"a,b"},{"vertices":"BCD","name":"c"}]})"));
+    EXPECT_THAT(answer_to(named, {.about = Topic::pair, .text = "a,b,c"}).answer,
+                testing::StartsWith("edge BC: "));
+}
+
 TEST(Explain, AMethodIsReadFromOneWord) {
     const auto method = parse_method({"--against", "fill=top-left,color-rounding=truncate"});
     ASSERT_TRUE(method);

@@ -140,33 +140,55 @@ std::string why_not_tested(const Trace& trace) {
                                           : "it was skipped before it was tested";
 }
 
+/// Who has pixels in a row without being filled row by row: lines, and the sides of outlines.
+std::set<std::string> passing_through(const Trace& trace, int y) {
+    std::set<std::string> names;
+    bool is_line = false;
+    for_each_step(trace, [&](const StepOf& one) {
+        if (one.kind == StepKind::primitive)
+            is_line = one.step.text("kind") == "line" || one.step.text("kind") == "outline";
+        if (is_line && one.kind == StepKind::pixel && one.step.whole("y") == y)
+            names.insert(one.whole);
+    });
+    return names;
+}
+
+/// Why a trace that lacks no step has none of a row.
+std::string why_no_row(const Trace& trace, int y) {
+    const std::string fill = trace.method_value("fill");
+    if (fill == "barycentric" || fill == "fan")
+        return fmt::format("no primitive has rows: {} goes {}", fill,
+                           fill == "fan" ? "line by line" : "through every pixel of a box");
+    const auto lines = passing_through(trace, y);
+    if (lines.empty())
+        return "no primitive has this row";
+    return fmt::format("no filled triangle has this row; {} with pixels in it {} no rows",
+                       counted(lines.size(), "line"), lines.size() == 1 ? "has" : "have");
+}
+
 } // namespace
 
 Explanation explain_scanline(const Trace& trace, int y) {
     Explanation explanation;
-    explanation.tries =
-        tries_of(trace, numbers_of(trace, [y](const StepOf& one) {
-                     return one.kind == StepKind::scanline && one.step.whole("y") == y;
-                 }));
+    std::vector<std::string> owners;
+    explanation.tries = tries_of(trace, numbers_of(trace, [&](const StepOf& one) {
+                                     const bool is_row =
+                                         one.kind == StepKind::scanline && one.step.whole("y") == y;
+                                     if (is_row)
+                                         owners.push_back(one.primitive);
+                                     return is_row;
+                                 }));
+    for (std::size_t i = 0; i < owners.size(); ++i)
+        explanation.tries[i].primitive = owners[i];
     explanation.lacks = what_lacks(trace, {StepKind::scanline});
-    const std::string fill = trace.method_value("fill");
-    if (!explanation.tries.empty())
-        explanation.answer = counted_in(
-            explanation, counted(explanation.tries.size(), "primitive") + " with this row");
-    else if (!explanation.lacks.empty())
-        explanation.answer = "not told";
-    else if (fill == "barycentric" || fill == "fan")
+    if (!owners.empty())
         explanation.answer =
-            fmt::format("no primitive has rows: {} goes {}", fill,
-                        fill == "fan" ? "line by line" : "through every pixel of a box");
+            counted_in(explanation, counted(owners.size(), "primitive") + " with this row");
     else
-        explanation.answer = "no primitive has this row";
+        explanation.answer = explanation.lacks.empty() ? why_no_row(trace, y) : "not told";
     return explanation;
 }
 
-namespace {
-
-/// The triangles that a face was cut into, or the one primitive that it is. A name that nothing has is refused.
 std::vector<std::string> triangles_of_face(const Trace& trace, const std::string& name) {
     std::set<std::string> known;
     std::vector<std::string> triangles{name};
@@ -183,6 +205,8 @@ std::vector<std::string> triangles_of_face(const Trace& trace, const std::string
         refuse("--face", "the name of a face", name, known);
     return triangles;
 }
+
+namespace {
 
 /// True of the steps that say how a face is turned, lit, clipped.
 bool is_about_face(StepKind kind) {
@@ -262,6 +286,32 @@ Explanation explain_vertex(const Trace& trace, const std::string& name) {
     return explanation;
 }
 
+namespace {
+
+/// Why no step is about an edge that a primitive has.
+std::string why_not_set_up(const Trace& trace, const std::set<std::string>& spellings) {
+    std::set<std::string> owners;
+    std::string why = "no step is about it";
+    for_each_step(trace, [&](const StepOf& one) {
+        if (one.kind == StepKind::primitive) {
+            const PrimitiveText primitive = primitive_in(one.step);
+            for (std::size_t i = 0; i < primitive.vertices.size(); ++i)
+                for (std::size_t j = 0; j < i; ++j)
+                    if (spellings.contains(edge_name(primitive, i, j)))
+                        owners.insert(one.primitive);
+        }
+        const std::string name =
+            one.step.text("name").empty() ? one.primitive : one.step.text("name");
+        if (one.kind == StepKind::skip && owners.contains(name))
+            why = fmt::format("no edge is set up: {} is {}{}", printable(name),
+                              one.step.text("why") == "culled" ? "" : "skipped, ",
+                              printable(one.step.text("why")));
+    });
+    return why;
+}
+
+} // namespace
+
 Explanation explain_edge(const Trace& trace, const std::string& name) {
     // AB is also BA: a trace names an edge from its upper vertex.
     std::set<std::string> known, spellings;
@@ -320,7 +370,7 @@ Explanation explain_edge(const Trace& trace, const std::string& name) {
     else
         explanation.answer =
             counted_in(explanation, rows > 0 ? counted(rows, "row") + " with this end"
-                                             : std::string("no step is about it"));
+                                             : why_not_set_up(trace, spellings));
     return explanation;
 }
 

@@ -27,6 +27,10 @@ std::vector<Try> tries_of(const Trace& trace, const std::vector<std::size_t>& st
 /// True of a primitive that clipping has made of the one of that name: ABC/1 of ABC.
 bool is_part_of(const StepView& primitive, std::string_view whole);
 
+/// The triangles that a face was cut into, or the one primitive that it is. A name that no face has is thrown as a
+/// Problem.
+std::vector<std::string> triangles_of_face(const Trace& trace, const std::string& name);
+
 /// What the trace does not have of what an answer rests on, a sentence each: steps of these kinds, those beyond its
 /// region (of a pixel in it, nothing), those of other primitives, what came after its end.
 std::vector<std::string> what_lacks(const Trace& trace, std::initializer_list<StepKind> kinds,
