@@ -85,7 +85,7 @@ TEST_F(ExplainTest, BadInput) {
                       "hint: did you mean AB?\n"},
         {"--pair ABC", "rastertrace: --pair: expected two triangles, like ABC,ACD, found "
                        "\"ABC\"\n"},
-        {"--pair ABC,ACD", "rastertrace: --pair: expected the name of a triangle, found \"ACD\"\n"
+        {"--pair ABC,ACD", "rastertrace: --pair: expected the name of a triangle that is drawn, found \"ACD\"\n"
                            "hint: did you mean ABC?\n"},
         {"--step scanline", "rastertrace: --step: expected one step, found 9: 5, 7, 10, 14, 20, "
                             "...\nscanline\n^\nhint: say which\n"},

@@ -131,8 +131,9 @@ std::vector<Try> tries_of(const Trace& trace, const std::vector<std::size_t>& st
     return tries;
 }
 
-bool is_part_of(std::string_view name, std::string_view whole) {
-    return name == whole || (name.starts_with(whole) && name.substr(whole.size()).starts_with('/'));
+bool is_part_of(const StepView& primitive, std::string_view whole) {
+    const std::string name = primitive.text("name");
+    return primitive.text("part") == "true" && name.substr(0, name.rfind('/')) == whole;
 }
 
 Result<Explanation> explain(const Trace& trace, const Question& question) {

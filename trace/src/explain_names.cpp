@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <set>
 #include <string_view>
 
@@ -24,19 +25,23 @@ struct StepOf {
     StepKind kind;
     StepView step;
     std::string primitive; ///< its name; "" before the first one
+    std::string whole;     ///< the same, or, of a part that clipping has made, what it is a part of
 };
 
 /// Every step of a kind that we know.
 void for_each_step(const Trace& trace, const std::function<void(const StepOf&)>& take) {
-    std::string primitive;
+    std::string primitive, whole;
     for (std::size_t n = 1; n <= trace.size(); ++n) {
         const auto kind = trace.kind_of(n);
         if (!kind)
             continue;
         const StepView step = trace.step(n);
-        if (kind == StepKind::primitive)
+        if (kind == StepKind::primitive) {
             primitive = step.text("name");
-        take({n, *kind, step, primitive});
+            const std::string before = primitive.substr(0, primitive.rfind('/'));
+            whole = is_part_of(step, before) ? before : primitive;
+        }
+        take({n, *kind, step, primitive, whole});
     }
 }
 
@@ -66,109 +71,178 @@ std::vector<std::size_t> numbers_of(const Trace& trace,
                                                    is_all ? "" : ", ..."));
 }
 
-void note_lack(const Trace& trace, StepKind kind, Explanation& explanation) {
-    if (trace.lacks(kind))
-        explanation.lacks.push_back(
-            fmt::format("{} steps were left out of the trace", name_of(kind)));
+/// An answer that counts steps: not all of them are there if the trace lacks some.
+std::string counted_in(const Explanation& explanation, const std::string& answer) {
+    return explanation.lacks.empty() ? answer : "as far as the trace goes: " + answer;
 }
 
-/// What has become of a face: its pixels that were plotted, hidden, and are still seen at the end.
-std::string fate_of(const Trace& trace, const std::string& name) {
-    Replay replay(trace);
-    replay.go_to(trace.size());
-    std::size_t plotted = 0, hidden = 0, seen = 0;
-    std::string skipped;
+/// What has become of a triangle or an outline. Pixels are counted once, however often they were written.
+struct Fate {
+    bool is_painted = true;
+    std::set<std::size_t> plotted; ///< where on the canvas
+    std::set<std::size_t> hidden;
+    std::set<std::size_t> passed; ///< the depth test
+    std::size_t seen = 0;         ///< of the plotted ones, at the end
+    std::string skipped;          ///< why it draws nothing
+};
+
+void take_step(Fate& fate, const StepOf& one, const Replay& at_end) {
+    if (one.kind == StepKind::primitive && one.step.text("painted") == "false")
+        fate.is_painted = false;
+    if (one.kind == StepKind::skip)
+        fate.skipped = one.step.text("why");
+    const Canvas& canvas = at_end.trace().canvas;
+    const auto x = one.step.whole("x");
+    const auto y = one.step.whole("y");
+    if (!x || !y || !canvas.contains(*x, *y))
+        return;
+    const auto offset = canvas.offset_of({static_cast<int>(*x), static_cast<int>(*y)});
+    if (one.kind == StepKind::depth)
+        (one.step.text("pass") == "false" ? fate.hidden : fate.passed).insert(offset);
+    if (one.kind == StepKind::pixel)
+        fate.plotted.insert(offset);
+    if (one.kind == StepKind::pixel && at_end.frame().drawn_by[offset] == one.number)
+        ++fate.seen;
+}
+
+/// The fates of primitives, and of the parts that clipping has made of them, by their names.
+std::map<std::string, Fate> fates_in(const Trace& trace, const std::vector<std::string>& names) {
+    std::map<std::string, Fate> fates;
+    for (const std::string& name : names)
+        fates[name] = {};
+    Replay at_end(trace);
+    at_end.go_to(trace.size());
     for_each_step(trace, [&](const StepOf& one) {
-        if (!is_part_of(one.primitive, name))
-            return;
-        if (one.kind == StepKind::skip)
-            skipped = one.step.text("why");
-        if (one.kind == StepKind::depth && one.step.text("pass") == "false")
-            ++hidden;
-        const auto x = one.step.whole("x");
-        const auto y = one.step.whole("y");
-        if (one.kind != StepKind::pixel || !x || !y || !trace.canvas.contains(*x, *y))
-            return;
-        ++plotted;
-        const Pixel pixel{static_cast<int>(*x), static_cast<int>(*y)};
-        if (replay.frame().drawn_by[trace.canvas.offset_of(pixel)] == one.number)
-            ++seen;
+        const auto own = fates.find(one.primitive);
+        const auto found = own == fates.end() ? fates.find(one.whole) : own;
+        if (found != fates.end())
+            take_step(found->second, one, at_end);
     });
-    if (!skipped.empty() && plotted == 0)
-        return fmt::format("not drawn: {}", printable(skipped));
-    return fmt::format("{} plotted, {} hidden by what is nearer, {} seen at the end",
-                       counted(plotted, "pixel"), hidden, seen);
+    return fates;
+}
+
+std::string text_of(const Fate& fate, bool lacks_depths) {
+    if (!fate.skipped.empty() && fate.plotted.empty() && fate.hidden.empty())
+        return fmt::format("not drawn: {}", printable(fate.skipped));
+    if (!fate.is_painted)
+        return fmt::format("not painted: it only hides what lies behind it, at {}",
+                           counted(fate.passed.size(), "pixel"));
+    const std::string hidden =
+        lacks_depths ? "" : fmt::format(", {} hidden by what is nearer", fate.hidden.size());
+    return fmt::format("{} plotted{}, {} seen at the end", counted(fate.plotted.size(), "pixel"),
+                       hidden, fate.seen);
+}
+
+/// Why no step tests whether a face is turned away.
+std::string why_not_tested(const Trace& trace) {
+    const std::string cull = trace.method_value("cull");
+    return cull.empty() || cull == "none" ? "no face is tested: the method does not cull"
+                                          : "it was skipped before it was tested";
+}
+
+/// Who has pixels in a row without being filled row by row: lines, and the sides of outlines.
+std::set<std::string> passing_through(const Trace& trace, int y) {
+    std::set<std::string> names;
+    bool is_line = false;
+    for_each_step(trace, [&](const StepOf& one) {
+        if (one.kind == StepKind::primitive)
+            is_line = one.step.text("kind") == "line" || one.step.text("kind") == "outline";
+        if (is_line && one.kind == StepKind::pixel && one.step.whole("y") == y)
+            names.insert(one.whole);
+    });
+    return names;
+}
+
+/// Why a trace that lacks no step has none of a row.
+std::string why_no_row(const Trace& trace, int y) {
+    const std::string fill = trace.method_value("fill");
+    if (fill == "barycentric" || fill == "fan")
+        return fmt::format("no primitive has rows: {} goes {}", fill,
+                           fill == "fan" ? "line by line" : "through every pixel of a box");
+    const auto lines = passing_through(trace, y);
+    if (lines.empty())
+        return "no primitive has this row";
+    return fmt::format("no filled triangle has this row; {} with pixels in it {} no rows",
+                       counted(lines.size(), "line"), lines.size() == 1 ? "has" : "have");
 }
 
 } // namespace
 
 Explanation explain_scanline(const Trace& trace, int y) {
     Explanation explanation;
-    explanation.tries =
-        tries_of(trace, numbers_of(trace, [y](const StepOf& one) {
-                     return one.kind == StepKind::scanline && one.step.whole("y") == y;
-                 }));
-    note_lack(trace, StepKind::scanline, explanation);
-    const std::string fill = trace.method_value("fill");
-    if (!explanation.tries.empty())
-        explanation.answer = counted(explanation.tries.size(), "primitive") + " with this row";
-    else if (!explanation.lacks.empty())
-        explanation.answer = "not told";
-    else if (fill == "barycentric" || fill == "fan")
+    std::vector<std::string> owners;
+    explanation.tries = tries_of(trace, numbers_of(trace, [&](const StepOf& one) {
+                                     const bool is_row =
+                                         one.kind == StepKind::scanline && one.step.whole("y") == y;
+                                     if (is_row)
+                                         owners.push_back(one.primitive);
+                                     return is_row;
+                                 }));
+    for (std::size_t i = 0; i < owners.size(); ++i)
+        explanation.tries[i].primitive = owners[i];
+    explanation.lacks = what_lacks(trace, {StepKind::scanline});
+    if (!owners.empty())
         explanation.answer =
-            fmt::format("no primitive has rows: {} goes {}", fill,
-                        fill == "fan" ? "line by line" : "through every pixel of a box");
+            counted_in(explanation, counted(owners.size(), "primitive") + " with this row");
     else
-        explanation.answer = "no primitive has this row";
+        explanation.answer = explanation.lacks.empty() ? why_no_row(trace, y) : "not told";
     return explanation;
 }
 
-Explanation explain_face(const Trace& trace, const std::string& name) {
-    // A face of more than three corners is drawn as the triangles that it was cut into.
+std::vector<std::string> triangles_of_face(const Trace& trace, const std::string& name) {
     std::set<std::string> known;
     std::vector<std::string> triangles{name};
     for_each_step(trace, [&](const StepOf& one) {
-        if (one.kind == StepKind::primitive || one.kind == StepKind::triangulate)
+        const std::string kind = one.step.text("kind");
+        const bool is_face = one.kind == StepKind::triangulate ||
+                             (one.kind == StepKind::primitive && kind != "line" && kind != "point");
+        if (is_face || (one.kind == StepKind::primitive && one.primitive != one.whole))
             known.insert(one.step.text("name"));
         if (one.kind == StepKind::triangulate && one.step.text("name") == name)
             triangles = one.step.texts("ears");
     });
     if (!trace.lacks(StepKind::primitive) && !known.contains(name))
         refuse("--face", "the name of a face", name, known);
-    const auto is_of_face = [&](const std::string& primitive) {
+    return triangles;
+}
+
+namespace {
+
+/// True of the steps that say how a face is turned, lit, clipped.
+bool is_about_face(StepKind kind) {
+    return kind == StepKind::primitive || kind == StepKind::face || kind == StepKind::light ||
+           kind == StepKind::clip || kind == StepKind::skip || kind == StepKind::undecided;
+}
+
+} // namespace
+
+Explanation explain_face(const Trace& trace, const std::string& name) {
+    const std::vector<std::string> triangles = triangles_of_face(trace, name);
+    const auto is_of_face = [&](const StepOf& one) {
         return std::any_of(triangles.begin(), triangles.end(), [&](const std::string& triangle) {
-            return is_part_of(primitive, triangle);
+            return one.primitive == triangle || one.whole == triangle;
         });
     };
-    Explanation explanation;
     bool has_test = false;
-    explanation.tries = tries_of(trace, numbers_of(trace, [&](const StepOf& one) {
-                                     switch (one.kind) {
-                                     case StepKind::triangulate:
-                                         return one.step.text("name") == name;
-                                     case StepKind::face:
-                                         has_test = has_test || is_of_face(one.primitive);
-                                         return is_of_face(one.primitive);
-                                     case StepKind::primitive:
-                                     case StepKind::light:
-                                     case StepKind::clip:
-                                     case StepKind::skip:
-                                     case StepKind::undecided:
-                                         return is_of_face(one.primitive);
-                                     default:
-                                         return false;
-                                     }
-                                 }));
-    note_lack(trace, StepKind::face, explanation);
-    note_lack(trace, StepKind::pixel, explanation);
-    if (!has_test && explanation.lacks.empty())
-        explanation.lacks.emplace_back("no face is tested: the method does not cull");
-    std::vector<std::string> fates;
+    Explanation explanation;
+    explanation.tries =
+        tries_of(trace, numbers_of(trace, [&](const StepOf& one) {
+                     if (one.kind == StepKind::triangulate)
+                         return one.step.text("name") == name;
+                     has_test = has_test || (one.kind == StepKind::face && is_of_face(one));
+                     return is_about_face(one.kind) && is_of_face(one);
+                 }));
+    explanation.lacks =
+        what_lacks(trace, {StepKind::primitive, StepKind::face, StepKind::pixel, StepKind::depth});
+    const bool is_told = !trace.lacks(StepKind::primitive) && !trace.lacks(StepKind::pixel);
+    std::vector<std::string> texts;
+    const auto fates = fates_in(trace, triangles);
     for (const std::string& triangle : triangles)
-        fates.push_back(triangles.size() == 1
-                            ? fate_of(trace, triangle)
-                            : fmt::format("{}: {}", printable(triangle), fate_of(trace, triangle)));
-    explanation.answer = trace.lacks(StepKind::pixel) ? "not told" : joined(fates, "; ");
+        texts.push_back((triangles.size() == 1 ? "" : printable(triangle) + ": ") +
+                        text_of(fates.at(triangle), trace.lacks(StepKind::depth)));
+    explanation.answer = is_told ? counted_in(explanation, joined(texts, "; ")) : "not told";
+    if (!has_test && explanation.lacks.empty())
+        explanation.lacks.push_back(why_not_tested(trace));
     return explanation;
 }
 
@@ -207,10 +281,36 @@ Explanation explain_vertex(const Trace& trace, const std::string& name) {
         refuse("--vertex", "the name of a vertex", name, known);
     if (!has_places)
         explanation.tries = tries_of(trace, corners);
-    note_lack(trace, StepKind::vertex, explanation);
+    explanation.lacks = what_lacks(trace, {StepKind::vertex});
     explanation.answer = place.empty() ? "not told" : place;
     return explanation;
 }
+
+namespace {
+
+/// Why no step is about an edge that a primitive has.
+std::string why_not_set_up(const Trace& trace, const std::set<std::string>& spellings) {
+    std::set<std::string> owners;
+    std::string why = "no step is about it";
+    for_each_step(trace, [&](const StepOf& one) {
+        if (one.kind == StepKind::primitive) {
+            const PrimitiveText primitive = primitive_in(one.step);
+            for (std::size_t i = 0; i < primitive.vertices.size(); ++i)
+                for (std::size_t j = 0; j < i; ++j)
+                    if (spellings.contains(edge_name(primitive, i, j)))
+                        owners.insert(one.primitive);
+        }
+        const std::string name =
+            one.step.text("name").empty() ? one.primitive : one.step.text("name");
+        if (one.kind == StepKind::skip && owners.contains(name))
+            why = fmt::format("no edge is set up: {} is {}{}", printable(name),
+                              one.step.text("why") == "culled" ? "" : "skipped, ",
+                              printable(one.step.text("why")));
+    });
+    return why;
+}
+
+} // namespace
 
 Explanation explain_edge(const Trace& trace, const std::string& name) {
     // AB is also BA: a trace names an edge from its upper vertex.
@@ -264,13 +364,13 @@ Explanation explain_edge(const Trace& trace, const std::string& name) {
                          return false;
                      }
                  }));
-    note_lack(trace, StepKind::edge, explanation);
-    note_lack(trace, StepKind::scanline, explanation);
+    explanation.lacks = what_lacks(trace, {StepKind::edge, StepKind::scanline});
     if (!explanation.tries.empty() && rows == 0)
         explanation.answer = explanation.tries.front().sentence;
     else
-        explanation.answer = rows > 0 ? fmt::format("{} with this end", counted(rows, "row"))
-                                      : "no step is about it";
+        explanation.answer =
+            counted_in(explanation, rows > 0 ? counted(rows, "row") + " with this end"
+                                             : why_not_set_up(trace, spellings));
     return explanation;
 }
 

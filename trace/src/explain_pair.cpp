@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <set>
 #include <string_view>
 
 namespace rastertrace {
@@ -34,7 +35,7 @@ struct Pair {
 
 /// The triangle of a name, as its `primitive` step says.
 PrimitiveText triangle_named(const Trace& trace, const std::string& name) {
-    std::vector<std::string> known;
+    std::vector<std::string> known, parts;
     for (std::size_t n = 1; n <= trace.size(); ++n) {
         if (trace.kind_of(n) != StepKind::primitive)
             continue;
@@ -43,13 +44,31 @@ PrimitiveText triangle_named(const Trace& trace, const std::string& name) {
             return primitive;
         if (corners_of(primitive))
             known.push_back(primitive.name);
+        if (is_part_of(trace.step(n), name))
+            parts.push_back(primitive.name);
     }
-    refuse("the name of a triangle", name,
+    if (!parts.empty())
+        refuse("the name of a triangle that is drawn", name,
+               fmt::format("{} was clipped: ask of its parts, {}", name, joined(parts, ", ")));
+    refuse("the name of a triangle that is drawn", name,
            did_you_mean(name, std::vector<std::string_view>(known.begin(), known.end())));
 }
 
+/// The two names that a text joins by a comma. A name may have commas too: the split is where both are known.
+std::vector<std::string> names_in(const Trace& trace, const std::string& text) {
+    std::set<std::string> known;
+    for (std::size_t n = 1; n <= trace.size(); ++n)
+        if (trace.kind_of(n) == StepKind::primitive)
+            known.insert(trace.step(n).text("name"));
+    for (std::size_t comma = text.find(','); comma != std::string::npos;
+         comma = text.find(',', comma + 1))
+        if (known.contains(text.substr(0, comma)) && known.contains(text.substr(comma + 1)))
+            return {text.substr(0, comma), text.substr(comma + 1)};
+    return split_at(text, ',');
+}
+
 Pair pair_named(const Trace& trace, const std::string& text) {
-    const auto names = split_at(text, ',');
+    const auto names = names_in(trace, text);
     if (names.size() != 2 || names[0] == names[1])
         refuse("two triangles, like ABC,ACD", text);
     const PrimitiveText one = triangle_named(trace, names[0]);
@@ -110,13 +129,15 @@ private:
     bool is_flat_;
 };
 
-/// The steps of the two triangles, of pixels only those near the edge.
+/// The steps of the two triangles, of pixels only those near the edge, and where the next primitive begins.
 Trace excerpt_of(const Trace& trace, const Pair& pair, const NearEdge& near) {
     Trace excerpt = trace.without_steps();
+    excerpt.damage = trace.damage;
     bool is_of_pair = false;
     for (std::size_t n = 1; n <= trace.size(); ++n) {
         const auto kind = trace.kind_of(n);
         const StepView step = trace.step(n);
+        const bool ends_pair = is_of_pair && kind == StepKind::primitive;
         if (kind == StepKind::primitive)
             is_of_pair = std::find(pair.names.begin(), pair.names.end(), step.text("name")) !=
                          pair.names.end();
@@ -124,7 +145,7 @@ Trace excerpt_of(const Trace& trace, const Pair& pair, const NearEdge& near) {
             kind == StepKind::pixel || kind == StepKind::depth || kind == StepKind::sample;
         const auto x = step.whole("x");
         const auto y = step.whole("y");
-        if (is_of_pair && kind && (!is_fragment || (x && y && near.has(*x, *y))))
+        if ((is_of_pair || ends_pair) && kind && (!is_fragment || (x && y && near.has(*x, *y))))
             excerpt.add_to_excerpt(step, kind, trace.number_of(n));
     }
     return excerpt;
@@ -145,6 +166,8 @@ PixelAlongEdge pixel_of(const Trace& excerpt, const Pair& pair, Pixel pixel) {
         }
         if (why_not->reason == "hidden")
             found.owners.push_back(name);
+        if (why_not->reason == "unknown")
+            found.is_told = false;
         found.why.push_back(fmt::format("{}: {}", name, why_not->sentence));
     }
     return found;
@@ -158,11 +181,13 @@ Explanation explain_pair(const Trace& trace, const std::string& names) {
     const Trace excerpt = excerpt_of(trace, pair, near);
     Explanation explanation;
     std::array<std::size_t, 2> only{};
-    std::size_t both = 0, none = 0;
+    std::size_t both = 0, none = 0, untold = 0;
     for (const Pixel& pixel : near.pixels()) {
         explanation.pixels.push_back(pixel_of(excerpt, pair, pixel));
         const auto& owners = explanation.pixels.back().owners;
-        if (owners.size() == 2)
+        if (!explanation.pixels.back().is_told)
+            ++untold;
+        else if (owners.size() == 2)
             ++both;
         else if (owners.empty())
             ++none;
@@ -173,8 +198,9 @@ Explanation explain_pair(const Trace& trace, const std::string& names) {
         printable(fmt::format("edge {}: {} along it, {} of {}, {} of {}, {} of both, {} of neither",
                               pair.edge, counted(explanation.pixels.size(), "pixel"), only[0],
                               pair.names[0], only[1], pair.names[1], both, none));
-    if (trace.is_partial)
-        explanation.lacks.emplace_back("steps were left out of the trace");
+    if (untold > 0)
+        explanation.answer += fmt::format(", {} not told", untold);
+    explanation.lacks = what_lacks(trace, {StepKind::primitive, StepKind::pixel, StepKind::depth});
     return explanation;
 }
 

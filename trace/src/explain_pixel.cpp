@@ -28,8 +28,11 @@ public:
     Explanation tell() {
         for (std::size_t n = 1; n <= trace_.size(); ++n)
             take(n);
+        is_at_end_ = true;
+        close_part();
         close_primitive();
-        tell_what_lacks();
+        explanation_.lacks =
+            what_lacks(trace_, {StepKind::primitive, StepKind::pixel, StepKind::depth}, pixel_);
         explanation_.answer = answer();
         return std::move(explanation_);
     }
@@ -38,16 +41,31 @@ private:
     void take(std::size_t n) {
         const auto kind = trace_.kind_of(n);
         if (kind == StepKind::primitive)
-            close_primitive();
-        if (kind == StepKind::primitive)
-            current_ = PrimitiveSteps{.first = n};
-        if (current_)
-            current_->last = n;
+            begin(n);
+        if (PrimitiveSteps* const current = drawing())
+            current->last = n;
         if (is_try(n))
             take_try(n);
-        else if (current_ && kind)
+        else if (primitive_ && kind)
             take_reason(n, *kind);
     }
+
+    /// Parts that clipping has made come between the steps of the primitive that they are parts of.
+    void begin(std::size_t n) {
+        close_part();
+        if (primitive_ && is_part_of(trace_.step(n), trace_.step(primitive_->first).text("name"))) {
+            primitive_->is_whole = true;
+            part_ = PrimitiveSteps{.first = n};
+            return;
+        }
+        close_primitive();
+        primitive_ = PrimitiveSteps{.first = n};
+        place_ = explanation_.why_not.size();
+        part_has_drawn_ = false;
+    }
+
+    /// The primitive, or part of one, whose steps these are; null before the first.
+    PrimitiveSteps* drawing() { return part_ ? &*part_ : primitive_ ? &*primitive_ : nullptr; }
 
     /// The replay, at step n. It has a picture as large as the canvas, so most pixels do without it.
     const Replay& replay_to(std::size_t n) {
@@ -70,94 +88,115 @@ private:
         Try one = try_of(replay_to(n));
         one.before = before;
         one.after = shown_at(*replay_, pixel_);
-        const auto kind = trace_.kind_of(n);
-        if (kind == StepKind::pixel)
+        if (PrimitiveSteps* const current = drawing())
+            note_try(*current, n, one.sentence);
+        if (trace_.kind_of(n) == StepKind::pixel)
             last_drawn_ = one.number;
-        if (current_ && kind == StepKind::pixel)
-            current_->has_drawn = true;
-        if (current_ && kind == StepKind::depth && trace_.step(n).text("pass") == "false")
-            current_->hidden = one.sentence;
-        if (current_ && kind == StepKind::reject)
-            current_->rejected = one.sentence;
         explanation_.tries.push_back(std::move(one));
+    }
+
+    /// What has become of the pixel of a primitive.
+    void note_try(PrimitiveSteps& current, std::size_t n, const std::string& sentence) {
+        const StepView step = trace_.step(n);
+        switch (*trace_.kind_of(n)) {
+        case StepKind::pixel:
+            if (!std::exchange(current.has_drawn, true))
+                painters_.push_back(trace_.step(current.first).text("name"));
+            break;
+        case StepKind::depth:
+            if (step.text("pass") == "false")
+                current.hidden = sentence;
+            else
+                current.has_passed = true;
+            break;
+        default:
+            current.rejected = sentence;
+        }
     }
 
     /// A step that may be why the primitive does not draw the pixel.
     void take_reason(std::size_t n, StepKind kind) {
         const StepView step = trace_.step(n);
+        PrimitiveSteps& current = *drawing();
         if (kind == StepKind::face)
-            current_->face = describe_step(replay_to(n));
+            current.face = describe_step(replay_to(n));
         if (kind == StepKind::clip)
-            current_->clips.push_back(describe_step(replay_to(n)));
+            named_by(step).clips.push_back(describe_step(replay_to(n)));
         if (kind == StepKind::skip)
-            current_->skip = step.text("why");
+            named_by(step).skip = step.text("why");
         const bool is_of_pixel =
             kind == StepKind::scanline ? step.whole("y") == pixel_.y : kind == StepKind::sample;
         if (is_of_pixel)
-            current_->working = working_of(replay_to(n));
+            current.working = working_of(replay_to(n));
     }
 
-    /// The primitive has come to its end: if it did not draw the pixel, why not?
-    void close_primitive() {
-        if (!current_)
+    /// The primitive that a clip or skip step is about: that of an outline may come after its first part.
+    PrimitiveSteps& named_by(const StepView& step) {
+        const bool is_of_whole = step.text("name") == trace_.step(primitive_->first).text("name");
+        return is_of_whole ? *primitive_ : *drawing();
+    }
+
+    /// The part has come to its end: if it did not draw the pixel, why not?
+    void close_part() {
+        if (!part_)
             return;
-        const StepView step = trace_.step(current_->first);
-        const bool is_part = step.text("part") == "true";
-        current_->is_whole = !step.field("at") && !current_->clips.empty();
-        if (current_->has_drawn) {
-            painters_.push_back(step.text("name"));
-            if (is_part && whole_)
-                explanation_.why_not.erase(explanation_.why_not.begin() +
-                                           static_cast<std::ptrdiff_t>(*std::exchange(whole_, {})));
-        } else {
-            if (!is_part)
-                whole_.reset();
-            if (current_->is_whole && current_->skip.empty())
-                whole_ = explanation_.why_not.size();
-            explanation_.why_not.push_back(why_not(trace_, *current_, pixel_));
-        }
-        current_.reset();
+        part_has_drawn_ = part_has_drawn_ || part_->has_drawn;
+        if (!part_->has_drawn)
+            explanation_.why_not.push_back(why_not_of(*part_));
+        part_.reset();
     }
 
-    void tell_what_lacks() {
-        auto& lacks = explanation_.lacks;
-        const bool has_depths = !trace_.method_value("depth").empty();
-        for (const StepKind kind : {StepKind::primitive, StepKind::pixel, StepKind::depth})
-            if (trace_.lacks(kind) && (kind != StepKind::depth || has_depths))
-                lacks.push_back(fmt::format("{} steps were left out of the trace", name_of(kind)));
-        if (const auto& region = trace_.left_out.region) {
-            const auto& [x0, y0, x1, y1] = *region;
-            const bool is_in_region =
-                x0 <= pixel_.x && pixel_.x <= x1 && y0 <= pixel_.y && pixel_.y <= y1;
-            if (!is_in_region)
-                lacks.push_back(fmt::format("the trace has only what is about x {} to {}, y {} to "
-                                            "{}: the pixel lies outside",
-                                            x0, x1, y0, y1));
-        }
-        if (!trace_.left_out.primitive.empty())
-            lacks.push_back(fmt::format("the trace has only the steps of {}",
-                                        printable(trace_.left_out.primitive)));
-        if (!trace_.end)
-            lacks.emplace_back("the trace is truncated: what came later is not known");
+    /// The same of a primitive with all its parts, of which one may have drawn the pixel. It is told before them.
+    void close_primitive() {
+        if (!primitive_)
+            return;
+        const bool has_place = trace_.step(primitive_->first).field("at").has_value();
+        primitive_->is_whole = primitive_->is_whole || (!has_place && !primitive_->clips.empty());
+        if (!primitive_->has_drawn && !part_has_drawn_)
+            explanation_.why_not.insert(explanation_.why_not.begin() +
+                                            static_cast<std::ptrdiff_t>(place_),
+                                        why_not_of(*primitive_));
+        primitive_.reset();
+    }
+
+    WhyNot why_not_of(PrimitiveSteps& steps) {
+        steps.may_lack = why_steps_may_lack(trace_, is_at_end_);
+        WhyNot why = why_not(trace_, steps, pixel_);
+        const bool only_hides = why.reason == "unpainted" && steps.has_passed;
+        if (only_hides || why.reason == "hidden" || why.reason == "rejected")
+            covering_.push_back(why);
+        return why;
     }
 
     std::string answer() const {
         if (!painters_.empty() || last_drawn_ != 0)
             return answer_of_drawn();
         const auto& why_not = explanation_.why_not;
-        const auto count_of = [&why_not](std::string_view reason) {
-            return std::count_if(why_not.begin(), why_not.end(),
-                                 [reason](const WhyNot& one) { return one.reason == reason; });
-        };
         if (!explanation_.lacks.empty())
             return "no step of the trace draws it, but not all steps are there";
         if (why_not.empty())
             return "not drawn: there is no primitive";
-        if (count_of("hidden") != 0)
-            return "not drawn: every primitive that covers it fails the depth test";
+        if (!covering_.empty())
+            return answer_of_covered();
         return why_not.size() == 1
                    ? fmt::format("not drawn: {}", in_words(why_not.front()))
                    : fmt::format("not drawn by any of {} primitives", why_not.size());
+    }
+
+    /// Of a pixel that primitives cover, none of which has drawn it.
+    std::string answer_of_covered() const {
+        const bool all_fail = std::all_of(covering_.begin(), covering_.end(),
+                                          [](const WhyNot& why) { return why.reason == "hidden"; });
+        if (all_fail)
+            return "not drawn: every primitive that covers it fails the depth test";
+        constexpr std::size_t most_named = 3;
+        std::vector<std::string> named;
+        for (const WhyNot& why : covering_)
+            if (named.size() < most_named)
+                named.push_back(in_words(why));
+        const std::size_t rest = covering_.size() - named.size();
+        return fmt::format("not drawn: {}{}", joined(named, ", "),
+                           rest > 0 ? fmt::format(", and {} more", rest) : "");
     }
 
     std::string answer_of_drawn() const {
@@ -174,18 +213,23 @@ private:
 
     static std::string in_words(const WhyNot& why) {
         return fmt::format("{} {}", printable(why.primitive),
-                           why.reason == "elsewhere" ? std::string("is elsewhere")
-                           : why.reason == "outside" ? std::string("does not cover it")
-                           : why.reason == "unknown" ? std::string("does not draw it")
-                                                     : "is " + why.reason);
+                           why.reason == "elsewhere"   ? std::string("is elsewhere")
+                           : why.reason == "outside"   ? std::string("does not cover it")
+                           : why.reason == "unknown"   ? std::string("does not draw it")
+                           : why.reason == "unpainted" ? std::string("is not painted")
+                                                       : "is " + why.reason);
     }
 
     const Trace& trace_;
     Pixel pixel_;
     std::optional<Replay> replay_;
     Explanation explanation_;
-    std::optional<PrimitiveSteps> current_;
-    std::optional<std::size_t> whole_;  ///< in why_not: the primitive that the parts belong to
+    std::optional<PrimitiveSteps> primitive_;
+    std::optional<PrimitiveSteps> part_; ///< of the primitive, made by clipping
+    std::size_t place_ = 0;              ///< in why_not: that of the primitive, before its parts
+    bool part_has_drawn_ = false;
+    bool is_at_end_ = false;
+    std::vector<WhyNot> covering_;      ///< those that reach the pixel and have not drawn it
     std::vector<std::string> painters_; ///< who has drawn the pixel, first to last
     std::size_t last_drawn_ = 0;        ///< the step that did
 };
@@ -196,7 +240,8 @@ Explanation explain_pixel(const Trace& trace, Pixel pixel) {
     StepsOfPixel chosen(trace, pixel);
     for (std::size_t n = 1; n <= trace.size(); ++n)
         chosen.take(trace.step(n), trace.kind_of(n), trace.number_of(n));
-    const Trace excerpt = std::move(chosen).finish();
+    Trace excerpt = std::move(chosen).finish();
+    excerpt.damage = trace.damage;
     return PixelStory(excerpt, pixel).tell();
 }
 

@@ -31,6 +31,7 @@ struct LineSteps {
 struct Place {
     std::string text;
     std::optional<Rational> distance = {};
+    bool is_known = true; ///< false: it may be in the pixel, as far as the trace goes
 };
 
 bool is_x_major_line(const StepView& step, const std::optional<LineEnds>& ends) {
@@ -74,24 +75,30 @@ Pixel pixel_at(const Vec2& point) {
             static_cast<int>(nearest_index(point.y, Ties::up))};
 }
 
-/// The line has no pixel in the column, or the row: it ends before.
+/// The line has no pixel in the column, or the row: it ends before, or there its last pixel is left out.
 Place beyond_ends(const Trace& trace, const LineSteps& line, Pixel pixel) {
     if (!line.ends)
-        return {fmt::format("no step says where {} is", line.name)};
+        return {.text = fmt::format("no step says where {} is", line.name), .is_known = false};
     const auto& [from, to] = *line.ends;
-    if (trace.method_value("ends") == "first" && (pixel == pixel_at(from) || pixel == pixel_at(to)))
-        return {fmt::format("the last pixel of {} is left out (ends: first)", line.name),
-                Rational(0)};
     const Rational at = line.is_x_major ? pixel.x : pixel.y;
     const auto [low, high] =
         std::minmax(line.is_x_major ? from.x : from.y, line.is_x_major ? to.x : to.y);
     const std::string_view axis = line.is_x_major ? "x" : "y";
+    const std::string goes =
+        fmt::format("{} goes from {} = {} to {}", line.name, axis, text(low), text(high));
     const Rational gap = at < low ? Rational(low - at) : Rational(at - high);
-    return {fmt::format("{} goes from {} = {} to {}: {} = {} lies {}", line.name, axis, text(low),
-                        text(high), axis, text(at),
-                        sgn(gap) > 0 ? "beyond it, by " + text(gap)
-                                     : std::string("in none of its steps")),
-            sgn(gap) > 0 ? gap : Rational(0)};
+    if (sgn(gap) > 0)
+        return {fmt::format("{}: {} = {} lies beyond it, by {}", goes, axis, text(at), text(gap)),
+                gap};
+    if (trace.method_value("ends") == "first")
+        for (const Pixel& end : {pixel_at(to), pixel_at(from)})
+            if ((line.is_x_major ? end.x : end.y) == (line.is_x_major ? pixel.x : pixel.y))
+                return {fmt::format("the last pixel of {}, ({}, {}), is left out (ends: first)",
+                                    line.name, end.x, end.y),
+                        Rational(std::abs(line.is_x_major ? end.y - pixel.y : end.x - pixel.x))};
+    return {.text = fmt::format("{}; no step of the trace says where it is at {} = {}", goes, axis,
+                                text(at)),
+            .is_known = false};
 }
 
 /// What led to a pixel of a line: `9/7 -> 1`, or the pixel alone.
@@ -133,36 +140,50 @@ Place place_of(const Trace& trace, const LineSteps& line, Pixel pixel) {
     return beyond_ends(trace, line, pixel);
 }
 
-WhyNot of_point(const Trace& trace, const PrimitiveSteps& steps) {
+WhyNot of_point(const Trace& trace, const PrimitiveSteps& steps, Pixel pixel) {
     const PrimitiveText primitive = primitive_in(trace.step(steps.first));
+    const auto place =
+        primitive.positions.empty() ? std::nullopt : vec2_in(primitive.positions.front());
+    const bool is_in_pixel = place && nearest_index(place->x, Ties::up) == pixel.x &&
+                             nearest_index(place->y, Ties::up) == pixel.y;
+    if (!place || is_in_pixel)
+        return {.reason = "unknown", .sentence = "no step of the trace says what became of it"};
     const auto drawn = find_step(trace, steps, StepKind::pixel);
-    const std::string at = primitive.positions.empty() ? std::string("elsewhere")
-                                                       : "at " + point(primitive.positions[0]);
+    const std::string at = fmt::format("it is at ({}, {})", in_sentence(primitive.positions[0][0]),
+                                       in_sentence(primitive.positions[0][1]));
     return {.reason = "elsewhere",
-            .sentence = drawn ? fmt::format("it is {}: pixel ({}, {})", at, drawn->text("x"),
-                                            drawn->text("y"))
-                              : "it is " + at};
+            .sentence =
+                drawn ? fmt::format("{}: pixel ({}, {})", at, drawn->text("x"), drawn->text("y"))
+                      : at};
 }
 
 } // namespace
 
 WhyNot why_elsewhere(const Trace& trace, const PrimitiveSteps& steps, Pixel pixel) {
     if (trace.step(steps.first).text("kind") == "point")
-        return of_point(trace, steps);
+        return of_point(trace, steps, pixel);
     if (trace.lacks(StepKind::pixel))
         return {.reason = "unknown",
                 .sentence = "the trace has no pixel steps, which would say where it is"};
     WhyNot why{.reason = "elsewhere"};
+    bool is_known = true;
     std::vector<std::string> places;
     for (const LineSteps& line : lines_of(trace, steps)) {
         const Place place = place_of(trace, line, pixel);
         places.push_back(place.text);
+        is_known = is_known && place.is_known;
         if (place.distance)
             why.distance = std::min(why.distance.value_or(nearest_double(*place.distance)),
                                     nearest_double(*place.distance));
     }
     why.sentence = places.empty() ? "no step of the trace says where it is" : joined(places, "; ");
-    return why;
+    // Of an outline, sides that the trace does not have may be in the pixel.
+    const bool may_lack_sides =
+        !steps.may_lack.empty() && trace.step(steps.first).text("kind") != "line";
+    if (is_known && !places.empty() && !may_lack_sides)
+        return why;
+    return steps.may_lack.empty() ? WhyNot{.reason = "unknown", .sentence = why.sentence}
+                                  : not_told(steps, why.sentence);
 }
 
 } // namespace rastertrace

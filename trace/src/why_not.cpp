@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 #include <utility>
@@ -49,7 +50,20 @@ WhyNot why_skipped(const Trace& trace, const PrimitiveSteps& steps) {
             .sentence = corners.empty() ? steps.skip : fmt::format("{}: {}", steps.skip, corners)};
 }
 
+/// A primitive that clipping has cut into parts, none of which has drawn the pixel.
+WhyNot why_clipped(const PrimitiveSteps& steps) {
+    const std::string clips =
+        steps.clips.empty() ? std::string("cut by a plane of the view") : joined(steps.clips, "; ");
+    if (!steps.may_lack.empty())
+        return not_told(steps, clips);
+    return {.reason = "clipped", .sentence = clips + "; no part that is left has the pixel"};
+}
+
 } // namespace
+
+WhyNot not_told(const PrimitiveSteps& steps, const std::string& sentence) {
+    return {.reason = "unknown", .sentence = fmt::format("{}; {}", sentence, steps.may_lack)};
+}
 
 std::optional<StepView> find_step(const Trace& trace, const PrimitiveSteps& steps, StepKind kind) {
     for (std::size_t n = steps.first; n <= steps.last; ++n)
@@ -64,8 +78,7 @@ WhyNot why_not(const Trace& trace, const PrimitiveSteps& steps, Pixel pixel) {
     if (!steps.skip.empty())
         why = why_skipped(trace, steps);
     else if (steps.is_whole)
-        why = {.reason = "clipped",
-               .sentence = joined(steps.clips, "; ") + "; no part that is left has the pixel"};
+        why = why_clipped(steps);
     else if (!steps.hidden.empty())
         why = {.reason = "hidden", .sentence = steps.hidden};
     else if (!steps.rejected.empty())

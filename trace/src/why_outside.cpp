@@ -38,8 +38,12 @@ WhyNot outside(std::string sentence, const Rational& distance) {
 double distance_from_line(const Rational& area, const Vec2& from, const Vec2& to) {
     const Rational dx = to.x - from.x;
     const Rational dy = to.y - from.y;
-    const double length = std::sqrt(nearest_double(dx * dx + dy * dy));
-    return length > 0 ? std::abs(nearest_double(area)) / length : 0;
+    // Scaled, as the squares of coordinates need not fit a double.
+    const Rational scale = std::max(abs(dx), abs(dy));
+    if (sgn(scale) == 0)
+        return 0;
+    return std::abs(nearest_double(area / scale)) /
+           std::hypot(nearest_double(dx / scale), nearest_double(dy / scale));
 }
 
 /// An edge that clipping has made has both ends on its plane, named after the primitive: wing:1, wing:2.
@@ -151,10 +155,16 @@ std::optional<WhyNot> by_rows(const Case& c) {
     if (!top)
         return std::nullopt;
     const bool is_above = canvas.row_of(c.pixel.y) < canvas.row_of(*top);
+    const bool is_below = canvas.row_of(c.pixel.y) > canvas.row_of(*bottom);
     const std::string rows = *top == *bottom ? fmt::format("its only row, y={}", *top)
                                              : fmt::format("its rows, y={} to {}", *top, *bottom);
+    if (!is_above && !is_below)
+        return WhyNot{.reason = "unknown",
+                      .sentence = fmt::format("row y={} is missing among {}", c.pixel.y, rows)};
+    if (!c.steps.may_lack.empty())
+        return not_told(c.steps, fmt::format("the trace does not have row y={} of it", c.pixel.y));
     const auto corners = corners_of(c.primitive);
-    if (!corners || c.trace.left_out.region)
+    if (!corners)
         return WhyNot{.reason = "outside",
                       .sentence = fmt::format("row y={} lies {} {}", c.pixel.y,
                                               is_above ? "above" : "below", rows)};
@@ -172,7 +182,7 @@ std::string side_across(const PrimitiveText& primitive, std::size_t corner) {
     return edge_name(primitive, (corner + 1) % 3, (corner + 2) % 3);
 }
 
-/// `barycentric`: the corner whose weight is negative, or the one farthest across its side.
+/// `barycentric`: the corner of the most negative weight.
 std::optional<WhyNot> by_weight(const Case& c) {
     const auto corners = corners_of(c.primitive);
     for (std::size_t n = c.steps.first; n <= c.steps.last; ++n) {
@@ -238,6 +248,8 @@ WhyNot unknown(const Case& c) {
     for (const StepKind kind : {StepKind::edge, StepKind::scanline, StepKind::sample})
         if (c.trace.lacks(kind))
             lacking.emplace_back(name_of(kind));
+    if (lacking.empty() && !c.steps.may_lack.empty())
+        return not_told(c.steps, "no step of the trace says why");
     return {.reason = "unknown",
             .sentence = lacking.empty()
                             ? "no step of the trace says why"
@@ -256,7 +268,7 @@ WhyNot why_outside(const Trace& trace, const PrimitiveSteps& steps, Pixel pixel)
     for (const auto rule : {by_edge_function, by_row, by_weight, by_rows, by_box})
         if (auto why = rule(c))
             return *std::move(why);
-    if (is_fan(c) && !trace.lacks(StepKind::pixel))
+    if (is_fan(c) && !trace.lacks(StepKind::pixel) && steps.may_lack.empty())
         return {.reason = "outside", .sentence = "no line of the fan passes through the pixel"};
     return unknown(c);
 }

@@ -39,12 +39,22 @@ Trace steps_of_pixel(StepStream& stream, const ExplainCommand& command) {
     return excerpt;
 }
 
+/// What the trace drawn by another method answers; that it has no answer is one too.
+Explanation answer_there(const Trace& against, const Trace& trace, const Question& question) {
+    const auto same = question_for(against, trace, question);
+    if (!same)
+        return {.answer = "there is no such step"};
+    auto answer = explain(against, *same);
+    return answer ? std::move(answer.value())
+                  : Explanation{.answer = "no answer: " + answer.problem().message};
+}
+
 /// Answers the question, and once more with the trace drawn by another method, if there is one.
 ExitStatus tell(const ExplainCommand& command, const Trace& trace, const Trace* against = nullptr) {
     const Explanation explanation = value_or_throw(explain(trace, command.question));
     std::optional<OtherAnswer> other;
     if (against != nullptr)
-        other = {command.against, value_or_throw(explain(*against, command.question)),
+        other = {command.against, answer_there(*against, trace, command.question),
                  first_difference(trace, *against, command.question)};
     if (command.json) {
         print(explanation_json(explanation, other));

@@ -31,6 +31,8 @@ std::string step_json(const Try& one) {
     std::string text =
         fmt::format(R"({}"number":{},"sentence":{})", step.ends_with('{') ? step : step + ",",
                     one.number, json_quoted(one.sentence));
+    if (!one.primitive.empty())
+        text += fmt::format(R"(,"primitive":{})", json_quoted(one.primitive));
     if (!one.before.empty())
         text += fmt::format(R"(,"before":{},"after":{})", json_quoted(one.before),
                             json_quoted(one.after));
@@ -49,8 +51,9 @@ std::string why_not_json(const WhyNot& why) {
 }
 
 std::string pixel_json(const PixelAlongEdge& one) {
-    return fmt::format(R"({{"x":{},"y":{},"owners":{},"why":{}}})", one.pixel.x, one.pixel.y,
-                       list_json(one.owners, quoted), list_json(one.why, quoted));
+    return fmt::format(R"({{"x":{},"y":{},"owners":{},"told":{},"why":{}}})", one.pixel.x,
+                       one.pixel.y, list_json(one.owners, quoted), one.is_told,
+                       list_json(one.why, quoted));
 }
 
 /// The keys of an answer, without the braces around them.

@@ -43,11 +43,17 @@ std::string table_of(const std::vector<Try>& tries) {
     std::string text;
     if (has_pixels)
         text += fmt::format("step  {}  {}\n", padded("before", before), "after");
+    const bool is_of_several = std::any_of(tries.begin(), tries.end(), [&tries](const Try& one) {
+        return one.primitive != tries.front().primitive;
+    });
+    const std::size_t primitive = width_of(tries, &Try::primitive, "");
     constexpr std::size_t indent = 6;
     for (const Try& one : tries) {
         text += fmt::format("{:>4}  ", one.number);
         if (has_pixels)
             text += fmt::format("{}  {}  ", padded(one.before, before), padded(one.after, after));
+        if (is_of_several)
+            text += padded(printable(one.primitive), primitive) + "  ";
         text += one.sentence + "\n" + lines_below(one.working, indent);
     }
     return text;
@@ -89,9 +95,10 @@ std::string why_not_text(std::vector<WhyNot> why_not) {
 std::string pixels_text(const std::vector<PixelAlongEdge>& pixels) {
     std::string text;
     for (const PixelAlongEdge& one : pixels) {
-        text +=
-            fmt::format("({}, {})  {}\n", one.pixel.x, one.pixel.y,
-                        one.owners.empty() ? "neither" : printable(joined(one.owners, " and ")));
+        text += fmt::format("({}, {})  {}\n", one.pixel.x, one.pixel.y,
+                            !one.is_told         ? "not told"
+                            : one.owners.empty() ? "neither"
+                                                 : printable(joined(one.owners, " and ")));
         text += lines_below(one.why, 6);
     }
     return text;

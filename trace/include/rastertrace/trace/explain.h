@@ -49,6 +49,7 @@ std::string to_text(const Question& question);
 struct Try {
     std::size_t number = 0;             ///< in the whole trace
     std::string step{};                 ///< as the trace has it
+    std::string primitive{};            ///< of a row: whose it is
     std::string sentence{};             ///< see describe.h
     std::string before{};               ///< what the pixel showed, `ABC #000000`; "" of other steps
     std::string after{};                ///< the same once the step was done
@@ -59,7 +60,7 @@ struct Try {
 struct WhyNot {
     std::string primitive{};
     std::string
-        reason{}; ///< outside, elsewhere, hidden, culled, clipped, skipped, unpainted, unknown
+        reason{}; ///< outside, elsewhere, hidden, culled, clipped, skipped, unpainted, rejected, unknown
     std::string sentence{};           ///< the rule and its numbers
     std::optional<double> distance{}; ///< how far outside the pixel's sample lies, in pixels
     std::vector<std::string> working{};
@@ -69,7 +70,8 @@ struct WhyNot {
 struct PixelAlongEdge {
     Pixel pixel{};
     std::vector<std::string>
-        owners{}; ///< who has plotted it, or would have if nothing had stood before it
+        owners{};        ///< who has plotted it, or would have if nothing had stood before it
+    bool is_told = true; ///< false: steps are missing that could say that one more has it
     std::vector<std::string> why{}; ///< of each of the two triangles, how it came to have it or not
 };
 
@@ -92,7 +94,13 @@ struct Difference {
     std::optional<Try> other;
 };
 
-/// The first decision about what was asked that differs; `nullopt` if none does.
+/// The question that asks another trace of the same scene about the same: a step is found there by its primitive and
+/// its key fields. `nullopt` if there is no such step.
+std::optional<Question> question_for(const Trace& other, const Trace& trace,
+                                     const Question& question);
+
+/// The first decision about what was asked that differs; `nullopt` if none does. A step that only one of the
+/// traces has is one if it changes something: a test that is passed does not.
 std::optional<Difference> first_difference(const Trace& one, const Trace& other,
                                            const Question& question);
 
