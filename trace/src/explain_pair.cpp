@@ -4,6 +4,7 @@
 #include "explanation.h"
 #include "step_text.h"
 
+#include <rastertrace/core/raster/rounding.h>
 #include <rastertrace/core/scene/stages.h>
 #include <rastertrace/trace/text.h>
 
@@ -14,6 +15,8 @@
 #include <optional>
 #include <set>
 #include <string_view>
+#include <unordered_map>
+#include <utility>
 
 namespace rastertrace {
 
@@ -99,57 +102,136 @@ public:
           is_flat_(abs(pair.to.x - pair.from.x) >= abs(pair.to.y - pair.from.y)) {}
 
     bool has(Index x, Index y) const {
-        const Rational px = Rational(static_cast<long>(x)) + offset_;
-        const Rational py = Rational(static_cast<long>(y)) + offset_;
-        const auto& [a, b] = std::pair(pair_.from, pair_.to);
-        const Rational along = is_flat_ ? px : py;
-        const Rational begin = is_flat_ ? a.x : a.y;
-        const Rational end = is_flat_ ? b.x : b.y;
-        if (begin == end || along < std::min(begin, end) || along > std::max(begin, end))
-            return false;
-        const Rational share = (along - begin) / (end - begin);
-        const Rational across = is_flat_ ? a.y + share * (b.y - a.y) : a.x + share * (b.x - a.x);
-        return abs((is_flat_ ? py : px) - across) <= 1;
+        const auto across = across_at(is_flat_ ? x : y);
+        return across && abs(sample(is_flat_ ? y : x) - *across) <= 1;
     }
 
     /// All that the canvas has, from the top row, left to right.
     std::vector<Pixel> pixels() const {
         std::vector<Pixel> pixels;
-        for (int row = 0; row < canvas_.height; ++row)
-            for (int x = canvas_.left(); x <= canvas_.right(); ++x)
-                if (const int y = canvas_.y_of(row); has(x, y))
-                    pixels.push_back({x, y});
+        const int begin = is_flat_ ? canvas_.left() : std::min(canvas_.top(), canvas_.bottom());
+        const int size = is_flat_ ? canvas_.width : canvas_.height;
+        for (int along = begin; along < begin + size; ++along)
+            if (const auto across = across_at(along))
+                add_near(pixels, along, floor_index(Rational(*across - offset_)));
+        std::sort(pixels.begin(), pixels.end(), [this](const Pixel& one, const Pixel& other) {
+            return std::pair(canvas_.row_of(one.y), one.x) <
+                   std::pair(canvas_.row_of(other.y), other.x);
+        });
         return pixels;
     }
 
 private:
+    Rational sample(Index coordinate) const {
+        return Rational(static_cast<long>(coordinate)) + offset_;
+    }
+
+    /// Where the edge is, up or down, at the samples of a column (of a row: to the left or right), if it gets there.
+    std::optional<Rational> across_at(Index column_or_row) const {
+        const Vec2& a = pair_.from;
+        const Vec2& b = pair_.to;
+        const Rational along = sample(column_or_row);
+        const Rational begin = is_flat_ ? a.x : a.y;
+        const Rational end = is_flat_ ? b.x : b.y;
+        if (begin == end || along < std::min(begin, end) || along > std::max(begin, end))
+            return std::nullopt;
+        const Rational share = (along - begin) / (end - begin);
+        return is_flat_ ? Rational(a.y + share * (b.y - a.y)) : Rational(a.x + share * (b.x - a.x));
+    }
+
+    /// Those of one column, or row, of which `nearest` and its neighbours can be near enough.
+    void add_near(std::vector<Pixel>& pixels, int along, Index nearest) const {
+        for (Index across = nearest - 1; across <= nearest + 2; ++across) {
+            const Index x = is_flat_ ? along : across;
+            const Index y = is_flat_ ? across : along;
+            if (canvas_.contains(x, y) && has(x, y))
+                pixels.push_back({static_cast<int>(x), static_cast<int>(y)});
+        }
+    }
+
     const Pair& pair_;
     Canvas canvas_;
     Rational offset_;
     bool is_flat_;
 };
 
-/// The steps of the two triangles, of pixels only those near the edge, and where the next primitive begins.
-Trace excerpt_of(const Trace& trace, const Pair& pair, const NearEdge& near) {
-    Trace excerpt = trace.without_steps();
-    excerpt.damage = trace.damage;
-    bool is_of_pair = false;
-    for (std::size_t n = 1; n <= trace.size(); ++n) {
-        const auto kind = trace.kind_of(n);
-        const StepView step = trace.step(n);
-        const bool ends_pair = is_of_pair && kind == StepKind::primitive;
-        if (kind == StepKind::primitive)
-            is_of_pair = std::find(pair.names.begin(), pair.names.end(), step.text("name")) !=
-                         pair.names.end();
-        const bool is_fragment =
-            kind == StepKind::pixel || kind == StepKind::depth || kind == StepKind::sample;
-        const auto x = step.whole("x");
-        const auto y = step.whole("y");
-        if ((is_of_pair || ends_pair) && kind && (!is_fragment || (x && y && near.has(*x, *y))))
-            excerpt.add_to_excerpt(step, kind, trace.number_of(n));
+/// The steps of the two triangles, and where the next primitive begins. They are sorted by row once, so that each
+/// pixel is asked of few of them.
+class StepsOfPair {
+public:
+    StepsOfPair(const Trace& trace, const Pair& pair, const NearEdge& near) : trace_(trace) {
+        bool is_of_pair = false;
+        for (std::size_t n = 1; n <= trace.size(); ++n) {
+            const auto kind = trace.kind_of(n);
+            const bool ends_pair = is_of_pair && kind == StepKind::primitive;
+            if (kind == StepKind::primitive)
+                is_of_pair = std::find(pair.names.begin(), pair.names.end(),
+                                       trace.step(n).text("name")) != pair.names.end();
+            if ((is_of_pair || ends_pair) && kind)
+                take(n, *kind, near);
+        }
+        close_rows();
     }
-    return excerpt;
-}
+
+    /// The steps that decide about a pixel: those of its row, and what belongs to no row.
+    Trace about(Pixel pixel) const {
+        std::vector<std::size_t> numbers = always_;
+        const auto row = rows_.find(pixel.y);
+        if (row != rows_.end())
+            numbers.insert(numbers.end(), row->second.begin(), row->second.end());
+        std::sort(numbers.begin(), numbers.end());
+        numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+        Trace excerpt = trace_.without_steps();
+        excerpt.damage = trace_.damage;
+        for (const std::size_t n : numbers)
+            excerpt.add_to_excerpt(trace_.step(n), trace_.kind_of(n), trace_.number_of(n));
+        return excerpt;
+    }
+
+private:
+    void take(std::size_t n, StepKind kind, const NearEdge& near) {
+        const StepView step = trace_.step(n);
+        switch (kind) {
+        case StepKind::scanline:
+            rows_[step.whole("y").value_or(0)].push_back(n);
+            if (last_row_ == 0)
+                always_.push_back(n);
+            last_row_ = n;
+            return;
+        case StepKind::pixel:
+        case StepKind::depth:
+        case StepKind::sample: {
+            const auto x = step.whole("x");
+            const auto y = step.whole("y");
+            if (x && y && near.has(*x, *y))
+                rows_[*y].push_back(n);
+            return;
+        }
+        case StepKind::ray:
+        case StepKind::along:
+        case StepKind::decide:
+            return; // the pixels that they lead to say enough
+        case StepKind::primitive:
+            close_rows();
+            break;
+        default:
+            break;
+        }
+        always_.push_back(n);
+    }
+
+    /// The first and the last row of a triangle say from where to where it goes.
+    void close_rows() {
+        if (last_row_ != 0)
+            always_.push_back(last_row_);
+        last_row_ = 0;
+    }
+
+    const Trace& trace_;
+    std::vector<std::size_t> always_;
+    std::unordered_map<Index, std::vector<std::size_t>> rows_; ///< by y
+    std::size_t last_row_ = 0;                                 ///< of the current triangle
+};
 
 /// Who has a pixel, and how each of the two came to have it or not.
 PixelAlongEdge pixel_of(const Trace& excerpt, const Pair& pair, Pixel pixel) {
@@ -178,12 +260,12 @@ PixelAlongEdge pixel_of(const Trace& excerpt, const Pair& pair, Pixel pixel) {
 Explanation explain_pair(const Trace& trace, const std::string& names) {
     const Pair pair = pair_named(trace, names);
     const NearEdge near(pair, trace);
-    const Trace excerpt = excerpt_of(trace, pair, near);
+    const StepsOfPair steps(trace, pair, near);
     Explanation explanation;
     std::array<std::size_t, 2> only{};
     std::size_t both = 0, none = 0, untold = 0;
     for (const Pixel& pixel : near.pixels()) {
-        explanation.pixels.push_back(pixel_of(excerpt, pair, pixel));
+        explanation.pixels.push_back(pixel_of(steps.about(pixel), pair, pixel));
         const auto& owners = explanation.pixels.back().owners;
         if (!explanation.pixels.back().is_told)
             ++untold;
