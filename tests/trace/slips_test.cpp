@@ -390,7 +390,7 @@ TEST(Slips, NoneGivesTheRightResult) {
         {FaceNormal{{{{-1, 1, 3}, {1, 1, 3}, {1, -1, 3}}}}},
         {FaceDot{{0, 0, -4}, {Rational(-1, 3), Rational(-1, 3), -3}}},
         {DividedByW{{-1, 1, 2, 3}}},
-        {Decisions{.major = 8, .minor = 6, .steps = 8}},
+        {BresenhamDecisions{.major = 8, .minor = 6, .steps = 8}},
     };
     for (const Formula& formula : formulas)
         for (const Slip& slip : slips())

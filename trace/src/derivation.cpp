@@ -305,10 +305,10 @@ Formulas Deriver::of_decisions() const {
     const Rational longer = std::max(dx, dy);
     if (longer > most_decisions)
         return {}; // no hand works that out
-    return {{Decisions{.major = longer,
-                       .minor = std::min(dx, dy),
-                       .steps = static_cast<std::size_t>(longer.get_num().get_ui()),
-                       .steps_at_ties = steps_at_ties(numbers_.trace())}}};
+    return {{BresenhamDecisions{.major = longer,
+                                .minor = std::min(dx, dy),
+                                .steps = static_cast<std::size_t>(longer.get_num().get_ui()),
+                                .steps_at_ties = steps_at_ties(numbers_.trace())}}};
 }
 
 /// A line's other coordinate where it is at x or y.

@@ -98,7 +98,7 @@ Values value(const DividedByW& division) {
     return sgn(w) == 0 ? Values{} : Values{x / w, y / w, z / w};
 }
 
-Values value(const Decisions& line) {
+Values value(const BresenhamDecisions& line) {
     Values of;
     Rational d = 2 * line.minor - line.major;
     for (std::size_t i = 0; i < line.steps; ++i) {

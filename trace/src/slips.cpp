@@ -435,7 +435,7 @@ std::vector<Values> sign(const Formula& formula) {
     for (Rational& value : negated)
         value = -value;
     results.add(std::move(negated));
-    const bool has_components = right.size() > 1 && !as<Decisions>(formula);
+    const bool has_components = right.size() > 1 && !as<BresenhamDecisions>(formula);
     for (std::size_t i = 0; has_components && i < right.size(); ++i) {
         Values one = right;
         one[i] = -one[i];
@@ -480,8 +480,8 @@ std::vector<Values> rows_for_columns(const Formula& formula) {
 
 std::vector<Values> tie_the_other_way(const Formula& formula) {
     Results results(formula);
-    if (const auto* line = as<Decisions>(formula)) {
-        Decisions other = *line;
+    if (const auto* line = as<BresenhamDecisions>(formula)) {
+        BresenhamDecisions other = *line;
         other.steps_at_ties = !other.steps_at_ties;
         results.add_formula({other});
     }
@@ -490,7 +490,7 @@ std::vector<Values> tie_the_other_way(const Formula& formula) {
 
 std::vector<Values> factor_2_dropped(const Formula& formula) {
     Results results(formula);
-    const auto* line = as<Decisions>(formula);
+    const auto* line = as<BresenhamDecisions>(formula);
     if (line == nullptr)
         return {};
     // At the start, in the steps, or both.
@@ -509,8 +509,8 @@ std::vector<Values> factor_2_dropped(const Formula& formula) {
 
 std::vector<Values> dx_and_dy_exchanged(const Formula& formula) {
     Results results(formula);
-    if (const auto* line = as<Decisions>(formula)) {
-        Decisions other = *line;
+    if (const auto* line = as<BresenhamDecisions>(formula)) {
+        BresenhamDecisions other = *line;
         std::swap(other.major, other.minor);
         results.add_formula({other});
     }

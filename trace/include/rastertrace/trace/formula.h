@@ -129,7 +129,7 @@ struct DividedByW {
 };
 
 /// d before each step of Bresenham's line of `steps` steps: 2 minor - major first.
-struct Decisions {
+struct BresenhamDecisions {
     Rational major;
     Rational minor;
     std::size_t steps = 0;
@@ -159,7 +159,7 @@ struct Weights {
 struct Formula {
     std::variant<TakenOver, Slope, Lerp, RoundedEnd, RoundedPlace, InRow, FaceNormal, Centroid,
                  FacePlane, Toward, FaceDot, FaceCosine, IsCulled, MatrixTimes, DividedByW,
-                 Decisions, MixedDepth, DepthComparison, Weights>
+                 BresenhamDecisions, MixedDepth, DepthComparison, Weights>
         of;
 };
 
