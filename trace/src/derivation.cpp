@@ -180,15 +180,6 @@ Formulas Deriver::of_row_pixel(const std::string& field) const {
     return {{rounded_end(numbers_, step_, field == "from" ? "left" : "right")}};
 }
 
-/// The matrix that leads into a space.
-std::string_view matrix_into(std::string_view space) {
-    return space == "world"    ? "model"
-           : space == "camera" ? "view"
-           : space == "clip"   ? "projection"
-           : space == "screen" ? "viewport"
-                               : "";
-}
-
 Formulas Deriver::of_place() const {
     const std::string space = view_.text("space");
     const Values right = Numbers(numbers_.index()).of(step_, "at");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/trace/formula.h>
 
+#include "step_text.h"
+
 #include <rastertrace/core/numbers/irrational.h>
 
 #include <algorithm>
@@ -10,8 +12,6 @@
 namespace rastertrace {
 
 namespace {
-
-using Vec3 = Vec<Rational, 3>;
 
 Values components(const Vec3& v) {
     return {v.x, v.y, v.z};
@@ -100,11 +100,11 @@ Values value(const DividedByW& division) {
 
 Values value(const BresenhamDecisions& line) {
     Values of;
-    Rational d = 2 * line.minor - line.major;
+    Rational d = line.factor_at_start * line.minor - line.major;
     for (std::size_t i = 0; i < line.steps; ++i) {
         of.push_back(d);
         const bool is_diagonal = sgn(d) > 0 || (sgn(d) == 0 && line.steps_at_ties);
-        d += 2 * (is_diagonal ? Rational(line.minor - line.major) : line.minor);
+        d += line.factor_in_steps * (is_diagonal ? Rational(line.minor - line.major) : line.minor);
     }
     return of;
 }
@@ -122,14 +122,11 @@ Values value(const DepthComparison& test) {
 }
 
 Values value(const Weights& triangle) {
-    const auto& [a, b, c] = triangle.corners;
-    const auto& p = triangle.sample;
-    const Vec3 weights =
-        cross(Vec3{b.x - a.x, c.x - a.x, a.x - p.x}, Vec3{b.y - a.y, c.y - a.y, a.y - p.y});
-    if (sgn(weights.z) == 0)
+    const auto cross = cross_of_point(triangle.corners, triangle.sample);
+    if (!cross)
         return {};
-    const Rational u = weights.x / weights.z;
-    const Rational v = weights.y / weights.z;
+    const Rational u = cross->weights.x / cross->weights.z;
+    const Rational v = cross->weights.y / cross->weights.z;
     return {1 - u - v, u, v};
 }
 

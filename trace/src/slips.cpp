@@ -56,6 +56,12 @@ Rational truncated(const Rational& number) {
     return Rational(mpz_class(number.get_num() / number.get_den()));
 }
 
+Values negated(Values values) {
+    for (Rational& value : values)
+        value = -value;
+    return values;
+}
+
 std::vector<Values> dx_dy_inverted(const Formula& formula) {
     Results results(formula);
     if (const auto* edge = as<Slope>(formula))
@@ -211,10 +217,7 @@ std::vector<Values> view_turned_round(const Formula& formula) {
     Results results(formula);
     const bool has_view = as<Toward>(formula) || as<FaceDot>(formula) || as<FaceCosine>(formula);
     if (has_view) {
-        Values turned = results.right();
-        for (Rational& value : turned)
-            value = -value;
-        results.add(std::move(turned));
+        results.add(negated(results.right()));
     }
     if (const auto* face = as<IsCulled>(formula))
         results.add_formula({IsCulled{-face->dot, face->hides_back}});
@@ -357,15 +360,7 @@ std::vector<Values> c_minus_a(const Formula& formula) {
 /// A sum of products with one of them left out, or with the other sign.
 void put_sums(Results& results, const std::vector<std::vector<Rational>>& sums,
               const Rational& instead) {
-    const auto sum_of = [](const std::vector<Rational>& terms) {
-        Rational sum;
-        for (const Rational& term : terms)
-            sum += term;
-        return sum;
-    };
-    Values right;
-    for (const auto& terms : sums)
-        right.push_back(sum_of(terms));
+    const Values& right = results.right(); // what the sums come to
     std::size_t most_terms = 0;
     for (std::size_t i = 0; i < sums.size(); ++i) {
         most_terms = std::max(most_terms, sums[i].size());
@@ -431,10 +426,7 @@ std::vector<Values> sign(const Formula& formula) {
     if (as<IsCulled>(formula) || as<InRow>(formula) || as<DepthComparison>(formula) ||
         right.empty())
         return {};
-    Values negated = right;
-    for (Rational& value : negated)
-        value = -value;
-    results.add(std::move(negated));
+    results.add(negated(right));
     const bool has_components = right.size() > 1 && !as<BresenhamDecisions>(formula);
     for (std::size_t i = 0; has_components && i < right.size(); ++i) {
         Values one = right;
@@ -493,16 +485,11 @@ std::vector<Values> factor_2_dropped(const Formula& formula) {
     const auto* line = as<BresenhamDecisions>(formula);
     if (line == nullptr)
         return {};
-    // At the start, in the steps, or both.
     for (const auto& [at_start, in_steps] : {std::pair(1, 2), std::pair(2, 1), std::pair(1, 1)}) {
-        Values values;
-        Rational d = at_start * line->minor - line->major;
-        for (std::size_t i = 0; i < line->steps; ++i) {
-            values.push_back(d);
-            const bool is_diagonal = sgn(d) > 0 || (sgn(d) == 0 && line->steps_at_ties);
-            d += in_steps * (is_diagonal ? Rational(line->minor - line->major) : line->minor);
-        }
-        results.add(std::move(values));
+        BresenhamDecisions other = *line;
+        other.factor_at_start = at_start;
+        other.factor_in_steps = in_steps;
+        results.add_formula({other});
     }
     return results.take();
 }

@@ -318,6 +318,14 @@ std::optional<Rational> increment_of(const Trace& trace, const LineEnds& ends, c
                                                     : straight;
 }
 
+std::string_view matrix_into(std::string_view space) {
+    return space == "world"    ? "model"
+           : space == "camera" ? "view"
+           : space == "clip"   ? "projection"
+           : space == "screen" ? "viewport"
+                               : "";
+}
+
 Rational doubled_area(const Vec2& a, const Vec2& b, const Vec2& c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }

@@ -134,6 +134,9 @@ std::optional<Rational> increment_of(const Trace& trace, const LineEnds& ends, c
 /// True if Bresenham goes diagonally at d = 0.
 bool steps_at_ties(const Trace& trace);
 
+/// The name of the matrix that leads into a space; "" if none does.
+std::string_view matrix_into(std::string_view space);
+
 /// Twice the area of a triangle, above 0 if it is counter-clockwise where y points up.
 Rational doubled_area(const Vec2& a, const Vec2& b, const Vec2& c);
 

@@ -186,15 +186,6 @@ void put_camera(Sheet& sheet, const Matrix<Rational>& rotation) {
     sheet.put(fmt::format("z = {} / |d| = {}", looks_along_z ? "-d" : "d", axis(2)));
 }
 
-/// The matrix that leads into a space.
-std::string_view matrix_into(std::string_view space) {
-    return space == "world"    ? "model"
-           : space == "camera" ? "view"
-           : space == "clip"   ? "projection"
-           : space == "screen" ? "viewport"
-                               : "";
-}
-
 /// normal . v, the lengths of both, and the angle between them.
 void put_angle(Sheet& sheet, const Vec3& normal, const Vec3& v, std::string_view name) {
     const Rational value = dot(normal, v);

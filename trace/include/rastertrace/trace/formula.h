@@ -134,6 +134,8 @@ struct BresenhamDecisions {
     Rational minor;
     std::size_t steps = 0;
     bool steps_at_ties = false; ///< d = 0 goes diagonally
+    int factor_at_start = 2;    ///< of minor, where d begins
+    int factor_in_steps = 2;    ///< of what each step adds
 };
 
 /// A depth between others, by their weights: those of a triangle's corners, or of the ends of a row.
