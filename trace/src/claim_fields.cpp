@@ -35,15 +35,6 @@ constexpr std::array derived_fields{
     DerivedField{StepKind::decide, {.name = "d", .type = quantity, .is_list = true}},
 };
 
-/// What the elements of a list of that name are.
-FieldType element_type(std::string_view name) {
-    constexpr std::array<std::string_view, 5> of_names{"vertices", "names", "ears", "factors",
-                                                       "colors"};
-    if (std::find(of_names.begin(), of_names.end(), name) != of_names.end())
-        return string;
-    return name == "inside" ? boolean : quantity;
-}
-
 /// What `text`, which is no number, should be: `expected`, or what keeps it from being one.
 std::string expected_of_number(std::string_view text, NumberFault fault,
                                std::string_view expected) {
@@ -62,7 +53,7 @@ std::vector<ClaimField> claim_fields_of(StepKind kind) {
     std::vector<ClaimField> fields;
     for (const StepField& field : row_of(kind).fields)
         fields.push_back({.name = field.name,
-                          .type = field.type == list ? element_type(field.name) : field.type,
+                          .type = field.type == list ? element_type_of(field.name) : field.type,
                           .is_list = field.type == list,
                           .is_key = field.role == FieldRole::key});
     for (const DerivedField& derived : derived_fields)

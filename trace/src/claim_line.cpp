@@ -196,11 +196,6 @@ void ClaimLine::fail_at_begin(std::string message, std::string hint) const {
     throw problem_at(source_, offset_of(raw_), std::move(message), std::move(hint));
 }
 
-std::string_view without_blanks(std::string_view text) {
-    const std::size_t first = std::min(text.find_first_not_of(blanks), text.size());
-    return text.substr(first, text.find_last_not_of(blanks) + 1 - first);
-}
-
 bool is_one_word(std::string_view text) {
     return !text.empty() && text.front() != '"' && text.front() != '#' &&
            blanks.find(text.front()) == std::string_view::npos && mark_at(text).empty() &&

@@ -83,9 +83,6 @@ private:
     std::size_t next_ = 0;
 };
 
-/// `text` without the blanks around it.
-std::string_view without_blanks(std::string_view text);
-
 /// True if `text` is read as one word that is no mark.
 bool is_one_word(std::string_view text);
 

@@ -31,6 +31,9 @@ public:
     /// Which one it is, if it is a regular file.
     const std::optional<FileId>& id() const { return id_; }
 
+    /// Its descriptor, which stays open as long as this lives.
+    int descriptor() const { return descriptor_; }
+
     /// Adds the next block to a text; false at the end. Throws a Problem.
     bool read_into(std::string& text);
 

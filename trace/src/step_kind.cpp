@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/trace/step_kind.h>
 
+#include <algorithm>
 #include <array>
 
 namespace rastertrace {
@@ -115,6 +116,14 @@ const std::array<StepRow, step_kinds> table{{
 // clang-format on
 
 } // namespace
+
+FieldType element_type_of(std::string_view list) {
+    constexpr std::array<std::string_view, 5> of_names{"vertices", "names", "ears", "factors",
+                                                       "colors"};
+    if (std::find(of_names.begin(), of_names.end(), list) != of_names.end())
+        return string;
+    return list == "inside" ? boolean : quantity;
+}
 
 const StepRow& row_of(StepKind kind) {
     return table[static_cast<std::size_t>(kind)];

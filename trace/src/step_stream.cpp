@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/trace/step_stream.h>
 
+#include "first_line.h"
 #include "input_check.h"
 #include "input_file.h"
 #include "trace_lines.h"
+
+#include <rastertrace/trace/text.h>
 
 #include <fmt/core.h>
 
@@ -20,13 +23,6 @@ namespace {
 
 /// So many bytes of steps are looked at at once.
 constexpr std::size_t block_size = 1 << 20;
-
-std::string_view without_blanks(std::string_view line) {
-    const std::size_t begin = std::min(line.find_first_not_of(" \t"), line.size());
-    line.remove_prefix(begin);
-    line.remove_suffix(line.size() - (line.find_last_not_of(" \t\r") + 1));
-    return line;
-}
 
 template <typename T> T value_of(Result<T> result) {
     if (!result)
@@ -236,29 +232,15 @@ const std::vector<Problem>& StepStream::damage() const {
 std::variant<StepStream, Source> open_steps(const std::string& path, const InputLimits& limits) {
     auto state = std::make_unique<StepStream::State>(value_of(InputFile::open(path)));
     Source source{.name = state->file.name(), .text = {}, .file = state->file.id()};
-    InputCheck fault_of(InputCheck::Kind::scene_or_trace, limits);
-    std::size_t block = 0;
-    while (state->file.read_into(source.text)) {
-        if (auto fault = fault_of(source, block))
-            throw *std::move(fault);
-        block = source.text.size();
-        if (state->layout != LineLayout::other || !state->header_line.empty())
-            continue;
-
-        // The first line, once it is there, says whether steps follow, one a line.
-        const std::size_t newline = source.text.find('\n');
-        if (newline == std::string::npos)
-            continue;
-        state->header_line = without_blanks(source.text.substr(0, newline));
-        state->layout = layout_of(state->header_line);
-        if (state->layout == LineLayout::other)
-            continue;
-        state->text = source.text.substr(newline + 1);
-        state->header = state->trace_of("", false);
-        state->damage.clear();
-        return StepStream(std::move(state));
-    }
-    return source;
+    state->layout = read_first_line(state->file, source, limits);
+    if (state->layout == LineLayout::other)
+        return source;
+    const std::size_t newline = source.text.find('\n');
+    state->header_line = without_blanks(source.text.substr(0, newline));
+    state->text = source.text.substr(newline + 1);
+    state->header = state->trace_of("", false);
+    state->damage.clear();
+    return StepStream(std::move(state));
 }
 
 } // namespace rastertrace

@@ -153,6 +153,24 @@ bool has_type(std::string_view json, FieldType type) {
     return std::holds_alternative<Number>(parse_number(plain_text(json), NumberSize::any));
 }
 
+/// Throws a Problem if a step lacks a field that it cannot be understood without, or has a wrong one.
+void check_fields(StepKind kind, const Source& source, std::size_t begin, std::string_view json) {
+    const StepView step(json);
+    for (const StepField& field : row_of(kind).fields) {
+        if (!field.is_required)
+            continue;
+        const auto value = step.field(field.name);
+        if (!value)
+            throw problem_at(source, begin,
+                             fmt::format("expected a {} step with the key \"{}\", found none",
+                                         name_of(kind), field.name));
+        if (!has_type(*value, field.type))
+            throw problem_at(source, begin + static_cast<std::size_t>(value->data() - json.data()),
+                             fmt::format("expected {}, found {}", expected_for(field.type),
+                                         shortened(*value, 40)));
+    }
+}
+
 } // namespace
 
 bool is_header(std::string_view line, std::string_view last_key) {
@@ -187,6 +205,41 @@ std::string truncation_after(std::size_t steps) {
 
 std::string disagreement(std::string_view told, std::string_view what, std::string_view found) {
     return fmt::format("expected {} {} as the end record says, found {}", told, what, found);
+}
+
+std::optional<StepKind> checked_kind(const Source& source, std::size_t begin, std::size_t size) {
+    // Valid JSON, each key once. Where the quick look finds fault, the thorough one says which.
+    const std::string_view json = std::string_view(source.text).substr(begin, size);
+    constexpr std::size_t most_keys = 16;
+    std::array<std::string_view, most_keys> keys;
+    std::size_t key_count = 0;
+    std::string_view kind_json;
+    bool is_plain = true;
+    JsonScanner fields(json);
+    while (fields.next_field()) {
+        if (fields.key() == "step")
+            kind_json = fields.value();
+        const auto seen = keys.begin() + static_cast<std::ptrdiff_t>(key_count);
+        if (key_count == most_keys || std::find(keys.begin(), seen, fields.key()) != seen)
+            is_plain = false;
+        else
+            keys[key_count++] = fields.key();
+    }
+    if (fields.failed() || fields.needs_full_check() || !is_plain) {
+        const auto parsed = parse_json(source, begin, size);
+        if (!parsed)
+            throw parsed.problem();
+        if (const JsonValue step = parsed.value().root(); step.kind != JsonValue::Kind::object)
+            throw problem_at(source, begin,
+                             fmt::format("expected a step, found {}", described(step)));
+    }
+    if (!kind_json.starts_with('"'))
+        throw problem_at(source, begin,
+                         R"(expected a step with the key "step" and its kind, found none)");
+    const auto kind = step_kind_named(plain_text(kind_json));
+    if (kind)
+        check_fields(*kind, source, begin, json);
+    return kind;
 }
 
 /// Reads one trace. What makes the rest useless is thrown as a Problem; what does not is damage.
@@ -469,56 +522,17 @@ private:
             return;
         }
 
-        // Valid JSON, each key once. Where the quick look finds fault, the thorough one says which.
-        constexpr std::size_t most_keys = 16;
-        std::array<std::string_view, most_keys> keys;
-        std::size_t key_count = 0;
-        std::string_view kind_json;
-        bool is_plain = true;
-        JsonScanner fields(json);
-        while (fields.next_field()) {
-            if (fields.key() == "step")
-                kind_json = fields.value();
-            const auto seen = keys.begin() + static_cast<std::ptrdiff_t>(key_count);
-            if (key_count == most_keys || std::find(keys.begin(), seen, fields.key()) != seen)
-                is_plain = false;
-            else
-                keys[key_count++] = fields.key();
-        }
-        if (fields.failed() || fields.needs_full_check() || !is_plain) {
-            const auto parsed = parse_json(source(), begin, size);
-            if (!parsed)
-                throw parsed.problem();
-            if (const JsonValue step = parsed.value().root(); step.kind != JsonValue::Kind::object)
-                fail(begin, fmt::format("expected a step, found {}", described(step)));
-        }
-        if (!kind_json.starts_with('"'))
-            fail(begin, R"(expected a step with the key "step" and its kind, found none)");
         if (size > std::numeric_limits<std::uint32_t>::max())
             fail(begin, "expected a step shorter than 4 GiB, found a longer one");
-
-        const auto kind = step_kind_named(plain_text(kind_json));
-        if (kind)
-            check_fields(*kind, begin, json);
+        const auto kind = checked_kind(source(), begin, size);
+        if (kind == StepKind::pixel)
+            check_pixel(begin, StepView(json));
         trace_.steps_.push_back({begin, static_cast<std::uint32_t>(size), kind});
     }
 
-    void check_fields(StepKind kind, std::size_t begin, std::string_view json) {
-        const StepView step(json);
-        for (const StepField& field : row_of(kind).fields) {
-            if (!field.is_required)
-                continue;
-            const auto value = step.field(field.name);
-            if (!value)
-                fail(begin, fmt::format("expected a {} step with the key \"{}\", found none",
-                                        name_of(kind), field.name));
-            if (!has_type(*value, field.type))
-                fail(begin + static_cast<std::size_t>(value->data() - json.data()),
-                     fmt::format("expected {}, found {}", expected_for(field.type),
-                                 shortened(*value, 40)));
-        }
-        if (kind == StepKind::pixel &&
-            !trace_.canvas.contains(*step.whole("x"), *step.whole("y")) && !has_stray_pixel_) {
+    /// The first pixel that is off the canvas is told.
+    void check_pixel(std::size_t begin, const StepView& step) {
+        if (!trace_.canvas.contains(*step.whole("x"), *step.whole("y")) && !has_stray_pixel_) {
             has_stray_pixel_ = true;
             trace_.damage.push_back(problem_at(
                 source(), begin,

@@ -3,8 +3,12 @@
 
 // The two layouts that have one step a line, and what is said of a trace that ends too soon.
 
+#include <rastertrace/trace/problem.h>
+#include <rastertrace/trace/step_kind.h>
+
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -26,6 +30,10 @@ LineLayout layout_of(std::string_view first_line);
 
 /// True for a line with the end record of JSON Lines.
 bool is_end_line(std::string_view line);
+
+/// The kind of the step that a part of a source holds, if we know it. Throws a Problem if it is no step that can be
+/// understood.
+std::optional<StepKind> checked_kind(const Source& source, std::size_t begin, std::size_t size);
 
 /// That so many steps are whole, and then the file ends.
 std::string truncation_after(std::size_t steps);

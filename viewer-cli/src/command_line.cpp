@@ -254,6 +254,7 @@ public:
         add_explain();
         add_stats();
         add_check();
+        add_diff();
         add_plan();
         add_stress();
         add_report();
@@ -752,6 +753,92 @@ private:
         return names;
     }
 
+    void add_diff() {
+        CLI::App& command = add_command(
+            "diff", "Say what two traces do differently",
+            "rastertrace diff golden.json scene.json\n\n"
+            "Steps are found by their primitive and what they are about, numbers compared by "
+            "value.\n"
+            "With git: git config diff.trace.command \"rastertrace diff --git\", or\n"
+            "diff.trace.textconv \"rastertrace diff --textconv\", and *.trace.json diff=trace in\n"
+            ".gitattributes.");
+        command
+            .add_option("traces", diff_.files,
+                        "Two traces, or scenes, which are drawn first; - for standard input")
+            ->required()
+            ->type_name("A B");
+        command
+            .add_option("--against", diff_.against,
+                        "Compare the only scene with itself, drawn by another method, like "
+                        "scalar=double")
+            ->type_name("METHOD");
+        command
+            .add_option("--tolerance", diff_tolerances_,
+                        "How far apart numbers may be: scanline.left=1e-9, depth=4ulp, or 4ulp for "
+                        "all; a list, and may be given again")
+            ->type_name("KIND.FIELD=AMOUNT")
+            ->take_all()
+            ->allow_extra_args(false);
+        command
+            .add_option("--ignore", diff_ignored_,
+                        "Leave out kinds of steps, fields, or header: sample,pixel.color,header")
+            ->type_name("NAMES");
+        command.add_option("--only", diff_only_, "Compare these kinds of steps alone")
+            ->type_name("KINDS");
+        command.add_flag("--git", diff_is_git_,
+                         "Take the arguments that git gives to an external diff command; always "
+                         "exit status 0");
+        command.add_flag("--textconv", diff_is_textconv_,
+                         "Write the lines of one trace that git is to compare");
+        command.add_option("--format", diff_format_, "text or json")->type_name("NAME");
+        command.add_flag("--json", diff_.json, "Short for --format json");
+        diff_method_.add_to(command);
+        diff_input_.add_to(command);
+        diff_frames_.add_to(command, first_frame);
+        command.callback([this] {
+            read_diff_options();
+            action_ = [this] { return rastertrace::run(diff_); };
+        });
+    }
+
+    void read_diff_options() {
+        if (!diff_format_.empty() && diff_format_ != "text" && diff_format_ != "json")
+            refuse("--format", "text or json", diff_format_);
+        diff_.json = diff_.json || diff_format_ == "json";
+        if (diff_is_git_)
+            diff_.arguments = DiffCommand::Arguments::git;
+        if (diff_is_textconv_)
+            diff_.arguments = DiffCommand::Arguments::textconv;
+        for (const std::string& list : diff_tolerances_)
+            for (const std::string& one : split_at(list, ','))
+                diff_.options.tolerances.push_back(parse_tolerance(one));
+        if (!diff_ignored_.empty())
+            diff_.options.ignored = split_at(diff_ignored_, ',');
+        if (!diff_only_.empty())
+            diff_.options.only = split_at(diff_only_, ',');
+        diff_.method = diff_method_.overrides();
+        diff_.input = diff_input_.limits();
+        diff_.frames = diff_frames_.choice();
+        check_diff_files();
+    }
+
+    /// How many files there have to be.
+    void check_diff_files() const {
+        const std::size_t count = diff_.files.size();
+        const auto fail = [count](std::string_view expected) {
+            throw problem_of("", fmt::format("diff: expected {}, found {}", expected, count));
+        };
+        constexpr std::size_t git_arguments = 7;
+        if (diff_is_git_ && count < git_arguments)
+            fail("the seven arguments of git");
+        else if (diff_is_textconv_ && count != 1)
+            fail("one file with --textconv");
+        else if (!diff_is_git_ && !diff_is_textconv_ && !diff_.against.empty() && count != 1)
+            fail("one scene with --against");
+        else if (!diff_is_git_ && !diff_is_textconv_ && diff_.against.empty() && count != 2)
+            fail("two files");
+    }
+
     void add_renew() {
         CLI::App& command = add_command(
             "renew", "Run the commands on Markdown pages again and put their output there",
@@ -888,6 +975,16 @@ private:
     InputOptions show_input_;
     FrameOptions show_frames_;
 
+    DiffCommand diff_;
+    std::vector<std::string> diff_tolerances_;
+    std::string diff_ignored_;
+    std::string diff_only_;
+    bool diff_is_git_ = false;
+    bool diff_is_textconv_ = false;
+    std::string diff_format_;
+    MethodOptions diff_method_;
+    InputOptions diff_input_;
+    FrameOptions diff_frames_;
     ExplainCommand explain_;
     std::string explain_pixel_;
     std::string explain_row_;

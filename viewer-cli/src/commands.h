@@ -9,6 +9,7 @@
 #include "terminal_text.h"
 #include "view.h"
 
+#include <rastertrace/trace/diff.h>
 #include <rastertrace/trace/explain.h>
 #include <rastertrace/trace/input.h>
 #include <rastertrace/trace/method_names.h>
@@ -142,6 +143,25 @@ struct ExplainCommand {
     FrameChoice frames;
 };
 int run(const ExplainCommand& command);
+
+struct DiffCommand {
+    /// How the files are given.
+    enum class Arguments {
+        two, ///< two scenes or traces; or one scene, and --against
+        git, ///< as git gives them to an external diff command: name, old file, ..., new file, ...
+        textconv, ///< one file, whose lines git compares
+    };
+
+    std::vector<std::string> files;
+    Arguments arguments = Arguments::two;
+    std::string against; ///< METHOD: the only scene, drawn by another one
+    DiffOptions options;
+    bool json = false;
+    MethodOverrides method;
+    InputLimits input;
+    FrameChoice frames;
+};
+int run(const DiffCommand& command);
 
 struct RenewCommand {
     std::vector<std::string> pages;

@@ -42,7 +42,28 @@ Source read_input(const std::string& path, const InputLimits& limits) {
     return input_or_throw(read_source(path, limits));
 }
 
-/// A trace is drawn already: no option can change how.
+[[noreturn]] void refuse_trace(const Source& source) {
+    throw problem_of(source.name, "expected a scene, found a trace",
+                     "a trace is what this command makes; `show` and `stats` read it");
+}
+
+/// The text of a scene's trace; the scene is given up before the trace is read: both may be large.
+Source drawn_text(PlannedScene planned, const std::string& name) {
+    const PlannedScene scene = std::move(planned);
+    return written_trace(scene.scene, scene.plan, name);
+}
+
+Trace drawn(PlannedScene planned, const std::string& name) {
+    return value_or_throw(read_written_trace(drawn_text(std::move(planned), name)));
+}
+
+Trace titled(Trace trace, const std::string& path) {
+    trace.title = shown_title(trace.title, path);
+    return trace;
+}
+
+} // namespace
+
 void refuse_scene_options(const Source& source, const SceneOptions& options) {
     std::string option;
     if (!options.method.empty())
@@ -57,27 +78,6 @@ void refuse_scene_options(const Source& source, const SceneOptions& options) {
                                      "drawn already",
                                      option));
 }
-
-[[noreturn]] void refuse_trace(const Source& source) {
-    throw problem_of(source.name, "expected a scene, found a trace",
-                     "a trace is what this command makes; `show` and `stats` read it");
-}
-
-/// The trace of a scene, which is given up before its trace is read: both may be large.
-Trace drawn(PlannedScene planned, const std::string& name) {
-    Source source = [&] {
-        const PlannedScene scene = std::move(planned);
-        return written_trace(scene.scene, scene.plan, name);
-    }();
-    return value_or_throw(read_written_trace(std::move(source)));
-}
-
-Trace titled(Trace trace, const std::string& path) {
-    trace.title = shown_title(trace.title, path);
-    return trace;
-}
-
-} // namespace
 
 InputFrames::InputFrames(const std::string& path, const SceneOptions& options)
     : InputFrames(path, read_input(path, options.limits), options) {}
@@ -126,6 +126,31 @@ std::variant<StepStream, Source> open_input(const std::string& path, const Scene
     if (steps)
         refuse_scene_options({path == "-" ? "standard input" : path, {}, {}}, options);
     return opened;
+}
+
+OpenedTrace open_trace(const std::string& path, const InputLimits& limits) {
+    OpenedTrace opened = open_trace_text(path, limits);
+    const auto* const text = std::get_if<TraceText>(&opened);
+    const auto& file = text ? text->file() : std::get<Source>(opened).file;
+    if (file)
+        refuse_as_standard_output({*file});
+    return opened;
+}
+
+bool is_scene(const OpenedTrace& opened) {
+    const auto* const source = std::get_if<Source>(&opened);
+    return source != nullptr && !is_trace(*source);
+}
+
+TraceText trace_text(OpenedTrace opened, const std::string& path, const SceneOptions& options) {
+    if (auto* const text = std::get_if<TraceText>(&opened))
+        return std::move(*text);
+    Source source = std::get<Source>(std::move(opened));
+    if (is_trace(source))
+        return TraceText(std::move(source));
+    const std::string name = source.name;
+    InputFrames input(path, std::move(source), options);
+    return TraceText(drawn_text(input.scene(input.first()), name));
 }
 
 PlannedScene load_scene(const std::string& path, const SceneOptions& options) {

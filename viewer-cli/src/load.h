@@ -11,6 +11,7 @@
 #include <rastertrace/trace/scene_file.h>
 #include <rastertrace/trace/step_stream.h>
 #include <rastertrace/trace/trace.h>
+#include <rastertrace/trace/trace_text.h>
 #include <rastertrace/trace/vary.h>
 
 #include <cstddef>
@@ -85,6 +86,21 @@ private:
 /// The steps of the trace in a file, to be read one by one; or the file whole, if it is a scene, or a trace that has
 /// not one step a line. Throws a Problem, as InputFrames does.
 std::variant<StepStream, Source> open_input(const std::string& path, const SceneOptions& options);
+
+/// A trace that has not been gone through; or a file that has not one step a line, whole: it may be a scene.
+using OpenedTrace = std::variant<TraceText, Source>;
+
+/// Opens a file for trace_text. Throws a Problem, as InputFrames does.
+OpenedTrace open_trace(const std::string& path, const InputLimits& limits);
+
+/// True if it has to be drawn first.
+bool is_scene(const OpenedTrace& opened);
+
+/// The text of the trace that was opened, or of the scene, drawn. Options are about scenes only. Throws a Problem.
+TraceText trace_text(OpenedTrace opened, const std::string& path, const SceneOptions& options);
+
+/// Throws a Problem if an option says how to draw what is drawn already.
+void refuse_scene_options(const Source& trace, const SceneOptions& options);
 
 /// The scene in a file: the frame that was chosen, or the first.
 PlannedScene load_scene(const std::string& path, const SceneOptions& options = {});

@@ -64,6 +64,10 @@ struct StepField {
     bool is_required = false; ///< without it the step cannot be understood
 };
 
+/// What the elements of a list, or of the lists in it, are: a field of that name holds the same in steps of every
+/// kind.
+FieldType element_type_of(std::string_view list);
+
 /// All about a kind of step.
 struct StepRow {
     StepKind kind;

@@ -59,6 +59,9 @@ std::string shortened(std::string_view text, std::size_t width);
 /// `text` in lines of at most `width` characters; a longer word has a line of its own.
 std::vector<std::string> wrapped(std::string_view text, std::size_t width);
 
+/// A line without the blanks around it: spaces, tabs, carriage returns.
+std::string_view without_blanks(std::string_view text);
+
 /// The texts of a list, `separator` between them.
 std::string joined(std::span<const std::string> texts, std::string_view separator);
 std::string joined(std::span<const std::string_view> texts, std::string_view separator);

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "diff_context.h"
+
+#include <rastertrace/trace/describe.h>
+#include <rastertrace/trace/frame.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace rastertrace {
+
+namespace {
+
+/// So many bytes of steps in front of the primitive, and of its own, are read again for the sentences. Steps farther
+/// back are not missed but by a sentence that refers to them.
+constexpr std::size_t most_read_again = 4'000'000;
+
+/// So many steps are told before and behind the one that differs.
+constexpr std::size_t steps_around = 1;
+
+/// Where something is in a trace: a step, or the place where it would be.
+struct Spot {
+    LinePlace place{};
+    bool is_step = false;
+};
+
+struct Around {
+    std::vector<DiffStep> before{};
+    std::optional<DiffStep> step{};
+    std::vector<DiffStep> after{};
+};
+
+/// A part of a trace, from which sentences can be made.
+class Excerpt {
+public:
+    explicit Excerpt(const TraceText& text) : text_(text), trace_(text.header().without_steps()) {}
+
+    /// Adds the steps from a place on, as long as `wants` says so.
+    template <typename Wants> void add(LinePlace from, const Wants& wants) {
+        StepLines lines(text_, from);
+        while (const StepLine* const line = lines.front()) {
+            if (!wants(*line))
+                break;
+            trace_.add_to_excerpt(StepView(line->json), line->kind, line->number);
+            lines.pass();
+        }
+    }
+
+    /// What there is around a spot, the last of the steps that have been added.
+    Around around(const Spot& spot) const {
+        Around found;
+        Replay replay(trace_, {.depths = true});
+        for (std::size_t n = 1; n <= trace_.size(); ++n) {
+            const std::size_t number = trace_.number_of(n);
+            const std::size_t at = spot.place.steps + 1;
+            if (number + steps_around < at)
+                continue;
+            replay.go_to(n);
+            DiffStep step{.number = number,
+                          .line = text_.has_lines() ? number + 1 : 0,
+                          .json = std::string(trace_.step(n).json()),
+                          .sentence = describe_step(replay)};
+            if (number < at)
+                found.before.push_back(std::move(step));
+            else if (number == at && spot.is_step)
+                found.step = std::move(step);
+            else
+                found.after.push_back(std::move(step));
+        }
+        return found;
+    }
+
+private:
+    const TraceText& text_;
+    Trace trace_;
+};
+
+Around around(const TraceText& text, LinePlace primitive, const Spot& spot) {
+    Excerpt excerpt(text);
+    const std::size_t offset = spot.place.offset;
+    const auto has_room = [](const StepLine& line, std::size_t from) {
+        return line.offset < from + most_read_again;
+    };
+    // What stands in front of all primitives: matrices, vertices, the painter's order.
+    const std::size_t begin = text.begin();
+    excerpt.add({}, [&](const StepLine& line) {
+        return line.kind != StepKind::primitive && line.offset < offset && has_room(line, begin);
+    });
+    // The primitive, up to the spot.
+    if (primitive.offset != 0 && primitive.offset < offset)
+        excerpt.add(primitive, [&](const StepLine& line) {
+            return line.offset < offset && has_room(line, primitive.offset);
+        });
+    std::size_t rest = steps_around + (spot.is_step ? 1 : 0);
+    excerpt.add(spot.place, [&rest](const StepLine&) { return rest-- > 0; });
+    return excerpt.around(spot);
+}
+
+/// Where a side's step is, or else where the comparison was.
+std::optional<Spot> spot_of(const std::optional<StepLine>& step,
+                            const std::optional<LinePlace>& place) {
+    if (step)
+        return Spot{{step->offset, step->number - 1}, true};
+    return place ? std::optional(Spot{*place, false}) : std::nullopt;
+}
+
+} // namespace
+
+void tell_first(TraceDiff& found, const TraceComparison& comparison, const TraceText& a,
+                const TraceText& b) {
+    const auto& first = comparison.tally().first();
+    if (!first)
+        return;
+    const auto& event = comparison.first_event();
+    const bool is_here = event && event->place == first->place;
+    const StepLine& step = first->a ? *first->a : *first->b;
+    StepDifference difference{
+        .kind = step.kind_name, .fields = first->fields, .is_moved = first->is_moved};
+    const std::string& json = first->a ? first->section.json_a : first->section.json_b;
+    difference.primitive = StepView(json).text("name");
+    if (const auto spot = spot_of(first->a, is_here ? std::optional(event->a) : std::nullopt)) {
+        Around around_a = around(a, first->section.begin_a, *spot);
+        found.before_a = std::move(around_a.before);
+        difference.a = std::move(around_a.step);
+        found.after_a = std::move(around_a.after);
+    }
+    if (const auto spot = spot_of(first->b, is_here ? std::optional(event->b) : std::nullopt)) {
+        Around around_b = around(b, first->section.begin_b, *spot);
+        found.before_b = std::move(around_b.before);
+        difference.b = std::move(around_b.step);
+        found.after_b = std::move(around_b.after);
+    }
+    found.first = std::move(difference);
+}
+
+} // namespace rastertrace

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: MIT
+#include "diff_picture.h"
+
+#include <rastertrace/trace/color_text.h>
+
+#include <algorithm>
+#include <charconv>
+#include <unordered_map>
+#include <utility>
+
+namespace rastertrace {
+
+namespace {
+
+/// The largest part of the pictures that is shown, and how far around a difference it reaches.
+constexpr int widest = 60;
+constexpr int highest = 30;
+constexpr int margin = 2;
+
+constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz0123456789";
+
+/// Takes a text off the front, and says if it was there.
+bool take(std::string_view& text, std::string_view front) {
+    if (!text.starts_with(front))
+        return false;
+    text.remove_prefix(front.size());
+    return true;
+}
+
+bool take(std::string_view& text, Index& number) {
+    const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+    text.remove_prefix(static_cast<std::size_t>(read.ptr - text.data()));
+    return read.ec == std::errc{};
+}
+
+SeenStep seen_thoroughly(const StepView& step) {
+    const auto kind = step.kind();
+    SeenStep seen;
+    if (kind == StepKind::pixel && step.whole("x") && step.whole("y"))
+        seen = {.what = SeenStep::What::pixel, .x = *step.whole("x"), .y = *step.whole("y")};
+    else if (kind == StepKind::primitive)
+        seen.what = SeenStep::What::primitive;
+    if (seen.what != SeenStep::What::other && step.field("color"))
+        seen.color = parse_color(step.text("color"));
+    return seen;
+}
+
+/// Both canvases: every pixel that one of them has.
+struct BothCanvases {
+    int left;
+    int right;
+    int low;
+    int high;
+    int down;
+
+    BothCanvases(const Canvas& a, const Canvas& b)
+        : left(std::min(a.left(), b.left())), right(std::max(a.right(), b.right())),
+          low(std::min({a.top(), a.bottom(), b.top(), b.bottom()})),
+          high(std::max({a.top(), a.bottom(), b.top(), b.bottom()})), down(a.down()) {}
+
+    int top() const { return down < 0 ? high : low; }
+    int height() const { return high - low + 1; }
+    int y_of(int row) const { return top() + down * row; }
+    int row_of(int y) const { return (y - top()) * down; }
+};
+
+enum class PixelVerdict : std::uint8_t { none, alike, only_a, only_b, color, owner };
+
+class PictureComparison {
+public:
+    PictureComparison(const OwnedPicture& a, const OwnedPicture& b, const PictureOwners& owners,
+                      const std::optional<Region>& region)
+        : a_(a), b_(b), owners_(owners), region_(region), both_(a.canvas(), b.canvas()) {}
+
+    PictureDifference compare() {
+        for (int row = 0; row < both_.height(); ++row)
+            for (int x = both_.left; x <= both_.right; ++x)
+                count({x, both_.y_of(row)}, row);
+        found_.down = both_.down;
+        if (has_any_)
+            show();
+        return std::move(found_);
+    }
+
+private:
+    PixelVerdict verdict(Pixel pixel) const {
+        if (region_ && !(region_->has_row(pixel.y) && region_->meets(pixel.x, pixel.x)))
+            return PixelVerdict::none;
+        const bool in_a = a_.is_drawn(pixel);
+        const bool in_b = b_.is_drawn(pixel);
+        if (!in_a || !in_b)
+            return in_a ? PixelVerdict::only_a : in_b ? PixelVerdict::only_b : PixelVerdict::none;
+        if (a_.color(pixel) != b_.color(pixel))
+            return PixelVerdict::color;
+        const std::uint32_t owner = a_.owner(pixel);
+        return owner == 0 || owners_.b_of_a(owner) == b_.owner(pixel) ? PixelVerdict::alike
+                                                                      : PixelVerdict::owner;
+    }
+
+    void count(Pixel pixel, int row) {
+        const PixelVerdict here = verdict(pixel);
+        switch (here) {
+        case PixelVerdict::none:
+        case PixelVerdict::alike:
+            return;
+        case PixelVerdict::only_a:
+            ++found_.only_a;
+            break;
+        case PixelVerdict::only_b:
+            ++found_.only_b;
+            break;
+        case PixelVerdict::color:
+            ++found_.colors;
+            break;
+        case PixelVerdict::owner:
+            ++found_.owners;
+            break;
+        }
+        if (!has_any_)
+            left_ = right_ = pixel.x, first_row_ = row;
+        has_any_ = true;
+        left_ = std::min(left_, pixel.x);
+        right_ = std::max(right_, pixel.x);
+        last_row_ = row;
+        if (found_.pixels.size() < most_pixels_told)
+            found_.pixels.push_back({.pixel = pixel,
+                                     .a = owner_in(a_, pixel, owners_.name_in_a),
+                                     .b = owner_in(b_, pixel, owners_.name_in_b)});
+    }
+
+    static std::optional<PixelOwner>
+    owner_in(const OwnedPicture& picture, Pixel pixel,
+             const std::function<std::string(std::uint32_t)>& name) {
+        if (!picture.is_drawn(pixel))
+            return std::nullopt;
+        return PixelOwner{.primitive = name(picture.owner(pixel)), .color = picture.color(pixel)};
+    }
+
+    /// Rows of a part that holds the differences, or as many as find room behind the first.
+    void show() {
+        const int last_row = both_.height() - 1;
+        const bool has_room =
+            both_.right - both_.left < widest && both_.height() <= highest && !region_;
+        int left = has_room ? both_.left : std::max(both_.left, left_ - margin);
+        int right = has_room ? both_.right : std::min(both_.right, right_ + margin);
+        const int first = has_room ? 0 : std::max(0, first_row_ - margin);
+        int last = has_room ? last_row : std::min(last_row, last_row_ + margin);
+        if (right - left >= widest) {
+            left = std::max(both_.left, found_.pixels.front().pixel.x - widest / 2);
+            right = std::min(both_.right, left + widest - 1);
+        }
+        last = std::min(last, first + highest - 1);
+        found_.left = left;
+        found_.top = both_.y_of(first);
+        found_.is_cut = left > both_.left || right < both_.right || first > 0 || last < last_row;
+
+        std::unordered_map<std::string, char> letter_of;
+        for (int row = first; row <= last; ++row) {
+            std::string marks, faces_a, faces_b;
+            for (int x = left; x <= right; ++x) {
+                const Pixel pixel{x, both_.y_of(row)};
+                marks += mark_of(verdict(pixel));
+                faces_a += letter(letter_of, a_.owner(pixel), owners_.name_in_a);
+                faces_b += letter(letter_of, b_.owner(pixel), owners_.name_in_b);
+            }
+            found_.rows.push_back(std::move(marks));
+            found_.faces_a.push_back(std::move(faces_a));
+            found_.faces_b.push_back(std::move(faces_b));
+        }
+        // Letters are for who owns what; who draws alone, or in another color, is seen without.
+        if (found_.owners == 0 && found_.colors == 0) {
+            found_.faces_a.clear();
+            found_.faces_b.clear();
+            found_.names.clear();
+        }
+    }
+
+    char letter(std::unordered_map<std::string, char>& letter_of, std::uint32_t owner,
+                const std::function<std::string(std::uint32_t)>& name) {
+        if (owner == 0)
+            return '.';
+        const std::string text = name(owner);
+        const auto known = letter_of.find(text);
+        if (known != letter_of.end())
+            return known->second;
+        if (found_.names.size() == letters.size())
+            return '#';
+        const char next = letters[found_.names.size()];
+        found_.names.push_back(text);
+        letter_of.emplace(text, next);
+        return next;
+    }
+
+    static char mark_of(PixelVerdict verdict) {
+        switch (verdict) {
+        case PixelVerdict::none:
+            break;
+        case PixelVerdict::alike:
+            return '#';
+        case PixelVerdict::only_a:
+            return '!';
+        case PixelVerdict::only_b:
+            return '?';
+        case PixelVerdict::color:
+        case PixelVerdict::owner:
+            return '~';
+        }
+        return '.';
+    }
+
+    const OwnedPicture& a_;
+    const OwnedPicture& b_;
+    const PictureOwners& owners_;
+    const std::optional<Region>& region_;
+    BothCanvases both_;
+    PictureDifference found_;
+    bool has_any_ = false;
+    int left_ = 0; ///< of all pixels that differ
+    int right_ = 0;
+    int first_row_ = 0;
+    int last_row_ = 0;
+};
+
+} // namespace
+
+SeenStep seen_in(std::string_view line) {
+    std::string_view rest = line;
+    if (take(rest, R"({"step":")")) {
+        const bool is_pixel = rest.starts_with("pixel\"");
+        if (!is_pixel && !rest.starts_with("primitive\""))
+            return {};
+        SeenStep seen{.what = SeenStep::What::pixel};
+        if (is_pixel && take(rest, R"(pixel","x":)") && take(rest, seen.x) &&
+            take(rest, R"(,"y":)") && take(rest, seen.y) && take(rest, "}"))
+            return seen;
+    }
+    return seen_thoroughly(StepView(step_of_line(line)));
+}
+
+PictureDifference difference_between(const OwnedPicture& a, const OwnedPicture& b,
+                                     const PictureOwners& owners,
+                                     const std::optional<Region>& region) {
+    return PictureComparison(a, b, owners, region).compare();
+}
+
+} // namespace rastertrace

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#include "first_line.h"
+
+#include "input_check.h"
+
+#include <rastertrace/trace/text.h>
+
+#include <cstddef>
+#include <string_view>
+#include <utility>
+
+namespace rastertrace {
+
+LineLayout read_first_line(InputFile& file, Source& source, const InputLimits& limits) {
+    InputCheck fault_of(InputCheck::Kind::scene_or_trace, limits);
+    std::size_t block = source.text.size();
+    bool is_told = false;
+    while (file.read_into(source.text)) {
+        if (auto fault = fault_of(source, block))
+            throw *std::move(fault);
+        block = source.text.size();
+        const std::size_t newline = is_told ? std::string::npos : source.text.find('\n');
+        if (newline == std::string::npos)
+            continue;
+        is_told = true;
+        const LineLayout layout =
+            layout_of(without_blanks(std::string_view(source.text).substr(0, newline)));
+        if (layout != LineLayout::other)
+            return layout;
+    }
+    return LineLayout::other;
+}
+
+} // namespace rastertrace

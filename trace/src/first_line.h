@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The first line of a file tells whether it is a trace with one step a line, which can be read without being kept.
+
+#include "input_file.h"
+#include "trace_lines.h"
+
+#include <rastertrace/trace/input.h>
+#include <rastertrace/trace/problem.h>
+
+namespace rastertrace {
+
+/// Reads a file until its first line tells of a trace with one step a line, and perhaps somewhat farther; or, if it
+/// does not, all of the file. Throws a Problem.
+LineLayout read_first_line(InputFile& file, Source& source, const InputLimits& limits);
+
+} // namespace rastertrace

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#include "step_lines.h"
+
+#include "input_check.h"
+#include "json_scanner.h"
+#include "trace_lines.h"
+
+#include <rastertrace/trace/text.h>
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+namespace rastertrace {
+
+namespace {
+
+/// So much is read at once: as much as stays in a cache close to the processor.
+constexpr std::size_t block_size = 1 << 17;
+
+/// The front of a step as this program writes it.
+constexpr std::string_view step_front = R"({"step":")";
+
+/// How a value is compared as a key: what a string says, or a number as it stands.
+void add_key(std::string& key, std::string_view name, std::string_view value) {
+    key += ' ';
+    key += name;
+    key += '=';
+    key += value;
+}
+
+std::string key_of(const StepLine& line) {
+    std::string key = line.kind_name;
+    const StepView step(line.json);
+    if (line.kind) {
+        for (const StepField& field : row_of(*line.kind).fields)
+            if (field.role == FieldRole::key)
+                if (const auto value = step.field(field.name))
+                    add_key(key, field.name, *value);
+        return key;
+    }
+    // Of a kind that we do not know: what other kinds have for a key.
+    for (const std::string_view name : {"name", "x", "y"})
+        if (const auto value = step.field(name))
+            add_key(key, name, *value);
+    return key;
+}
+
+} // namespace
+
+std::string_view step_of_line(std::string_view line) {
+    line = without_blanks(line);
+    if (line.ends_with(','))
+        line.remove_suffix(1);
+    return line;
+}
+
+bool begins_primitive(std::string_view line) {
+    if (line.starts_with(step_front))
+        return line.substr(step_front.size()).starts_with("primitive\"");
+    return StepView(step_of_line(line)).kind() == StepKind::primitive;
+}
+
+StepLines::StepLines(const TraceText& text, LinePlace from, std::size_t end)
+    : text_(text), place_(from), end_(end) {
+    if (place_.offset == 0)
+        place_.offset = text.begin();
+}
+
+bool StepLines::ends_steps(std::string_view line) const {
+    if (line.starts_with(step_front))
+        return false;
+    line = without_blanks(line);
+    return text_.is_document() ? line.starts_with(']') : is_end_line(line);
+}
+
+bool StepLines::read_more() {
+    if (has_all_)
+        return false;
+    if (passed_ > 0) {
+        buffer_.erase(0, passed_);
+        passed_ = 0;
+    }
+    if (buffer_.size() > longest_line)
+        throw line_too_long({text_.name(), buffer_, {}}, 0);
+    const std::size_t kept = buffer_.size();
+    buffer_.resize(kept + block_size);
+    const std::size_t count =
+        text_.read(place_.offset + kept, std::span(buffer_).subspan(kept, block_size));
+    buffer_.resize(kept + count);
+    has_all_ = count == 0;
+    return !has_all_;
+}
+
+std::string_view StepLines::unread_lines() {
+    if (!ahead_.empty() || is_behind_)
+        return {};
+    for (;;) {
+        const std::string_view unread = std::string_view(buffer_).substr(passed_);
+        const std::size_t last = unread.rfind('\n');
+        if (last != std::string_view::npos) {
+            const std::size_t size = last + 1;
+            return unread.substr(0, std::min(size, end_ - std::min(end_, place_.offset)));
+        }
+        if (!read_more())
+            return {};
+    }
+}
+
+void StepLines::pass_lines(std::size_t bytes, std::size_t steps) {
+    passed_ += bytes;
+    place_.offset += bytes;
+    place_.steps += steps;
+}
+
+/// The next line that is not empty, with what ends it.
+std::optional<std::string_view> StepLines::next_line() {
+    while (place_.offset < end_) {
+        std::string_view unread = std::string_view(buffer_).substr(passed_);
+        std::size_t newline = unread.find('\n');
+        while (newline == std::string_view::npos && read_more()) {
+            unread = std::string_view(buffer_).substr(passed_);
+            newline = unread.find('\n');
+        }
+        unread = std::string_view(buffer_).substr(passed_);
+        if (unread.empty())
+            break;
+        const std::string_view line = unread.substr(0, std::min(newline, unread.size() - 1) + 1);
+        if (!without_blanks(step_of_line(line.substr(0, newline))).empty())
+            return line;
+        pass_lines(line.size(), 0);
+    }
+    return std::nullopt;
+}
+
+const StepLine* StepLines::at(std::size_t i) {
+    while (ahead_.size() <= i && !is_behind_) {
+        const auto line = next_line();
+        if (!line) {
+            is_behind_ = true;
+            is_cut_off_ = place_.offset < end_;
+            break;
+        }
+        const std::string_view json = line->substr(0, line->find('\n'));
+        if (ends_steps(json)) {
+            is_behind_ = true;
+            break;
+        }
+        const bool is_last = !line->ends_with('\n');
+        try {
+            ahead_.push_back(step_in(step_of_line(json)));
+        } catch (const Problem&) {
+            // The last line of a file may be one that was not written to its end.
+            if (!is_last)
+                throw;
+            is_behind_ = is_cut_off_ = true;
+            break;
+        }
+        pass_lines(line->size(), 1);
+    }
+    return i < ahead_.size() ? &ahead_[i] : nullptr;
+}
+
+StepLine StepLines::step_in(std::string_view json) const {
+    Source source{text_.name(), std::string(json), {}};
+    StepLine line;
+    try {
+        line.kind = checked_kind(source, 0, source.text.size());
+    } catch (Problem& problem) {
+        problem.line = text_.has_lines() ? place_.steps + 2 : 0;
+        throw;
+    }
+    line.json = std::move(source.text);
+    line.kind_name = line.kind ? std::string(name_of(*line.kind)) : StepView(line.json).kind_name();
+    line.key = key_of(line);
+    line.offset = place_.offset;
+    line.number = place_.steps + 1;
+    return line;
+}
+
+} // namespace rastertrace

@@ -1,0 +1,461 @@
+// SPDX-License-Identifier: MIT
+#include "trace_comparison.h"
+
+#include "trace_lines.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstring>
+#include <string_view>
+#include <unordered_map>
+
+namespace rastertrace {
+
+namespace {
+
+/// How far ahead a step is looked for before it counts as one that the other trace does not have here.
+constexpr std::size_t farthest_look = 256;
+
+/// So many bytes of steps that have not been found in the other trace are kept, in case that they come later.
+constexpr std::size_t most_waiting = 8'000'000;
+
+/// What comes of a line that has been read, with the place where it stands.
+struct SeenLine {
+    std::string_view line{};
+    SeenStep step{};
+    LinePlace place{};
+};
+
+/// Goes through whole lines as far as `use` wants and the steps go; returns how many bytes and steps these have.
+template <typename Use>
+std::pair<std::size_t, std::size_t> go_through(const StepLines& lines, std::string_view text,
+                                               const Use& use) {
+    std::size_t begin = 0;
+    std::size_t steps = 0;
+    const LinePlace place = lines.place();
+    for (;;) {
+        const std::size_t newline = text.find('\n', begin);
+        if (newline == std::string_view::npos)
+            break;
+        const std::string_view line = text.substr(begin, newline - begin);
+        if (lines.ends_steps(line))
+            break;
+        if (!use(SeenLine{line, seen_in(line), {place.offset + begin, place.steps + steps}}))
+            break;
+        steps += line.empty() ? 0 : 1;
+        begin = newline + 1;
+    }
+    return {begin, steps};
+}
+
+/// The bytes that two texts have in common at their front.
+std::size_t common_front(std::string_view a, std::string_view b) {
+    const std::size_t size = std::min(a.size(), b.size());
+    if (size == 0 || std::memcmp(a.data(), b.data(), size) == 0)
+        return size;
+    const auto end = a.begin() + static_cast<std::ptrdiff_t>(size);
+    return static_cast<std::size_t>(std::mismatch(a.begin(), end, b.begin()).first - a.begin());
+}
+
+/// The primitives that are left of a trace, which is drawn meanwhile.
+std::vector<PrimitivePlace> primitives_from_here(DiffSide& side) {
+    std::vector<PrimitivePlace> primitives;
+    const auto begin = [&](const std::string_view step, LinePlace place) {
+        if (!primitives.empty())
+            primitives.back().end = place;
+        primitives.push_back({.name = StepView(step).text("name"), .begin = place});
+    };
+    while (const StepLine* const ahead = side.lines.front()) {
+        if (ahead->kind == StepKind::primitive)
+            begin(ahead->json, {ahead->offset, ahead->number - 1});
+        side.pass(*ahead);
+        for (std::size_t passed = 1; passed > 0;) {
+            const auto [bytes, steps] =
+                go_through(side.lines, side.lines.unread_lines(), [&](const SeenLine& seen) {
+                    if (seen.step.what == SeenStep::What::primitive)
+                        begin(step_of_line(seen.line), seen.place);
+                    side.see(seen.step, seen.line, seen.place);
+                    return true;
+                });
+            side.lines.pass_lines(bytes, steps);
+            passed = bytes;
+        }
+    }
+    if (!primitives.empty())
+        primitives.back().end = side.lines.place();
+    return primitives;
+}
+
+} // namespace
+
+void DiffSide::see(const SeenStep& step, std::string_view line, LinePlace place) {
+    if (picture)
+        picture->see(step);
+    if (step.what != SeenStep::What::primitive)
+        return;
+    primitives.push_back(place);
+    begin = place;
+    json = step_of_line(line);
+}
+
+void DiffSide::pass(const StepLine& line) {
+    see(seen_in(line.json), line.json, {line.offset, line.number - 1});
+    lines.pass();
+}
+
+std::string DiffSide::name_of(std::uint32_t primitive) const {
+    if (primitive == 0)
+        return {};
+    StepLines line(text, primitives[primitive - 1]);
+    const StepLine* const step = line.front();
+    return step == nullptr ? std::string() : StepView(step->json).text("name");
+}
+
+TraceComparison::TraceComparison(const TraceText& a, const TraceText& b, const DiffOptions& options)
+    : compared_(a, b, options), has_primitives_(compared_.has_primitives()),
+      fields_(options, a.header().method_value("scalar") == "float" ||
+                           b.header().method_value("scalar") == "float"),
+      a_(a), b_(b), remarks_(compared_.remarks()) {}
+
+void TraceComparison::run() {
+    if (!compare_in_order())
+        compare_by_name();
+    if (is_cut_off())
+        remarks_.emplace_back("what follows the place where a trace breaks off was not compared");
+}
+
+std::vector<Problem> TraceComparison::damage() const {
+    std::vector<Problem> damage;
+    for (const DiffSide* const side : {&a_, &b_}) {
+        if (!side->lines.is_cut_off())
+            continue;
+        const std::size_t steps = side->lines.place().steps;
+        damage.push_back(problem_of(side->text.name(), truncation_after(steps)));
+        if (side->text.has_lines())
+            damage.back().line = steps + 2;
+    }
+    return damage;
+}
+
+std::optional<PictureDifference> TraceComparison::picture() const {
+    if (!compared_.has_pictures() || is_cut_off())
+        return std::nullopt;
+    const PictureOwners owners{
+        .b_of_a = [this](std::uint32_t of_a) { return b_of_a(of_a); },
+        .name_in_a = [this](std::uint32_t owner) { return a_.name_of(owner); },
+        .name_in_b = [this](std::uint32_t owner) { return b_.name_of(owner); }};
+    return difference_between(*a_.picture, *b_.picture, owners, compared_.region());
+}
+
+std::uint32_t TraceComparison::b_of_a(std::uint32_t of_a) const {
+    if (of_a <= common_primitives_ || partner_.empty())
+        return of_a;
+    return partner_[of_a - common_primitives_ - 1];
+}
+
+// One primitive after the other, as long as both traces have the same ones.
+
+/// False if the primitives come in another order from some place on.
+bool TraceComparison::compare_in_order() {
+    begin_section();
+    for (;;) {
+        compare_section(a_, b_);
+        if (is_cut_off())
+            return true;
+        const StepLine* const a = a_.lines.front();
+        const StepLine* const b = b_.lines.front();
+        if (a == nullptr && b == nullptr)
+            return true;
+        if (a == nullptr || b == nullptr ||
+            StepView(a->json).text("name") != StepView(b->json).text("name")) {
+            common_primitives_ = static_cast<std::uint32_t>(a_.primitives.size());
+            return false;
+        }
+        begin_primitive(a_, b_);
+    }
+}
+
+/// Goes past the steps that begin a primitive in both traces, and compares them.
+void TraceComparison::begin_primitive(DiffSide& a, DiffSide& b) {
+    const StepLine of_a = *a.lines.front();
+    const StepLine of_b = *b.lines.front();
+    a.pass(of_a);
+    b.pass(of_b);
+    begin_section();
+    compare(of_a, of_b);
+}
+
+void TraceComparison::begin_section() {
+    tally_.begin_section({.id = ++section_,
+                          .json_a = a_.json,
+                          .json_b = b_.json,
+                          .begin_a = a_.begin,
+                          .begin_b = b_.begin});
+    is_compared_ = compared_.has_primitive(StepView(a_.json).text("name"));
+}
+
+void TraceComparison::compare(const StepLine& a, const StepLine& b) {
+    ++place_;
+    if (!compared_.has(a) || !is_compared_)
+        return;
+    auto fields = fields_.differing(a, b);
+    if (!fields.empty())
+        tally_.add_changed(place_, a, b, std::move(fields));
+}
+
+/// Compares the steps up to the next primitive.
+void TraceComparison::compare_section(DiffSide& a, DiffSide& b) {
+    for (;;) {
+        pass_equal_lines(a, b);
+        const StepLine* const of_a = next_compared(a);
+        const StepLine* const of_b = next_compared(b);
+        if (of_a == nullptr && of_b == nullptr)
+            break;
+        if ((of_a == nullptr && a.lines.is_cut_off()) || (of_b == nullptr && b.lines.is_cut_off()))
+            break;
+        if (of_a == nullptr || of_b == nullptr) {
+            begin_event(a, b);
+            if (of_a != nullptr)
+                put_aside_a(a, 1);
+            else
+                put_aside_b(b, 1);
+        } else if (of_a->key == of_b->key) {
+            compare(*of_a, *of_b);
+            a.pass(*of_a);
+            b.pass(*of_b);
+        } else {
+            realign(a, b);
+        }
+        if (waiting_a_.bytes() + waiting_b_.bytes() > most_waiting)
+            give_up_waiting();
+    }
+    give_up_waiting();
+    tally_.end_section();
+}
+
+/// The next step of this primitive that is compared; those before are passed.
+const StepLine* TraceComparison::next_compared(DiffSide& side) {
+    while (const StepLine* const step = ahead(side, 0)) {
+        if (is_compared_ && compared_.has(*step))
+            return step;
+        side.pass(*step);
+    }
+    return nullptr;
+}
+
+/// The i-th step ahead, if it is of this primitive.
+const StepLine* TraceComparison::ahead(DiffSide& side, std::size_t i) const {
+    const StepLine* const step = side.lines.at(i);
+    return step == nullptr || begins_section(*step) ? nullptr : step;
+}
+
+/// Where the next steps differ. All that is put aside before they are alike again belongs together.
+void TraceComparison::begin_event(const DiffSide& a, const DiffSide& b) {
+    ++place_;
+    const auto here = [](const DiffSide& side) {
+        const StepLine* const step = side.lines.ahead();
+        return step == nullptr ? side.lines.place() : LinePlace{step->offset, step->number - 1};
+    };
+    if (!first_event_)
+        first_event_ = DiffEvent{place_, here(a), here(b)};
+}
+
+/// Puts as few steps aside as it takes to have the same step next in both traces.
+void TraceComparison::realign(DiffSide& a, DiffSide& b) {
+    begin_event(a, b);
+    std::unordered_map<std::string_view, std::size_t> places_a;
+    std::unordered_map<std::string_view, std::size_t> places_b;
+    for (std::size_t i = 0; i < farthest_look; ++i) {
+        const StepLine* const of_a = ahead(a, i);
+        const StepLine* const of_b = ahead(b, i);
+        if (of_a != nullptr && compared_.has(*of_a))
+            places_a.emplace(of_a->key, i);
+        if (of_b != nullptr && compared_.has(*of_b))
+            places_b.emplace(of_b->key, i);
+
+        // The nearest place of each of the two in the other trace.
+        const auto in_b = of_a == nullptr ? places_b.end() : places_b.find(of_a->key);
+        const auto in_a = of_b == nullptr ? places_a.end() : places_a.find(of_b->key);
+        const bool is_in_b = in_b != places_b.end();
+        const bool is_in_a = in_a != places_a.end();
+        if (!is_in_a && !is_in_b)
+            continue;
+        // Of two that are as near the smaller key: it does not matter which trace is named first.
+        const bool takes_a = is_in_b && (!is_in_a || in_b->second < in_a->second ||
+                                         (in_b->second == in_a->second && of_a->key < of_b->key));
+        const std::size_t steps_a = takes_a ? i : in_a->second;
+        const std::size_t steps_b = takes_a ? in_b->second : i;
+        put_aside_a(a, steps_a);
+        put_aside_b(b, steps_b);
+        return;
+    }
+    put_aside_a(a, farthest_look);
+    put_aside_b(b, farthest_look);
+}
+
+/// Takes steps out of a, as far as this primitive goes, and looks for them among those of b that wait.
+void TraceComparison::put_aside_a(DiffSide& a, std::size_t steps) {
+    for (; steps > 0 && ahead(a, 0) != nullptr; --steps) {
+        StepLine step = *ahead(a, 0);
+        a.pass(step);
+        if (!compared_.has(step))
+            continue;
+        if (WaitingSteps::Step other; waiting_b_.take(step.key, other))
+            found_elsewhere(other.place, step, other.line);
+        else
+            waiting_a_.add(std::move(step), place_);
+    }
+}
+
+void TraceComparison::put_aside_b(DiffSide& b, std::size_t steps) {
+    for (; steps > 0 && ahead(b, 0) != nullptr; --steps) {
+        StepLine step = *ahead(b, 0);
+        b.pass(step);
+        if (!compared_.has(step))
+            continue;
+        if (WaitingSteps::Step other; waiting_a_.take(step.key, other))
+            found_elsewhere(other.place, other.line, step);
+        else
+            waiting_b_.add(std::move(step), place_);
+    }
+}
+
+/// A step that stands elsewhere in the other trace.
+void TraceComparison::found_elsewhere(std::size_t place, const StepLine& a, const StepLine& b) {
+    tally_.add_moved(place, a, b);
+    auto fields = fields_.differing(a, b);
+    if (!fields.empty())
+        tally_.add_changed(place, a, b, std::move(fields));
+}
+
+/// What waits has no equal.
+void TraceComparison::give_up_waiting() {
+    waiting_a_.take_all(
+        [this](const WaitingSteps::Step& one) { tally_.add_only_a(one.place, one.line); });
+    waiting_b_.take_all(
+        [this](const WaitingSteps::Step& one) { tally_.add_only_b(one.place, one.line); });
+}
+
+/// Passes lines that are the same in both texts, without a look at what they say, but for the pictures.
+void TraceComparison::pass_equal_lines(DiffSide& a, DiffSide& b) {
+    for (;;) {
+        const std::string_view in_a = a.lines.unread_lines();
+        const std::size_t same = common_front(in_a, b.lines.unread_lines());
+        const std::size_t passed = pass_lines(a, b, in_a.substr(0, same));
+        if (passed == 0 || passed < same)
+            return;
+    }
+}
+
+/// Passes whole lines that are the same in both, to the next primitive if steps wait to be found. Returns how many
+/// bytes they have.
+std::size_t TraceComparison::pass_lines(DiffSide& a, DiffSide& b, std::string_view text) {
+    const bool waits = !waiting_a_.is_empty() || !waiting_b_.is_empty();
+    const LinePlace from_a = a.lines.place();
+    const LinePlace from_b = b.lines.place();
+    const auto [bytes, steps] = go_through(a.lines, text, [&](const SeenLine& seen) {
+        const bool is_primitive = seen.step.what == SeenStep::What::primitive && has_primitives_;
+        if (is_primitive && waits)
+            return false;
+        if (is_primitive)
+            tally_.end_section();
+        a.see(seen.step, seen.line, seen.place);
+        b.see(seen.step, seen.line,
+              {seen.place.offset - from_a.offset + from_b.offset,
+               seen.place.steps - from_a.steps + from_b.steps});
+        if (is_primitive)
+            begin_section();
+        return true;
+    });
+    if (bytes > 0)
+        ++place_;
+    a.lines.pass_lines(bytes, steps);
+    b.lines.pass_lines(bytes, steps);
+    return bytes;
+}
+
+// Where the primitives come in another order they are found by their names.
+
+void TraceComparison::compare_by_name() {
+    remarks_.emplace_back("the primitives come in another order: the steps were read twice");
+    const std::vector<PrimitivePlace> of_a = primitives_from_here(a_);
+    const std::vector<PrimitivePlace> of_b = primitives_from_here(b_);
+    const std::vector<std::size_t> in_b = find_by_name(of_a, of_b);
+    const std::vector<bool> stays = in_common_order(in_b);
+    std::vector<std::size_t> in_a(of_b.size(), nowhere);
+    for (std::size_t i = 0; i < in_b.size(); ++i) {
+        const bool is_there = in_b[i] != nowhere;
+        if (is_there)
+            in_a[in_b[i]] = i;
+        partner_.push_back(is_there ? common_primitives_ + static_cast<std::uint32_t>(in_b[i]) + 1
+                                    : 0);
+    }
+
+    // Both lists together: what only one has, what has moved, and what is in the same order in both.
+    std::size_t i = 0;
+    std::size_t j = 0;
+    while (i < of_a.size() || j < of_b.size()) {
+        ++place_;
+        if (i < of_a.size() && in_b[i] == nowhere) {
+            if (!b_.lines.is_cut_off())
+                add_primitive(a_.text, of_a[i], true);
+            ++i;
+        } else if (j < of_b.size() && in_a[j] == nowhere) {
+            if (!a_.lines.is_cut_off())
+                add_primitive(b_.text, of_b[j], false);
+            ++j;
+        } else if (i < of_a.size() && !stays[i]) {
+            compare_primitives(of_a[i], of_b[in_b[i]], true);
+            ++i;
+        } else if (j < of_b.size() && !stays[in_a[j]]) {
+            ++j; // it has moved: it is compared where a has it
+        } else {
+            compare_primitives(of_a[i++], of_b[j++], false);
+        }
+    }
+}
+
+/// A primitive that only one trace has, with all its steps.
+void TraceComparison::add_primitive(const TraceText& text, const PrimitivePlace& primitive,
+                                    bool is_in_a) {
+    if (!compared_.has_primitive(primitive.name))
+        return;
+    StepLines lines(text, primitive.begin, primitive.end.offset);
+    DiffSection section{.id = ++section_};
+    if (const StepLine* const first = lines.front())
+        (is_in_a ? section.json_a : section.json_b) = first->json;
+    (is_in_a ? section.begin_a : section.begin_b) = primitive.begin;
+    tally_.begin_section(std::move(section));
+    while (const StepLine* const step = lines.front()) {
+        if (compared_.has(*step) && is_in_a)
+            tally_.add_only_a(place_, *step);
+        else if (compared_.has(*step))
+            tally_.add_only_b(place_, *step);
+        lines.pass();
+    }
+    tally_.end_section();
+}
+
+/// A primitive that both traces have, perhaps at another place.
+void TraceComparison::compare_primitives(const PrimitivePlace& of_a, const PrimitivePlace& of_b,
+                                         bool has_moved) {
+    DiffSide a(a_.text, of_a.begin, of_a.end.offset);
+    DiffSide b(b_.text, of_b.begin, of_b.end.offset);
+    const StepLine* const step_a = a.lines.front();
+    const StepLine* const step_b = b.lines.front();
+    if (step_a == nullptr || step_b == nullptr)
+        return;
+    a_.json = step_a->json;
+    b_.json = step_b->json;
+    a_.begin = of_a.begin;
+    b_.begin = of_b.begin;
+    if (has_moved && compared_.has(*step_a)) {
+        begin_section();
+        tally_.add_moved(place_, *step_a, *step_b);
+    }
+    begin_primitive(a, b);
+    compare_section(a, b);
+}
+
+} // namespace rastertrace

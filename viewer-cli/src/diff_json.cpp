@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "diff_json.h"
+
+#include <rastertrace/trace/color_text.h>
+#include <rastertrace/trace/step_writer.h>
+
+#include <fmt/core.h>
+
+#include <string_view>
+#include <vector>
+
+namespace rastertrace {
+
+namespace {
+
+/// `items` as a JSON array, each by `item_json`.
+template <typename Item, typename ItemJson>
+std::string array_json(const std::vector<Item>& items, const ItemJson& item_json) {
+    std::string text = "[";
+    for (const Item& item : items)
+        text += (text.size() > 1 ? "," : "") + item_json(item);
+    return text + "]";
+}
+
+/// A value as it stands in a trace; null where there is none.
+std::string value_json(const std::string& value) {
+    return value.empty() ? "null" : value;
+}
+
+std::string field_json(const FieldDifference& field) {
+    std::string text = fmt::format(R"({{"field":{},"a":{},"b":{})", json_quoted(field.name),
+                                   value_json(field.a), value_json(field.b));
+    if (field.distance)
+        text += fmt::format(R"(,"distance":{})", *field.distance);
+    return text + "}";
+}
+
+/// The step as its trace has it, with its number and what it says as more keys.
+std::string step_json(const DiffStep& step) {
+    std::string json = step.json;
+    json.erase(json.find_last_of('}'));
+    json += fmt::format(R"({}"number":{})", json.ends_with('{') ? "" : ",", step.number);
+    if (step.line != 0)
+        json += fmt::format(R"(,"line":{})", step.line);
+    return json + fmt::format(R"(,"sentence":{}}})", json_quoted(step.sentence));
+}
+
+std::string step_or_null(const std::optional<DiffStep>& step) {
+    return step ? step_json(*step) : "null";
+}
+
+std::string pixels_json(const std::vector<Pixel>& pixels) {
+    return array_json(pixels,
+                      [](const Pixel& pixel) { return fmt::format("[{},{}]", pixel.x, pixel.y); });
+}
+
+std::string first_json(const TraceDiff& found) {
+    if (!found.first)
+        return "null";
+    const StepDifference& first = *found.first;
+    return fmt::format(
+        R"({{"kind":{},"primitive":{},"moved":{},"a":{},"b":{},"fields":{},)"
+        R"("led_to":{{"pixels":{},"only_a":{},"only_b":{},"colors":{}}}}})",
+        json_quoted(first.kind), first.primitive.empty() ? "null" : json_quoted(first.primitive),
+        first.is_moved, step_or_null(first.a), step_or_null(first.b),
+        array_json(first.fields, field_json), found.led_to.count, pixels_json(found.led_to.only_a),
+        pixels_json(found.led_to.only_b), pixels_json(found.led_to.colors));
+}
+
+std::string summary_json(const FieldSummary& field) {
+    return fmt::format(R"({{"field":{},"count":{},"largest":{}}})", json_quoted(field.name),
+                       field.count, field.largest ? fmt::format("{}", *field.largest) : "null");
+}
+
+std::string kind_json(const KindDifference& kind) {
+    return fmt::format(
+        R"({{"kind":{},"changed":{},"only_a":{},"only_b":{},"moved":{},"fields":{}}})",
+        json_quoted(kind.kind), kind.changed, kind.only_a, kind.only_b, kind.moved,
+        array_json(kind.fields, summary_json));
+}
+
+std::string owner_json(const std::optional<PixelOwner>& owner) {
+    return owner ? fmt::format(R"({{"primitive":{},"color":{}}})", json_quoted(owner->primitive),
+                               json_quoted(to_text(owner->color)))
+                 : "null";
+}
+
+std::string pixel_json(const PixelDifference& one) {
+    return fmt::format(R"({{"x":{},"y":{},"a":{},"b":{}}})", one.pixel.x, one.pixel.y,
+                       owner_json(one.a), owner_json(one.b));
+}
+
+std::string picture_json(const std::optional<PictureDifference>& picture) {
+    if (!picture)
+        return "null";
+    const auto quoted = [](const std::string& row) { return json_quoted(row); };
+    return fmt::format(R"({{"only_a":{},"only_b":{},"colors":{},"owners":{},"pixels":{},)"
+                       R"("left":{},"top":{},"down":{},"rows":{}}})",
+                       picture->only_a, picture->only_b, picture->colors, picture->owners,
+                       array_json(picture->pixels, pixel_json), picture->left, picture->top,
+                       picture->down, array_json(picture->rows, quoted));
+}
+
+} // namespace
+
+std::string diff_json(const TraceDiff& found) {
+    const auto quoted = [](const std::string& remark) { return json_quoted(remark); };
+    std::vector<FieldDifference> header = found.header;
+    header.insert(header.end(), found.end.begin(), found.end.end());
+    return fmt::format(R"({{"same":{},"a":{},"b":{},"header":{},"first":{},"kinds":{},)"
+                       R"("picture":{},"remarks":{}}})"
+                       "\n",
+                       found.is_same, json_quoted(found.name_a), json_quoted(found.name_b),
+                       array_json(header, field_json), first_json(found),
+                       array_json(found.kinds, kind_json), picture_json(found.picture),
+                       array_json(found.remarks, quoted));
+}
+
+} // namespace rastertrace
