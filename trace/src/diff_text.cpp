@@ -4,6 +4,8 @@
 
 #include <rastertrace/trace/diff.h>
 
+#include "json_scanner.h"
+
 #include <rastertrace/trace/color_text.h>
 #include <rastertrace/trace/text.h>
 
@@ -22,15 +24,16 @@ constexpr std::size_t most_pixels_named = 8;
 /// Longer JSON is cut.
 constexpr std::size_t longest_value = 60;
 
+/// A value as a sentence has it: a string without its quotes.
 std::string value_text(const std::string& json) {
-    return json.empty() ? "none" : shortened(printable(json), longest_value);
+    return json.empty() ? "none" : shortened(printable(plain_text(json)), longest_value);
 }
 
 std::string distance_text(double distance) {
     return fmt::format("{:.4g}", distance);
 }
 
-/// `left: "-1/4" in a, "-1/2" in b, 0.25 apart`.
+/// `left: -1/4 in a, -1/2 in b, 0.25 apart`.
 std::string field_text(const FieldDifference& field) {
     std::string text = fmt::format("{}: {} in a, {} in b", printable(field.name),
                                    value_text(field.a), value_text(field.b));

@@ -56,7 +56,9 @@ TraceDiff diff_of_methods(const DiffCommand& command) {
             refuse_scene_options({path, {}, {}}, options_of(method));
         return trace_text(std::move(opened), path, options_of(method));
     };
-    TraceDiff found = diff(text_by(command), text_by(other), command.options);
+    // That the method differs is what was asked for.
+    other.options.ignored.emplace_back("header");
+    TraceDiff found = diff(text_by(command), text_by(other), other.options);
     found.name_b += " with " + command.against;
     return found;
 }

@@ -1,0 +1,598 @@
+// SPDX-License-Identifier: MIT
+// What `diff` finds between a trace and the same with one thing changed: that, and nothing else.
+
+#include "effort.h"
+#include "picture.h"
+#include "random_scene.h"
+#include "traces.h"
+
+#include <rastertrace/core/numbers/scalar.h>
+#include <rastertrace/trace/diff.h>
+#include <rastertrace/trace/text.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rastertrace {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using Json = nlohmann::ordered_json;
+
+TraceDiff diff_of(const std::string& a, const std::string& b, const DiffOptions& options = {}) {
+    return diff(TraceText({"a.json", a, {}}), TraceText({"b.json", b, {}}), options);
+}
+
+/// All that differs, as `scanline 1 0 0 0`: changed, only in a, only in b, moved.
+std::vector<std::string> counts_of(const TraceDiff& found) {
+    std::vector<std::string> counts;
+    for (const KindDifference& kind : found.kinds)
+        counts.push_back(kind.kind + " " + std::to_string(kind.changed) + " " +
+                         std::to_string(kind.only_a) + " " + std::to_string(kind.only_b) + " " +
+                         std::to_string(kind.moved));
+    return counts;
+}
+
+/// What the other way round has to find.
+std::vector<std::string> mirrored_counts_of(TraceDiff found) {
+    for (KindDifference& kind : found.kinds)
+        std::swap(kind.only_a, kind.only_b);
+    return counts_of(found);
+}
+
+/// The scenes of the examples, with their paths.
+std::vector<std::pair<std::string, std::string>> example_scenes() {
+    std::vector<std::pair<std::string, std::string>> scenes;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(RASTERTRACE_EXAMPLES)) {
+        if (entry.path().extension() != ".json")
+            continue;
+        std::ifstream file(entry.path());
+        std::string text{std::istreambuf_iterator<char>(file), {}};
+        if (text.find("\"canvas\"") != std::string::npos ||
+            text.find("\"vertices\"") != std::string::npos ||
+            text.find("\"meshes\"") != std::string::npos)
+            scenes.emplace_back(entry.path().string(), std::move(text));
+    }
+    std::sort(scenes.begin(), scenes.end());
+    return scenes;
+}
+
+/// The trace of an example, or "" if it is no scene that can be drawn.
+std::string trace_of_example(const std::pair<std::string, std::string>& example,
+                             const MethodOverrides& method = {}, TraceLayout layout = {}) {
+    const auto read = read_scene({example.first, example.second}, method);
+    if (!read)
+        return {};
+    std::string text;
+    StringOutput output(text);
+    write_trace(read.value().scene, read.value().plan, {.layout = layout}, output);
+    return text;
+}
+
+/// A trace as its header, its steps and what is behind them.
+struct Lines {
+    std::string header;
+    std::vector<std::string> steps;
+    std::string end;
+
+    explicit Lines(const std::string& jsonl) {
+        std::vector<std::string> lines = split_at(jsonl, '\n');
+        header = lines.front();
+        for (std::size_t i = 1; i < lines.size(); ++i)
+            if (lines[i].starts_with("{\"end\""))
+                end = lines[i] + "\n";
+            else if (end.empty())
+                steps.push_back(lines[i]);
+    }
+
+    std::string text() const {
+        std::string text = header + "\n";
+        for (const std::string& step : steps)
+            text += step + "\n";
+        return text + end;
+    }
+};
+
+std::string first_triangle_trace(TraceLayout layout = TraceLayout::jsonl) {
+    return trace_text(first_triangle(), {.layout = layout});
+}
+
+/// The value of a field with something else in its place.
+Json changed(const Json& value) {
+    if (value.is_boolean())
+        return !value.get<bool>();
+    if (value.is_number_integer())
+        return value.get<std::int64_t>() + 1000;
+    if (value.is_number())
+        return value.get<double>() * 2 + 1;
+    if (value.is_null())
+        return "7/3";
+    if (value.is_array()) {
+        Json list = value;
+        if (list.empty())
+            list.push_back(1);
+        else
+            list.back() = changed(list.back());
+        return list;
+    }
+    const std::string text = value.get<std::string>();
+    if (text.starts_with('#'))
+        return text == "#123456" ? "#654321" : "#123456";
+    if (text.find_first_not_of("-0123456789/") == std::string::npos)
+        return "3" + (text.starts_with('-') ? text.substr(1) : text);
+    return text + "'";
+}
+
+TEST(Diff, EveryExampleIsAlikeToItselfInAnyLayout) {
+    for (const auto& example : example_scenes()) {
+        const std::string json = trace_of_example(example);
+        if (json.empty() || json.size() > random_cases<std::size_t>(3'000'000))
+            continue;
+        EXPECT_TRUE(diff_of(json, json).is_same_bytes) << example.first;
+        const TraceDiff found = diff_of(json, trace_of_example(example, {}, TraceLayout::jsonl));
+        EXPECT_TRUE(found.is_same) << example.first << "\n" << diff_text(found);
+        EXPECT_FALSE(found.is_same_bytes);
+        EXPECT_THAT(found.remarks, IsEmpty());
+    }
+    const std::string json = first_triangle_trace(TraceLayout::json);
+    EXPECT_TRUE(diff_of(json, Json::parse(json).dump(2)).is_same);
+    EXPECT_TRUE(diff_of(Json::parse(json).dump(), first_triangle_trace()).is_same);
+}
+
+/// Every field of some steps of each kind, changed.
+void change_every_field(const std::string& name, const std::string& trace) {
+    const Lines lines(trace);
+    std::map<std::string, std::size_t> seen;
+    for (std::size_t n = 0; n < lines.steps.size(); ++n) {
+        const Json step = Json::parse(lines.steps[n]);
+        const std::string kind = step["step"];
+        constexpr std::size_t most_of_a_kind = 3;
+        if (seen[kind]++ >= most_of_a_kind)
+            continue;
+        for (const auto& [key, value] : step.items()) {
+            if (key == "step")
+                continue;
+            Lines other = lines;
+            Json mutated = step;
+            mutated[key] = changed(value);
+            other.steps[n] = mutated.dump();
+            const TraceDiff found = diff_of(trace, other.text());
+            SCOPED_TRACE(name + " step " + std::to_string(n + 1) + " " + key + ": " +
+                         other.steps[n] + "\n" + diff_text(found));
+            ASSERT_FALSE(found.is_same);
+            ASSERT_TRUE(found.first.has_value());
+            const auto& first = found.first->a ? found.first->a : found.first->b;
+            EXPECT_EQ(first->number, n + 1);
+            EXPECT_EQ(found.first->kind, kind);
+
+            // Either the field differs, or, if it is a key, one step is there instead of another.
+            const auto& fields = row_of(*step_kind_named(kind)).fields;
+            const bool is_key =
+                std::any_of(fields.begin(), fields.end(), [&](const StepField& field) {
+                    return field.name == key && field.role == FieldRole::key;
+                });
+            if (kind == "primitive" && is_key)
+                continue; // all its steps are those of another primitive
+            EXPECT_THAT(counts_of(found), ElementsAre(kind + (is_key ? " 0 1 1 0" : " 1 0 0 0")));
+            if (!is_key) {
+                ASSERT_EQ(found.first->fields.size(), 1U);
+                EXPECT_EQ(found.first->fields[0].name, key);
+                EXPECT_TRUE(diff_of(trace, other.text(), {.ignored = {kind + "." + key}}).is_same);
+            }
+            EXPECT_TRUE(diff_of(trace, other.text(), {.ignored = {kind}}).is_same);
+            EXPECT_EQ(counts_of(diff_of(other.text(), trace)), mirrored_counts_of(found));
+        }
+    }
+}
+
+TEST(Diff, EveryFieldThatIsChangedIsFoundAndNothingElse) {
+    int examples = 0;
+    for (const auto& example : example_scenes()) {
+        const std::string trace = trace_of_example(example, {}, TraceLayout::jsonl);
+        if (trace.empty() || trace.size() > random_cases<std::size_t>(100'000))
+            continue;
+        change_every_field(example.first, trace);
+        ++examples;
+    }
+    EXPECT_GT(examples, 5);
+}
+
+TEST(Diff, OneStepMoreOrLessIsToldAloneWhateverComesBehind) {
+    Random random(19);
+    for (std::uint64_t seed = 0; seed < random_cases(300U); ++seed) {
+        const std::string scene = RandomScene(seed).text();
+        const Lines lines(trace_text(scene_in(scene), {.layout = TraceLayout::jsonl}));
+        const int count = static_cast<int>(lines.steps.size());
+        const auto n = static_cast<std::size_t>(random.whole(0, count - 1));
+        const std::string kind = Json::parse(lines.steps[n])["step"];
+        if (kind == "primitive")
+            continue;
+        Lines shorter = lines;
+        shorter.steps.erase(shorter.steps.begin() + static_cast<std::ptrdiff_t>(n));
+        const TraceDiff found = diff_of(lines.text(), shorter.text());
+        SCOPED_TRACE(scene + lines.steps[n] + "\n" + diff_text(found));
+        EXPECT_THAT(counts_of(found), ElementsAre(kind + " 0 1 0 0"));
+        EXPECT_THAT(counts_of(diff_of(shorter.text(), lines.text())),
+                    ElementsAre(kind + " 0 0 1 0"));
+        EXPECT_TRUE(diff_of(lines.text(), shorter.text(), {.ignored = {kind}}).is_same);
+    }
+}
+
+/// The steps of each primitive, those in front of the first at 0.
+std::vector<std::vector<std::string>> primitives_in(const Lines& lines) {
+    std::vector<std::vector<std::string>> primitives(1);
+    for (const std::string& step : lines.steps) {
+        if (step.starts_with(R"({"step":"primitive")"))
+            primitives.emplace_back();
+        primitives.back().push_back(step);
+    }
+    return primitives;
+}
+
+Lines lines_of(Lines lines, const std::vector<std::vector<std::string>>& primitives) {
+    lines.steps.clear();
+    for (const auto& steps : primitives)
+        lines.steps.insert(lines.steps.end(), steps.begin(), steps.end());
+    return lines;
+}
+
+TEST(Diff, APrimitiveThatMovedIsToldAsMoved) {
+    Random random(20);
+    int moved = 0;
+    for (std::uint64_t seed = 0; seed < random_cases(300U); ++seed) {
+        const std::string scene = RandomScene(seed).text();
+        const Lines lines(trace_text(scene_in(scene), {.layout = TraceLayout::jsonl}));
+        auto primitives = primitives_in(lines);
+        if (primitives.size() < 4)
+            continue;
+        const int last = static_cast<int>(primitives.size()) - 1;
+        const auto from = static_cast<std::size_t>(random.whole(1, last));
+        const auto to = static_cast<std::size_t>(random.whole(1, last));
+        auto one = std::move(primitives[from]);
+        const std::string name = Json::parse(one.front())["name"];
+        primitives.erase(primitives.begin() + static_cast<std::ptrdiff_t>(from));
+        primitives.insert(primitives.begin() + static_cast<std::ptrdiff_t>(to), std::move(one));
+        const std::string other = lines_of(lines, primitives).text();
+        const TraceDiff found = diff_of(lines.text(), other);
+        SCOPED_TRACE(scene + name + "\n" + diff_text(found));
+        if (from == to) {
+            EXPECT_TRUE(found.is_same);
+            continue;
+        }
+        ++moved;
+        EXPECT_THAT(counts_of(found), ElementsAre("primitive 0 0 0 1"));
+        EXPECT_TRUE(found.first->is_moved);
+        EXPECT_THAT(counts_of(diff_of(other, lines.text())), ElementsAre("primitive 0 0 0 1"));
+        EXPECT_TRUE(diff_of(lines.text(), other, {.ignored = {"primitive"}}).is_same);
+    }
+    EXPECT_GT(moved, 20);
+}
+
+TEST(Diff, APrimitiveThatIsGoneIsToldWithItsSteps) {
+    for (std::uint64_t seed = 0; seed < random_cases(200U); ++seed) {
+        const std::string scene = RandomScene(seed).text();
+        const Lines lines(trace_text(scene_in(scene), {.layout = TraceLayout::jsonl}));
+        auto primitives = primitives_in(lines);
+        if (primitives.size() < 3)
+            continue;
+        const std::size_t gone = 1 + seed % (primitives.size() - 1);
+        std::map<std::string, std::size_t> steps;
+        for (const std::string& step : primitives[gone])
+            ++steps[Json::parse(step)["step"]];
+        primitives.erase(primitives.begin() + static_cast<std::ptrdiff_t>(gone));
+        const TraceDiff found = diff_of(lines.text(), lines_of(lines, primitives).text());
+        SCOPED_TRACE(scene + "\n" + diff_text(found));
+        ASSERT_EQ(found.kinds.size(), steps.size());
+        for (const KindDifference& kind : found.kinds) {
+            EXPECT_EQ(kind.only_a, steps[kind.kind]) << kind.kind;
+            EXPECT_EQ(kind.changed + kind.only_b + kind.moved, 0U);
+        }
+        EXPECT_EQ(found.first->kind, "primitive");
+    }
+}
+
+/// A quantity as the trace has it, exactly; nothing for what is none.
+std::optional<Rational> quantity_in(const Json& value) {
+    const std::string text = value.is_string() ? value.get<std::string>() : value.dump();
+    const auto parsed = parse_number(text, NumberSize::any);
+    const auto* const number = std::get_if<Number>(&parsed);
+    return number == nullptr ? std::nullopt : std::optional(number->exact());
+}
+
+bool has_same_value(const Json& a, const Json& b) {
+    if (a.is_array() && b.is_array() && a.size() == b.size())
+        return std::equal(a.begin(), a.end(), b.begin(), has_same_value);
+    const auto in_a = quantity_in(a);
+    const auto in_b = quantity_in(b);
+    return in_a && in_b ? *in_a == *in_b : a == b;
+}
+
+// Where doubles decide alike, steps stand side by side, so that this test finds the ones that differ by itself.
+TEST(Diff, ExactAgainstDoubleTellsOnlyWhatDiffersInValue) {
+    int compared = 0;
+    for (const auto& example : example_scenes()) {
+        const std::string exact =
+            trace_of_example(example, {{"scalar", "exact"}}, TraceLayout::jsonl);
+        const std::string doubles =
+            trace_of_example(example, {{"scalar", "double"}}, TraceLayout::jsonl);
+        if (exact.empty() || doubles.empty() || exact.size() > random_cases<std::size_t>(300'000))
+            continue;
+        const Lines a(exact);
+        const Lines b(doubles);
+        bool is_aligned = a.steps.size() == b.steps.size();
+        std::map<std::string, std::size_t> expected;
+        for (std::size_t n = 0; is_aligned && n < a.steps.size(); ++n) {
+            const Json of_a = Json::parse(a.steps[n]);
+            const Json of_b = Json::parse(b.steps[n]);
+            is_aligned = of_a["step"] == of_b["step"];
+            for (const auto& field : row_of(*step_kind_named(std::string(of_a["step"]))).fields) {
+                const std::string name(field.name);
+                is_aligned = is_aligned && (field.role != FieldRole::key || !of_a.contains(name) ||
+                                            (of_b.contains(name) && of_a[name] == of_b[name]));
+            }
+            const bool is_alike =
+                is_aligned && of_a.size() == of_b.size() &&
+                std::all_of(of_a.items().begin(), of_a.items().end(), [&of_b](const auto& item) {
+                    return of_b.contains(item.key()) &&
+                           has_same_value(item.value(), of_b[item.key()]);
+                });
+            if (is_aligned && !is_alike)
+                ++expected[of_a["step"]];
+        }
+        if (!is_aligned)
+            continue;
+        ++compared;
+        const TraceDiff found = diff_of(exact, doubles, {.ignored = {"header"}});
+        SCOPED_TRACE(example.first + "\n" + diff_text(found));
+        std::map<std::string, std::size_t> told;
+        for (const KindDifference& kind : found.kinds) {
+            told[kind.kind] = kind.changed;
+            EXPECT_EQ(kind.only_a + kind.only_b + kind.moved, 0U);
+        }
+        EXPECT_EQ(told, expected);
+    }
+    EXPECT_GT(compared, 20);
+}
+
+TEST(Diff, AToleranceHoldsForTheFieldThatItNames) {
+    Lines other(first_triangle_trace());
+    Json row = Json::parse(other.steps[13]); // y = 2, from -1/4 to 25/8
+    ASSERT_EQ(row["left"], "-1/4");
+    row["left"] = "-1/8";
+    other.steps[13] = row.dump();
+    const auto is_same = [&](const std::string& tolerance) {
+        return diff_of(first_triangle_trace(), other.text(),
+                       {.tolerances = {parse_tolerance(tolerance)}})
+            .is_same;
+    };
+    for (const std::string enough : {"scanline.left=0.125", "scanline.left=1/8", "scanline=0.2",
+                                     "0.125", "scanline.left=4503599627370496ulp"})
+        EXPECT_TRUE(is_same(enough)) << enough;
+    for (const std::string too_little :
+         {"scanline.left=0.1249", "scanline.right=1", "pixel=1", "edge.dx_dy=1", "0.1",
+          "scanline.left=2251799813685247ulp"})
+        EXPECT_FALSE(is_same(too_little)) << too_little;
+    // The last one that is about the field counts.
+    EXPECT_FALSE(diff_of(first_triangle_trace(), other.text(),
+                         {.tolerances = {parse_tolerance("1"), parse_tolerance("scanline.left=0")}})
+                     .is_same);
+}
+
+// 1/3 and the double next to it, 2^-54 / 3 away from it, are half an ulp apart, or less.
+TEST(Diff, UlpsAreThoseOfTheScalar) {
+    const auto trace = [](const std::string& scalar, const std::string& value) {
+        return R"({"rastertrace":1,"canvas":{"width":4,"height":4},"method":{"scalar":")" + scalar +
+               "\"}}\n" + R"({"step":"along","x":1,"value":)" + value +
+               ",\"pixel\":0}\n{\"end\":{}}\n";
+    };
+    const auto is_same = [&](const std::string& scalar, const std::string& value,
+                             const std::string& tolerance) {
+        return diff_of(trace(scalar, "\"1/3\""), trace(scalar, value),
+                       {.tolerances = {parse_tolerance(tolerance)}})
+            .is_same;
+    };
+    EXPECT_TRUE(is_same("double", "0.3333333333333333", "0.5ulp"));
+    EXPECT_FALSE(is_same("double", "0.3333333333333333", "0.25ulp"));
+    EXPECT_FALSE(is_same("double", "0.33333334", "1000000ulp"));
+    EXPECT_TRUE(is_same("float", "0.33333334", "1ulp"));
+    EXPECT_FALSE(is_same("float", "0.3333335", "4ulp"));
+    EXPECT_TRUE(is_same("float", "0.3333335", "8ulp"));
+}
+
+TEST(Diff, NumbersAreComparedAsTheyAreWritten) {
+    const auto trace = [](const std::string& value) {
+        return R"({"rastertrace":1,"canvas":{"width":4,"height":4}})"
+               "\n"
+               R"({"step":"along","x":1,"value":)" +
+               value + ",\"pixel\":0}\n{\"end\":{}}\n";
+    };
+    for (const std::string same :
+         {"3.125", "3.1250", "31250e-4", "\"25/8\"", "\"50/16\"", "\"3.125\""})
+        EXPECT_TRUE(diff_of(trace("\"25/8\""), trace(same)).is_same) << same;
+    for (const std::string other : {"3.1250000000000001", "-3.125", "\"25/9\""})
+        EXPECT_FALSE(diff_of(trace("\"25/8\""), trace(other)).is_same) << other;
+}
+
+// The row of y = 2 begins a pixel farther to the right: (-1, 2) is not drawn, and nothing else is said to follow.
+TEST(Diff, TheFirstDifferenceHasThePixelsThatItLedTo) {
+    Lines other(first_triangle_trace());
+    Json row = Json::parse(other.steps[13]);
+    row["from"] = 0;
+    other.steps[13] = row.dump();
+    ASSERT_EQ(other.steps[14], R"({"step":"pixel","x":-1,"y":2})");
+    other.steps.erase(other.steps.begin() + 14);
+    ASSERT_EQ(other.steps.back(), R"({"step":"pixel","x":5,"y":-3})");
+    other.steps.pop_back(); // of another row
+    const TraceDiff found = diff_of(first_triangle_trace(), other.text());
+    ASSERT_TRUE(found.first && found.first->a && found.first->b);
+    EXPECT_EQ(found.first->a->number, 14U);
+    EXPECT_EQ(found.led_to.count, 1U);
+    ASSERT_EQ(found.led_to.only_a.size(), 1U);
+    EXPECT_EQ(found.led_to.only_a[0], (Pixel{-1, 2}));
+    EXPECT_EQ(found.picture->only_a, 2U);
+    EXPECT_EQ(found.picture->rows, (std::vector<std::string>{".................", //
+                                                             ".................", //
+                                                             "..........#......", //
+                                                             ".........##......", //
+                                                             "........###......", //
+                                                             ".......!####.....", //
+                                                             ".......#####.....", //
+                                                             "......######.....", //
+                                                             ".....########....", //
+                                                             "....#########....", //
+                                                             "....#########!...", //
+                                                             ".................", //
+                                                             ".................", //
+                                                             "................."}));
+}
+
+TEST(Diff, WhoOwnsAPixelIsPartOfThePicture) {
+    const std::string scene = R"({"canvas":{"width":6,"height":4,"origin":"bottom-left"},
+        "vertices":{"A":[0,0],"B":[4,0],"C":[0,3],"D":[5,0],"E":[5,3],"F":[1,0]},
+        "triangles":["ABC","DEF"],"method":{"scalar":"exact"}})";
+    const Lines lines(trace_text(scene_in(scene), {.layout = TraceLayout::jsonl}));
+    auto primitives = primitives_in(lines);
+    std::swap(primitives[1], primitives[2]);
+    const TraceDiff found = diff_of(lines.text(), lines_of(lines, primitives).text());
+    EXPECT_GT(found.picture->owners, 0U);
+    EXPECT_EQ(found.picture->only_a + found.picture->only_b + found.picture->colors, 0U);
+    EXPECT_THAT(found.picture->names, ElementsAre("ABC", "DEF"));
+    EXPECT_NE(found.picture->faces_a, found.picture->faces_b);
+    EXPECT_THAT(found.remarks,
+                ElementsAre("the primitives come in another order: the steps were read twice"));
+}
+
+TEST(Diff, DifferentCanvasesAreComparedByCoordinates) {
+    Scene scene = first_triangle();
+    scene.canvas = {19, 16, Canvas::Origin::center};
+    const TraceDiff found =
+        diff_of(first_triangle_trace(), trace_text(scene, {.layout = TraceLayout::jsonl}));
+    EXPECT_THAT(found.kinds, IsEmpty());
+    ASSERT_EQ(found.header.size(), 2U);
+    EXPECT_EQ(found.header[0].name, "canvas.width");
+    EXPECT_EQ(found.header[1].name, "canvas.height");
+    EXPECT_EQ(found.picture->only_a + found.picture->only_b, 0U);
+    EXPECT_FALSE(found.is_same);
+    EXPECT_TRUE(diff_of(first_triangle_trace(), trace_text(scene, {.layout = TraceLayout::jsonl}),
+                        {.ignored = {"header"}})
+                    .is_same);
+}
+
+TEST(Diff, ATraceThatBreaksOffIsComparedAsFarAsItGoes) {
+    const std::string whole = first_triangle_trace();
+    for (std::size_t size = whole.find('\n') + 1; size < whole.rfind("{\"end\""); size += 13) {
+        const TraceDiff found = diff_of(whole, whole.substr(0, size));
+        SCOPED_TRACE(size);
+        EXPECT_THAT(found.kinds, IsEmpty());
+        ASSERT_EQ(found.damage.size(), 1U);
+        EXPECT_EQ(found.damage[0].file, "b.json");
+        EXPECT_THAT(found.damage[0].message, HasSubstr("truncated after"));
+    }
+    const std::string part = whole.substr(0, 2000);
+    EXPECT_EQ(diff_of(part, part).damage.size(), 2U);
+}
+
+TEST(Diff, StepsThatOneTraceLeavesOutAreNotMissed) {
+    for (std::uint64_t seed = 0; seed < random_cases(100U); ++seed) {
+        const std::string text = RandomScene(seed).text();
+        const Scene scene = scene_in(text);
+        const std::string whole = trace_text(scene, {.layout = TraceLayout::jsonl});
+        const auto part = [&](const StepFilter& filter) {
+            return trace_text(scene, {.layout = TraceLayout::jsonl, .filter = filter});
+        };
+        SCOPED_TRACE(text);
+        const std::vector<StepFilter> filters{
+            {.only = std::vector{StepKind::scanline, StepKind::pixel}},
+            {.only = std::vector{StepKind::primitive, StepKind::pixel}},
+            {.region = Region{-2, 1, 5, 6}},
+            {.primitive = StepView(Lines(whole).steps.back()).text("name")}};
+        for (const StepFilter& filter : filters) {
+            if (filter.primitive && filter.primitive->empty())
+                continue;
+            const TraceDiff found = diff_of(whole, part(filter));
+            EXPECT_TRUE(found.is_same) << diff_text(found);
+            EXPECT_TRUE(diff_of(part(filter), whole).is_same);
+        }
+    }
+}
+
+TEST(Diff, AnOptionNamesWhatThereIs) {
+    const auto problem_of_options = [](const DiffOptions& options) {
+        try {
+            diff_of(first_triangle_trace(), first_triangle_trace(), options);
+        } catch (const Problem& problem) {
+            return to_text(problem);
+        }
+        return std::string("none");
+    };
+    EXPECT_EQ(problem_of_options({.tolerances = {parse_tolerance("scanline.lft=1")}}),
+              "--tolerance: expected a field of scanline (y, left, right, from, to, left_edge, "
+              "right_edge, left_depth, right_depth), found lft\nhint: did you mean left?");
+    EXPECT_THAT(problem_of_options({.ignored = {"sampel"}}),
+                HasSubstr("found sampel\nhint: did you mean sample?"));
+    EXPECT_THAT(problem_of_options({.only = {"pixels"}}), HasSubstr("hint: did you mean pixel?"));
+    EXPECT_EQ(problem_of_options({.ignored = {"header", "end", "pixel.color"}}), "none");
+    for (const std::string bad : {"", "left", "scanline.left", "scanline.left=", "=1", "-1",
+                                  "scanline.left=1e", "ulp", "scanline.left=x"})
+        EXPECT_THROW(parse_tolerance(bad), Problem) << bad;
+}
+
+// What a foreign rasterizer adds is compared, too, and can be left out by its name.
+TEST(Diff, StepsAndFieldsOfUnknownNames) {
+    Lines one(first_triangle_trace());
+    Lines other = one;
+    one.steps.insert(one.steps.begin() + 5, R"({"step":"tile","x":1,"y":2,"cost":[1,2]})");
+    other.steps.insert(other.steps.begin() + 5, R"({"step":"tile","x":1,"y":2,"cost":[1,3.0]})");
+    const TraceDiff found = diff_of(one.text(), other.text());
+    EXPECT_THAT(counts_of(found), ElementsAre("tile 1 0 0 0"));
+    EXPECT_EQ(found.first->fields[0].name, "cost");
+    EXPECT_TRUE(diff_of(one.text(), other.text(), {.ignored = {"tile"}}).is_same);
+    EXPECT_TRUE(diff_of(one.text(), other.text(), {.ignored = {"tile.cost"}}).is_same);
+    EXPECT_TRUE(diff_of(one.text(), other.text(), {.tolerances = {parse_tolerance("tile.cost=1")}})
+                    .is_same);
+}
+
+TEST(Diff, AStepThatCannotBeUnderstoodIsRefusedWhereItDiffers) {
+    Lines other(first_triangle_trace());
+    other.steps[13] = R"({"step":"scanline","y":2})";
+    try {
+        diff_of(first_triangle_trace(), other.text());
+        ADD_FAILURE() << "no problem";
+    } catch (const Problem& problem) {
+        EXPECT_THAT(to_text(problem), HasSubstr("b.json"));
+        EXPECT_THAT(to_text(problem),
+                    HasSubstr("expected a scanline step with the key \"left\", found none"));
+    }
+}
+
+// More steps than are looked ahead, or kept until they come later, in another order.
+TEST(Diff, StepsInAnotherOrderAreFoundFarApart) {
+    const std::string scene = R"({"canvas":{"width":64,"height":64},
+        "vertices":{"A":[-30,-30],"B":[30,-30],"C":[0,30]},"triangles":["ABC"]})";
+    const Lines lines(trace_text(scene_in(scene), {.layout = TraceLayout::jsonl}));
+    Lines turned = lines;
+    std::reverse(turned.steps.begin() + 1, turned.steps.end());
+    const TraceDiff found = diff_of(lines.text(), turned.text());
+    std::size_t moved = 0;
+    for (const KindDifference& kind : found.kinds) {
+        EXPECT_EQ(kind.changed + kind.only_a + kind.only_b, 0U) << diff_text(found);
+        moved += kind.moved;
+    }
+    EXPECT_GT(moved, 1000U);
+    EXPECT_EQ(found.picture->only_a + found.picture->only_b, 0U);
+}
+
+} // namespace
+} // namespace rastertrace
