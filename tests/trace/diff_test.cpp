@@ -31,6 +31,9 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using Json = nlohmann::ordered_json;
 
+/// JSON Lines: a step can be changed, put in or taken out without its neighbors.
+const TraceOptions in_lines{.layout = TraceLayout::jsonl, .filter = {}};
+
 TraceDiff diff_of(const std::string& a, const std::string& b, const DiffOptions& options = {}) {
     return diff(TraceText({"a.json", a, {}}), TraceText({"b.json", b, {}}), options);
 }
@@ -77,9 +80,29 @@ std::string trace_of_example(const std::pair<std::string, std::string>& example,
         return {};
     std::string text;
     StringOutput output(text);
-    write_trace(read.value().scene, read.value().plan, {.layout = layout}, output);
+    write_trace(read.value().scene, read.value().plan, {.layout = layout, .filter = {}}, output);
     return text;
 }
+
+/// A random scene, and its trace; none of a scene that cannot be drawn.
+struct RandomTrace {
+    std::string scene;
+    std::optional<PlannedScene> planned;
+
+    explicit RandomTrace(std::uint64_t seed) : scene(RandomScene(seed).text()) {
+        auto read = read_scene({"scene.json", scene});
+        if (read)
+            planned = std::move(read.value());
+    }
+
+    std::string text(const StepFilter& filter = {}) const {
+        std::string text;
+        StringOutput output(text);
+        write_trace(planned->scene, planned->plan, {.layout = TraceLayout::jsonl, .filter = filter},
+                    output);
+        return text;
+    }
+};
 
 /// A trace as its header, its steps and what is behind them.
 struct Lines {
@@ -106,7 +129,7 @@ struct Lines {
 };
 
 std::string first_triangle_trace(TraceLayout layout = TraceLayout::jsonl) {
-    return trace_text(first_triangle(), {.layout = layout});
+    return trace_text(first_triangle(), {.layout = layout, .filter = {}});
 }
 
 /// The value of a field with something else in its place.
@@ -212,8 +235,11 @@ TEST(Diff, EveryFieldThatIsChangedIsFoundAndNothingElse) {
 TEST(Diff, OneStepMoreOrLessIsToldAloneWhateverComesBehind) {
     Random random(19);
     for (std::uint64_t seed = 0; seed < random_cases(300U); ++seed) {
-        const std::string scene = RandomScene(seed).text();
-        const Lines lines(trace_text(scene_in(scene), {.layout = TraceLayout::jsonl}));
+        const RandomTrace random_trace(seed);
+        if (!random_trace.planned)
+            continue;
+        const std::string& scene = random_trace.scene;
+        const Lines lines(random_trace.text());
         const int count = static_cast<int>(lines.steps.size());
         const auto n = static_cast<std::size_t>(random.whole(0, count - 1));
         const std::string kind = Json::parse(lines.steps[n])["step"];
@@ -252,8 +278,11 @@ TEST(Diff, APrimitiveThatMovedIsToldAsMoved) {
     Random random(20);
     int moved = 0;
     for (std::uint64_t seed = 0; seed < random_cases(300U); ++seed) {
-        const std::string scene = RandomScene(seed).text();
-        const Lines lines(trace_text(scene_in(scene), {.layout = TraceLayout::jsonl}));
+        const RandomTrace random_trace(seed);
+        if (!random_trace.planned)
+            continue;
+        const std::string& scene = random_trace.scene;
+        const Lines lines(random_trace.text());
         auto primitives = primitives_in(lines);
         if (primitives.size() < 4)
             continue;
@@ -282,8 +311,11 @@ TEST(Diff, APrimitiveThatMovedIsToldAsMoved) {
 
 TEST(Diff, APrimitiveThatIsGoneIsToldWithItsSteps) {
     for (std::uint64_t seed = 0; seed < random_cases(200U); ++seed) {
-        const std::string scene = RandomScene(seed).text();
-        const Lines lines(trace_text(scene_in(scene), {.layout = TraceLayout::jsonl}));
+        const RandomTrace random_trace(seed);
+        if (!random_trace.planned)
+            continue;
+        const std::string& scene = random_trace.scene;
+        const Lines lines(random_trace.text());
         auto primitives = primitives_in(lines);
         if (primitives.size() < 3)
             continue;
@@ -390,7 +422,7 @@ TEST(Diff, AToleranceHoldsForTheFieldThatItNames) {
                      .is_same);
 }
 
-// 1/3 and the double next to it, 2^-54 / 3 away from it, are half an ulp apart, or less.
+// The double nearest to 1/3 is a third of its ulp away from it; the next ones, two thirds and more.
 TEST(Diff, UlpsAreThoseOfTheScalar) {
     const auto trace = [](const std::string& scalar, const std::string& value) {
         return R"({"rastertrace":1,"canvas":{"width":4,"height":4},"method":{"scalar":")" + scalar +
@@ -462,7 +494,7 @@ TEST(Diff, WhoOwnsAPixelIsPartOfThePicture) {
     const std::string scene = R"({"canvas":{"width":6,"height":4,"origin":"bottom-left"},
         "vertices":{"A":[0,0],"B":[4,0],"C":[0,3],"D":[5,0],"E":[5,3],"F":[1,0]},
         "triangles":["ABC","DEF"],"method":{"scalar":"exact"}})";
-    const Lines lines(trace_text(scene_in(scene), {.layout = TraceLayout::jsonl}));
+    const Lines lines(trace_text(scene_in(scene), in_lines));
     auto primitives = primitives_in(lines);
     std::swap(primitives[1], primitives[2]);
     const TraceDiff found = diff_of(lines.text(), lines_of(lines, primitives).text());
@@ -476,18 +508,18 @@ TEST(Diff, WhoOwnsAPixelIsPartOfThePicture) {
 
 TEST(Diff, DifferentCanvasesAreComparedByCoordinates) {
     Scene scene = first_triangle();
-    scene.canvas = {19, 16, Canvas::Origin::center};
-    const TraceDiff found =
-        diff_of(first_triangle_trace(), trace_text(scene, {.layout = TraceLayout::jsonl}));
+    scene.canvas.width = 19;
+    scene.canvas.height = 16;
+    const TraceDiff found = diff_of(first_triangle_trace(), trace_text(scene, in_lines));
     EXPECT_THAT(found.kinds, IsEmpty());
     ASSERT_EQ(found.header.size(), 2U);
     EXPECT_EQ(found.header[0].name, "canvas.width");
     EXPECT_EQ(found.header[1].name, "canvas.height");
     EXPECT_EQ(found.picture->only_a + found.picture->only_b, 0U);
     EXPECT_FALSE(found.is_same);
-    EXPECT_TRUE(diff_of(first_triangle_trace(), trace_text(scene, {.layout = TraceLayout::jsonl}),
-                        {.ignored = {"header"}})
-                    .is_same);
+    EXPECT_TRUE(
+        diff_of(first_triangle_trace(), trace_text(scene, in_lines), {.ignored = {"header"}})
+            .is_same);
 }
 
 TEST(Diff, ATraceThatBreaksOffIsComparedAsFarAsItGoes) {
@@ -506,13 +538,11 @@ TEST(Diff, ATraceThatBreaksOffIsComparedAsFarAsItGoes) {
 
 TEST(Diff, StepsThatOneTraceLeavesOutAreNotMissed) {
     for (std::uint64_t seed = 0; seed < random_cases(100U); ++seed) {
-        const std::string text = RandomScene(seed).text();
-        const Scene scene = scene_in(text);
-        const std::string whole = trace_text(scene, {.layout = TraceLayout::jsonl});
-        const auto part = [&](const StepFilter& filter) {
-            return trace_text(scene, {.layout = TraceLayout::jsonl, .filter = filter});
-        };
-        SCOPED_TRACE(text);
+        const RandomTrace random_trace(seed);
+        if (!random_trace.planned)
+            continue;
+        const std::string whole = random_trace.text();
+        SCOPED_TRACE(random_trace.scene);
         const std::vector<StepFilter> filters{
             {.only = std::vector{StepKind::scanline, StepKind::pixel}},
             {.only = std::vector{StepKind::primitive, StepKind::pixel}},
@@ -521,9 +551,9 @@ TEST(Diff, StepsThatOneTraceLeavesOutAreNotMissed) {
         for (const StepFilter& filter : filters) {
             if (filter.primitive && filter.primitive->empty())
                 continue;
-            const TraceDiff found = diff_of(whole, part(filter));
+            const TraceDiff found = diff_of(whole, random_trace.text(filter));
             EXPECT_TRUE(found.is_same) << diff_text(found);
-            EXPECT_TRUE(diff_of(part(filter), whole).is_same);
+            EXPECT_TRUE(diff_of(random_trace.text(filter), whole).is_same);
         }
     }
 }
@@ -581,7 +611,7 @@ TEST(Diff, AStepThatCannotBeUnderstoodIsRefusedWhereItDiffers) {
 TEST(Diff, StepsInAnotherOrderAreFoundFarApart) {
     const std::string scene = R"({"canvas":{"width":64,"height":64},
         "vertices":{"A":[-30,-30],"B":[30,-30],"C":[0,30]},"triangles":["ABC"]})";
-    const Lines lines(trace_text(scene_in(scene), {.layout = TraceLayout::jsonl}));
+    const Lines lines(trace_text(scene_in(scene), in_lines));
     Lines turned = lines;
     std::reverse(turned.steps.begin() + 1, turned.steps.end());
     const TraceDiff found = diff_of(lines.text(), turned.text());

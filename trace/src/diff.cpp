@@ -135,7 +135,9 @@ TraceDiff diff(const TraceText& a, const TraceText& b, const DiffOptions& option
     };
     if (!is_ignored("header"))
         found.header = differing_keys(a.header_json(), b.header_json());
-    if (tally.is_empty() && !comparison.is_cut_off() && !leave_out_steps(options))
+    const bool can_end_alike =
+        a.header().canvas == b.header().canvas && a.header().background == b.header().background;
+    if (tally.is_empty() && !comparison.is_cut_off() && can_end_alike && !leave_out_steps(options))
         found.end =
             differing_ends(a, comparison.end_of_a().offset, b, comparison.end_of_b().offset);
     found.is_same = found.header.empty() && found.end.empty() && tally.is_empty();

@@ -47,20 +47,38 @@ struct ValueDifference {
 };
 using Differs = std::optional<ValueDifference>;
 
-Differs differ_as_numbers(const Rational& a, const Rational& b, const Comparison& by) {
+/// The number that a decimal stands for: the nearest one of its type. A fraction in quotes is that number.
+Rational as_stored(const Rational& number, std::string_view json, bool is_float) {
+    if (json.starts_with('"'))
+        return number;
+    const double nearest = nearest_double(number);
+    return is_float ? Rational(static_cast<double>(static_cast<float>(nearest)))
+                    : Rational(nearest);
+}
+
+bool is_within(const DiffTolerance& tolerance, const Rational& a, const Rational& b) {
+    return abs(a - b) <= tolerance.amount.exact();
+}
+
+/// True if two numbers are at most so many ulps apart, as the scalar has them.
+bool is_within_ulps(const DiffTolerance& tolerance, const Rational& a, const Rational& b,
+                    bool is_float) {
+    const Rational larger = std::max<Rational>(abs(a), abs(b));
+    const Rational ulp = is_float ? ulp_of<float>(larger) : ulp_of<double>(larger);
+    return abs(a - b) <= tolerance.amount.exact() * ulp;
+}
+
+Differs differ_as_numbers(std::string_view json_a, const Rational& a, std::string_view json_b,
+                          const Rational& b, const Comparison& by) {
     if (a == b)
         return std::nullopt;
-    const Rational distance = abs(a - b);
-    if (by.tolerance != nullptr) {
-        Rational allowed = by.tolerance->amount.exact();
-        if (by.tolerance->is_ulps) {
-            const Rational larger = std::max<Rational>(abs(a), abs(b));
-            allowed *= by.has_floats ? ulp_of<float>(larger) : ulp_of<double>(larger);
-        }
-        if (distance <= allowed)
-            return std::nullopt;
-    }
-    return ValueDifference{nearest_double(distance)};
+    if (by.tolerance != nullptr && by.tolerance->is_ulps &&
+        is_within_ulps(*by.tolerance, as_stored(a, json_a, by.has_floats),
+                       as_stored(b, json_b, by.has_floats), by.has_floats))
+        return std::nullopt;
+    if (by.tolerance != nullptr && !by.tolerance->is_ulps && is_within(*by.tolerance, a, b))
+        return std::nullopt;
+    return ValueDifference{nearest_double(Rational(abs(a - b)))};
 }
 
 Differs differ(std::string_view a, std::string_view b, const Comparison& by);
@@ -101,7 +119,7 @@ Differs differ(std::string_view a, std::string_view b, const Comparison& by) {
         const auto number_a = number_in(text_a);
         const auto number_b = number_in(text_b);
         if (number_a && number_b)
-            return differ_as_numbers(*number_a, *number_b, by);
+            return differ_as_numbers(a, *number_a, b, *number_b, by);
     }
     const bool are_alike = text_a == text_b && a.starts_with('"') == b.starts_with('"');
     return are_alike ? std::nullopt : Differs(ValueDifference{});
@@ -189,20 +207,19 @@ struct FlatHeader {
     }
 };
 
-/// True if some line of a trace has a name between quotes.
-bool mentions(const TraceText& text, std::string_view name) {
-    const std::string quoted = fmt::format("\"{}\"", name);
+/// True if a trace has a text somewhere behind its header.
+bool mentions(const TraceText& text, const std::string& wanted) {
     std::string block;
     std::size_t offset = text.begin();
     constexpr std::size_t size = 1 << 20;
     for (;;) {
-        // A name may begin in one block and end in the next.
-        const std::size_t kept = std::min(block.size(), quoted.size());
+        // It may begin in one block and end in the next.
+        const std::size_t kept = std::min(block.size(), wanted.size());
         block.erase(0, block.size() - kept);
         block.resize(kept + size);
         const std::size_t count = text.read(offset, std::span(block).subspan(kept));
         block.resize(kept + count);
-        if (block.find(quoted) != std::string::npos)
+        if (block.find(wanted) != std::string::npos)
             return true;
         if (count == 0)
             return false;
@@ -210,11 +227,24 @@ bool mentions(const TraceText& text, std::string_view name) {
     }
 }
 
+/// True if a step of one of the traces is of this kind, or has this field.
+bool have_kind(const TraceText& a, const TraceText& b, std::string_view kind) {
+    for (const TraceText* const text : {&a, &b})
+        for (const std::string_view blank : {"", " "})
+            if (mentions(*text, fmt::format(R"("step":{}"{}")", blank, kind)))
+                return true;
+    return false;
+}
+bool have_field(const TraceText& a, const TraceText& b, std::string_view field) {
+    const std::string key = fmt::format(R"("{}":)", field);
+    return mentions(a, key) || mentions(b, key);
+}
+
 /// One name of an option, `scanline` or `scanline.left`.
 void check_name(std::string_view option, std::string_view kind, std::string_view field,
                 const TraceText& a, const TraceText& b) {
     const auto known = step_kind_named(kind);
-    if (!known && !mentions(a, kind) && !mentions(b, kind)) {
+    if (!known && !have_kind(a, b, kind)) {
         std::vector<std::string_view> names = step_kind_names();
         if (option == "--ignore") {
             names.push_back(header_name);
@@ -233,7 +263,7 @@ void check_name(std::string_view option, std::string_view kind, std::string_view
         for (const StepField& one : row_of(*known).fields)
             names.push_back(one.name);
     const bool is_known = std::find(names.begin(), names.end(), field) != names.end();
-    if (!is_known && !mentions(a, field) && !mentions(b, field))
+    if (!is_known && !have_field(a, b, field))
         throw problem_of("",
                          fmt::format("{}: expected a field of {} ({}), found {}", option, kind,
                                      joined(names, ", "), printable(field)),
