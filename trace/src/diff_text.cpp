@@ -187,6 +187,15 @@ std::string picture_text(const PictureDifference& picture) {
     return text;
 }
 
+std::string header_text(const TraceDiff& found) {
+    std::string text = "\nthe header\n";
+    for (const FieldDifference& field : found.header)
+        text += "    " + field_text(field) + "\n";
+    for (const FieldDifference& field : found.end)
+        text += "    " + field_text(field) + "\n";
+    return text;
+}
+
 std::string remarks_text(const TraceDiff& found) {
     std::string text;
     for (const std::string& remark : found.remarks)
@@ -201,7 +210,9 @@ std::string diff_text(const TraceDiff& found) {
         fmt::format("a: {}\nb: {}\n", printable(found.name_a), printable(found.name_b));
     if (found.is_same)
         return text + remarks_text(found) +
-               (found.is_same_bytes ? "the same, byte for byte\n" : "the same\n");
+               (found.is_same_bytes    ? "the same, byte for byte\n"
+                : found.damage.empty() ? "the same\n"
+                                       : "the same, as far as they go\n");
 
     std::size_t steps = 0;
     for (const KindDifference& kind : found.kinds)
@@ -209,19 +220,14 @@ std::string diff_text(const TraceDiff& found) {
     text += remarks_text(found);
     text += steps == 0 ? "no step differs\n"
                        : plural(steps, "step") + (steps == 1 ? " differs\n" : " differ\n");
+    if (!found.header.empty() || !found.end.empty())
+        text += header_text(found);
     if (found.first)
         text += first_text(found);
     if (!found.kinds.empty())
         text += kinds_text(found.kinds);
     if (found.picture)
         text += picture_text(*found.picture);
-    if (!found.header.empty() || !found.end.empty()) {
-        text += "\nthe header\n";
-        for (const FieldDifference& field : found.header)
-            text += "    " + field_text(field) + "\n";
-        for (const FieldDifference& field : found.end)
-            text += "    " + field_text(field) + "\n";
-    }
     return text;
 }
 

@@ -132,8 +132,10 @@ std::vector<Problem> TraceComparison::damage() const {
             continue;
         const std::size_t steps = side->lines.place().steps;
         damage.push_back(problem_of(side->text.name(), truncation_after(steps)));
-        if (side->text.has_lines())
+        if (side->text.has_lines()) {
             damage.back().line = steps + 2;
+            damage.back().column = 1;
+        }
     }
     return damage;
 }

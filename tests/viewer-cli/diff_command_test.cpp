@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+// `rastertrace diff` as a user calls it, and as git does: what it prints, and what it says to bad input.
+
+#include "program.h"
+
+#include <nlohmann/json.hpp>
+
+#include <gmock/gmock.h>
+
+#include <string>
+
+namespace rastertrace {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+class DiffTest : public ProgramTest {
+protected:
+    DiffTest() {
+        shell("$rastertrace trace $examples/t0-fill/first-triangle.json -o a.json;"
+              "sed 's|\"y\":2,\"left\":\"-1/4\"|\"y\":2,\"left\":\"-1/2\"|' a.json > b.json");
+    }
+
+    Outcome diff(const std::string& arguments) const {
+        return shell("$rastertrace diff " + arguments);
+    }
+};
+
+TEST_F(DiffTest, OneNumberOfOneRow) {
+    const Outcome told = diff("a.json b.json");
+    EXPECT_EQ(told.status, 1);
+    EXPECT_EQ(told.err, "");
+    EXPECT_EQ(
+        told.out,
+        "a: a.json\n"
+        "b: b.json\n"
+        "1 step differs\n"
+        "\n"
+        "the first difference, in ABC\n"
+        "a   step 13 (line 14): pixel (2, 3)   row y=3: 0 to 2\n"
+        "a > step 14 (line 15): scanline y=2   left AB: x = 2 + 3/4 (2 - 5) = -1/4 -> floor -> "
+        "-1   right AC: x = 2 - 3/8 (2 - 5) = 25/8 -> floor -> 3\n"
+        "a   step 15 (line 16): pixel (-1, 2)   row y=2: -1 to 3\n"
+        "b   step 13 (line 14): pixel (2, 3)   row y=3: 0 to 2\n"
+        "b > step 14 (line 15): scanline y=2   left AB: x = 2 + 3/4 (2 - 5) = -1/2 -> floor -> "
+        "-1   right AC: x = 2 - 3/8 (2 - 5) = 25/8 -> floor -> 3\n"
+        "b   step 15 (line 16): pixel (-1, 2)   row y=2: -1 to 3\n"
+        "    left: -1/4 in a, -1/2 in b, 0.25 apart\n"
+        "    it changes no pixel\n"
+        "\n"
+        "steps     changed  only a  only b  moved\n"
+        "scanline        1       .       .      .   left 1 (by at most 0.25)\n"
+        "\n"
+        "the pictures are alike\n");
+}
+
+TEST_F(DiffTest, AnotherMethodLosesPixels) {
+    const Outcome told = diff("$examples/t0-fill/first-triangle.json --against rounding=truncate");
+    EXPECT_EQ(told.status, 1);
+    EXPECT_THAT(told.out, HasSubstr("    from: -1 in a, 0 in b, 1 apart\n"
+                                    "    1 pixel differs because of it\n"
+                                    "        only in a: (-1, 2)\n"));
+    EXPECT_THAT(told.out, HasSubstr("scanline        4       .       .      .   from 4 (by at most "
+                                    "1)\n"
+                                    "pixel           .       4       .      .\n"
+                                    "\n"
+                                    "the pictures: 4 pixels only in a\n"));
+    EXPECT_THAT(told.out, HasSubstr(" 2  .......!####.....\n"
+                                    " 1  .......#####.....\n"
+                                    " 0  ......!#####.....\n"
+                                    "-1  .....!#######....\n"
+                                    "-2  ....!########....\n"));
+}
+
+TEST_F(DiffTest, ASceneIsDrawnAndExactIsLikeDouble) {
+    EXPECT_EQ(diff("a.json $examples/t0-fill/first-triangle.json").status, 0);
+    const Outcome told = diff("a.json $examples/t0-fill/first-triangle.json --scalar double");
+    EXPECT_EQ(told.status, 1);
+    EXPECT_THAT(told.out, HasSubstr("no step differs\n"
+                                    "\n"
+                                    "the header\n"
+                                    "    method.scalar: exact in a, double in b\n"
+                                    "    numbers: fractions of 64 bits in a, none in b\n"
+                                    "\n"
+                                    "the pictures are alike\n"));
+    EXPECT_EQ(
+        diff("a.json $examples/t0-fill/first-triangle.json --scalar double --ignore header").status,
+        0);
+    EXPECT_EQ(diff("$examples/t0-fill/first-triangle.json --against scalar=double").status, 0);
+}
+
+TEST_F(DiffTest, AFrameOfASequence) {
+    const std::string scene =
+        "$examples/t0-fill/first-triangle.json --vary /vertices/A/0=2:5:4 --frame ";
+    shell("$rastertrace trace " + scene + "1 -o first.json; $rastertrace trace " + scene +
+          "4 -o last.json");
+    EXPECT_EQ(diff("first.json " + scene + "1").status, 0);
+    EXPECT_EQ(diff("last.json " + scene + "4").status, 0);
+    EXPECT_EQ(diff("last.json " + scene + "1").status, 1);
+}
+
+TEST_F(DiffTest, OneOfTheTwoMayComeFromAPipe) {
+    EXPECT_EQ(diff("a.json - < b.json").status, 1);
+    EXPECT_EQ(shell("cat a.json | $rastertrace diff - a.json").status, 0);
+    EXPECT_EQ(shell("cat b.json | $rastertrace diff - a.json").status, 1);
+    EXPECT_EQ(shell("cat a.json | TMPDIR=$PWD/none $rastertrace diff - a.json").status, 3);
+}
+
+TEST_F(DiffTest, JsonHasTheSame) {
+    const auto told = nlohmann::json::parse(diff("a.json b.json --json").out);
+    EXPECT_EQ(told["same"], false);
+    EXPECT_EQ(told["first"]["a"]["number"], 14);
+    EXPECT_EQ(told["first"]["a"]["line"], 15);
+    EXPECT_EQ(told["first"]["a"]["left"], "-1/4");
+    EXPECT_EQ(told["first"]["b"]["left"], "-1/2");
+    EXPECT_EQ(told["first"]["fields"][0]["distance"], 0.25);
+    EXPECT_EQ(told["kinds"][0]["kind"], "scanline");
+    EXPECT_EQ(told["kinds"][0]["changed"], 1);
+    EXPECT_EQ(told["picture"]["only_a"], 0);
+    EXPECT_EQ(nlohmann::json::parse(diff("a.json a.json --json").out)["same"], true);
+}
+
+TEST_F(DiffTest, WhatIsWrongIsSaid) {
+    shell("head -c 2000 a.json > cut.json; echo nothing > empty.json");
+    const Outcome cut = diff("a.json cut.json");
+    EXPECT_EQ(cut.status, 2);
+    EXPECT_THAT(cut.out, HasSubstr("the same, as far as they go\n"));
+    EXPECT_EQ(cut.err, "rastertrace: cut.json:21:1: expected the rest of the trace, found the end "
+                       "of the file: the trace is truncated after 19 whole steps\n");
+    const auto error = [this](const std::string& arguments) {
+        const Outcome told = diff(arguments);
+        EXPECT_EQ(told.status, 2) << arguments;
+        EXPECT_EQ(told.out, "") << arguments;
+        return told.err;
+    };
+    EXPECT_EQ(error("a.json"), "rastertrace: diff: expected two files, found 1\n");
+    EXPECT_EQ(error("- -"), "rastertrace: standard input: expected one of the two there, found "
+                            "both\n");
+    EXPECT_THAT(error("a.json none.json"), HasSubstr("No such file or directory"));
+    EXPECT_THAT(error("a.json ."), HasSubstr("expected a file, found a folder"));
+    EXPECT_THAT(error("a.json empty.json"), HasSubstr("empty.json:1:1: "));
+    EXPECT_THAT(error("a.json b.json --fill fan"),
+                HasSubstr("expected a scene to draw with --fill fan, found a trace"));
+    EXPECT_THAT(error("a.json --against fill=fan"), HasSubstr("found a trace"));
+    EXPECT_THAT(error("a.json b.json --tolerance scanline.lft=1"),
+                HasSubstr("found lft\nhint: did you mean left?"));
+    EXPECT_THAT(error("a.json b.json --tolerance much"), HasSubstr("like scanline.left=1e-9"));
+    EXPECT_THAT(error("a.json b.json --ignore pixl"), HasSubstr("hint: did you mean pixel?"));
+    EXPECT_THAT(error("a.json b.json --format xml"), HasSubstr("expected text or json"));
+    EXPECT_THAT(error("a.json b.json >> a.json"), HasSubstr("standard output"));
+    EXPECT_THAT(diff("a.json a.json").out, HasSubstr("both are the same file\n"));
+}
+
+// Git gives seven arguments, and would stop at an exit status that is not 0.
+TEST_F(DiffTest, GitCallsItForFilesThatHaveChanged) {
+    const std::string git = "export HOME=$PWD GIT_CONFIG_NOSYSTEM=1; unset GIT_DIR; cd repository;"
+                            "git config user.name A; git config user.email a@example.org;";
+    ASSERT_EQ(shell("command -v git").status, 0);
+    ASSERT_EQ(shell("mkdir repository; git init -q repository; cp a.json "
+                    "repository/first.trace.json;" +
+                    git +
+                    "printf '*.trace.json diff=trace\\n' > .gitattributes;"
+                    "git add . && git commit -qm first; cp ../b.json first.trace.json;"
+                    "cp ../a.json new.trace.json; git add new.trace.json")
+                  .status,
+              0);
+    const Outcome told =
+        shell(git + "git -c diff.trace.command=\"$rastertrace diff --git\" diff HEAD");
+    EXPECT_EQ(told.status, 0) << told.err;
+    EXPECT_THAT(told.out, StartsWith("rastertrace diff first.trace.json\n"
+                                     "a: first.trace.json, before\n"
+                                     "b: first.trace.json, now\n"
+                                     "1 step differs\n"));
+    EXPECT_THAT(told.out, HasSubstr("left: -1/4 in a, -1/2 in b, 0.25 apart\n"));
+    EXPECT_THAT(told.out, HasSubstr("rastertrace diff new.trace.json\na new file\n"));
+
+    const Outcome lines =
+        shell(git + "git -c diff.trace.textconv=\"$rastertrace diff --textconv\" diff "
+                    "first.trace.json");
+    EXPECT_EQ(lines.status, 0) << lines.err;
+    EXPECT_THAT(lines.out, HasSubstr("\n-ABC: scanline y=2   left AB: x = 2 + 3/4 (2 - 5) = -1/4"));
+    EXPECT_THAT(lines.out, HasSubstr("\n+ABC: scanline y=2   left AB: x = 2 + 3/4 (2 - 5) = -1/2"));
+
+    shell(git + "echo broken > first.trace.json");
+    const Outcome broken =
+        shell(git + "git -c diff.trace.command=\"$rastertrace diff --git\" diff first.trace.json");
+    EXPECT_EQ(broken.status, 0);
+    EXPECT_THAT(broken.out, HasSubstr("cannot be compared: "));
+}
+
+} // namespace
+} // namespace rastertrace
