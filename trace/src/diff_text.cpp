@@ -8,6 +8,7 @@
 
 #include <rastertrace/trace/color_text.h>
 #include <rastertrace/trace/text.h>
+#include <rastertrace/trace/trace.h>
 
 #include <fmt/core.h>
 
@@ -24,8 +25,13 @@ constexpr std::size_t most_pixels_named = 8;
 /// Longer JSON is cut.
 constexpr std::size_t longest_value = 60;
 
-/// A value as a sentence has it: a string without its quotes.
+/// A value as a sentence has it: a string without its quotes, a stage as what became of it.
 std::string value_text(const std::string& json) {
+    if (json.starts_with("{\"stage\"")) {
+        const StepView stage(json);
+        return fmt::format("{} ({})", stage.text("kept") == "true" ? "kept" : "left out",
+                           printable(stage.text("why")));
+    }
     return json.empty() ? "none" : shortened(printable(plain_text(json)), longest_value);
 }
 
