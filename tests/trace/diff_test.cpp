@@ -502,8 +502,10 @@ TEST(Diff, WhoOwnsAPixelIsPartOfThePicture) {
     EXPECT_EQ(found.picture->only_a + found.picture->only_b + found.picture->colors, 0U);
     EXPECT_THAT(found.picture->names, ElementsAre("ABC", "DEF"));
     EXPECT_NE(found.picture->faces_a, found.picture->faces_b);
-    EXPECT_THAT(found.remarks,
-                ElementsAre("the primitives come in another order: the steps were read twice"));
+    EXPECT_THAT(
+        found.remarks,
+        ElementsAre("primitives were added, taken out or moved: from there on the traces were "
+                    "read twice"));
 }
 
 TEST(Diff, DifferentCanvasesAreComparedByCoordinates) {

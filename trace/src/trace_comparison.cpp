@@ -107,7 +107,9 @@ void DiffSide::pass(const StepLine& line) {
 std::string DiffSide::name_of(std::uint32_t primitive) const {
     if (primitive == 0)
         return {};
-    StepLines line(text, primitives[primitive - 1]);
+    const bool is_last = primitive == primitives.size();
+    StepLines line(text, primitives[primitive - 1],
+                   is_last ? nowhere : primitives[primitive].offset);
     const StepLine* const step = line.front();
     return step == nullptr ? std::string() : StepView(step->json).text("name");
 }
@@ -368,7 +370,8 @@ std::size_t TraceComparison::pass_lines(DiffSide& a, DiffSide& b, std::string_vi
 // Where the primitives come in another order they are found by their names.
 
 void TraceComparison::compare_by_name() {
-    remarks_.emplace_back("the primitives come in another order: the steps were read twice");
+    remarks_.emplace_back(
+        "primitives were added, taken out or moved: from there on the traces were read twice");
     const std::vector<PrimitivePlace> of_a = primitives_from_here(a_);
     const std::vector<PrimitivePlace> of_b = primitives_from_here(b_);
     const std::vector<std::size_t> in_b = find_by_name(of_a, of_b);
