@@ -17,8 +17,6 @@ constexpr int widest = 60;
 constexpr int highest = 30;
 constexpr int margin = 2;
 
-constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz0123456789";
-
 /// Takes a text off the front, and says if it was there.
 bool take(std::string_view& text, std::string_view front) {
     if (!text.starts_with(front))
@@ -202,9 +200,9 @@ private:
         const auto known = letter_of.find(text);
         if (known != letter_of.end())
             return known->second;
-        if (found_.names.size() == letters.size())
+        if (found_.names.size() == primitive_letters.size())
             return '#';
-        const char next = letters[found_.names.size()];
+        const char next = primitive_letters[found_.names.size()];
         found_.names.push_back(text);
         letter_of.emplace(text, next);
         return next;
