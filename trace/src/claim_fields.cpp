@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "claim_fields.h"
 
+#include "claims_keys.h"
 #include "number_fault.h"
 
 #include <rastertrace/core/numbers/number.h>
@@ -35,15 +36,6 @@ constexpr std::array derived_fields{
     DerivedField{StepKind::decide, {.name = "d", .type = quantity, .is_list = true}},
 };
 
-/// What the elements of a list of that name are.
-FieldType element_type(std::string_view name) {
-    constexpr std::array<std::string_view, 5> of_names{"vertices", "names", "ears", "factors",
-                                                       "colors"};
-    if (std::find(of_names.begin(), of_names.end(), name) != of_names.end())
-        return string;
-    return name == "inside" ? boolean : quantity;
-}
-
 /// What `text`, which is no number, should be: `expected`, or what keeps it from being one.
 std::string expected_of_number(std::string_view text, NumberFault fault,
                                std::string_view expected) {
@@ -62,7 +54,7 @@ std::vector<ClaimField> claim_fields_of(StepKind kind) {
     std::vector<ClaimField> fields;
     for (const StepField& field : row_of(kind).fields)
         fields.push_back({.name = field.name,
-                          .type = field.type == list ? element_type(field.name) : field.type,
+                          .type = field.type == list ? element_type_of(field) : field.type,
                           .is_list = field.type == list,
                           .is_key = field.role == FieldRole::key});
     for (const DerivedField& derived : derived_fields)
@@ -116,7 +108,7 @@ std::optional<std::string> expected_instead(const ClaimField& field, std::string
 
 std::optional<std::string> fault_in_last_row(const std::vector<std::string>& rows) {
     const std::string& row = rows.back();
-    const std::size_t other = row.find_first_not_of(".#?");
+    const std::size_t other = row.find_first_not_of(picture_marks);
     if (other != std::string::npos)
         return fmt::format("expected a row of ., # and ?, found '{}'",
                            row.substr(other, first_code_point(row.substr(other)).length));
