@@ -102,6 +102,15 @@ Json picture() {
     return {{"type", "array"}, {"minItems", 1}, {"items", row}};
 }
 
+/// True if there is a field that holds a list of values of a form.
+bool is_listed(std::string_view form) {
+    for (const std::string_view kind : claim_kinds())
+        for (const ClaimField& field : claim_fields_of(*step_kind_named(kind)))
+            if (field.is_list && form_of(field) == form)
+                return true;
+    return false;
+}
+
 /// The values of a form: by themselves, in fields that may be left open, and in lists, or lists of lists, of which
 /// each may be.
 void define_values(Json& definitions, const std::string& form, Json value) {
@@ -109,6 +118,8 @@ void define_values(Json& definitions, const std::string& form, Json value) {
     const std::string values = "values-of-" + form;
     definitions[form] = std::move(value);
     definitions[claimed] = either(reference_to(form), open());
+    if (!is_listed(form))
+        return;
     definitions[values] = {{"type", "array"},
                            {"minItems", 1},
                            {"items", either(reference_to(claimed), reference_to(values))}};
