@@ -131,6 +131,41 @@ TEST_F(ValidateTest, FieldsThatReadersPassOverAreTold) {
     EXPECT_TRUE(title < edge && edge < frame && frame != std::string::npos) << both.err;
 }
 
+TEST_F(ValidateTest, StepsThatCannotBeUsedDoNotHideTheRest) {
+    for (const char* const trace : {"trace.json", "trace.jsonl"}) {
+        const Outcome told =
+            changed("3s/\"edge\":\"AB\",//;4s/\"step\":\"edge\"/\"step\":5/;6s/\"y\":5/\"y\":0.5/;"
+                    "8s/\"left_edge\":\"AB\"/\"left_edge\":1/",
+                    trace);
+        EXPECT_EQ(told.status, 2);
+        EXPECT_THAT(told.err, testing::HasSubstr("bad.json:3:1: expected a edge step with the key "
+                                                 "\"edge\", found none\n"));
+        EXPECT_THAT(told.err, testing::HasSubstr("bad.json:4:1: expected"));
+        EXPECT_THAT(told.err,
+                    testing::HasSubstr("bad.json:6:24: expected a whole number, found 0.5\n"));
+        EXPECT_THAT(told.err, testing::HasSubstr("expected a string for left_edge, found 1\n"));
+        EXPECT_THAT(told.err, testing::Not(testing::HasSubstr("as the end record says")));
+        EXPECT_THAT(told.err, testing::Not(testing::HasSubstr("remark")));
+    }
+}
+
+TEST_F(ValidateTest, WhatComesBeforeTheEndOfTheReadingIsToldToo) {
+    const Outcome told = changed("3s/\"edge\":\"AB\",//;$s/}$//;$a more");
+    EXPECT_EQ(told.status, 2);
+    EXPECT_THAT(told.err, testing::HasSubstr("bad.json:3:1: expected a edge step with the key"));
+    EXPECT_THAT(told.err, testing::HasSubstr("bad.json:64:"));
+}
+
+TEST_F(ValidateTest, ATextOfAnyKindIsTakenForClaims) {
+    write("letter.txt", "Dear reader,\n");
+    EXPECT_THAT(shell("$rastertrace validate letter.txt").err,
+                testing::StartsWith("rastertrace: letter.txt:1:6: taken for claims, since it is no "
+                                    "JSON: expected a space ("));
+    write("claims.txt", "scene: scene.json\nDear reader\n");
+    EXPECT_THAT(shell("$rastertrace validate claims.txt").err,
+                testing::StartsWith("rastertrace: claims.txt:2:6: expected a space ("));
+}
+
 TEST_F(ValidateTest, APlaceFarBehindTheFirstBlockIsTold) {
     // More than a block of a stream, with a fault in the last step.
     std::string lines;
@@ -201,9 +236,9 @@ TEST_F(ValidateTest, TellsInJson) {
     EXPECT_EQ(told.err, "");
     EXPECT_EQ(
         told.out,
-        R"([{"file":"scene.json","kind":"scene","valid":true,"about":"a scene, 1 triangle, 17 x 14 pixels","problems":[],"more_problems":0,"remarks":[]},)"
+        R"([{"file":"scene.json","kind":"scene","valid":true,"about":"a scene, 1 triangle, 17 x 14 pixels","problems":[],"all_told":true,"remarks":[]},)"
         "\n"
-        R"({"file":"bad.json","kind":"scene","valid":false,"about":"","problems":[{"file":"bad.json","line":1,"column":24,"message":"expected a number, found \"five\"","hint":"a fraction is written \"25/8\", in quotes"}],"more_problems":0,"remarks":[]}])"
+        R"({"file":"bad.json","kind":"scene","valid":false,"about":"","problems":[{"file":"bad.json","line":1,"column":24,"message":"expected a number, found \"five\"","hint":"a fraction is written \"25/8\", in quotes"}],"all_told":true,"remarks":[]}])"
         "\n");
 }
 
@@ -216,7 +251,8 @@ TEST_F(ValidateTest, ManyProblemsAreCounted) {
     const Outcome told = shell("head -1 trace.jsonl | cat - rest.jsonl > bad.jsonl; "
                                "$rastertrace validate bad.jsonl");
     EXPECT_EQ(told.status, 2);
-    EXPECT_THAT(told.err, testing::HasSubstr("rastertrace: bad.jsonl: and 50 more problems\n"));
+    EXPECT_THAT(told.err, testing::HasSubstr(
+                              "rastertrace: bad.jsonl: only the first 100 problems are told\n"));
 }
 
 TEST_F(ValidateTest, PrintsSchemas) {

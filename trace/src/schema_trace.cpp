@@ -36,7 +36,7 @@ std::string_view form_of(FieldType type) {
     return "list";
 }
 
-std::string_view meaning_of(FieldRole role) {
+std::string_view meaning_of_role(FieldRole role) {
     switch (role) {
     case FieldRole::key:
         return "Says which of the steps of its kind it is";
@@ -55,9 +55,9 @@ Json schema_of_field(const StepField& field) {
                                  ? fmt::format("list-of-{}", form_of(element_type_of(field)))
                                  : std::string(form_of(field.type));
     if (!field.may_be_null)
-        return reference_to(form, meaning_of(field.role));
+        return reference_to(form, meaning_of_role(field.role));
     const Json null{{"type", "null"}};
-    return {{"description", fmt::format("{}; null if there is none", meaning_of(field.role))},
+    return {{"description", fmt::format("{}; null if there is none", meaning_of_role(field.role))},
             {"anyOf", Json::array({reference_to(form), null})}};
 }
 

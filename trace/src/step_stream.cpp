@@ -8,6 +8,7 @@
 
 #include <rastertrace/trace/frame.h>
 #include <rastertrace/trace/text.h>
+#include <rastertrace/trace/unknown_names.h>
 
 #include <fmt/core.h>
 
@@ -55,9 +56,11 @@ struct StepStream::State {
     std::vector<Problem> damage;
     std::vector<Problem> passed_over; ///< in the header and the end record
 
-    std::optional<Image> image; ///< what the steps have drawn, if that is wanted
-    Color color;                ///< of the current primitive
-    bool has_stray_pixel = false;
+    bool tells_all = false;         ///< useless steps are damage, and the picture is drawn
+    bool has_useless_steps = false; ///< nobody knows what they should have been
+    bool has_stray_pixel = false;   ///< off the canvas
+    std::optional<Image> image;     ///< what the steps have drawn, if that is wanted
+    Color color;                    ///< of the current primitive
 
     explicit State(InputFile opened) : file(std::move(opened)) {}
 
@@ -80,7 +83,8 @@ struct StepStream::State {
         source.text += lines;
         if (!is_cut_off)
             source.text += is_document ? "],\"end\":{}}" : "{\"end\":{}}";
-        auto read = read_trace(std::move(source));
+        const bool goes_on = tells_all && damage.size() < most_useless_steps;
+        auto read = goes_on ? read_trace_to_tell(std::move(source)) : read_trace(std::move(source));
         if (!read)
             throw moved(read.problem());
         for (Problem& problem : read.value().damage)
@@ -150,6 +154,7 @@ struct StepStream::State {
                 if (image)
                     draw(block.step(n), *kind);
             } else {
+                has_useless_steps = has_useless_steps || !is_foreign(block.step(n));
                 ++other_count[block.step(n).kind_name()];
             }
     }
@@ -202,6 +207,8 @@ struct StepStream::State {
         };
         if (end->steps && *end->steps != before + block.size())
             disagree(*end->steps, "steps", before + block.size());
+        if (has_useless_steps)
+            return;
         for (const auto& [name, told] : end->count) {
             const auto kind = step_kind_named(name);
             const auto other = other_count.find(name);
@@ -219,7 +226,8 @@ struct StepStream::State {
     }
 };
 
-void StepStream::draw_picture() {
+void StepStream::tell_all() {
+    state_->tells_all = true;
     state_->image.emplace(state_->header.canvas);
 }
 

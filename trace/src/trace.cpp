@@ -243,10 +243,17 @@ std::optional<std::string> disagreement_of_picture(const Trace& header, const En
 /// Reads one trace. What makes the rest useless is thrown as a Problem; what does not is damage.
 class TraceReader {
 public:
-    /// A sound trace needs no checks: this program has written it.
-    TraceReader(Source source, bool is_sound) : is_sound_(is_sound) {
-        trace_.source_ = std::move(source);
-    }
+    /// How closely a trace is looked at.
+    enum class Care {
+        none,    ///< this program has written it
+        to_use,  ///< a step that cannot be used ends the reading
+        to_tell, ///< such a step is damage, and the rest is read
+    };
+
+    TraceReader(Source source, Care care) : care_(care) { trace_.source_ = std::move(source); }
+
+    /// Reads what may be a trace.
+    static Result<Trace> read_with(Source source, Care care);
 
     Trace read() {
         const std::string_view first_line = line_at(0);
@@ -261,7 +268,7 @@ public:
             read_document();
             break;
         }
-        if (!is_sound_)
+        if (care_ != Care::none)
             compare_with_end();
         for (WrongForm& wrong : wrong_forms_)
             trace_.passed_over.push_back(
@@ -476,7 +483,7 @@ private:
 
     /// What nobody reads because it is not as the format says.
     void note_wrong_forms(const JsonValue& object, std::span<const JsonKey> keys) {
-        if (is_sound_)
+        if (care_ == Care::none)
             return;
         for (WrongForm& wrong : wrong_forms(object, keys))
             wrong_forms_.push_back(std::move(wrong));
@@ -522,8 +529,20 @@ private:
     }
 
     void add_step(std::size_t begin, std::size_t size) {
+        if (care_ != Care::to_tell || useless_steps_ == most_useless_steps)
+            return add_usable_step(begin, size);
+        try {
+            add_usable_step(begin, size);
+        } catch (Problem& problem) {
+            ++useless_steps_;
+            trace_.damage.push_back(std::move(problem));
+            trace_.steps_.push_back({begin, static_cast<std::uint32_t>(size), std::nullopt});
+        }
+    }
+
+    void add_usable_step(std::size_t begin, std::size_t size) {
         const std::string_view json = text().substr(begin, size);
-        if (is_sound_) {
+        if (care_ == Care::none) {
             constexpr std::string_view front = R"({"step":")";
             const std::string_view name = json.substr(front.size());
             trace_.steps_.push_back({begin, static_cast<std::uint32_t>(size),
@@ -592,6 +611,8 @@ private:
         };
         if (trace_.end->steps && *trace_.end->steps != trace_.size())
             disagree(fmt::format("{}", *trace_.end->steps), "steps", trace_.size());
+        if (useless_steps_ > 0)
+            return; // nobody knows what they should have been
         if (!trace_.end->count.empty()) {
             const auto counts = count_steps();
             for (const auto& [name, told] : trace_.end->count) {
@@ -629,22 +650,23 @@ private:
     }
 
     Trace trace_;
-    bool is_sound_;
+    Care care_;
     bool was_cut_short_ = false;
     bool has_stray_pixel_ = false;
     std::size_t end_offset_ = 0;
+    std::size_t useless_steps_ = 0; ///< that are damage
     std::vector<WrongForm> wrong_forms_;
 };
 
 Result<Trace> read_written_trace(Source source) {
     try {
-        return TraceReader(std::move(source), true).read();
+        return TraceReader(std::move(source), TraceReader::Care::none).read();
     } catch (const Problem& problem) {
         return problem;
     }
 }
 
-Result<Trace> read_trace(Source source) {
+Result<Trace> TraceReader::read_with(Source source, Care care) {
     // The mark that some editors put in front of UTF-8 says nothing.
     constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
     if (source.text.starts_with(byte_order_mark))
@@ -652,10 +674,18 @@ Result<Trace> read_trace(Source source) {
     if (auto problem = zero_byte_in(source))
         return *std::move(problem);
     try {
-        return TraceReader(std::move(source), false).read();
+        return TraceReader(std::move(source), care).read();
     } catch (const Problem& problem) {
         return problem;
     }
+}
+
+Result<Trace> read_trace(Source source) {
+    return TraceReader::read_with(std::move(source), TraceReader::Care::to_use);
+}
+
+Result<Trace> read_trace_to_tell(Source source) {
+    return TraceReader::read_with(std::move(source), TraceReader::Care::to_tell);
 }
 
 bool is_trace(const Source& source) {

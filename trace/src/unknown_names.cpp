@@ -31,9 +31,15 @@ void tell(const std::map<std::string, std::uint64_t>& counts, std::string_view w
 
 } // namespace
 
+bool is_foreign(const StepView& step) {
+    const auto kind = step.field("step");
+    return kind && kind->starts_with('"') && !step.kind();
+}
+
 void UnknownNames::add(const StepView& step, std::optional<StepKind> kind) {
     if (!kind) {
-        ++kinds_[step.kind_name()];
+        if (is_foreign(step))
+            ++kinds_[step.kind_name()];
         return;
     }
     const StepRow& row = row_of(*kind);

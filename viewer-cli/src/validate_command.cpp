@@ -4,6 +4,7 @@
 #include "commands.h"
 #include "load.h"
 
+#include <rastertrace/core/scene/stages.h>
 #include <rastertrace/trace/check.h>
 #include <rastertrace/trace/claims.h>
 #include <rastertrace/trace/primitive_name.h>
@@ -33,6 +34,9 @@ namespace {
 /// The most problems of a file that are told one by one.
 constexpr std::size_t most_problems = 100;
 
+/// With the byte order mark.
+constexpr std::string_view blanks = "\xEF\xBB\xBF \t\r\n";
+
 /// What was found about a file.
 struct ValidatedFile {
     std::string name;
@@ -40,23 +44,18 @@ struct ValidatedFile {
     std::string about = {};              ///< of a valid one: `a scene, 1 triangle, 17 x 14 pixels`
     std::vector<Problem> problems = {};
     std::vector<Problem> remarks = {}; ///< what may be meant so
-    std::uint64_t more_problems = 0;   ///< beyond `most_problems`
 
     bool is_valid() const { return problems.empty(); }
+
+    /// False if there may be more problems than those that are told.
+    bool all_told() const { return problems.size() < most_problems; }
 
     void add(std::vector<Problem> found) {
         for (Problem& problem : found)
             if (problems.size() < most_problems)
                 problems.push_back(std::move(problem));
-            else
-                ++more_problems;
     }
 };
-
-/// `1 triangle`, `2 triangles`.
-std::string counted(std::uint64_t count, std::string_view what) {
-    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
 
 std::string about_scene(const Scene& scene, std::size_t frames) {
     std::string about = frames > 1 ? fmt::format("a scene of {} frames", frames) : "a scene";
@@ -102,13 +101,19 @@ void finish_trace(const std::vector<Problem>& passed_over, const std::vector<Pro
 
 /// A trace of one step a line, which may have any size.
 void validate_steps(StepStream& steps, ValidatedFile& file) {
-    steps.draw_picture();
+    steps.tell_all();
     UnknownNames unknown;
     std::uint64_t count = 0;
-    while (steps.next()) {
-        ++count;
-        file.add(steps.faults_in_step());
-        unknown.add(steps.step(), steps.kind());
+    try {
+        while (steps.next()) {
+            ++count;
+            if (file.all_told())
+                file.add(steps.faults_in_step());
+            unknown.add(steps.step(), steps.kind());
+        }
+    } catch (const Problem&) {
+        file.add(steps.damage());
+        throw;
     }
     finish_trace(steps.passed_over(), steps.damage(), unknown, file);
     file.about = about_trace(steps.header(), count);
@@ -116,19 +121,34 @@ void validate_steps(StepStream& steps, ValidatedFile& file) {
 
 /// A trace of any other layout.
 void validate_trace(Source source, ValidatedFile& file) {
-    const Trace trace = value_or_throw(read_trace(std::move(source)));
+    const Trace trace = value_or_throw(read_trace_to_tell(std::move(source)));
     UnknownNames unknown;
     for (std::size_t n = 1; n <= trace.size(); ++n) {
-        file.add(trace.faults_in_step(n));
+        if (file.all_told())
+            file.add(trace.faults_in_step(n));
         unknown.add(trace.step(n), trace.kind_of(n));
     }
     finish_trace(trace.passed_over, trace.damage, unknown, file);
     file.about = about_trace(trace, trace.size());
 }
 
+/// Claims, or a Problem that says why the file was taken for some, if it does not look like it.
+Claims claims_in(Source source) {
+    const std::size_t first = source.text.find_first_not_of(blanks);
+    const bool is_table = source.text[first] != '{' && source.text[first] != '[';
+    const bool may_be_anything = is_table && source.text.find("scene:") == std::string::npos;
+    Result<Claims> claims = read_claims(std::move(source));
+    if (claims)
+        return std::move(claims.value());
+    Problem problem = claims.problem();
+    if (may_be_anything)
+        problem.message = "taken for claims, since it is no JSON: " + problem.message;
+    throw problem;
+}
+
 /// Claims can be read; and what they are about is there, if they name their scene.
 void validate_claims(Source source, const InputLimits& limits, ValidatedFile& file) {
-    const Claims claims = value_or_throw(read_claims(std::move(source)));
+    const Claims claims = claims_in(std::move(source));
     file.about = counted(claims.claims.size(), "claim");
     if (claims.scene.empty()) {
         file.about += ", which name no scene";
@@ -162,7 +182,7 @@ std::string_view with_article(SchemaKind kind) {
 }
 
 /// What a source is, by its content.
-std::optional<SchemaKind> kind_of(const Source& source) {
+std::optional<SchemaKind> kind_by_content(const Source& source) {
     if (is_trace(source))
         return SchemaKind::trace;
     if (is_claims(source))
@@ -178,12 +198,12 @@ void refuse_other_kind(const ValidatedFile& file, std::optional<SchemaKind> want
 }
 
 void validate_source(Source source, const ValidateCommand& command, ValidatedFile& file) {
-    const std::size_t first = source.text.find_first_not_of("\xEF\xBB\xBF \t\r\n");
+    const std::size_t first = source.text.find_first_not_of(blanks);
     const std::string expected =
         command.kind ? std::string(with_article(*command.kind)) : "a scene, a trace or claims";
     if (first == std::string::npos)
         throw problem_of(file.name, fmt::format("expected {}, found an empty file", expected));
-    file.kind = kind_of(source);
+    file.kind = kind_by_content(source);
     // What is no JSON object could be anything: its reader says what it lacks.
     if (source.text[first] == '{')
         refuse_other_kind(file, command.kind);
@@ -227,9 +247,9 @@ void print_text(const ValidatedFile& file) {
     for (const std::vector<Problem>& list : {file.problems, file.remarks})
         for (const Problem& problem : list)
             print_error(fmt::format("rastertrace: {}\n", to_text(problem)));
-    if (file.more_problems > 0)
-        print_error(fmt::format("rastertrace: {}: and {}\n", printable(file.name),
-                                counted(file.more_problems, "more problem")));
+    if (!file.all_told())
+        print_error(fmt::format("rastertrace: {}: only the first {} problems are told\n",
+                                printable(file.name), most_problems));
     if (file.is_valid())
         print(fmt::format("{}: {}\n", printable(file.name), file.about));
 }
@@ -249,10 +269,10 @@ std::string as_json(const std::vector<Problem>& problems) {
 
 std::string as_json(const ValidatedFile& file) {
     return fmt::format(
-        R"({{"file":{},"kind":{},"valid":{},"about":{},"problems":{},"more_problems":{},"remarks":{}}})",
+        R"({{"file":{},"kind":{},"valid":{},"about":{},"problems":{},"all_told":{},"remarks":{}}})",
         json_quoted(file.name), file.kind ? json_quoted(name_of(*file.kind)) : "null",
         file.is_valid(), json_quoted(file.is_valid() ? file.about : ""), as_json(file.problems),
-        file.more_problems, as_json(file.remarks));
+        file.all_told(), as_json(file.remarks));
 }
 
 } // namespace

@@ -50,7 +50,7 @@ public:
     const std::optional<EndRecord>& end() const;
 
     /// Behind the last step: what is wrong though the steps can be used. The picture is held against the end record
-    /// only if it is drawn.
+    /// only after tell_all.
     const std::vector<Problem>& damage() const;
 
     /// Fields of the current step that have another type than step_kind.h says, though the step can be understood.
@@ -60,8 +60,9 @@ public:
     /// that nobody reads.
     const std::vector<Problem>& passed_over() const;
 
-    /// Before the first step: draws all steps, so that the picture is held against the end record too.
-    void draw_picture();
+    /// Before the first step: for who wants to know all that is wrong. A step that cannot be used is damage, as in
+    /// read_trace_to_tell, and the picture is drawn and held against the end record.
+    void tell_all();
 
 private:
     friend std::variant<StepStream, Source> open_steps(const std::string& path,

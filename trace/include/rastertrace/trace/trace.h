@@ -154,6 +154,13 @@ private:
 /// be shown: no header, a newer version, or a line that is no step.
 Result<Trace> read_trace(Source source);
 
+/// The most steps of a trace, or of a block of one, that are told to be of no use before the reading ends.
+inline constexpr std::size_t most_useless_steps = 100;
+
+/// The same for who wants to know all that is wrong: a step that cannot be used is damage, has no kind, and the rest is
+/// read.
+Result<Trace> read_trace_to_tell(Source source);
+
 /// Reads what write_trace has written to a string. It is not looked through for damage.
 Result<Trace> read_written_trace(Source source);
 

@@ -19,9 +19,12 @@
 
 namespace rastertrace {
 
+/// True if a step names a kind that this program does not know.
+bool is_foreign(const StepView& step);
+
 class UnknownNames {
 public:
-    /// Takes a step, whose kind is known or not.
+    /// Takes a step, with its kind as the trace tells it.
     void add(const StepView& step, std::optional<StepKind> kind);
 
     /// What was found, a line for the kinds and a line for the fields; none if all are known.
