@@ -112,8 +112,8 @@ TEST_F(DiffTest, JsonHasTheSame) {
     EXPECT_EQ(told["same"], false);
     EXPECT_EQ(told["first"]["a"]["number"], 14);
     EXPECT_EQ(told["first"]["a"]["line"], 15);
-    EXPECT_EQ(told["first"]["a"]["left"], "-1/4");
-    EXPECT_EQ(told["first"]["b"]["left"], "-1/2");
+    EXPECT_EQ(told["first"]["a"]["step"]["left"], "-1/4");
+    EXPECT_EQ(told["first"]["b"]["step"]["left"], "-1/2");
     EXPECT_EQ(told["first"]["fields"][0]["distance"], 0.25);
     EXPECT_EQ(told["kinds"][0]["kind"], "scanline");
     EXPECT_EQ(told["kinds"][0]["changed"], 1);

@@ -86,6 +86,10 @@ bool ComparedSteps::has_primitive(const std::string& name) const {
     return is_told(name, a_) && is_told(name, b_);
 }
 
+bool ComparedSteps::tells_all_primitives() const {
+    return a_.left_out.primitive.empty() && b_.left_out.primitive.empty();
+}
+
 bool ComparedSteps::has_pictures() const {
     return has_kind("pixel") && a_.left_out.primitive == b_.left_out.primitive;
 }

@@ -34,6 +34,9 @@ public:
     /// True if the steps of a primitive, or those in front of the first ("") are compared.
     bool has_primitive(const std::string& name) const;
 
+    /// False if one of them tells the steps of a single primitive.
+    bool tells_all_primitives() const;
+
     /// True if both traces tell what is drawn, and of the same primitives ...
     bool has_pictures() const;
 

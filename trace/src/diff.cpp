@@ -3,16 +3,17 @@
 
 #include "diff_context.h"
 #include "diff_fields.h"
-#include "json_scanner.h"
 #include "trace_comparison.h"
 #include "trace_lines.h"
 
+#include <rastertrace/trace/step_writer.h>
 #include <rastertrace/trace/text.h>
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cstring>
+#include <tuple>
 #include <utility>
 
 namespace rastertrace {
@@ -52,14 +53,27 @@ std::string rest_of(const TraceText& text, std::size_t offset) {
     }
 }
 
-/// The end record behind the steps; "" if there is none.
-std::string end_record_of(const TraceText& text, std::size_t offset) {
-    std::string rest = rest_of(text, offset);
-    const std::size_t comma = rest.find(',');
+/// What stands behind the steps of a complete trace, read as read_trace does; `place` is behind its last step. That
+/// counts of steps do not agree is damage. Throws a Problem.
+Trace end_of(const TraceText& text, LinePlace place, std::vector<Problem>& damage) {
+    std::string header = text.header_json();
     if (text.is_document())
-        rest = comma == std::string::npos ? std::string() : "{" + rest.substr(comma + 1);
-    return std::string(
-        StepView(without_blanks(rest.substr(0, rest.find('\n')))).field("end").value_or(""));
+        header.resize(header.size() - 2); // as it stands in front of steps
+    auto read = read_trace({text.name(), header + "\n" + rest_of(text, place.offset), {}});
+    const auto moved = [&](Problem problem) {
+        problem.line = text.has_lines() ? problem.line + place.lines : 0;
+        return problem;
+    };
+    if (!read)
+        throw moved(read.problem());
+    const auto& end = read.value().end;
+    if (!end)
+        damage.push_back(moved(read.value().damage.front()));
+    else if (end->steps && *end->steps != place.steps)
+        damage.push_back(
+            problem_of(text.name(), disagreement(fmt::format("{}", *end->steps), "steps",
+                                                 fmt::format("{}", place.steps))));
+    return std::move(read.value());
 }
 
 /// True if a text has the line behind its last step; looked for among its last lines.
@@ -73,22 +87,21 @@ bool is_complete(const TraceText& text) {
     return false;
 }
 
-/// What two complete traces say at their end of the pictures that were drawn, which steps that were left out may
-/// have changed.
-std::vector<FieldDifference> differing_ends(const TraceText& a, std::size_t end_of_a,
-                                            const TraceText& b, std::size_t end_of_b) {
+/// What two end records say of the pictures that were drawn, where no step that is told may say so.
+std::vector<FieldDifference> differing_ends(const EndRecord& a, const EndRecord& b) {
     std::vector<FieldDifference> differences;
-    const std::string json_a = end_record_of(a, end_of_a);
-    const std::string json_b = end_record_of(b, end_of_b);
-    for (const std::string_view name : {"pixels", "frame"}) {
-        const auto in_a = StepView(json_a).field(name);
-        const auto in_b = StepView(json_b).field(name);
-        if (in_a && in_b && *in_a != *in_b)
-            differences.push_back({.name = fmt::format("end.{}", name),
-                                   .a = std::string(*in_a),
-                                   .b = std::string(*in_b)});
-    }
+    if (a.pixels && b.pixels && a.pixels != b.pixels)
+        differences.push_back({.name = "end.pixels",
+                               .a = fmt::format("{}", *a.pixels),
+                               .b = fmt::format("{}", *b.pixels)});
+    if (!a.frame.empty() && !b.frame.empty() && a.frame != b.frame)
+        differences.push_back(
+            {.name = "end.frame", .a = json_quoted(a.frame), .b = json_quoted(b.frame)});
     return differences;
+}
+
+bool is_ignored(const DiffOptions& options, std::string_view name) {
+    return std::find(options.ignored.begin(), options.ignored.end(), name) != options.ignored.end();
 }
 
 /// True if options leave out something that the end record tells of.
@@ -106,7 +119,8 @@ TraceDiff same_bytes(TraceDiff found, const TraceText& a, const TraceText& b) {
         const std::string what =
             "expected the rest of the trace, found the end of the file: the trace is truncated";
         found.damage.push_back(problem_of(a.name(), what));
-        found.damage.push_back(problem_of(b.name(), what));
+        if (!a.file() || a.file() != b.file())
+            found.damage.push_back(problem_of(b.name(), what));
     }
     return found;
 }
@@ -123,23 +137,22 @@ TraceDiff diff(const TraceText& a, const TraceText& b, const DiffOptions& option
     comparison.run();
     const DiffTally& tally = comparison.tally();
     found.kinds = tally.kinds();
-    found.led_to = tally.led_to();
-    found.picture = comparison.picture();
     found.remarks = comparison.remarks();
     found.damage = comparison.damage();
     tell_first(found, comparison, a, b);
-
-    const auto is_ignored = [&options](std::string_view name) {
-        return std::find(options.ignored.begin(), options.ignored.end(), name) !=
-               options.ignored.end();
-    };
-    if (!is_ignored("header"))
+    if (auto picture = comparison.picture())
+        std::tie(found.picture, found.led_to) = *std::move(picture);
+    if (!is_ignored(options, "header"))
         found.header = differing_keys(a.header_json(), b.header_json());
-    const bool can_end_alike =
-        a.header().canvas == b.header().canvas && a.header().background == b.header().background;
-    if (tally.is_empty() && !comparison.is_cut_off() && can_end_alike && !leave_out_steps(options))
-        found.end =
-            differing_ends(a, comparison.end_of_a().offset, b, comparison.end_of_b().offset);
+
+    if (!comparison.is_cut_off()) {
+        const Trace end_a = end_of(a, comparison.end_of_a(), found.damage);
+        const Trace end_b = end_of(b, comparison.end_of_b(), found.damage);
+        const bool is_one_canvas = a.header().canvas == b.header().canvas;
+        if (end_a.end && end_b.end && tally.is_empty() && is_one_canvas &&
+            !leave_out_steps(options))
+            found.end = differing_ends(*end_a.end, *end_b.end);
+    }
     found.is_same = found.header.empty() && found.end.empty() && tally.is_empty();
     return found;
 }

@@ -44,6 +44,7 @@ public:
             if (!wants(*line))
                 break;
             trace_.add_to_excerpt(StepView(line->json), line->kind, line->number);
+            lines_.push_back(line->place.lines);
             lines.pass();
         }
     }
@@ -59,7 +60,7 @@ public:
                 continue;
             replay.go_to(n);
             DiffStep step{.number = number,
-                          .line = text_.has_lines() ? number + 1 : 0,
+                          .line = text_.has_lines() ? lines_[n - 1] + 2 : 0,
                           .json = std::string(trace_.step(n).json()),
                           .sentence = describe_step(replay)};
             if (number < at)
@@ -75,23 +76,25 @@ public:
 private:
     const TraceText& text_;
     Trace trace_;
+    std::vector<std::size_t> lines_; ///< of the text in front of each step
 };
 
 Around around(const TraceText& text, LinePlace primitive, const Spot& spot) {
     Excerpt excerpt(text);
     const std::size_t offset = spot.place.offset;
     const auto has_room = [](const StepLine& line, std::size_t from) {
-        return line.offset < from + most_read_again;
+        return line.place.offset < from + most_read_again;
     };
     // What stands in front of all primitives: matrices, vertices, the painter's order.
     const std::size_t begin = text.begin();
     excerpt.add({}, [&](const StepLine& line) {
-        return line.kind != StepKind::primitive && line.offset < offset && has_room(line, begin);
+        return line.kind != StepKind::primitive && line.place.offset < offset &&
+               has_room(line, begin);
     });
     // The primitive, up to the spot.
     if (primitive.offset != 0 && primitive.offset < offset)
         excerpt.add(primitive, [&](const StepLine& line) {
-            return line.offset < offset && has_room(line, primitive.offset);
+            return line.place.offset < offset && has_room(line, primitive.offset);
         });
     std::size_t rest = steps_around + (spot.is_step ? 1 : 0);
     excerpt.add(spot.place, [&rest](const StepLine&) { return rest-- > 0; });
@@ -102,7 +105,7 @@ Around around(const TraceText& text, LinePlace primitive, const Spot& spot) {
 std::optional<Spot> spot_of(const std::optional<StepLine>& step,
                             const std::optional<LinePlace>& place) {
     if (step)
-        return Spot{{step->offset, step->number - 1}, true};
+        return Spot{step->place, true};
     return place ? std::optional(Spot{*place, false}) : std::nullopt;
 }
 
@@ -113,20 +116,20 @@ void tell_first(TraceDiff& found, const TraceComparison& comparison, const Trace
     const auto& first = comparison.tally().first();
     if (!first)
         return;
-    const auto& event = comparison.first_event();
-    const bool is_here = event && event->place == first->place;
+    const auto& gap = comparison.first_gap();
+    const bool is_here = gap && gap->number == first->gap;
     const StepLine& step = first->a ? *first->a : *first->b;
     StepDifference difference{
         .kind = step.kind_name, .fields = first->fields, .is_moved = first->is_moved};
     const std::string& json = first->a ? first->section.json_a : first->section.json_b;
     difference.primitive = StepView(json).text("name");
-    if (const auto spot = spot_of(first->a, is_here ? std::optional(event->a) : std::nullopt)) {
+    if (const auto spot = spot_of(first->a, is_here ? std::optional(gap->a) : std::nullopt)) {
         Around around_a = around(a, first->section.begin_a, *spot);
         found.before_a = std::move(around_a.before);
         difference.a = std::move(around_a.step);
         found.after_a = std::move(around_a.after);
     }
-    if (const auto spot = spot_of(first->b, is_here ? std::optional(event->b) : std::nullopt)) {
+    if (const auto spot = spot_of(first->b, is_here ? std::optional(gap->b) : std::nullopt)) {
         Around around_b = around(b, first->section.begin_b, *spot);
         found.before_b = std::move(around_b.before);
         difference.b = std::move(around_b.step);

@@ -5,6 +5,7 @@
 #include "step_text.h"
 
 #include <rastertrace/core/numbers/scalar.h>
+#include <rastertrace/trace/color_text.h>
 #include <rastertrace/trace/text.h>
 
 #include <fmt/core.h>
@@ -37,9 +38,14 @@ template <typename Float> Rational ulp_of(const Rational& number) {
 /// What two values have to be compared by.
 struct Comparison {
     std::optional<FieldType> type; ///< none: a field that we do not know
+    bool is_color = false;
     const DiffTolerance* tolerance = nullptr;
     bool has_floats = false;
 };
+
+bool is_color(std::string_view name) {
+    return name == "color" || name == "colors" || name == "background";
+}
 
 /// How two values differ; nothing if they are alike.
 struct ValueDifference {
@@ -78,7 +84,8 @@ Differs differ_as_numbers(std::string_view json_a, const Rational& a, std::strin
         return std::nullopt;
     if (by.tolerance != nullptr && !by.tolerance->is_ulps && is_within(*by.tolerance, a, b))
         return std::nullopt;
-    return ValueDifference{nearest_double(Rational(abs(a - b)))};
+    const double distance = nearest_double(Rational(abs(a - b)));
+    return std::isfinite(distance) ? ValueDifference{distance} : ValueDifference{};
 }
 
 Differs differ(std::string_view a, std::string_view b, const Comparison& by);
@@ -121,18 +128,21 @@ Differs differ(std::string_view a, std::string_view b, const Comparison& by) {
         if (number_a && number_b)
             return differ_as_numbers(a, *number_a, b, *number_b, by);
     }
-    const bool are_alike = text_a == text_b && a.starts_with('"') == b.starts_with('"');
+    const auto color_a = by.is_color ? parse_color(text_a) : std::nullopt;
+    const auto color_b = by.is_color ? parse_color(text_b) : std::nullopt;
+    const bool are_alike = (text_a == text_b && a.starts_with('"') == b.starts_with('"')) ||
+                           (color_a && color_a == color_b);
     return are_alike ? std::nullopt : Differs(ValueDifference{});
 }
 
-using Field = std::pair<std::string_view, std::string_view>;
+using Field = std::pair<std::string, std::string_view>;
 
 std::vector<Field> fields_in(std::string_view json) {
     std::vector<Field> fields;
     JsonScanner scanner(json);
     while (scanner.next_field())
         if (scanner.key() != "step")
-            fields.emplace_back(scanner.key(), scanner.value());
+            fields.emplace_back(plain_text(fmt::format("\"{}\"", scanner.key())), scanner.value());
     return fields;
 }
 
@@ -240,6 +250,21 @@ bool have_field(const TraceText& a, const TraceText& b, std::string_view field) 
     return mentions(a, key) || mentions(b, key);
 }
 
+/// What is wrong with a field of a kind that we know, for an option: it is a key, which steps are found by, or no
+/// number; "" if nothing is.
+std::string_view fault_of_field(std::string_view option, StepKind kind, std::string_view name) {
+    for (const StepField& field : row_of(kind).fields) {
+        if (field.name != name)
+            continue;
+        const FieldType type = field.type == FieldType::list ? element_type_of(field) : field.type;
+        if (field.role == FieldRole::key)
+            return "steps are found by it";
+        if (option == "--tolerance" && type != FieldType::whole && type != FieldType::quantity)
+            return "it is no number";
+    }
+    return "";
+}
+
 /// One name of an option, `scanline` or `scanline.left`.
 void check_name(std::string_view option, std::string_view kind, std::string_view field,
                 const TraceText& a, const TraceText& b) {
@@ -265,9 +290,14 @@ void check_name(std::string_view option, std::string_view kind, std::string_view
     const bool is_known = std::find(names.begin(), names.end(), field) != names.end();
     if (!is_known && !have_field(a, b, field))
         throw problem_of("",
-                         fmt::format("{}: expected a field of {} ({}), found {}", option, kind,
-                                     joined(names, ", "), printable(field)),
+                         fmt::format("{}: expected a field of {}{}, found {}", option, kind,
+                                     names.empty() ? "" : " (" + joined(names, ", ") + ")",
+                                     printable(field)),
                          did_you_mean(field, names));
+    const std::string_view fault = known ? fault_of_field(option, *known, field) : "";
+    if (!fault.empty())
+        throw problem_of("", fmt::format("{}: expected another field than {} of {}: {}", option,
+                                         field, kind, fault));
 }
 
 std::pair<std::string, std::string> kind_and_field(const std::string& name) {
@@ -297,6 +327,7 @@ std::vector<FieldDifference> FieldComparison::differing(const StepLine& a,
             continue;
         }
         const Comparison by{.type = type_of(a.kind, name),
+                            .is_color = is_color(name),
                             .tolerance = tolerance_for(options_.tolerances, a.kind_name, name),
                             .has_floats = has_floats_};
         if (const Differs here = differ(value, *other, by))
@@ -319,9 +350,21 @@ bool FieldComparison::is_ignored(std::string_view name) const {
 std::vector<FieldDifference> differing_keys(std::string_view header_a, std::string_view header_b) {
     const FlatHeader a(header_a);
     const FlatHeader b(header_b);
+    const auto are_alike = [&](const std::string& key) {
+        const std::string in_a = a.value(key);
+        const std::string in_b = b.value(key);
+        if (in_a.empty() || in_b.empty())
+            return in_a == in_b;
+        if (!in_a.starts_with('{') || !in_b.starts_with('{'))
+            return !differ(in_a, in_b, {.type = {}, .is_color = is_color(key)});
+        const StepView stage_a(in_a);
+        const StepView stage_b(in_b);
+        return stage_a.text("kept") == stage_b.text("kept") &&
+               stage_a.text("why") == stage_b.text("why");
+    };
     std::vector<FieldDifference> differences;
     for (const std::string& key : a.order)
-        if (a.value(key) != b.value(key))
+        if (!are_alike(key))
             differences.push_back({.name = key, .a = a.value(key), .b = b.value(key)});
     for (const std::string& key : b.order)
         if (a.value(key).empty())
@@ -341,7 +384,9 @@ DiffTolerance parse_tolerance(const std::string& text) {
         amount.resize(amount.size() - unit.size());
     auto parsed = parse_number(amount);
     auto* const number = std::get_if<Number>(&parsed);
-    if (number == nullptr || number->exact() < 0 || (equals == 0))
+    const bool has_names =
+        equals == std::string::npos || (!tolerance.kind.empty() && text[equals - 1] != '.');
+    if (number == nullptr || number->exact() < 0 || !has_names)
         throw problem_of(
             "", fmt::format("--tolerance: expected KIND.FIELD=NUMBER, KIND=NUMBER or NUMBER, like "
                             "scanline.left=1e-9 or 4ulp, found \"{}\"",

@@ -21,10 +21,9 @@ public:
     /// The fields that are not alike, in the order of a's.
     std::vector<FieldDifference> differing(const StepLine& a, const StepLine& b) const;
 
-    /// True of `header`, `end`, or a kind of step that is not compared.
-    bool is_ignored(std::string_view name) const;
-
 private:
+    bool is_ignored(std::string_view kind_and_field) const;
+
     const DiffOptions& options_;
     bool has_floats_;
 };

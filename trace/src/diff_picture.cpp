@@ -62,13 +62,13 @@ struct BothCanvases {
     int row_of(int y) const { return (y - top()) * down; }
 };
 
-/// The names of primitives, each looked up once.
-class NamesOfOwners {
+/// The primitives that own pixels, each looked up once.
+class KnownOwners {
 public:
-    explicit NamesOfOwners(const std::function<std::string(std::uint32_t)>& look_up)
+    explicit KnownOwners(const std::function<OwnerOfPixels(std::uint32_t)>& look_up)
         : look_up_(look_up) {}
 
-    const std::string& of(std::uint32_t owner) {
+    const OwnerOfPixels& of(std::uint32_t owner) {
         const auto [known, is_new] = known_.try_emplace(owner);
         if (is_new)
             known->second = look_up_(owner);
@@ -76,8 +76,8 @@ public:
     }
 
 private:
-    const std::function<std::string(std::uint32_t)>& look_up_;
-    std::unordered_map<std::uint32_t, std::string> known_;
+    const std::function<OwnerOfPixels(std::uint32_t)>& look_up_;
+    std::unordered_map<std::uint32_t, OwnerOfPixels> known_;
 };
 
 enum class PixelVerdict : std::uint8_t { none, alike, only_a, only_b, color, owner };
@@ -85,52 +85,57 @@ enum class PixelVerdict : std::uint8_t { none, alike, only_a, only_b, color, own
 class PictureComparison {
 public:
     PictureComparison(const OwnedPicture& a, const OwnedPicture& b, const PictureOwners& owners,
-                      const std::optional<Region>& region)
-        : a_(a), b_(b), owners_(owners), names_a_(owners.name_in_a), names_b_(owners.name_in_b),
-          region_(region), both_(a.canvas(), b.canvas()) {}
+                      const PictureScope& scope)
+        : a_(a), b_(b), owners_(owners), known_a_(owners.in_a), known_b_(owners.in_b),
+          scope_(scope), both_(a.canvas(), b.canvas()) {}
 
-    PictureDifference compare() {
+    std::pair<PictureDifference, Consequences> compare() {
         for (int row = 0; row < both_.height(); ++row)
             for (int x = both_.left; x <= both_.right; ++x)
                 count({x, both_.y_of(row)}, row);
         found_.down = both_.down;
         if (has_any_)
             show();
-        return std::move(found_);
+        return {std::move(found_), std::move(led_to_)};
     }
 
 private:
     PixelVerdict verdict(Pixel pixel) const {
-        if (region_ && !(region_->has_row(pixel.y) && region_->meets(pixel.x, pixel.x)))
+        if (scope_.region &&
+            !(scope_.region->has_row(pixel.y) && scope_.region->meets(pixel.x, pixel.x)))
             return PixelVerdict::none;
         const bool in_a = a_.is_drawn(pixel);
         const bool in_b = b_.is_drawn(pixel);
         if (!in_a || !in_b)
             return in_a ? PixelVerdict::only_a : in_b ? PixelVerdict::only_b : PixelVerdict::none;
+        if (!scope_.has_owners)
+            return PixelVerdict::alike;
         if (a_.color(pixel) != b_.color(pixel))
             return PixelVerdict::color;
-        const std::uint32_t owner = a_.owner(pixel);
-        return owner == 0 || owners_.b_of_a(owner) == b_.owner(pixel) ? PixelVerdict::alike
-                                                                      : PixelVerdict::owner;
+        return owners_.b_of_a(a_.owner(pixel)) == b_.owner(pixel) ? PixelVerdict::alike
+                                                                  : PixelVerdict::owner;
     }
 
     void count(Pixel pixel, int row) {
-        const PixelVerdict here = verdict(pixel);
-        switch (here) {
+        switch (verdict(pixel)) {
         case PixelVerdict::none:
         case PixelVerdict::alike:
             return;
         case PixelVerdict::only_a:
             ++found_.only_a;
+            note_reached(pixel, led_to_.only_a);
             break;
         case PixelVerdict::only_b:
             ++found_.only_b;
+            note_reached(pixel, led_to_.only_b);
             break;
         case PixelVerdict::color:
             ++found_.colors;
+            note_reached(pixel, led_to_.colors);
             break;
         case PixelVerdict::owner:
             ++found_.owners;
+            note_reached(pixel, led_to_.owners);
             break;
         }
         if (!has_any_)
@@ -141,15 +146,28 @@ private:
         last_row_ = row;
         if (found_.pixels.size() < most_pixels_told)
             found_.pixels.push_back({.pixel = pixel,
-                                     .a = owner_in(a_, pixel, names_a_),
-                                     .b = owner_in(b_, pixel, names_b_)});
+                                     .a = drawn_in(a_, pixel, known_a_),
+                                     .b = drawn_in(b_, pixel, known_b_)});
     }
 
-    static std::optional<PixelOwner> owner_in(const OwnedPicture& picture, Pixel pixel,
-                                              NamesOfOwners& names) {
+    /// Notes a pixel that differs because of the first difference.
+    void note_reached(Pixel pixel, std::vector<Pixel>& list) {
+        const auto reaches = [&](const OwnedPicture& picture, KnownOwners& known) {
+            return picture.is_drawn(pixel) &&
+                   scope_.reach->has(pixel, known.of(picture.owner(pixel)));
+        };
+        if (!scope_.reach || (!reaches(a_, known_a_) && !reaches(b_, known_b_)))
+            return;
+        ++led_to_.count;
+        if (list.size() < most_pixels_told)
+            list.push_back(pixel);
+    }
+
+    static std::optional<PixelOwner> drawn_in(const OwnedPicture& picture, Pixel pixel,
+                                              KnownOwners& known) {
         if (!picture.is_drawn(pixel))
             return std::nullopt;
-        return PixelOwner{.primitive = names.of(picture.owner(pixel)),
+        return PixelOwner{.primitive = known.of(picture.owner(pixel)).name,
                           .color = picture.color(pixel)};
     }
 
@@ -157,7 +175,7 @@ private:
     void show() {
         const int last_row = both_.height() - 1;
         const bool has_room =
-            both_.right - both_.left < widest && both_.height() <= highest && !region_;
+            both_.right - both_.left < widest && both_.height() <= highest && !scope_.region;
         int left = has_room ? both_.left : std::max(both_.left, left_ - margin);
         int right = has_room ? both_.right : std::min(both_.right, right_ + margin);
         const int first = has_room ? 0 : std::max(0, first_row_ - margin);
@@ -177,8 +195,8 @@ private:
             for (int x = left; x <= right; ++x) {
                 const Pixel pixel{x, both_.y_of(row)};
                 marks += mark_of(verdict(pixel));
-                faces_a += letter(letter_of, a_.owner(pixel), names_a_);
-                faces_b += letter(letter_of, b_.owner(pixel), names_b_);
+                faces_a += letter(letter_of, a_.owner(pixel), known_a_);
+                faces_b += letter(letter_of, b_.owner(pixel), known_b_);
             }
             found_.rows.push_back(std::move(marks));
             found_.faces_a.push_back(std::move(faces_a));
@@ -193,13 +211,13 @@ private:
     }
 
     char letter(std::unordered_map<std::string, char>& letter_of, std::uint32_t owner,
-                NamesOfOwners& names) {
+                KnownOwners& known) {
         if (owner == 0)
             return '.';
-        const std::string& text = names.of(owner);
-        const auto known = letter_of.find(text);
-        if (known != letter_of.end())
-            return known->second;
+        const std::string& text = known.of(owner).name;
+        const auto found = letter_of.find(text);
+        if (found != letter_of.end())
+            return found->second;
         if (found_.names.size() == primitive_letters.size())
             return '#';
         const char next = primitive_letters[found_.names.size()];
@@ -228,11 +246,12 @@ private:
     const OwnedPicture& a_;
     const OwnedPicture& b_;
     const PictureOwners& owners_;
-    NamesOfOwners names_a_;
-    NamesOfOwners names_b_;
-    const std::optional<Region>& region_;
+    KnownOwners known_a_;
+    KnownOwners known_b_;
+    const PictureScope& scope_;
     BothCanvases both_;
     PictureDifference found_;
+    Consequences led_to_;
     bool has_any_ = false;
     int left_ = 0; ///< of all pixels that differ
     int right_ = 0;
@@ -256,10 +275,11 @@ SeenStep seen_in(std::string_view line) {
     return seen_thoroughly(StepView(step_of_line(line)));
 }
 
-PictureDifference difference_between(const OwnedPicture& a, const OwnedPicture& b,
-                                     const PictureOwners& owners,
-                                     const std::optional<Region>& region) {
-    return PictureComparison(a, b, owners, region).compare();
+std::pair<PictureDifference, Consequences> difference_between(const OwnedPicture& a,
+                                                              const OwnedPicture& b,
+                                                              const PictureOwners& owners,
+                                                              const PictureScope& scope) {
+    return PictureComparison(a, b, owners, scope).compare();
 }
 
 } // namespace rastertrace

@@ -5,8 +5,9 @@
 //
 //     OwnedPicture picture(canvas);
 //     picture.see(seen_in(line));
-//     difference_between(a, b, ...);
+//     difference_between(a, b, owners, {});
 
+#include "diff_reach.h"
 #include "step_lines.h"
 
 #include <rastertrace/core/raster/image.h>
@@ -18,6 +19,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace rastertrace {
@@ -80,13 +82,21 @@ private:
 struct PictureOwners {
     std::function<std::uint32_t(std::uint32_t)>
         b_of_a; ///< the primitive of b that is one of a; 0: none is
-    std::function<std::string(std::uint32_t)> name_in_a;
-    std::function<std::string(std::uint32_t)> name_in_b;
+    std::function<OwnerOfPixels(std::uint32_t)> in_a;
+    std::function<OwnerOfPixels(std::uint32_t)> in_b;
 };
 
-/// How the pictures differ; within a region, if only that was told.
-PictureDifference difference_between(const OwnedPicture& a, const OwnedPicture& b,
-                                     const PictureOwners& owners,
-                                     const std::optional<Region>& region);
+/// What of two pictures is compared.
+struct PictureScope {
+    std::optional<Region> region{};   ///< nothing: all of it
+    bool has_owners = true;           ///< else only what is drawn, in whatever color
+    std::optional<DiffReach> reach{}; ///< of the first difference
+};
+
+/// How the pictures differ, and what of it comes of the first difference.
+std::pair<PictureDifference, Consequences> difference_between(const OwnedPicture& a,
+                                                              const OwnedPicture& b,
+                                                              const PictureOwners& owners,
+                                                              const PictureScope& scope);
 
 } // namespace rastertrace

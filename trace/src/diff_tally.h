@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What has been found to differ between two traces so far: how often, the first of it, and the pixels that it led to.
+// What has been found to differ between two traces so far: how often, and the first of it.
 //
-//     tally.begin_section({.id = 1, .name = "ABC", ...});
-//     tally.add_changed(place, a, b, fields);
-//     tally.end_section();
+//     tally.begin_section({.json_a = ..., .json_b = ...});
+//     tally.add_changed(gap, a, b, fields);
+//     tally.kinds();
 
-#include "diff_fields.h"
 #include "step_lines.h"
 
 #include <rastertrace/trace/diff.h>
@@ -15,7 +14,6 @@
 #include <cstddef>
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,7 +22,6 @@ namespace rastertrace {
 
 /// The steps of a primitive, or those in front of the first one.
 struct DiffSection {
-    std::size_t id = 0;
     std::string
         json_a{}; ///< of the `primitive` step; "" in front of the first, and where a has none
     std::string json_b{};
@@ -34,7 +31,7 @@ struct DiffSection {
 
 /// The first step that differs, with where its primitive begins.
 struct FirstDifference {
-    std::size_t place = 0; ///< in the order of the comparison
+    std::size_t gap = 0;
     std::optional<StepLine> a{};
     std::optional<StepLine> b{};
     std::vector<FieldDifference> fields{};
@@ -42,46 +39,33 @@ struct FirstDifference {
     DiffSection section{};
 };
 
+/// Counts differences. Each comes with its gap: the two traces are gone through together, and whenever they are not
+/// alike a gap begins, which ends where they are alike again. Gaps are numbered in the order of the traces. If a gap
+/// has a step of a alone and one of b alone, one stands in place of the other.
 class DiffTally {
 public:
     void begin_section(DiffSection section) { section_ = std::move(section); }
 
-    /// Steps come with their place in the order of the comparison: what differs at one place belongs together.
-    void add_changed(std::size_t place, const StepLine& a, const StepLine& b,
+    void add_changed(std::size_t gap, const StepLine& a, const StepLine& b,
                      std::vector<FieldDifference> fields);
-    void add_only_a(std::size_t place, const StepLine& a);
-    void add_only_b(std::size_t place, const StepLine& b);
-    void add_moved(std::size_t place, const StepLine& a, const StepLine& b);
-
-    /// The steps of a primitive have come to their end: says which pixels came of the first difference.
-    void end_section();
+    void add_only_a(std::size_t gap, const StepLine& a);
+    void add_only_b(std::size_t gap, const StepLine& b);
+    void add_moved(std::size_t gap, const StepLine& a, const StepLine& b);
 
     bool is_empty() const { return kinds_.empty(); }
     const std::optional<FirstDifference>& first() const { return first_; }
-    const Consequences& led_to() const { return led_to_; }
 
     /// In the order of step_kind.h; those that we do not know come last.
     std::vector<KindDifference> kinds() const;
 
 private:
-    enum class PixelChange { only_a, only_b, color };
-    struct PixelEvent {
-        Pixel pixel;
-        PixelChange change;
-    };
-
     KindDifference& of_kind(const StepLine& step);
-    void note_first(std::size_t place, const StepLine* a, const StepLine* b,
+    void note_first(std::size_t gap, const StepLine* a, const StepLine* b,
                     std::vector<FieldDifference> fields, bool is_moved);
-    void note_pixel(const StepLine& step, PixelChange change);
-    bool is_due_to_first(Pixel pixel) const;
 
     DiffSection section_;
     std::map<std::string, KindDifference> kinds_;
     std::optional<FirstDifference> first_;
-    std::vector<PixelEvent> pixels_; ///< of this section
-    Consequences led_to_;
-    std::set<std::pair<int, int>> due_; ///< x, y of the pixels in led_to_
 };
 
 } // namespace rastertrace

@@ -84,22 +84,14 @@ std::string first_text(const TraceDiff& found) {
         fmt::format("\nthe first difference{}{}\n",
                     first.primitive.empty() ? "" : ", in " + printable(first.primitive),
                     first.is_moved ? ": a " + printable(first.kind) + " that has moved" : "");
-    const auto only_in = [&](char side, const std::optional<DiffStep>& step) {
-        return step ? "" : fmt::format("{} > no such step\n", side);
-    };
-    text += found.before_a.empty() && found.after_a.empty() && !first.a
-                ? only_in('a', first.a)
-                : steps_of('a', found.before_a, first.a, found.after_a);
-    text += found.before_b.empty() && found.after_b.empty() && !first.b
-                ? only_in('b', first.b)
-                : steps_of('b', found.before_b, first.b, found.after_b);
+    text += steps_of('a', found.before_a, first.a, found.after_a);
+    text += steps_of('b', found.before_b, first.b, found.after_b);
     for (const FieldDifference& field : first.fields)
         text += "    " + field_text(field) + "\n";
 
     const Consequences& led_to = found.led_to;
-    // What has moved may be hidden, or hide another, without a step that says so.
     if (led_to.count == 0)
-        return text + (found.picture && !first.is_moved ? "    it changes no pixel\n" : "");
+        return text + (found.picture ? "    it changes no pixel\n" : "");
     text += fmt::format("    {} because of it\n",
                         led_to.count == 1 ? "1 pixel differs"
                                           : fmt::format("{} pixels differ", led_to.count));
@@ -109,6 +101,8 @@ std::string first_text(const TraceDiff& found) {
         text += "        only in b:" + pixels_named(led_to.only_b) + "\n";
     if (!led_to.colors.empty())
         text += "        in another color:" + pixels_named(led_to.colors) + "\n";
+    if (!led_to.owners.empty())
+        text += "        of another primitive:" + pixels_named(led_to.owners) + "\n";
     return text;
 }
 
@@ -198,6 +192,8 @@ std::string picture_text(const PictureDifference& picture) {
         text += "\nwho drew them, a and b\n";
         text += grid_text(picture, {&picture.faces_a, &picture.faces_b});
         text += names_text(picture.names);
+        if (picture.names.size() == primitive_letters.size())
+            text += "# another one\n";
     }
     if (picture.is_cut)
         text += "(a part of the canvas)\n";

@@ -2,25 +2,27 @@
 #include "primitive_order.h"
 
 #include <algorithm>
-#include <deque>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 
 namespace rastertrace {
 
 std::vector<std::size_t> find_by_name(const std::vector<PrimitivePlace>& a,
                                       const std::vector<PrimitivePlace>& b) {
-    std::unordered_map<std::string_view, std::deque<std::size_t>> places;
-    for (std::size_t i = 0; i < b.size(); ++i)
-        places[b[i].name].push_back(i);
-    std::vector<std::size_t> found;
-    for (const PrimitivePlace& one : a) {
-        const auto place = places.find(one.name);
-        const bool is_there = place != places.end() && !place->second.empty();
-        found.push_back(is_there ? place->second.front() : nowhere);
-        if (is_there)
-            place->second.pop_front();
+    // The first one of each name in b that has not been found yet, and the next of the same name behind each.
+    std::unordered_map<std::string_view, std::size_t> first;
+    std::vector<std::size_t> next(b.size(), nowhere);
+    for (std::size_t i = b.size(); i > 0; --i) {
+        const auto [place, is_new] = first.emplace(b[i - 1].name, i - 1);
+        if (!is_new)
+            next[i - 1] = std::exchange(place->second, i - 1);
     }
+    std::vector<std::size_t> found(a.size(), nowhere);
+    for (std::size_t i = 0; i < a.size(); ++i)
+        if (const auto place = first.find(a[i].name);
+            place != first.end() && place->second != nowhere)
+            found[i] = std::exchange(place->second, next[place->second]);
     return found;
 }
 

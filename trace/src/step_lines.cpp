@@ -21,12 +21,13 @@ constexpr std::size_t block_size = 1 << 17;
 /// The front of a step as this program writes it.
 constexpr std::string_view step_front = R"({"step":")";
 
-/// How a value is compared as a key: what a string says, or a number as it stands.
-void add_key(std::string& key, std::string_view name, std::string_view value) {
+/// A field of a key: a whole number as such, anything else as what it says.
+void add_key(std::string& key, std::string_view name, const StepView& step) {
+    const auto number = step.whole(name);
     key += ' ';
     key += name;
     key += '=';
-    key += value;
+    key += number ? std::to_string(*number) : step.text(name);
 }
 
 std::string key_of(const StepLine& line) {
@@ -35,14 +36,14 @@ std::string key_of(const StepLine& line) {
     if (line.kind) {
         for (const StepField& field : row_of(*line.kind).fields)
             if (field.role == FieldRole::key)
-                if (const auto value = step.field(field.name))
-                    add_key(key, field.name, *value);
+                if (step.field(field.name))
+                    add_key(key, field.name, step);
         return key;
     }
     // Of a kind that we do not know: what other kinds have for a key.
     for (const std::string_view name : {"name", "x", "y"})
-        if (const auto value = step.field(name))
-            add_key(key, name, *value);
+        if (step.field(name))
+            add_key(key, name, step);
     return key;
 }
 
@@ -74,6 +75,12 @@ bool StepLines::ends_steps(std::string_view line) const {
     return text_.is_document() ? line.starts_with(']') : is_end_line(line);
 }
 
+Problem StepLines::too_long() const {
+    Problem problem = line_too_long({text_.name(), buffer_, {}}, 0);
+    problem.line = text_.has_lines() ? place_.lines + 2 : 0;
+    return problem;
+}
+
 bool StepLines::read_more() {
     if (has_all_)
         return false;
@@ -82,7 +89,7 @@ bool StepLines::read_more() {
         passed_ = 0;
     }
     if (buffer_.size() > longest_line)
-        throw line_too_long({text_.name(), buffer_, {}}, 0);
+        throw too_long();
     const std::size_t kept = buffer_.size();
     const std::size_t begin = place_.offset + kept;
     const std::size_t size = std::min(block_size, end_ - std::min(end_, begin));
@@ -108,10 +115,9 @@ std::string_view StepLines::unread_lines() {
     }
 }
 
-void StepLines::pass_lines(std::size_t bytes, std::size_t steps) {
-    passed_ += bytes;
-    place_.offset += bytes;
-    place_.steps += steps;
+void StepLines::pass_lines(LinePlace to) {
+    passed_ += to.offset - place_.offset;
+    place_ = to;
 }
 
 /// The next line that is not empty, with what ends it.
@@ -129,7 +135,7 @@ std::optional<std::string_view> StepLines::next_line() {
         const std::string_view line = unread.substr(0, std::min(newline, unread.size() - 1) + 1);
         if (!without_blanks(step_of_line(line.substr(0, newline))).empty())
             return line;
-        pass_lines(line.size(), 0);
+        pass_lines({place_.offset + line.size(), place_.steps, place_.lines + 1});
     }
     return std::nullopt;
 }
@@ -157,7 +163,7 @@ const StepLine* StepLines::at(std::size_t i) {
             is_behind_ = is_cut_off_ = true;
             break;
         }
-        pass_lines(line->size(), 1);
+        pass_lines({place_.offset + line->size(), place_.steps + 1, place_.lines + 1});
     }
     return i < ahead_.size() ? &ahead_[i] : nullptr;
 }
@@ -168,13 +174,13 @@ StepLine StepLines::step_in(std::string_view json) const {
     try {
         line.kind = checked_kind(source, 0, source.text.size());
     } catch (Problem& problem) {
-        problem.line = text_.has_lines() ? place_.steps + 2 : 0;
+        problem.line = text_.has_lines() ? place_.lines + 2 : 0;
         throw;
     }
     line.json = std::move(source.text);
     line.kind_name = line.kind ? std::string(name_of(*line.kind)) : StepView(line.json).kind_name();
     line.key = key_of(line);
-    line.offset = place_.offset;
+    line.place = place_;
     line.number = place_.steps + 1;
     return line;
 }

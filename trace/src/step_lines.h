@@ -21,6 +21,13 @@
 
 namespace rastertrace {
 
+/// Where in a text a line begins, and how many steps and lines stand in front, not counting the header.
+struct LinePlace {
+    std::size_t offset = 0;
+    std::size_t steps = 0;
+    std::size_t lines = 0;
+};
+
 /// One step, as a line has it.
 struct StepLine {
     std::string json{}; ///< without a comma behind it
@@ -28,14 +35,8 @@ struct StepLine {
     std::string kind_name{};
     std::string
         key{}; ///< its kind, and the fields that tell it from others of its kind in its primitive
-    std::size_t offset = 0; ///< of its line in the text
+    LinePlace place{};      ///< of its line
     std::size_t number = 0; ///< from 1
-};
-
-/// Where in a text a line begins, and how many steps stand in front.
-struct LinePlace {
-    std::size_t offset = 0;
-    std::size_t steps = 0;
 };
 
 class StepLines {
@@ -60,8 +61,8 @@ public:
     /// read if there are none.
     std::string_view unread_lines();
 
-    /// Goes on by a part of them, which has so many steps.
-    void pass_lines(std::size_t bytes, std::size_t steps);
+    /// Goes on by whole lines, to a place behind some of them.
+    void pass_lines(LinePlace to);
 
     /// Where the line behind all that at() was asked for begins.
     LinePlace place() const { return place_; }
@@ -74,6 +75,7 @@ public:
 
 private:
     bool read_more();
+    Problem too_long() const;
     std::optional<std::string_view> next_line();
     StepLine step_in(std::string_view line) const;
 

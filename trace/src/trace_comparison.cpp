@@ -3,7 +3,7 @@
 
 #include "trace_lines.h"
 
-#include <fmt/core.h>
+#include <rastertrace/trace/text.h>
 
 #include <algorithm>
 #include <cstring>
@@ -15,10 +15,10 @@ namespace rastertrace {
 namespace {
 
 /// How far ahead a step is looked for before it counts as one that the other trace does not have here.
-constexpr std::size_t farthest_look = 256;
+constexpr std::size_t farthest_look = 16384;
 
-/// So many bytes of steps that have not been found in the other trace are kept, in case that they come later.
-constexpr std::size_t most_waiting = 8'000'000;
+/// So many bytes are taken at most by steps that have not been found in the other trace, but may be farther on.
+constexpr std::size_t most_waiting = 24'000'000;
 
 /// What comes of a line that has been read, with the place where it stands.
 struct SeenLine {
@@ -27,26 +27,33 @@ struct SeenLine {
     LinePlace place{};
 };
 
-/// Goes through whole lines as far as `use` wants and the steps go; returns how many bytes and steps these have.
+/// True for a line without a step.
+bool is_blank(std::string_view line) {
+    constexpr std::size_t shortest_step = 10; // {"step":""}
+    return line.size() < shortest_step && without_blanks(line).empty();
+}
+
+/// Goes through whole lines as far as `use` wants and the steps go; returns the place behind them.
 template <typename Use>
-std::pair<std::size_t, std::size_t> go_through(const StepLines& lines, std::string_view text,
-                                               const Use& use) {
-    std::size_t begin = 0;
-    std::size_t steps = 0;
-    const LinePlace place = lines.place();
-    for (;;) {
+LinePlace go_through(const StepLines& lines, std::string_view text, const Use& use) {
+    LinePlace place = lines.place();
+    for (std::size_t begin = 0;;) {
         const std::size_t newline = text.find('\n', begin);
         if (newline == std::string_view::npos)
-            break;
+            return place;
         const std::string_view line = text.substr(begin, newline - begin);
-        if (lines.ends_steps(line))
-            break;
-        if (!use(SeenLine{line, seen_in(line), {place.offset + begin, place.steps + steps}}))
-            break;
-        steps += line.empty() ? 0 : 1;
+        if (lines.ends_steps(line) || !use(SeenLine{line, seen_in(line), place}))
+            return place;
+        place.offset += line.size() + 1;
+        place.steps += is_blank(line) ? 0 : 1;
+        ++place.lines;
         begin = newline + 1;
     }
-    return {begin, steps};
+}
+
+/// True if what follows the last step of a side is not known.
+bool breaks_off(const DiffSide& side) {
+    return side.breaks_off || side.lines.is_cut_off();
 }
 
 /// The bytes that two texts have in common at their front.
@@ -68,18 +75,18 @@ std::vector<PrimitivePlace> primitives_from_here(DiffSide& side) {
     };
     while (const StepLine* const ahead = side.lines.front()) {
         if (ahead->kind == StepKind::primitive)
-            begin(ahead->json, {ahead->offset, ahead->number - 1});
+            begin(ahead->json, ahead->place);
         side.pass(*ahead);
-        for (std::size_t passed = 1; passed > 0;) {
-            const auto [bytes, steps] =
+        for (bool goes_on = true; goes_on;) {
+            const LinePlace behind =
                 go_through(side.lines, side.lines.unread_lines(), [&](const SeenLine& seen) {
                     if (seen.step.what == SeenStep::What::primitive)
                         begin(step_of_line(seen.line), seen.place);
                     side.see(seen.step, seen.line, seen.place);
                     return true;
                 });
-            side.lines.pass_lines(bytes, steps);
-            passed = bytes;
+            goes_on = behind.offset > side.lines.place().offset;
+            side.lines.pass_lines(behind);
         }
     }
     if (!primitives.empty())
@@ -100,18 +107,29 @@ void DiffSide::see(const SeenStep& step, std::string_view line, LinePlace place)
 }
 
 void DiffSide::pass(const StepLine& line) {
-    see(seen_in(line.json), line.json, {line.offset, line.number - 1});
+    see(seen_in(line.json), line.json, line.place);
     lines.pass();
 }
 
-std::string DiffSide::name_of(std::uint32_t primitive) const {
-    if (primitive == 0)
+OwnerOfPixels DiffSide::primitive(std::uint32_t number) const {
+    if (number == 0)
         return {};
-    const bool is_last = primitive == primitives.size();
-    StepLines line(text, primitives[primitive - 1],
-                   is_last ? nowhere : primitives[primitive].offset);
-    const StepLine* const step = line.front();
-    return step == nullptr ? std::string() : StepView(step->json).text("name");
+    const auto owner_at = [this](std::size_t i) {
+        const bool is_last = i + 1 == primitives.size();
+        StepLines line(text, primitives[i], is_last ? nowhere : primitives[i + 1].offset);
+        const StepLine* const step = line.front();
+        return step == nullptr ? OwnerOfPixels{} : owner_in(step->json);
+    };
+    OwnerOfPixels owner = owner_at(number - 1);
+    // What is cut is told in front of its parts, with the vertices that it has in the scene.
+    if (owner.face != owner.name)
+        for (std::size_t i = number - 1; i > 0; --i) {
+            const OwnerOfPixels before = owner_at(i - 1);
+            if (before.face != owner.face)
+                break;
+            owner.vertices = before.vertices;
+        }
+    return owner;
 }
 
 TraceComparison::TraceComparison(const TraceText& a, const TraceText& b, const DiffOptions& options)
@@ -132,24 +150,26 @@ std::vector<Problem> TraceComparison::damage() const {
     for (const DiffSide* const side : {&a_, &b_}) {
         if (!side->lines.is_cut_off())
             continue;
-        const std::size_t steps = side->lines.place().steps;
-        damage.push_back(problem_of(side->text.name(), truncation_after(steps)));
+        const LinePlace end = side->lines.place();
+        damage.push_back(problem_of(side->text.name(), truncation_after(end.steps)));
         if (side->text.has_lines()) {
-            damage.back().line = steps + 2;
+            damage.back().line = end.lines + 2;
             damage.back().column = 1;
         }
     }
     return damage;
 }
 
-std::optional<PictureDifference> TraceComparison::picture() const {
+std::optional<std::pair<PictureDifference, Consequences>> TraceComparison::picture() const {
     if (!compared_.has_pictures() || is_cut_off())
         return std::nullopt;
-    const PictureOwners owners{
-        .b_of_a = [this](std::uint32_t of_a) { return b_of_a(of_a); },
-        .name_in_a = [this](std::uint32_t owner) { return a_.name_of(owner); },
-        .name_in_b = [this](std::uint32_t owner) { return b_.name_of(owner); }};
-    return difference_between(*a_.picture, *b_.picture, owners, compared_.region());
+    const PictureOwners owners{.b_of_a = [this](std::uint32_t of_a) { return b_of_a(of_a); },
+                               .in_a = [this](std::uint32_t owner) { return a_.primitive(owner); },
+                               .in_b = [this](std::uint32_t owner) { return b_.primitive(owner); }};
+    PictureScope scope{.region = compared_.region(), .has_owners = has_primitives_};
+    if (const auto& first = tally_.first())
+        scope.reach.emplace(*first);
+    return difference_between(*a_.picture, *b_.picture, owners, scope);
 }
 
 std::uint32_t TraceComparison::b_of_a(std::uint32_t of_a) const {
@@ -191,21 +211,18 @@ void TraceComparison::begin_primitive(DiffSide& a, DiffSide& b) {
 }
 
 void TraceComparison::begin_section() {
-    tally_.begin_section({.id = ++section_,
-                          .json_a = a_.json,
-                          .json_b = b_.json,
-                          .begin_a = a_.begin,
-                          .begin_b = b_.begin});
+    tally_.begin_section(
+        {.json_a = a_.json, .json_b = b_.json, .begin_a = a_.begin, .begin_b = b_.begin});
     is_compared_ = compared_.has_primitive(StepView(a_.json).text("name"));
 }
 
 void TraceComparison::compare(const StepLine& a, const StepLine& b) {
-    ++place_;
+    ++gap_;
     if (!compared_.has(a) || !is_compared_)
         return;
     auto fields = fields_.differing(a, b);
     if (!fields.empty())
-        tally_.add_changed(place_, a, b, std::move(fields));
+        tally_.add_changed(gap_, a, b, std::move(fields));
 }
 
 /// Compares the steps up to the next primitive.
@@ -216,10 +233,12 @@ void TraceComparison::compare_section(DiffSide& a, DiffSide& b) {
         const StepLine* const of_b = next_compared(b);
         if (of_a == nullptr && of_b == nullptr)
             break;
-        if ((of_a == nullptr && a.lines.is_cut_off()) || (of_b == nullptr && b.lines.is_cut_off()))
+        if ((of_a == nullptr && breaks_off(a)) || (of_b == nullptr && breaks_off(b))) {
+            give_up_waiting(true);
             break;
+        }
         if (of_a == nullptr || of_b == nullptr) {
-            begin_event(a, b);
+            begin_gap(a, b);
             put_aside(of_a != nullptr ? a : b, 1);
         } else if (of_a->key == of_b->key) {
             compare(*of_a, *of_b);
@@ -232,7 +251,6 @@ void TraceComparison::compare_section(DiffSide& a, DiffSide& b) {
             give_up_waiting();
     }
     give_up_waiting();
-    tally_.end_section();
 }
 
 /// The next step of this primitive that is compared; those before are passed.
@@ -251,20 +269,20 @@ const StepLine* TraceComparison::ahead(DiffSide& side, std::size_t i) const {
     return step == nullptr || begins_section(*step) ? nullptr : step;
 }
 
-/// Where the next steps differ. All that is put aside before they are alike again belongs together.
-void TraceComparison::begin_event(const DiffSide& a, const DiffSide& b) {
-    ++place_;
+/// The next steps are not alike.
+void TraceComparison::begin_gap(const DiffSide& a, const DiffSide& b) {
+    ++gap_;
     const auto here = [](const DiffSide& side) {
         const StepLine* const step = side.lines.ahead();
-        return step == nullptr ? side.lines.place() : LinePlace{step->offset, step->number - 1};
+        return step == nullptr ? side.lines.place() : step->place;
     };
-    if (!first_event_)
-        first_event_ = DiffEvent{place_, here(a), here(b)};
+    if (!first_gap_)
+        first_gap_ = DiffGap{gap_, here(a), here(b)};
 }
 
 /// Puts as few steps aside as it takes to have the same step next in both traces.
 void TraceComparison::realign(DiffSide& a, DiffSide& b) {
-    begin_event(a, b);
+    begin_gap(a, b);
     std::unordered_map<std::string_view, std::size_t> places_a;
     std::unordered_map<std::string_view, std::size_t> places_b;
     for (std::size_t i = 0; i < farthest_look; ++i) {
@@ -305,28 +323,35 @@ void TraceComparison::put_aside(DiffSide& side, std::size_t steps) {
         if (!compared_.has(step))
             continue;
         if (WaitingSteps::Step other; !others.take(step.key, other))
-            own.add(std::move(step), place_);
+            own.add(std::move(step), gap_);
         else if (side.is_a)
-            found_elsewhere(other.place, step, other.line);
+            found_elsewhere(other.gap, step, other.line);
         else
-            found_elsewhere(other.place, other.line, step);
+            found_elsewhere(other.gap, other.line, step);
     }
 }
 
 /// A step that stands elsewhere in the other trace.
-void TraceComparison::found_elsewhere(std::size_t place, const StepLine& a, const StepLine& b) {
-    tally_.add_moved(place, a, b);
+void TraceComparison::found_elsewhere(std::size_t gap, const StepLine& a, const StepLine& b) {
+    tally_.add_moved(gap, a, b);
     auto fields = fields_.differing(a, b);
     if (!fields.empty())
-        tally_.add_changed(place, a, b, std::move(fields));
+        tally_.add_changed(gap, a, b, std::move(fields));
 }
 
-/// What waits has no equal.
-void TraceComparison::give_up_waiting() {
-    waiting_a_.take_all(
-        [this](const WaitingSteps::Step& one) { tally_.add_only_a(one.place, one.line); });
-    waiting_b_.take_all(
-        [this](const WaitingSteps::Step& one) { tally_.add_only_b(one.place, one.line); });
+/// What waits has no equal. If a trace breaks off, what waits in the last gap might have had one behind that.
+void TraceComparison::give_up_waiting(bool breaks_off) {
+    const auto is_told = [&](const WaitingSteps::Step& one) {
+        return !breaks_off || one.gap != gap_;
+    };
+    waiting_a_.take_all([&](const WaitingSteps::Step& one) {
+        if (is_told(one))
+            tally_.add_only_a(one.gap, one.line);
+    });
+    waiting_b_.take_all([&](const WaitingSteps::Step& one) {
+        if (is_told(one))
+            tally_.add_only_b(one.gap, one.line);
+    });
 }
 
 /// Passes lines that are the same in both texts, without a look at what they say, but for the pictures.
@@ -346,32 +371,32 @@ std::size_t TraceComparison::pass_lines(DiffSide& a, DiffSide& b, std::string_vi
     const bool waits = !waiting_a_.is_empty() || !waiting_b_.is_empty();
     const LinePlace from_a = a.lines.place();
     const LinePlace from_b = b.lines.place();
-    const auto [bytes, steps] = go_through(a.lines, text, [&](const SeenLine& seen) {
+    const auto in_b = [&](LinePlace in_a) {
+        return LinePlace{in_a.offset - from_a.offset + from_b.offset,
+                         in_a.steps - from_a.steps + from_b.steps,
+                         in_a.lines - from_a.lines + from_b.lines};
+    };
+    const LinePlace behind = go_through(a.lines, text, [&](const SeenLine& seen) {
         const bool is_primitive = seen.step.what == SeenStep::What::primitive && has_primitives_;
         if (is_primitive && waits)
             return false;
-        if (is_primitive)
-            tally_.end_section();
         a.see(seen.step, seen.line, seen.place);
-        b.see(seen.step, seen.line,
-              {seen.place.offset - from_a.offset + from_b.offset,
-               seen.place.steps - from_a.steps + from_b.steps});
+        b.see(seen.step, seen.line, in_b(seen.place));
         if (is_primitive)
             begin_section();
         return true;
     });
+    const std::size_t bytes = behind.offset - from_a.offset;
     if (bytes > 0)
-        ++place_;
-    a.lines.pass_lines(bytes, steps);
-    b.lines.pass_lines(bytes, steps);
+        ++gap_;
+    b.lines.pass_lines(in_b(behind));
+    a.lines.pass_lines(behind);
     return bytes;
 }
 
 // Where the primitives come in another order they are found by their names.
 
 void TraceComparison::compare_by_name() {
-    remarks_.emplace_back(
-        "primitives were added, taken out or moved: from there on the traces were read twice");
     const std::vector<PrimitivePlace> of_a = primitives_from_here(a_);
     const std::vector<PrimitivePlace> of_b = primitives_from_here(b_);
     const std::vector<std::size_t> in_b = find_by_name(of_a, of_b);
@@ -385,11 +410,19 @@ void TraceComparison::compare_by_name() {
                                     : 0);
     }
 
+    if (compared_.tells_all_primitives())
+        remarks_.emplace_back("the primitives are not the same in the same order: from there on "
+                              "the traces were read twice");
+
     // Both lists together: what only one has, what has moved, and what is in the same order in both.
+    const auto is_broken = [&](std::size_t in_list_a, std::size_t in_list_b) {
+        return (in_list_a + 1 == of_a.size() && a_.lines.is_cut_off()) ||
+               (in_list_b + 1 == of_b.size() && b_.lines.is_cut_off());
+    };
     std::size_t i = 0;
     std::size_t j = 0;
     while (i < of_a.size() || j < of_b.size()) {
-        ++place_;
+        ++gap_;
         if (i < of_a.size() && in_b[i] == nowhere) {
             if (!b_.lines.is_cut_off())
                 add_primitive(a_.text, of_a[i], true);
@@ -399,12 +432,14 @@ void TraceComparison::compare_by_name() {
                 add_primitive(b_.text, of_b[j], false);
             ++j;
         } else if (i < of_a.size() && !stays[i]) {
-            compare_primitives(of_a[i], of_b[in_b[i]], true);
+            compare_primitives(of_a[i], of_b[in_b[i]], true, is_broken(i, in_b[i]));
             ++i;
         } else if (j < of_b.size() && !stays[in_a[j]]) {
             ++j; // it has moved: it is compared where a has it
         } else {
-            compare_primitives(of_a[i++], of_b[j++], false);
+            compare_primitives(of_a[i], of_b[j], false, is_broken(i, j));
+            ++i;
+            ++j;
         }
     }
 }
@@ -415,24 +450,23 @@ void TraceComparison::add_primitive(const TraceText& text, const PrimitivePlace&
     if (!compared_.has_primitive(primitive.name))
         return;
     StepLines lines(text, primitive.begin, primitive.end.offset);
-    DiffSection section{.id = ++section_};
+    DiffSection section;
     if (const StepLine* const first = lines.front())
         (is_in_a ? section.json_a : section.json_b) = first->json;
     (is_in_a ? section.begin_a : section.begin_b) = primitive.begin;
     tally_.begin_section(std::move(section));
     while (const StepLine* const step = lines.front()) {
         if (compared_.has(*step) && is_in_a)
-            tally_.add_only_a(place_, *step);
+            tally_.add_only_a(gap_, *step);
         else if (compared_.has(*step))
-            tally_.add_only_b(place_, *step);
+            tally_.add_only_b(gap_, *step);
         lines.pass();
     }
-    tally_.end_section();
 }
 
 /// A primitive that both traces have, perhaps at another place.
 void TraceComparison::compare_primitives(const PrimitivePlace& of_a, const PrimitivePlace& of_b,
-                                         bool has_moved) {
+                                         bool has_moved, bool breaks_off) {
     DiffSide a(a_.text, true, of_a.begin, of_a.end.offset);
     DiffSide b(b_.text, false, of_b.begin, of_b.end.offset);
     const StepLine* const step_a = a.lines.front();
@@ -445,8 +479,9 @@ void TraceComparison::compare_primitives(const PrimitivePlace& of_a, const Primi
     b_.begin = of_b.begin;
     if (has_moved && compared_.has(*step_a)) {
         begin_section();
-        tally_.add_moved(place_, *step_a, *step_b);
+        tally_.add_moved(gap_, *step_a, *step_b);
     }
+    a.breaks_off = b.breaks_off = breaks_off;
     begin_primitive(a, b);
     compare_section(a, b);
 }

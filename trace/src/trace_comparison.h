@@ -37,6 +37,7 @@ struct DiffSide {
     std::vector<LinePlace> primitives{};   ///< where the step of each begins
     LinePlace begin{};                     ///< of the current primitive
     std::string json{};                    ///< of its step
+    bool breaks_off = false;               ///< of a part: the trace ends within it
 
     /// The whole trace, with its picture.
     DiffSide(const TraceText& of, bool is_first)
@@ -52,13 +53,13 @@ struct DiffSide {
     /// Goes on by the next step.
     void pass(const StepLine& line);
 
-    /// The name of the n-th primitive, from 1; "" for 0.
-    std::string name_of(std::uint32_t primitive) const;
+    /// The n-th primitive, from 1; one without a name for 0.
+    OwnerOfPixels primitive(std::uint32_t number) const;
 };
 
-/// Where both traces were when steps first had to be put aside.
-struct DiffEvent {
-    std::size_t place = 0;
+/// Where both traces are when a gap begins, see DiffTally.
+struct DiffGap {
+    std::size_t number = 0;
     LinePlace a{};
     LinePlace b{};
 };
@@ -71,10 +72,10 @@ public:
 
     const DiffTally& tally() const { return tally_; }
     const std::vector<std::string>& remarks() const { return remarks_; }
-    const std::optional<DiffEvent>& first_event() const { return first_event_; }
+    const std::optional<DiffGap>& first_gap() const { return first_gap_; }
 
-    /// How the pictures differ; nothing if the traces do not tell.
-    std::optional<PictureDifference> picture() const;
+    /// How the pictures differ, and what of it comes of the first difference; nothing if the traces do not tell.
+    std::optional<std::pair<PictureDifference, Consequences>> picture() const;
 
     /// Where each trace breaks off, if it does.
     std::vector<Problem> damage() const;
@@ -88,7 +89,8 @@ private:
     bool compare_in_order();
     void compare_by_name();
     void compare_section(DiffSide& a, DiffSide& b);
-    void compare_primitives(const PrimitivePlace& of_a, const PrimitivePlace& of_b, bool has_moved);
+    void compare_primitives(const PrimitivePlace& of_a, const PrimitivePlace& of_b, bool has_moved,
+                            bool breaks_off);
     void begin_primitive(DiffSide& a, DiffSide& b);
     void begin_section();
     void compare(const StepLine& a, const StepLine& b);
@@ -101,10 +103,10 @@ private:
     }
 
     void realign(DiffSide& a, DiffSide& b);
-    void begin_event(const DiffSide& a, const DiffSide& b);
+    void begin_gap(const DiffSide& a, const DiffSide& b);
     void put_aside(DiffSide& side, std::size_t steps);
-    void found_elsewhere(std::size_t place, const StepLine& a, const StepLine& b);
-    void give_up_waiting();
+    void found_elsewhere(std::size_t gap, const StepLine& a, const StepLine& b);
+    void give_up_waiting(bool breaks_off = false);
 
     void pass_equal_lines(DiffSide& a, DiffSide& b);
     std::size_t pass_lines(DiffSide& a, DiffSide& b, std::string_view text);
@@ -119,9 +121,8 @@ private:
     DiffTally tally_;
     WaitingSteps waiting_a_;
     WaitingSteps waiting_b_;
-    std::optional<DiffEvent> first_event_;
-    std::size_t section_ = 0;
-    std::size_t place_ = 0;               ///< what has been compared so far
+    std::optional<DiffGap> first_gap_;
+    std::size_t gap_ = 0;                 ///< the number of the last one
     bool is_compared_ = true;             ///< the steps of the current primitive are
     std::uint32_t common_primitives_ = 0; ///< so many come in the same order in both
     std::vector<std::uint32_t> partner_;  ///< of those behind them in a: the one in b; 0: none

@@ -3,13 +3,12 @@
 
 // Steps of one trace that have not been found in the other one yet, first come first.
 //
-//     waiting.add(line, place);
-//     const auto found = waiting.take(other.key);
+//     waiting.add(line, gap);
+//     if (WaitingSteps::Step found; waiting.take(other.key, found)) ...
 
 #include "step_lines.h"
 
 #include <cstddef>
-#include <deque>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -21,32 +20,37 @@ class WaitingSteps {
 public:
     struct Step {
         StepLine line{};
-        std::size_t place = 0; ///< in the order of the comparison
+        std::size_t gap = 0; ///< where the two traces went apart, see DiffTally
+        std::size_t next = none;
         bool is_waiting = true;
     };
 
-    void add(StepLine line, std::size_t place) {
-        bytes_ += line.json.size();
-        by_key_[line.key].push_back(steps_.size());
-        steps_.push_back(Step{.line = std::move(line), .place = place});
+    void add(StepLine line, std::size_t gap) {
+        bytes_ += size_of(line);
+        const std::size_t place = steps_.size();
+        const auto [chain, is_new] = by_key_.try_emplace(line.key, Chain{place, place});
+        if (!is_new)
+            steps_[std::exchange(chain->second.last, place)].next = place;
+        steps_.push_back(Step{.line = std::move(line), .gap = gap});
     }
 
     /// Takes the first step of a key out, if there is one.
     bool take(const std::string& key, Step& into) {
-        const auto found = by_key_.find(key);
-        if (found == by_key_.end())
+        const auto chain = by_key_.find(key);
+        if (chain == by_key_.end())
             return false;
-        Step& step = steps_[found->second.front()];
-        found->second.pop_front();
-        if (found->second.empty())
-            by_key_.erase(found);
-        bytes_ -= step.line.json.size();
+        Step& step = steps_[chain->second.first];
+        chain->second.first = step.next;
+        if (step.next == none)
+            by_key_.erase(chain);
         into = std::move(step);
         step.is_waiting = false;
         return true;
     }
 
     bool is_empty() const { return by_key_.empty(); }
+
+    /// About as much memory as they take.
     std::size_t bytes() const { return bytes_; }
 
     /// Calls `use` with all that are left, and forgets them.
@@ -58,8 +62,21 @@ public:
     }
 
 private:
+    static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+    /// The steps of a key, from the first one that waits.
+    struct Chain {
+        std::size_t first;
+        std::size_t last;
+    };
+
+    static std::size_t size_of(const StepLine& line) {
+        constexpr std::size_t of_entry = 128; ///< of the hash table and the allocator
+        return sizeof(Step) + line.json.size() + 2 * line.key.size() + of_entry;
+    }
+
     std::vector<Step> steps_;
-    std::unordered_map<std::string, std::deque<std::size_t>> by_key_;
+    std::unordered_map<std::string, Chain> by_key_;
     std::size_t bytes_ = 0;
 };
 

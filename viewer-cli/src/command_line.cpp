@@ -883,8 +883,8 @@ private:
             throw problem_of("", fmt::format("diff: expected {}, found {}", expected, count));
         };
         constexpr std::size_t git_arguments = 7;
-        if (diff_is_git_ && count < git_arguments)
-            fail("the seven arguments of git");
+        if (diff_is_git_ && count != 1 && count < git_arguments)
+            fail("the seven arguments of git, or the name of a file that is not merged");
         else if (diff_is_textconv_ && count != 1)
             fail("one file with --textconv");
         else if (!diff_is_git_ && !diff_is_textconv_ && !diff_.against.empty() && count != 1)

@@ -72,13 +72,24 @@ ExitStatus tell(const DiffCommand& command, const TraceDiff& found) {
     return found.is_same ? exit_fine : exit_difference;
 }
 
-/// Compares as git asks for it. It gives up all that is left to compare if a status is not 0, so that a file which
-/// cannot be read is told in its place.
+/// Compares as git asks for it: the name, the old file with its hash and mode, the new one, and a new name, if it has
+/// one; of a file that is not merged the name alone. Git gives up all that is left to compare if a status is not 0, so
+/// that what cannot be read is told in its place.
 ExitStatus tell_git(const DiffCommand& command) {
-    const std::string& name = command.files[0];
-    const std::string& old_file = command.files[1];
-    const std::string& new_file = command.files[4];
-    print(fmt::format("rastertrace diff {}\n", printable(name)));
+    constexpr std::size_t place_of_new_name = 7;
+    const std::vector<std::string>& words = command.files;
+    const std::string& name = words[0];
+    const bool is_renamed = words.size() > place_of_new_name;
+    const std::string new_name = is_renamed ? words[place_of_new_name] : name;
+    if (!command.json)
+        print(fmt::format("rastertrace diff {}{}\n", printable(name),
+                          is_renamed ? ", now " + printable(new_name) : ""));
+    if (words.size() == 1) {
+        print("not merged\n");
+        return exit_fine;
+    }
+    const std::string& old_file = words[1];
+    const std::string& new_file = words[4];
     if (old_file == no_file || new_file == no_file) {
         print(old_file == no_file ? "a new file\n" : "a file that is no longer there\n");
         return exit_fine;
@@ -86,7 +97,7 @@ ExitStatus tell_git(const DiffCommand& command) {
     try {
         TraceDiff found = diff_of_files(old_file, new_file, command);
         found.name_a = name + ", before";
-        found.name_b = name + ", now";
+        found.name_b = new_name + ", now";
         tell(command, found);
     } catch (const Problem& problem) {
         print(fmt::format("cannot be compared: {}\n", to_text(problem)));
@@ -95,9 +106,8 @@ ExitStatus tell_git(const DiffCommand& command) {
 }
 
 /// The lines that git compares by itself: the method, then each step in words, with the primitive that it is of.
-ExitStatus print_lines(const DiffCommand& command) {
+void print_lines_of(const Trace& trace) {
     constexpr std::size_t enough = 1 << 16;
-    const Trace trace = load_trace(command.files.front(), options_of(command));
     Replay replay(trace, {.depths = true});
     std::string text;
     for (const auto& [key, value] : trace.method)
@@ -113,8 +123,19 @@ ExitStatus print_lines(const DiffCommand& command) {
             text.clear();
         }
     }
+    for (const Problem& problem : trace.damage)
+        text += to_text(problem) + "\n";
     print(text);
-    return report_damage(trace);
+}
+
+/// The same for git, which shows nothing more at all if a status is not 0.
+ExitStatus print_lines(const DiffCommand& command) {
+    try {
+        print_lines_of(load_trace(command.files.front(), options_of(command)));
+    } catch (const Problem& problem) {
+        print(fmt::format("cannot be read: {}\n", to_text(problem)));
+    }
+    return exit_fine;
 }
 
 } // namespace

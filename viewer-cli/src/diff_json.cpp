@@ -3,6 +3,7 @@
 
 #include <rastertrace/trace/color_text.h>
 #include <rastertrace/trace/step_writer.h>
+#include <rastertrace/trace/text.h>
 
 #include <fmt/core.h>
 
@@ -22,9 +23,23 @@ std::string array_json(const std::vector<Item>& items, const ItemJson& item_json
     return text + "]";
 }
 
-/// A value as it stands in a trace; null where there is none.
+/// JSON of a trace, with what a terminal obeys, or nobody sees, escaped; it stands in strings only. null where there
+/// is none.
 std::string value_json(const std::string& value) {
-    return value.empty() ? "null" : value;
+    std::string text;
+    for (std::string_view rest = value; !rest.empty();) {
+        const CodePoint character = first_code_point(rest);
+        const bool is_shown = character.value != not_a_character && !is_unsafe(character.value) &&
+                              !is_invisible(character.value);
+        if (is_shown) {
+            text += rest.substr(0, character.length);
+        } else {
+            const std::string quoted = json_quoted(rest.substr(0, character.length));
+            text += quoted.substr(1, quoted.size() - 2);
+        }
+        rest.remove_prefix(character.length);
+    }
+    return text.empty() ? "null" : text;
 }
 
 std::string field_json(const FieldDifference& field) {
@@ -35,14 +50,10 @@ std::string field_json(const FieldDifference& field) {
     return text + "}";
 }
 
-/// The step as its trace has it, with its number and what it says as more keys.
 std::string step_json(const DiffStep& step) {
-    std::string json = step.json;
-    json.erase(json.find_last_of('}'));
-    json += fmt::format(R"({}"number":{})", json.ends_with('{') ? "" : ",", step.number);
-    if (step.line != 0)
-        json += fmt::format(R"(,"line":{})", step.line);
-    return json + fmt::format(R"(,"sentence":{}}})", json_quoted(step.sentence));
+    return fmt::format(R"({{"number":{},"line":{},"step":{},"sentence":{}}})", step.number,
+                       step.line == 0 ? "null" : fmt::format("{}", step.line),
+                       value_json(step.json), json_quoted(step.sentence));
 }
 
 std::string step_or_null(const std::optional<DiffStep>& step) {
@@ -60,11 +71,12 @@ std::string first_json(const TraceDiff& found) {
     const StepDifference& first = *found.first;
     return fmt::format(
         R"({{"kind":{},"primitive":{},"moved":{},"a":{},"b":{},"fields":{},)"
-        R"("led_to":{{"pixels":{},"only_a":{},"only_b":{},"colors":{}}}}})",
+        R"("led_to":{{"pixels":{},"only_a":{},"only_b":{},"colors":{},"owners":{}}}}})",
         json_quoted(first.kind), first.primitive.empty() ? "null" : json_quoted(first.primitive),
         first.is_moved, step_or_null(first.a), step_or_null(first.b),
         array_json(first.fields, field_json), found.led_to.count, pixels_json(found.led_to.only_a),
-        pixels_json(found.led_to.only_b), pixels_json(found.led_to.colors));
+        pixels_json(found.led_to.only_b), pixels_json(found.led_to.colors),
+        pixels_json(found.led_to.owners));
 }
 
 std::string summary_json(const FieldSummary& field) {
@@ -108,12 +120,15 @@ std::string diff_json(const TraceDiff& found) {
     std::vector<FieldDifference> header = found.header;
     header.insert(header.end(), found.end.begin(), found.end.end());
     return fmt::format(R"({{"same":{},"a":{},"b":{},"header":{},"first":{},"kinds":{},)"
-                       R"("picture":{},"remarks":{}}})"
+                       R"("picture":{},"remarks":{},"damage":{}}})"
                        "\n",
                        found.is_same, json_quoted(found.name_a), json_quoted(found.name_b),
                        array_json(header, field_json), first_json(found),
                        array_json(found.kinds, kind_json), picture_json(found.picture),
-                       array_json(found.remarks, quoted));
+                       array_json(found.remarks, quoted),
+                       array_json(found.damage, [](const Problem& problem) {
+                           return json_quoted(to_text(problem));
+                       }));
 }
 
 } // namespace rastertrace

@@ -126,13 +126,13 @@ struct PictureDifference {
 
 inline constexpr std::size_t most_pixels_told = 1000;
 
-/// The pixels that differ because of the first difference.
+/// The pixels of the final pictures that differ because of the first difference.
 struct Consequences {
     std::uint64_t count = 0;
-    std::vector<Pixel>
-        only_a{}; ///< plotted by steps of a that b does not have; at most `most_pixels_told` of each
+    std::vector<Pixel> only_a{}; ///< at most `most_pixels_told` of each
     std::vector<Pixel> only_b{};
-    std::vector<Pixel> colors{}; ///< in another color
+    std::vector<Pixel> colors{}; ///< drawn by both, in different colors
+    std::vector<Pixel> owners{}; ///< drawn by both in one color, by different primitives
 };
 
 struct TraceDiff {
