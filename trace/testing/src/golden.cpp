@@ -4,6 +4,7 @@
 #include "question.h"
 
 #include <rastertrace/trace/diff.h>
+#include <rastertrace/trace/excerpt.h>
 #include <rastertrace/trace/input.h>
 #include <rastertrace/trace/output.h>
 #include <rastertrace/trace/step_kind.h>
@@ -11,16 +12,13 @@
 #include <rastertrace/trace/trace_text.h>
 
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstddef>
-#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -32,8 +30,6 @@
 namespace rastertrace::matchers {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr const char* renew_variable = "RASTERTRACE_RENEW";
 
@@ -71,48 +67,14 @@ void expect_kinds(const Trace& trace, const std::vector<std::string>& kinds) {
     }
 }
 
-/// A trace as a golden: the steps of some kinds, or all, one a line.
+/// A trace as it is stored: the steps of some kinds, or all.
 std::string golden_text(const TestedTrace& tested, const std::vector<std::string>& kinds,
-                        bool is_document) {
-    const Trace& trace = trace_or_throw(tested);
-    Json header = Json::parse(TraceText(Source{tested.name, tested.text}).header_json());
-    header.erase("steps"); // of a document
-    if (!kinds.empty())
-        header["only"] = kinds;
-    std::string text = header.dump();
-    if (is_document)
-        text.replace(text.size() - 1, 1, R"(,"steps":[)");
-
-    std::map<std::size_t, std::uint64_t> known; // in the order of step_kind.h
-    std::map<std::string, std::uint64_t> foreign;
-    std::uint64_t steps = 0;
-    for (std::size_t n = 1; n <= trace.size(); ++n) {
-        const StepView step = trace.step(n);
-        const std::string kind = step.kind_name();
-        if (!kinds.empty() && std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
-            continue;
-        text += is_document && steps > 0 ? ",\n" : "\n";
-        text += step.json().find('\n') == std::string_view::npos ? std::string(step.json())
-                                                                 : Json::parse(step.json()).dump();
-        ++steps;
-        if (const auto number = trace.kind_of(n))
-            ++known[static_cast<std::size_t>(*number)];
-        else
-            ++foreign[kind];
-    }
-
-    Json count = Json::object();
-    for (const auto& [kind, number] : known)
-        count[std::string(name_of(static_cast<StepKind>(kind)))] = number;
-    for (const auto& [kind, number] : foreign)
-        count[kind] = number;
-    Json end{{"steps", steps}, {"count", std::move(count)}};
-    if (trace.end && trace.end->pixels)
-        end["pixels"] = *trace.end->pixels;
-    if (trace.end && !trace.end->frame.empty())
-        end["frame"] = trace.end->frame;
-    const std::string record = R"("end":)" + end.dump();
-    return text + (is_document ? "\n],\n" + record + "}\n" : "\n{" + record + "}\n");
+                        const std::string& path) {
+    std::string text;
+    StringOutput output(text);
+    write_excerpt(trace_or_throw(tested), TraceText(Source{tested.name, tested.text}).header_json(),
+                  kinds, path.ends_with(".jsonl") ? TraceLayout::jsonl : TraceLayout::json, output);
+    return text;
 }
 
 /// Writes the golden, whole and only if it changes. A file that is no trace is left as it is.
@@ -166,30 +128,30 @@ void expect_kinds_stored(const TraceText& golden, const std::vector<std::string>
 } // namespace
 
 TraceMatcher MatchesTrace(const std::string& golden, GoldenRules rules, Caller caller) {
-    return matcher_of(
-        {"matches the trace " + golden, "does not match the trace " + golden}, caller,
-        [golden, rules = std::move(rules)](const TestedTrace& tested) -> Verdict {
-            expect_kinds(trace_or_throw(tested), rules.kinds);
-            DiffOptions options{.ignored = rules.ignored, .only = rules.kinds};
-            if (!rules.kinds.empty())
-                options.ignored.emplace_back("header");
-            for (const std::string& tolerance : rules.tolerances)
-                options.tolerances.push_back(parse_tolerance(tolerance));
-            if (is_renewing())
-                renew(golden, golden_text(tested, rules.kinds, !golden.ends_with(".jsonl")));
+    return matcher_of({"matches the trace " + golden, "does not match the trace " + golden}, caller,
+                      [golden, rules = std::move(rules)](const TestedTrace& tested) -> Verdict {
+                          expect_kinds(trace_or_throw(tested), rules.kinds);
+                          DiffOptions options{.ignored = rules.ignored, .only = rules.kinds};
+                          if (!rules.kinds.empty())
+                              options.ignored.emplace_back("header");
+                          for (const std::string& tolerance : rules.tolerances)
+                              options.tolerances.push_back(parse_tolerance(tolerance));
+                          if (is_renewing())
+                              renew(golden, golden_text(tested, rules.kinds, golden));
 
-            const TraceText stored = golden_in(golden);
-            expect_kinds_stored(stored, rules.kinds);
-            const TraceDiff found =
-                diff(stored, TraceText(Source{tested.name, tested.text}), options);
-            if (!found.damage.empty())
-                throw found.damage.front();
-            if (found.is_same)
-                return {true, "nothing differs"};
-            return {false, "which differs:\n" + diff_text(found) +
-                               "\nIf it should be as it is now, renew the golden:\n  " +
-                               renewing_command()};
-        });
+                          const TraceText stored = golden_in(golden);
+                          expect_kinds_stored(stored, rules.kinds);
+                          const TraceDiff found =
+                              diff(stored, TraceText(Source{tested.name, tested.text}), options);
+                          if (!found.damage.empty())
+                              throw found.damage.front();
+                          if (found.is_same)
+                              return {true, "nothing differs"};
+                          return {false,
+                                  "which differs:\n" + diff_text(found) +
+                                      "\nIf it should be as it is now, renew the golden:\n  " +
+                                      renewing_command()};
+                      });
 }
 
 } // namespace rastertrace::matchers
