@@ -1,7 +1,7 @@
 # A test that compares a trace with a stored one, its golden, and a target that writes the golden anew:
 #
 #     rastertrace_add_golden(first-triangle first-triangle.json KINDS primitive,scanline,pixel)
-#     rastertrace_add_golden(mine COMMAND my_rasterizer scene.txt KINDS scanline,pixel TOLERANCE scanline.left=1e-6)
+#     rastertrace_add_golden(mine COMMAND my_rasterizer scene.txt KINDS scanline,pixel TOLERANCE scanline=1e-6)
 #
 #     ctest -R first-triangle
 #     cmake --build build --target renew-first-triangle     # or rastertrace-renew-goldens: all of them
@@ -11,7 +11,7 @@
 # the environment lets the test itself renew its golden.
 #
 #   GOLDEN file            the stored trace, NAME.golden.jsonl if not said
-#   KINDS kind,...         only these kinds of step are compared, and not the header; of a scene nothing else is stored
+#   KINDS kind,...         only these kinds of step are stored and compared, and the header is not compared
 #   TOLERANCE text...      how far numbers may differ, as for `rastertrace diff --tolerance`
 #   IGNORE text,...        what is not compared, as for `rastertrace diff --ignore`
 #   OPTIONS option...      of the program, for a scene: --fill top-left
