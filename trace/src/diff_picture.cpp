@@ -17,8 +17,6 @@ constexpr int widest = 60;
 constexpr int highest = 30;
 constexpr int margin = 2;
 
-constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz0123456789";
-
 /// Takes a text off the front, and says if it was there.
 bool take(std::string_view& text, std::string_view front) {
     if (!text.starts_with(front))
@@ -64,13 +62,32 @@ struct BothCanvases {
     int row_of(int y) const { return (y - top()) * down; }
 };
 
+/// The names of primitives, each looked up once.
+class NamesOfOwners {
+public:
+    explicit NamesOfOwners(const std::function<std::string(std::uint32_t)>& look_up)
+        : look_up_(look_up) {}
+
+    const std::string& of(std::uint32_t owner) {
+        const auto [known, is_new] = known_.try_emplace(owner);
+        if (is_new)
+            known->second = look_up_(owner);
+        return known->second;
+    }
+
+private:
+    const std::function<std::string(std::uint32_t)>& look_up_;
+    std::unordered_map<std::uint32_t, std::string> known_;
+};
+
 enum class PixelVerdict : std::uint8_t { none, alike, only_a, only_b, color, owner };
 
 class PictureComparison {
 public:
     PictureComparison(const OwnedPicture& a, const OwnedPicture& b, const PictureOwners& owners,
                       const std::optional<Region>& region)
-        : a_(a), b_(b), owners_(owners), region_(region), both_(a.canvas(), b.canvas()) {}
+        : a_(a), b_(b), owners_(owners), names_a_(owners.name_in_a), names_b_(owners.name_in_b),
+          region_(region), both_(a.canvas(), b.canvas()) {}
 
     PictureDifference compare() {
         for (int row = 0; row < both_.height(); ++row)
@@ -124,16 +141,16 @@ private:
         last_row_ = row;
         if (found_.pixels.size() < most_pixels_told)
             found_.pixels.push_back({.pixel = pixel,
-                                     .a = owner_in(a_, pixel, owners_.name_in_a),
-                                     .b = owner_in(b_, pixel, owners_.name_in_b)});
+                                     .a = owner_in(a_, pixel, names_a_),
+                                     .b = owner_in(b_, pixel, names_b_)});
     }
 
-    static std::optional<PixelOwner>
-    owner_in(const OwnedPicture& picture, Pixel pixel,
-             const std::function<std::string(std::uint32_t)>& name) {
+    static std::optional<PixelOwner> owner_in(const OwnedPicture& picture, Pixel pixel,
+                                              NamesOfOwners& names) {
         if (!picture.is_drawn(pixel))
             return std::nullopt;
-        return PixelOwner{.primitive = name(picture.owner(pixel)), .color = picture.color(pixel)};
+        return PixelOwner{.primitive = names.of(picture.owner(pixel)),
+                          .color = picture.color(pixel)};
     }
 
     /// Rows of a part that holds the differences, or as many as find room behind the first.
@@ -160,8 +177,8 @@ private:
             for (int x = left; x <= right; ++x) {
                 const Pixel pixel{x, both_.y_of(row)};
                 marks += mark_of(verdict(pixel));
-                faces_a += letter(letter_of, a_.owner(pixel), owners_.name_in_a);
-                faces_b += letter(letter_of, b_.owner(pixel), owners_.name_in_b);
+                faces_a += letter(letter_of, a_.owner(pixel), names_a_);
+                faces_b += letter(letter_of, b_.owner(pixel), names_b_);
             }
             found_.rows.push_back(std::move(marks));
             found_.faces_a.push_back(std::move(faces_a));
@@ -176,16 +193,16 @@ private:
     }
 
     char letter(std::unordered_map<std::string, char>& letter_of, std::uint32_t owner,
-                const std::function<std::string(std::uint32_t)>& name) {
+                NamesOfOwners& names) {
         if (owner == 0)
             return '.';
-        const std::string text = name(owner);
+        const std::string& text = names.of(owner);
         const auto known = letter_of.find(text);
         if (known != letter_of.end())
             return known->second;
-        if (found_.names.size() == letters.size())
+        if (found_.names.size() == primitive_letters.size())
             return '#';
-        const char next = letters[found_.names.size()];
+        const char next = primitive_letters[found_.names.size()];
         found_.names.push_back(text);
         letter_of.emplace(text, next);
         return next;
@@ -211,6 +228,8 @@ private:
     const OwnedPicture& a_;
     const OwnedPicture& b_;
     const PictureOwners& owners_;
+    NamesOfOwners names_a_;
+    NamesOfOwners names_b_;
     const std::optional<Region>& region_;
     BothCanvases both_;
     PictureDifference found_;

@@ -8,6 +8,7 @@
 
 #include <rastertrace/trace/color_text.h>
 #include <rastertrace/trace/text.h>
+#include <rastertrace/trace/trace.h>
 
 #include <fmt/core.h>
 
@@ -24,8 +25,13 @@ constexpr std::size_t most_pixels_named = 8;
 /// Longer JSON is cut.
 constexpr std::size_t longest_value = 60;
 
-/// A value as a sentence has it: a string without its quotes.
+/// A value as a sentence has it: a string without its quotes, a stage as what became of it.
 std::string value_text(const std::string& json) {
+    if (json.starts_with("{\"stage\"")) {
+        const StepView stage(json);
+        return fmt::format("{} ({})", stage.text("kept") == "true" ? "kept" : "left out",
+                           printable(stage.text("why")));
+    }
     return json.empty() ? "none" : shortened(printable(plain_text(json)), longest_value);
 }
 
@@ -91,8 +97,9 @@ std::string first_text(const TraceDiff& found) {
         text += "    " + field_text(field) + "\n";
 
     const Consequences& led_to = found.led_to;
+    // What has moved may be hidden, or hide another, without a step that says so.
     if (led_to.count == 0)
-        return text + (found.picture ? "    it changes no pixel\n" : "");
+        return text + (found.picture && !first.is_moved ? "    it changes no pixel\n" : "");
     text += fmt::format("    {} because of it\n",
                         led_to.count == 1 ? "1 pixel differs"
                                           : fmt::format("{} pixels differ", led_to.count));
@@ -157,6 +164,21 @@ std::string grid_text(const PictureDifference& picture,
     return text;
 }
 
+/// What the letters stand for, in lines.
+std::string names_text(const std::vector<std::string>& names) {
+    constexpr std::size_t widest = 79;
+    std::string text;
+    std::string line;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const std::string name = fmt::format("{} {}{}", primitive_letters[i], printable(names[i]),
+                                             i + 1 < names.size() ? "," : "");
+        if (!line.empty() && columns_in(line) + 1 + columns_in(name) > widest)
+            text += std::exchange(line, "") + "\n";
+        line += (line.empty() ? "" : " ") + name;
+    }
+    return text + line + "\n";
+}
+
 std::string picture_text(const PictureDifference& picture) {
     if (picture.rows.empty())
         return "\nthe pictures are alike\n";
@@ -175,12 +197,7 @@ std::string picture_text(const PictureDifference& picture) {
     if (!picture.faces_a.empty()) {
         text += "\nwho drew them, a and b\n";
         text += grid_text(picture, {&picture.faces_a, &picture.faces_b});
-        std::vector<std::string> names;
-        constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz0123456789";
-        for (std::size_t i = 0; i < picture.names.size(); ++i)
-            names.push_back(fmt::format("{} {}", letters[i], printable(picture.names[i])));
-        for (const std::string& line : wrapped(joined(names, ", "), 79))
-            text += line + "\n";
+        text += names_text(picture.names);
     }
     if (picture.is_cut)
         text += "(a part of the canvas)\n";

@@ -84,9 +84,10 @@ bool StepLines::read_more() {
     if (buffer_.size() > longest_line)
         throw line_too_long({text_.name(), buffer_, {}}, 0);
     const std::size_t kept = buffer_.size();
-    buffer_.resize(kept + block_size);
-    const std::size_t count =
-        text_.read(place_.offset + kept, std::span(buffer_).subspan(kept, block_size));
+    const std::size_t begin = place_.offset + kept;
+    const std::size_t size = std::min(block_size, end_ - std::min(end_, begin));
+    buffer_.resize(kept + size);
+    const std::size_t count = text_.read(begin, std::span(buffer_).subspan(kept));
     buffer_.resize(kept + count);
     has_all_ = count == 0;
     return !has_all_;

@@ -107,7 +107,9 @@ void DiffSide::pass(const StepLine& line) {
 std::string DiffSide::name_of(std::uint32_t primitive) const {
     if (primitive == 0)
         return {};
-    StepLines line(text, primitives[primitive - 1]);
+    const bool is_last = primitive == primitives.size();
+    StepLines line(text, primitives[primitive - 1],
+                   is_last ? nowhere : primitives[primitive].offset);
     const StepLine* const step = line.front();
     return step == nullptr ? std::string() : StepView(step->json).text("name");
 }
@@ -116,7 +118,7 @@ TraceComparison::TraceComparison(const TraceText& a, const TraceText& b, const D
     : compared_(a, b, options), has_primitives_(compared_.has_primitives()),
       fields_(options, a.header().method_value("scalar") == "float" ||
                            b.header().method_value("scalar") == "float"),
-      a_(a), b_(b), remarks_(compared_.remarks()) {}
+      a_(a, true), b_(b, false), remarks_(compared_.remarks()) {}
 
 void TraceComparison::run() {
     if (!compare_in_order())
@@ -218,10 +220,7 @@ void TraceComparison::compare_section(DiffSide& a, DiffSide& b) {
             break;
         if (of_a == nullptr || of_b == nullptr) {
             begin_event(a, b);
-            if (of_a != nullptr)
-                put_aside_a(a, 1);
-            else
-                put_aside_b(b, 1);
+            put_aside(of_a != nullptr ? a : b, 1);
         } else if (of_a->key == of_b->key) {
             compare(*of_a, *of_b);
             a.pass(*of_a);
@@ -288,38 +287,29 @@ void TraceComparison::realign(DiffSide& a, DiffSide& b) {
                                          (in_b->second == in_a->second && of_a->key < of_b->key));
         const std::size_t steps_a = takes_a ? i : in_a->second;
         const std::size_t steps_b = takes_a ? in_b->second : i;
-        put_aside_a(a, steps_a);
-        put_aside_b(b, steps_b);
+        put_aside(a, steps_a);
+        put_aside(b, steps_b);
         return;
     }
-    put_aside_a(a, farthest_look);
-    put_aside_b(b, farthest_look);
+    put_aside(a, farthest_look);
+    put_aside(b, farthest_look);
 }
 
-/// Takes steps out of a, as far as this primitive goes, and looks for them among those of b that wait.
-void TraceComparison::put_aside_a(DiffSide& a, std::size_t steps) {
-    for (; steps > 0 && ahead(a, 0) != nullptr; --steps) {
-        StepLine step = *ahead(a, 0);
-        a.pass(step);
+/// Takes steps out of one trace, as far as this primitive goes, and looks for them among those of the other that wait.
+void TraceComparison::put_aside(DiffSide& side, std::size_t steps) {
+    WaitingSteps& own = side.is_a ? waiting_a_ : waiting_b_;
+    WaitingSteps& others = side.is_a ? waiting_b_ : waiting_a_;
+    for (; steps > 0 && ahead(side, 0) != nullptr; --steps) {
+        StepLine step = *ahead(side, 0);
+        side.pass(step);
         if (!compared_.has(step))
             continue;
-        if (WaitingSteps::Step other; waiting_b_.take(step.key, other))
+        if (WaitingSteps::Step other; !others.take(step.key, other))
+            own.add(std::move(step), place_);
+        else if (side.is_a)
             found_elsewhere(other.place, step, other.line);
         else
-            waiting_a_.add(std::move(step), place_);
-    }
-}
-
-void TraceComparison::put_aside_b(DiffSide& b, std::size_t steps) {
-    for (; steps > 0 && ahead(b, 0) != nullptr; --steps) {
-        StepLine step = *ahead(b, 0);
-        b.pass(step);
-        if (!compared_.has(step))
-            continue;
-        if (WaitingSteps::Step other; waiting_a_.take(step.key, other))
             found_elsewhere(other.place, other.line, step);
-        else
-            waiting_b_.add(std::move(step), place_);
     }
 }
 
@@ -380,7 +370,8 @@ std::size_t TraceComparison::pass_lines(DiffSide& a, DiffSide& b, std::string_vi
 // Where the primitives come in another order they are found by their names.
 
 void TraceComparison::compare_by_name() {
-    remarks_.emplace_back("the primitives come in another order: the steps were read twice");
+    remarks_.emplace_back(
+        "primitives were added, taken out or moved: from there on the traces were read twice");
     const std::vector<PrimitivePlace> of_a = primitives_from_here(a_);
     const std::vector<PrimitivePlace> of_b = primitives_from_here(b_);
     const std::vector<std::size_t> in_b = find_by_name(of_a, of_b);
@@ -442,8 +433,8 @@ void TraceComparison::add_primitive(const TraceText& text, const PrimitivePlace&
 /// A primitive that both traces have, perhaps at another place.
 void TraceComparison::compare_primitives(const PrimitivePlace& of_a, const PrimitivePlace& of_b,
                                          bool has_moved) {
-    DiffSide a(a_.text, of_a.begin, of_a.end.offset);
-    DiffSide b(b_.text, of_b.begin, of_b.end.offset);
+    DiffSide a(a_.text, true, of_a.begin, of_a.end.offset);
+    DiffSide b(b_.text, false, of_b.begin, of_b.end.offset);
     const StepLine* const step_a = a.lines.front();
     const StepLine* const step_b = b.lines.front();
     if (step_a == nullptr || step_b == nullptr)

@@ -31,6 +31,7 @@ namespace rastertrace {
 /// One of the two traces, as far as it has been gone through.
 struct DiffSide {
     const TraceText& text;
+    bool is_a; ///< the first of the two
     StepLines lines;
     std::optional<OwnedPicture> picture{}; ///< nothing: it is drawn elsewhere
     std::vector<LinePlace> primitives{};   ///< where the step of each begins
@@ -38,11 +39,12 @@ struct DiffSide {
     std::string json{};                    ///< of its step
 
     /// The whole trace, with its picture.
-    explicit DiffSide(const TraceText& of) : text(of), lines(of), picture(of.header().canvas) {}
+    DiffSide(const TraceText& of, bool is_first)
+        : text(of), is_a(is_first), lines(of), picture(of.header().canvas) {}
 
     /// A part of it.
-    DiffSide(const TraceText& of, LinePlace from, std::size_t end)
-        : text(of), lines(of, from, end) {}
+    DiffSide(const TraceText& of, bool is_first, LinePlace from, std::size_t end)
+        : text(of), is_a(is_first), lines(of, from, end) {}
 
     /// Goes on by a step, of which so much has been seen.
     void see(const SeenStep& step, std::string_view line, LinePlace place);
@@ -100,8 +102,7 @@ private:
 
     void realign(DiffSide& a, DiffSide& b);
     void begin_event(const DiffSide& a, const DiffSide& b);
-    void put_aside_a(DiffSide& a, std::size_t steps);
-    void put_aside_b(DiffSide& b, std::size_t steps);
+    void put_aside(DiffSide& side, std::size_t steps);
     void found_elsewhere(std::size_t place, const StepLine& a, const StepLine& b);
     void give_up_waiting();
 

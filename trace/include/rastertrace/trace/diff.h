@@ -19,6 +19,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rastertrace {
@@ -97,6 +98,9 @@ struct PixelDifference {
     std::optional<PixelOwner> b{};
 };
 
+/// The letters that stand for primitives in a picture, in this order; more than there are have `#`.
+inline constexpr std::string_view primitive_letters = "abcdefghijklmnopqrstuvwxyz0123456789";
+
 /// How the final pictures differ.
 struct PictureDifference {
     std::uint64_t only_a = 0; ///< pixels that only a has drawn
@@ -117,7 +121,7 @@ struct PictureDifference {
     /// The same part with a letter for each primitive, if some pixel has another owner.
     std::vector<std::string> faces_a{};
     std::vector<std::string> faces_b{};
-    std::vector<std::string> names{}; ///< of the letters a, b, ...
+    std::vector<std::string> names{}; ///< of the letters, see primitive_letters
 };
 
 inline constexpr std::size_t most_pixels_told = 1000;
