@@ -19,6 +19,9 @@
 # docs/regression-tests.md has an example of each.
 function(rastertrace_add_golden name)
   cmake_parse_arguments(PARSE_ARGV 1 golden "" "GOLDEN" "COMMAND;KINDS;TOLERANCE;IGNORE;OPTIONS")
+  if(golden_KEYWORDS_MISSING_VALUES)
+    message(FATAL_ERROR "rastertrace_add_golden(${name}): expected a value behind ${golden_KEYWORDS_MISSING_VALUES}")
+  endif()
   if(golden_COMMAND AND golden_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "rastertrace_add_golden(${name}): expected a scene or COMMAND, found both")
   elseif(NOT golden_COMMAND)
@@ -47,7 +50,7 @@ function(rastertrace_add_golden name)
   endif()
   set(script ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/golden-test.cmake)
   set(run ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FILE:rastertrace::program> -DGOLDEN=${golden_GOLDEN}
-    -DSCENE=${golden_UNPARSED_ARGUMENTS} -DKINDS=${kinds} -DIGNORE=${ignored}
+    -DSCENE=${golden_UNPARSED_ARGUMENTS} -DKINDS=${kinds} -DIGNORED=${ignored}
     -DTOLERANCES=${tolerances} "-DOPTIONS=${options}"
     -DTRACE=${CMAKE_CURRENT_BINARY_DIR}/${name}.trace
     "-DRENEWED_BY=cmake --build ${CMAKE_BINARY_DIR} --target renew-${name}")
