@@ -121,7 +121,8 @@ TEST(HasScanline, TakesADoubleAsItsShortestDecimal) {
 {"step":"scanline","y":1,"left":0.1,"right":1e-7,"from":1,"to":0,"left_edge":"AB","right_edge":"AC"}
 {"end":{"steps":2}}
 )"});
-    EXPECT_THAT(trace, AllOf(HasScanline(1, 0.1, 1e-7), HasScanline(1, "1/10", "0.0000001")));
+    EXPECT_THAT(trace, AllOf(HasScanline(1, 0.1, 1e-7), HasScanline(1, 0.1F, 1e-7F),
+                             HasScanline(1, "1/10", "0.0000001")));
 }
 
 TEST(HasScanline, SaysWhichRowThereIs) {

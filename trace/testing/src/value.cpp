@@ -3,6 +3,7 @@
 
 #include <array>
 #include <charconv>
+#include <concepts>
 #include <cstddef>
 #include <utility>
 #include <variant>
@@ -11,8 +12,8 @@ namespace rastertrace::matchers {
 
 namespace {
 
-/// The shortest decimal that reads back as this double.
-std::string shortest(double number) {
+/// The shortest decimal that reads back as this number.
+template <std::floating_point Float> std::string shortest(Float number) {
     constexpr std::size_t longest = 32; // 17 digits, signs, point and exponent
     std::array<char, longest> buffer{};
     const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number);
@@ -29,6 +30,8 @@ std::optional<Number> number_in(const std::string& text) {
 } // namespace
 
 Value::Value(double number) : text_(shortest(number)) {}
+
+Value::Value(float number) : text_(shortest(number)) {}
 
 std::string Value::text() const {
     return tolerance_ > 0 ? text_ + " +- " + shortest(tolerance_) : text_;

@@ -85,14 +85,15 @@ private:
     std::string name_;
 };
 
-/// A number that a trace is asked for, by value: "25/8", 3.125 and "3.125" are the same. A double is what it is in its
-/// shortest form: 0.1 is 1/10, as in a trace.
+/// A number that a trace is asked for, by value: "25/8", 3.125 and "3.125" are the same. A double, or a float, is the
+/// shortest decimal that reads back to it: 0.1 is 1/10, as in a trace.
 class Value {
 public:
     Value(const char* text) : text_(text) {}            // NOLINT: numbers are written as numbers
     Value(std::string text) : text_(std::move(text)) {} // NOLINT
     Value(std::integral auto whole) : text_(std::to_string(whole)) {} // NOLINT
     Value(double number);                                             // NOLINT
+    Value(float number);                                              // NOLINT
 
     /// As it was typed; about 1/3 as "1/3 +- 1e-9".
     std::string text() const;
