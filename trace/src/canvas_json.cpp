@@ -2,8 +2,10 @@
 #include "canvas_json.h"
 
 #include "json_reader.h"
+#include "scene_keys.h"
 
 #include <rastertrace/core/numbers/number.h>
+#include <rastertrace/trace/text.h>
 
 #include <fmt/core.h>
 
@@ -43,6 +45,13 @@ std::string_view name_of(Origin origin) {
     return {};
 }
 
+std::vector<std::string_view> origin_names() {
+    std::vector<std::string_view> names;
+    for (const auto& [origin, name] : origins)
+        names.push_back(name);
+    return names;
+}
+
 std::optional<std::string> fault_of_size(const Canvas& canvas) {
     if (std::int64_t{canvas.width} * canvas.height <= largest_canvas_area)
         return std::nullopt;
@@ -75,10 +84,11 @@ Result<CanvasJson> read_canvas_json(const Source& source, const JsonValue& value
                     known = true;
                 }
             if (!known)
-                return expecting(item, "one of center, bottom-left, top-left");
+                return expecting(item, fmt::format("one of {}", joined(origin_names(), ", ")));
         } else {
-            Problem problem = expecting(key, "a key out of width, height, origin");
-            problem.hint = hint_for_key(key.text, {"width", "height", "origin"});
+            const auto known = names_of(canvas_keys);
+            Problem problem = expecting(key, fmt::format("a key out of {}", joined(known, ", ")));
+            problem.hint = hint_for_key(key.text, known);
             return problem;
         }
     }

@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace rastertrace {
 
@@ -31,5 +32,8 @@ std::optional<std::string> fault_of_size(const Canvas& canvas);
 
 /// center, bottom-left or top-left.
 std::string_view name_of(Origin origin);
+
+/// All three.
+std::vector<std::string_view> origin_names();
 
 } // namespace rastertrace

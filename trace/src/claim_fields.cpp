@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "claim_fields.h"
 
+#include "claims_keys.h"
 #include "number_fault.h"
 
 #include <rastertrace/core/numbers/number.h>
@@ -53,7 +54,7 @@ std::vector<ClaimField> claim_fields_of(StepKind kind) {
     std::vector<ClaimField> fields;
     for (const StepField& field : row_of(kind).fields)
         fields.push_back({.name = field.name,
-                          .type = field.type == list ? element_type_of(field.name) : field.type,
+                          .type = field.type == list ? element_type_of(field) : field.type,
                           .is_list = field.type == list,
                           .is_key = field.role == FieldRole::key});
     for (const DerivedField& derived : derived_fields)
@@ -107,7 +108,7 @@ std::optional<std::string> expected_instead(const ClaimField& field, std::string
 
 std::optional<std::string> fault_in_last_row(const std::vector<std::string>& rows) {
     const std::string& row = rows.back();
-    const std::size_t other = row.find_first_not_of(".#?");
+    const std::size_t other = row.find_first_not_of(picture_marks);
     if (other != std::string::npos)
         return fmt::format("expected a row of ., # and ?, found '{}'",
                            row.substr(other, first_code_point(row.substr(other)).length));

@@ -4,6 +4,7 @@
 #include <rastertrace/trace/claims.h>
 
 #include "claim_fields.h"
+#include "claims_keys.h"
 #include "claims_table.h"
 #include "json_document.h"
 #include "json_reader.h"
@@ -52,7 +53,7 @@ public:
         const JsonDocument document = document_of(claims_.source);
         const JsonValue root = document.root();
         refuse_other_files(root);
-        json_.allow_keys(root, {"scene", "round", "claims"});
+        json_.allow_keys(root, claims_keys);
         if (const auto scene = root.find("scene"))
             claims_.scene = json_.string_in(*scene, "the name of a scene file");
         if (const auto round = root.find("round"))
@@ -83,9 +84,10 @@ private:
     }
 
     bool truncates(const JsonValue& round) const {
-        if (round.text != "truncate" && round.text != "nearest")
+        const std::vector<std::string_view> known(round_words.begin(), round_words.end());
+        if (std::find(known.begin(), known.end(), round.text) == known.end())
             json_.fail_expecting(round, R"("nearest" or "truncate")",
-                                 did_you_mean(round.text, {"nearest", "truncate"}, "\""));
+                                 did_you_mean(round.text, known, "\""));
         return round.text == "truncate";
     }
 
@@ -110,7 +112,7 @@ private:
                     .fields = {},
                     .picture = {}};
         if (const auto picture = value.find("picture")) {
-            json_.allow_keys(value, {"picture"});
+            json_.allow_keys(value, picture_keys);
             claim.step = "picture";
             read_picture(*picture, claim);
         } else {

@@ -149,7 +149,7 @@ std::optional<FieldType> type_of(std::optional<StepKind> kind, std::string_view 
         return std::nullopt;
     for (const StepField& field : row_of(*kind).fields)
         if (field.name == name)
-            return field.type == FieldType::list ? element_type_of(name) : field.type;
+            return field.type == FieldType::list ? element_type_of(field) : field.type;
     return std::nullopt;
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "first_line.h"
 
-#include "input_check.h"
-
 #include <rastertrace/trace/text.h>
 
 #include <cstddef>
@@ -11,8 +9,7 @@
 
 namespace rastertrace {
 
-LineLayout read_first_line(InputFile& file, Source& source, const InputLimits& limits) {
-    InputCheck fault_of(InputCheck::Kind::scene_or_trace, limits);
+LineLayout read_first_line(InputFile& file, Source& source, InputCheck& fault_of) {
     std::size_t block = source.text.size();
     bool is_told = false;
     while (file.read_into(source.text)) {

@@ -3,16 +3,16 @@
 
 // The first line of a file tells whether it is a trace with one step a line, which can be read without being kept.
 
+#include "input_check.h"
 #include "input_file.h"
 #include "trace_lines.h"
 
-#include <rastertrace/trace/input.h>
 #include <rastertrace/trace/problem.h>
 
 namespace rastertrace {
 
 /// Reads a file until its first line tells of a trace with one step a line, and perhaps somewhat farther; or, if it
-/// does not, all of the file. Throws a Problem.
-LineLayout read_first_line(InputFile& file, Source& source, const InputLimits& limits);
+/// does not, all of the file. Each block is looked at by `fault_of`. Throws a Problem.
+LineLayout read_first_line(InputFile& file, Source& source, InputCheck& fault_of);
 
 } // namespace rastertrace

@@ -34,7 +34,7 @@ void Replay::apply_next() {
         primitives_.push_back(step_);
         ray_ = scanline_ = scanline_before_ = 0;
         edges_.clear();
-        color_ = parse_color(step.text("color")).value_or(Color{});
+        color_ = color_of_primitive(step);
         break;
     case StepKind::matrix:
         matrices_.push_back(step_);
@@ -58,18 +58,15 @@ void Replay::apply_next() {
         scanline_ = step_;
         break;
     case StepKind::pixel: {
-        const Index x = *step.whole("x");
-        const Index y = *step.whole("y");
-        if (!trace_.canvas.contains(x, y))
+        const auto plotted = plotted_by(step, trace_.canvas, color_);
+        if (!plotted)
             break;
-        const Pixel pixel{static_cast<int>(x), static_cast<int>(y)};
-        const auto own_color = step.field("color") ? parse_color(step.text("color")) : color_;
-        frame_.image.at(pixel) = own_color.value_or(color_);
-        std::size_t& drawn_by = frame_.drawn_by[trace_.canvas.offset_of(pixel)];
+        frame_.image.at(plotted->pixel) = plotted->color;
+        std::size_t& drawn_by = frame_.drawn_by[trace_.canvas.offset_of(plotted->pixel)];
         drew_over_ = drawn_by;
         drawn_by = step_;
         if (parts_.writes)
-            ++frame_.writes[trace_.canvas.offset_of(pixel)];
+            ++frame_.writes[trace_.canvas.offset_of(plotted->pixel)];
         break;
     }
     case StepKind::depth: {
@@ -105,6 +102,21 @@ const std::vector<std::size_t>& Replay::places_of(const std::string& vertex) con
     static const std::vector<std::size_t> none;
     const auto found = places_->find(vertex);
     return found == places_->end() ? none : found->second;
+}
+
+std::optional<PlottedPixel> plotted_by(const StepView& step, const Canvas& canvas,
+                                       Color of_primitive) {
+    const Index x = *step.whole("x");
+    const Index y = *step.whole("y");
+    if (!canvas.contains(x, y))
+        return std::nullopt;
+    const auto own_color = step.field("color") ? parse_color(step.text("color")) : of_primitive;
+    return PlottedPixel{{static_cast<int>(x), static_cast<int>(y)},
+                        own_color.value_or(of_primitive)};
+}
+
+Color color_of_primitive(const StepView& step) {
+    return parse_color(step.text("color")).value_or(Color{});
 }
 
 Frame frame_after(const Trace& trace, std::size_t n) {

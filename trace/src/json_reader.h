@@ -8,12 +8,14 @@
 //     const Number width = json.number_in(value);  // throws a Problem
 
 #include "json_document.h"
+#include "json_key.h"
 
 #include <rastertrace/core/numbers/number.h>
 #include <rastertrace/core/transform/transform.h>
 #include <rastertrace/trace/problem.h>
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,6 +24,9 @@ namespace rastertrace {
 
 /// What may help with a key that is none of `known`: where it belongs, or one that is near.
 std::string hint_for_key(std::string_view key, const std::vector<std::string_view>& known);
+
+/// What the keys of a table are called, but for "$schema".
+std::vector<std::string_view> names_of(std::span<const JsonKey> keys);
 
 /// Reads values of one source. What is wrong is thrown as a Problem.
 struct JsonReader {
@@ -40,6 +45,9 @@ struct JsonReader {
     /// Fails unless the value is an object that has no other keys.
     void allow_keys(const JsonValue& value, const std::vector<std::string_view>& known) const;
 
+    /// The same with those of a table. "$schema", if it is one, is a text, and is not told among the others.
+    void allow_keys(const JsonValue& value, std::span<const JsonKey> keys) const;
+
     /// The value under a key that must be there.
     JsonValue member(const JsonValue& object, std::string_view key) const;
 
@@ -53,6 +61,10 @@ struct JsonReader {
 
     /// [x, y, z].
     Numbers3 numbers3_in(const JsonValue& value, std::string_view expected) const;
+
+private:
+    void allow_keys(const JsonValue& value, const std::vector<std::string_view>& known,
+                    std::string_view untold) const;
 };
 
 } // namespace rastertrace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline_json.h"
 
+#include "scene_keys.h"
+
 #include <rastertrace/trace/pipeline_names.h>
 
 #include <rastertrace/trace/text.h>
@@ -25,14 +27,12 @@ constexpr std::size_t most_model_bits = 32768;
 /// x, y, z or the axis that a value names.
 Numbers3 axis_in(const JsonReader& json, const JsonValue& value) {
     constexpr std::string_view expected = R"("x", "y", "z" or an axis [x, y, z])";
-    if (value.kind == JsonValue::Kind::string) {
-        if (value.text == "x")
-            return {1, 0, 0};
-        if (value.text == "y")
-            return {0, 1, 0};
-        if (value.text == "z")
-            return {0, 0, 1};
-    }
+    for (std::size_t i = 0; i < axis_words.size(); ++i)
+        if (value.kind == JsonValue::Kind::string && value.text == axis_words[i]) {
+            Numbers3 axis{0, 0, 0};
+            axis[i] = 1;
+            return axis;
+        }
     const Numbers3 axis = json.numbers3_in(value, expected);
     if (is_zero(exact(axis)))
         json.fail_expecting(value, "an axis other than [0, 0, 0]");
@@ -40,13 +40,13 @@ Numbers3 axis_in(const JsonReader& json, const JsonValue& value) {
 }
 
 Rotate read_rotate(const JsonReader& json, const JsonValue& value) {
-    json.allow_keys(value, {"axis", "degrees"});
+    json.allow_keys(value, rotate_keys);
     return {axis_in(json, json.member(value, "axis")),
             json.number_in(json.member(value, "degrees"))};
 }
 
 Shear read_shear(const JsonReader& json, const JsonValue& value) {
-    json.allow_keys(value, {"xy", "xz", "yx", "yz", "zx", "zy"});
+    json.allow_keys(value, shear_keys);
     const auto factor = [&json, &value](std::string_view key) {
         const auto found = value.find(key);
         return !found ? Number(0) : json.number_in(*found);
@@ -105,7 +105,7 @@ void read_bounds(const JsonReader& json, const JsonValue& value, Projection& pro
 }
 
 void read_orthographic(const JsonReader& json, const JsonValue& value, Projection& projection) {
-    json.allow_keys(value, {"type", "left", "right", "bottom", "top", "near", "far"});
+    json.allow_keys(value, orthographic_keys);
     read_bounds(json, value, projection);
     if (value.find("near") || value.find("far")) {
         Number near;
@@ -117,14 +117,14 @@ void read_orthographic(const JsonReader& json, const JsonValue& value, Projectio
 }
 
 void read_view_plane(const JsonReader& json, const JsonValue& value, Projection& projection) {
-    json.allow_keys(value, {"type", "distance", "near"});
+    json.allow_keys(value, view_plane_keys);
     projection.distance = positive_in(json, json.member(value, "distance"), "a distance");
     if (const auto near = value.find("near"))
         projection.near = positive_in(json, *near, "a distance");
 }
 
 void read_frustum(const JsonReader& json, const JsonValue& value, Projection& projection) {
-    json.allow_keys(value, {"type", "fov_y", "left", "right", "bottom", "top", "near", "far"});
+    json.allow_keys(value, frustum_keys);
     if (const auto fov_y = value.find("fov_y")) {
         for (const std::string_view bound : {"left", "right", "bottom", "top"})
             if (const auto found = value.find(bound))
@@ -141,7 +141,7 @@ void read_frustum(const JsonReader& json, const JsonValue& value, Projection& pr
     }
     projection.near = positive_in(json, json.member(value, "near"), "a distance");
     const JsonValue far = json.member(value, "far");
-    if (far.kind == JsonValue::Kind::string && far.text == "infinity")
+    if (far.kind == JsonValue::Kind::string && far.text == infinity_word)
         return;
     Number low;
     Number high;
@@ -152,15 +152,13 @@ void read_frustum(const JsonReader& json, const JsonValue& value, Projection& pr
 } // namespace
 
 std::vector<ModelStep> read_model(const JsonReader& json, const JsonValue& value) {
-    const std::vector<std::string_view> known{"scale", "translate", "rotate", "shear"};
     std::vector<ModelStep> steps;
     std::size_t bits = 0;
     for (const JsonValue& item :
          json.array_in(value, R"(a list, like [{"scale": [2, 2, 2]}, {"translate": [0, 0, 4]}])")) {
-        constexpr std::size_t most_steps = 256;
-        if (steps.size() == most_steps)
-            json.fail(item, fmt::format("expected at most {} steps, found more", most_steps));
-        json.allow_keys(item, known);
+        if (steps.size() == most_model_steps)
+            json.fail(item, fmt::format("expected at most {} steps, found more", most_model_steps));
+        json.allow_keys(item, model_keys);
         const JsonMembers members = item.members();
         if (members.size() != 1)
             json.fail(item,
@@ -189,8 +187,8 @@ std::vector<ModelStep> read_model(const JsonReader& json, const JsonValue& value
 Camera read_camera(const JsonReader& json, const JsonValue& value) {
     if (value.kind != JsonValue::Kind::object)
         json.fail_expecting(value, R"("fit" or a camera, like {"position": [0, 0, 4]})",
-                            did_you_mean(value.text, {"fit"}, "\""));
-    json.allow_keys(value, {"position", "look_at", "up"});
+                            did_you_mean(value.text, {fit_word}, "\""));
+    json.allow_keys(value, camera_keys);
     Camera camera;
     camera.position = json.numbers3_in(json.member(value, "position"), "a place [x, y, z]");
     camera.look_at = {0, 0, 0};
@@ -237,14 +235,14 @@ Projection read_projection(const JsonReader& json, const JsonValue& value) {
         read_frustum(json, value, projection);
         break;
     case ProjectionType::none:
-        json.allow_keys(value, {"type"});
+        json.allow_keys(value, no_projection_keys);
         break;
     }
     return projection;
 }
 
 Light read_light(const JsonReader& json, const JsonValue& value) {
-    json.allow_keys(value, {"direction", "position"});
+    json.allow_keys(value, light_keys);
     const JsonMembers members = value.members();
     if (members.size() != 1)
         json.fail(value, fmt::format("expected a direction or a position, found {}",
@@ -259,11 +257,11 @@ Light read_light(const JsonReader& json, const JsonValue& value) {
 }
 
 Viewport read_viewport(const JsonReader& json, const JsonValue& value) {
-    if (value.kind == JsonValue::Kind::string && value.text == "fit")
+    if (value.kind == JsonValue::Kind::string && value.text == fit_word)
         return {.type = ViewportType::fit, .pixels_per_unit = 1};
     if (value.kind != JsonValue::Kind::object)
         json.fail_expecting(value, R"("fit" or {"pixels_per_unit": 10})");
-    json.allow_keys(value, {"pixels_per_unit"});
+    json.allow_keys(value, viewport_keys);
     return {.type = ViewportType::pixels_per_unit,
             .pixels_per_unit =
                 positive_in(json, json.member(value, "pixels_per_unit"), "a number of pixels")};

@@ -5,8 +5,10 @@
 #include "face_cuts.h"
 #include "json_document.h"
 #include "json_reader.h"
+#include "json_scanner.h"
 #include "name_index.h"
 #include "pipeline_json.h"
+#include "scene_keys.h"
 #include "variations.h"
 
 #include <rastertrace/core/draw/geometry.h>
@@ -91,9 +93,7 @@ public:
     /// Takes everything from the document, which may be forgotten then.
     void read(const JsonValue& root) {
         // The smallest scene has vertices and triangles; everything else has a default.
-        json_.allow_keys(root, {"title", "canvas", "background", "vertices", "colors", "triangles",
-                                "outlines", "lines", "points", "meshes", "model", "camera",
-                                "projection", "viewport", "light", "method", "keep", "vary"});
+        json_.allow_keys(root, scene_keys);
         if (const auto title = root.find("title"))
             scene_.title = json_.string_in(*title, "a title in quotes");
         if (const auto background = root.find("background"))
@@ -257,7 +257,7 @@ private:
     }
 
     void read_mesh(const JsonValue& mesh) {
-        json_.allow_keys(mesh, {"obj", "vertices", "faces", "name", "color", "draw", "model"});
+        json_.allow_keys(mesh, mesh_keys);
         SceneObject object;
         if (const auto model = mesh.find("model"))
             object.model = read_model(json_, *model);
@@ -271,7 +271,7 @@ private:
         if (const auto color = mesh.find("color"))
             face.color = color_in(*color);
         if (const auto draw = mesh.find("draw")) {
-            const std::vector<std::string_view> known{"triangles", "outlines", "hidden-lines"};
+            const std::vector<std::string_view> known(draw_words.begin(), draw_words.end());
             if (std::find(known.begin(), known.end(), draw->text) == known.end())
                 json_.fail_expecting(*draw, "triangles, outlines or hidden-lines",
                                      did_you_mean(draw->text, known, "\""));
@@ -562,7 +562,7 @@ private:
     /// How vertices come to the screen.
     void read_view(const JsonValue& root) {
         const auto camera = root.find("camera");
-        if (camera && camera->text == "fit")
+        if (camera && camera->text == fit_word)
             place_of_fit_ = camera->begin;
         else if (camera)
             scene_.camera = read_camera(json_, *camera);
@@ -712,7 +712,7 @@ private:
             ScenePrimitive primitive;
             primitive.kind = kind;
             if (value.kind == JsonValue::Kind::object) {
-                json_.allow_keys(value, {"vertices", "name", "color"});
+                json_.allow_keys(value, primitive_keys);
                 const auto vertices = value.find("vertices");
                 if (!vertices)
                     json_.fail(value, R"(expected the key "vertices", found none)");
@@ -982,6 +982,21 @@ PlannedScene SceneSequence::frame(std::size_t frame) {
         reader.look_from(*state_->fitted);
     }
     return state_->in_frame(frame, [&reader] { return reader.planned(); });
+}
+
+bool is_scene(const Source& source) {
+    constexpr std::string_view blanks = "\xEF\xBB\xBF \t\r\n";
+    std::string_view document = source.text;
+    document.remove_prefix(std::min(document.find_first_not_of(blanks), document.size()));
+    if (!document.starts_with('{'))
+        return false;
+    JsonScanner fields(document);
+    while (fields.next_field())
+        // A title may stand in any file.
+        for (const JsonKey& key : scene_keys)
+            if (fields.key() == key.name && key.name != schema_key.name && key.name != "title")
+                return true;
+    return fields.failed();
 }
 
 Result<PlannedScene> read_scene(const Source& source, const MethodOverrides& overrides,

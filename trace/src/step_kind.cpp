@@ -42,7 +42,7 @@ const std::array<StepRow, step_kinds> table{{
     {StepKind::face, "face", "a face is tested",
      "face {@primitive}: normal {normal} . {@toward} {view} = {dot}{@cosine}: {culled?culled:drawn}",
      {{"name", string, key}, {"normal", list, reason}, {"view", list, reason},
-      {"dot", quantity, reason, true}, {"cosine", quantity, told}, {"by", string, key}, {"culled", boolean, decision},
+      {"dot", quantity, reason, true}, {"cosine", quantity, told, false, true}, {"by", string, key}, {"culled", boolean, decision},
       {"opposite", boolean, told}}},
 
     {StepKind::light, "light", "a face is lit",
@@ -57,7 +57,7 @@ const std::array<StepRow, step_kinds> table{{
 
     {StepKind::edge, "edge", "an edge is set up, or a side is about to be drawn",
      "{@edge}",
-     {{"edge", string, key, true}, {"dx_dy", quantity, reason}, {"a", quantity, reason},
+     {{"edge", string, key, true}, {"dx_dy", quantity, reason, false, true}, {"a", quantity, reason},
       {"b", quantity, reason}, {"top_left", boolean, decision}, {"octant", whole, decision}}},
 
     {StepKind::half, "half", "a half of a `two-halves` fill begins",
@@ -93,7 +93,7 @@ const std::array<StepRow, step_kinds> table{{
     {StepKind::depth, "depth", "a pixel meets the depth buffer",
      "depth at ({x}, {y}): {depth} against {@against}: {pass?passes:fails}{@depth_rule}",
      {{"x", whole, key, true}, {"y", whole, key, true}, {"depth", quantity, reason, true},
-      {"stored", quantity, reason}, {"pass", boolean, decision},
+      {"stored", quantity, reason, false, true}, {"pass", boolean, decision},
       {"side_of", string, reason}, {"beside", string, reason}, {"behind", string, reason}}},
 
     {StepKind::pixel, "pixel", "a pixel is plotted",
@@ -117,16 +117,12 @@ const std::array<StepRow, step_kinds> table{{
 
 } // namespace
 
-FieldType element_type_of(std::string_view list) {
+FieldType element_type_of(const StepField& list) {
     constexpr std::array<std::string_view, 5> of_names{"vertices", "names", "ears", "factors",
                                                        "colors"};
-    if (std::find(of_names.begin(), of_names.end(), list) != of_names.end())
+    if (std::find(of_names.begin(), of_names.end(), list.name) != of_names.end())
         return string;
-    return list == "inside" ? boolean : quantity;
-}
-
-const StepRow& row_of(StepKind kind) {
-    return table[static_cast<std::size_t>(kind)];
+    return list.name == "inside" ? boolean : quantity;
 }
 
 std::string_view name_of(StepKind kind) {

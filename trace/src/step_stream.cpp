@@ -6,7 +6,9 @@
 #include "input_file.h"
 #include "trace_lines.h"
 
+#include <rastertrace/trace/frame.h>
 #include <rastertrace/trace/text.h>
+#include <rastertrace/trace/unknown_names.h>
 
 #include <fmt/core.h>
 
@@ -41,6 +43,7 @@ struct StepStream::State {
     std::string text; ///< what has been read and is in no block yet, from the beginning of a line
     bool has_all = false;         ///< the file has come to its end
     std::size_t lines_before = 1; ///< lines of the file in front of `text`
+    std::size_t lines_before_block = 1;
 
     Trace header;
     Trace block;
@@ -51,15 +54,25 @@ struct StepStream::State {
     std::map<std::string, std::uint64_t> other_count; ///< of kinds that we do not know
     std::optional<EndRecord> end;
     std::vector<Problem> damage;
+    std::vector<Problem> passed_over; ///< in the header and the end record
+
+    bool tells_all = false;         ///< useless steps are damage, and the picture is drawn
+    bool has_useless_steps = false; ///< nobody knows what they should have been
+    bool has_stray_pixel = false;   ///< off the canvas
+    std::optional<Image> image;     ///< what the steps have drawn, if that is wanted
+    Color color;                    ///< of the current primitive
 
     explicit State(InputFile opened) : file(std::move(opened)) {}
 
     void read_more() { has_all = !file.read_into(text); }
 
-    /// A problem of a block, with the line that it has in the file.
-    Problem moved(Problem problem) const {
+    /// A problem of what stands in `text`, with the line that it has in the file.
+    Problem moved(Problem problem) const { return moved(std::move(problem), lines_before); }
+
+    /// The same for a problem of lines that so many others stand in front of.
+    static Problem moved(Problem problem, std::size_t before) {
         if (problem.line > 1)
-            problem.line += lines_before - 1;
+            problem.line += before - 1;
         return problem;
     }
 
@@ -70,7 +83,8 @@ struct StepStream::State {
         source.text += lines;
         if (!is_cut_off)
             source.text += is_document ? "],\"end\":{}}" : "{\"end\":{}}";
-        auto read = read_trace(std::move(source));
+        const bool goes_on = tells_all && damage.size() < most_useless_steps;
+        auto read = goes_on ? read_trace_to_tell(std::move(source)) : read_trace(std::move(source));
         if (!read)
             throw moved(read.problem());
         for (Problem& problem : read.value().damage)
@@ -124,6 +138,7 @@ struct StepStream::State {
         if (is_cut_off && !block.end && !damage.empty())
             damage.back().message = truncation_after(before + block.size());
         count_steps();
+        lines_before_block = lines_before;
         lines_before += static_cast<std::size_t>(std::count(lines.begin(), lines.end(), '\n'));
         text.erase(0, size);
         is_behind = is_last || has_all;
@@ -134,10 +149,25 @@ struct StepStream::State {
 
     void count_steps() {
         for (std::size_t n = 1; n <= block.size(); ++n)
-            if (const auto kind = block.kind_of(n))
+            if (const auto kind = block.kind_of(n)) {
                 ++count[static_cast<std::size_t>(*kind)];
-            else
+                if (image)
+                    draw(block.step(n), *kind);
+            } else {
+                has_useless_steps = has_useless_steps || !is_foreign(block.step(n));
                 ++other_count[block.step(n).kind_name()];
+            }
+    }
+
+    void draw(const StepView& step, StepKind kind) {
+        if (kind == StepKind::primitive)
+            color = color_of_primitive(step);
+        if (kind != StepKind::pixel)
+            return;
+        const auto plotted = plotted_by(step, header.canvas, color);
+        if (plotted)
+            image->at(plotted->pixel) = plotted->color;
+        has_stray_pixel = has_stray_pixel || !plotted;
     }
 
     /// What is left is the end record, and nothing behind it.
@@ -147,6 +177,9 @@ struct StepStream::State {
         Source source{file.name(), header_line + "\n" + text, {}};
         const Trace rest = value_of(read_end_of(std::move(source)));
         end = rest.end;
+        // Those of the header have been told already.
+        for (std::size_t i = header.passed_over.size(); i < rest.passed_over.size(); ++i)
+            passed_over.push_back(moved(rest.passed_over[i]));
         if (!end) {
             for (Problem problem : rest.damage) {
                 if (problem.message == truncation_after(0))
@@ -174,6 +207,8 @@ struct StepStream::State {
         };
         if (end->steps && *end->steps != before + block.size())
             disagree(*end->steps, "steps", before + block.size());
+        if (has_useless_steps)
+            return;
         for (const auto& [name, told] : end->count) {
             const auto kind = step_kind_named(name);
             const auto other = other_count.find(name);
@@ -183,8 +218,29 @@ struct StepStream::State {
             if (found != told)
                 disagree(told, name + " steps", found);
         }
+        if (image && !has_stray_pixel)
+            if (auto message = disagreement_of_picture(header, *end, *image)) {
+                damage.push_back(at);
+                damage.back().message = *std::move(message);
+            }
     }
 };
+
+void StepStream::tell_all() {
+    state_->tells_all = true;
+    state_->image.emplace(state_->header.canvas);
+}
+
+std::vector<Problem> StepStream::faults_in_step() const {
+    std::vector<Problem> faults = state_->block.faults_in_step(state_->place);
+    for (Problem& fault : faults)
+        fault = State::moved(std::move(fault), state_->lines_before_block);
+    return faults;
+}
+
+const std::vector<Problem>& StepStream::passed_over() const {
+    return state_->passed_over;
+}
 
 StepStream::StepStream(std::unique_ptr<State> state) : state_(std::move(state)) {}
 StepStream::StepStream(StepStream&&) noexcept = default;
@@ -229,10 +285,10 @@ const std::vector<Problem>& StepStream::damage() const {
     return state_->damage;
 }
 
-std::variant<StepStream, Source> open_steps(const std::string& path, const InputLimits& limits) {
+std::variant<StepStream, Source> StepStream::open(const std::string& path, InputCheck& fault_of) {
     auto state = std::make_unique<StepStream::State>(value_of(InputFile::open(path)));
     Source source{.name = state->file.name(), .text = {}, .file = state->file.id()};
-    state->layout = read_first_line(state->file, source, limits);
+    state->layout = read_first_line(state->file, source, fault_of);
     if (state->layout == LineLayout::other)
         return source;
     const std::size_t newline = source.text.find('\n');
@@ -240,7 +296,19 @@ std::variant<StepStream, Source> open_steps(const std::string& path, const Input
     state->text = source.text.substr(newline + 1);
     state->header = state->trace_of("", false);
     state->damage.clear();
+    state->passed_over = state->header.passed_over;
     return StepStream(std::move(state));
+}
+
+std::variant<StepStream, Source> open_steps(const std::string& path, const InputLimits& limits) {
+    InputCheck fault_of(InputCheck::Kind::scene_or_trace, limits);
+    return StepStream::open(path, fault_of);
+}
+
+std::variant<StepStream, Source> open_steps_or_claims(const std::string& path,
+                                                      const InputLimits& limits) {
+    InputCheck fault_of(InputCheck::Kind::scene_trace_or_claims, limits);
+    return StepStream::open(path, fault_of);
 }
 
 } // namespace rastertrace

@@ -2,8 +2,11 @@
 #include <rastertrace/trace/trace.h>
 
 #include "canvas_json.h"
+#include "field_type.h"
+#include "header_check.h"
 #include "json_document.h"
 #include "json_scanner.h"
+#include "trace_keys.h"
 #include "trace_lines.h"
 #include "zero_byte.h"
 
@@ -17,28 +20,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <limits>
+#include <span>
+#include <utility>
 #include <variant>
 
 namespace rastertrace {
-
-namespace {
-
-/// A JSON number that is a whole number within +-farthest_index, written without point or exponent.
-std::optional<Index> whole_in(std::string_view json) {
-    Index value = 0;
-    const char* const end = json.data() + json.size();
-    const auto read = std::from_chars(json.data(), end, value);
-    if (json.empty() || read.ec != std::errc{} || read.ptr != end)
-        return std::nullopt;
-    // What lies next to the farthest index is a whole double, too: an empty span ends there.
-    if (value < -farthest_index - 1 || value > farthest_index + 1)
-        return std::nullopt;
-    return value;
-}
-
-} // namespace
 
 std::optional<std::string_view> StepView::field(std::string_view name) const {
     JsonScanner fields(json_);
@@ -86,6 +73,7 @@ std::vector<std::vector<std::string>> StepView::text_rows(std::string_view name)
 
 Trace Trace::without_steps() const {
     Trace excerpt;
+    excerpt.version = version;
     excerpt.title = title;
     excerpt.canvas = canvas;
     excerpt.background = background;
@@ -116,62 +104,28 @@ std::string Trace::method_value(std::string_view key) const {
     return {};
 }
 
-namespace {
-
-std::string_view expected_for(FieldType type) {
-    switch (type) {
-    case FieldType::whole:
-        return "a whole number";
-    case FieldType::quantity:
-        return R"(a number, or an exact one like "25/8")";
-    case FieldType::string:
-        return "a string";
-    case FieldType::boolean:
-        return "true or false";
-    case FieldType::list:
-        break;
-    }
-    return "an array";
-}
-
-bool has_type(std::string_view json, FieldType type) {
-    const bool is_string = json.starts_with('"');
-    switch (type) {
-    case FieldType::whole:
-        return whole_in(json).has_value();
-    case FieldType::string:
-        return is_string;
-    case FieldType::boolean:
-        return json == "true" || json == "false";
-    case FieldType::list:
-        return json.starts_with('[');
-    case FieldType::quantity:
-        break;
-    }
-    if (!is_string)
-        return json.starts_with('-') || (!json.empty() && number_text::is_digit(json.front()));
-    return std::holds_alternative<Number>(parse_number(plain_text(json), NumberSize::any));
-}
-
-/// Throws a Problem if a step lacks a field that it cannot be understood without, or has a wrong one.
-void check_fields(StepKind kind, const Source& source, std::size_t begin, std::string_view json) {
-    const StepView step(json);
-    for (const StepField& field : row_of(kind).fields) {
-        if (!field.is_required)
+std::vector<Problem> Trace::faults_in_step(std::size_t n) const {
+    const auto kind = kind_of(n);
+    if (!kind)
+        return {};
+    const std::string_view json = step(n).json();
+    const auto& known = row_of(*kind).fields;
+    std::vector<Problem> faults;
+    JsonScanner fields(json);
+    while (fields.next_field()) {
+        const auto field =
+            std::find_if(known.begin(), known.end(),
+                         [&fields](const StepField& one) { return one.name == fields.key(); });
+        if (field == known.end() || has_type_of(fields.value(), *field))
             continue;
-        const auto value = step.field(field.name);
-        if (!value)
-            throw problem_at(source, begin,
-                             fmt::format("expected a {} step with the key \"{}\", found none",
-                                         name_of(kind), field.name));
-        if (!has_type(*value, field.type))
-            throw problem_at(source, begin + static_cast<std::size_t>(value->data() - json.data()),
-                             fmt::format("expected {}, found {}", expected_for(field.type),
-                                         shortened(*value, 40)));
+        const auto offset = static_cast<std::size_t>(fields.value().data() - json.data());
+        faults.push_back(
+            problem_at(source_, steps_[n - 1].offset + offset,
+                       fmt::format("expected {} for {}, found {}", expected_for(*field),
+                                   field->name, shortened(fields.value(), 40))));
     }
+    return faults;
 }
-
-} // namespace
 
 bool is_header(std::string_view line, std::string_view last_key) {
     JsonScanner fields(line);
@@ -206,6 +160,28 @@ std::string truncation_after(std::size_t steps) {
 std::string disagreement(std::string_view told, std::string_view what, std::string_view found) {
     return fmt::format("expected {} {} as the end record says, found {}", told, what, found);
 }
+
+namespace {
+
+/// Throws a Problem if a step lacks a field that it cannot be understood without, or has a wrong one.
+void check_fields(StepKind kind, const Source& source, std::size_t begin, std::string_view json) {
+    const StepView step(json);
+    for (const StepField& field : row_of(kind).fields) {
+        if (!field.is_required)
+            continue;
+        const auto value = step.field(field.name);
+        if (!value)
+            throw problem_at(source, begin,
+                             fmt::format("expected a {} step with the key \"{}\", found none",
+                                         name_of(kind), field.name));
+        if (!has_type(*value, field.type))
+            throw problem_at(source, begin + static_cast<std::size_t>(value->data() - json.data()),
+                             fmt::format("expected {}, found {}", expected_for(field.type),
+                                         shortened(*value, 40)));
+    }
+}
+
+} // namespace
 
 std::optional<StepKind> checked_kind(const Source& source, std::size_t begin, std::size_t size) {
     // Valid JSON, each key once. Where the quick look finds fault, the thorough one says which.
@@ -242,13 +218,42 @@ std::optional<StepKind> checked_kind(const Source& source, std::size_t begin, st
     return kind;
 }
 
+bool tells_picture(const EndRecord& end) {
+    return end.pixels || !end.frame.empty();
+}
+
+std::optional<std::string> disagreement_of_picture(const Trace& header, const EndRecord& end,
+                                                   const Image& image) {
+    // The end record is about the whole picture, also where steps were left out: those that plot its pixels, or
+    // those that color them.
+    const bool has_every_pixel =
+        !header.left_out.has_places_missing && !header.lacks(StepKind::pixel);
+    const bool has_every_color = has_every_pixel && !header.lacks(StepKind::primitive);
+    const std::uint64_t pixels = image.drawn();
+    const std::string found = fmt::format("{}", pixels);
+    if (end.pixels && has_every_pixel && *end.pixels != pixels)
+        return disagreement(fmt::format("{}", *end.pixels), "pixels", found);
+    if (end.pixels && *end.pixels < pixels)
+        return disagreement(fmt::format("at most {}", *end.pixels), "pixels", found);
+    if (!end.frame.empty() && has_every_color && end.frame != frame_name(image))
+        return disagreement("the picture", end.frame, frame_name(image));
+    return std::nullopt;
+}
+
 /// Reads one trace. What makes the rest useless is thrown as a Problem; what does not is damage.
 class TraceReader {
 public:
-    /// A sound trace needs no checks: this program has written it.
-    TraceReader(Source source, bool is_sound) : is_sound_(is_sound) {
-        trace_.source_ = std::move(source);
-    }
+    /// How closely a trace is looked at.
+    enum class Care {
+        none,    ///< this program has written it
+        to_use,  ///< a step that cannot be used ends the reading
+        to_tell, ///< such a step is damage, and the rest is read
+    };
+
+    TraceReader(Source source, Care care) : care_(care) { trace_.source_ = std::move(source); }
+
+    /// Reads what may be a trace.
+    static Result<Trace> read_with(Source source, Care care);
 
     Trace read() {
         const std::string_view first_line = line_at(0);
@@ -263,8 +268,11 @@ public:
             read_document();
             break;
         }
-        if (!is_sound_)
+        if (care_ != Care::none)
             compare_with_end();
+        for (WrongForm& wrong : wrong_forms_)
+            trace_.passed_over.push_back(
+                problem_at(source(), wrong.offset, std::move(wrong.message)));
         return std::move(trace_);
     }
 
@@ -450,6 +458,7 @@ private:
             throw read.problem();
         if (!read.value().has_width || !read.value().has_height)
             fail(canvas->begin, R"(expected a canvas with "width" and "height", found less)");
+        trace_.version = *number;
         trace_.canvas = {read.value().width, read.value().height, read.value().origin};
         if (const auto fault = fault_of_size(trace_.canvas))
             fail(canvas->begin, *fault);
@@ -469,6 +478,15 @@ private:
             for (const JsonValue& stage : stages->elements())
                 read_stage(stage);
         read_left_out(header);
+        note_wrong_forms(header, header_keys);
+    }
+
+    /// What nobody reads because it is not as the format says.
+    void note_wrong_forms(const JsonValue& object, std::span<const JsonKey> keys) {
+        if (care_ == Care::none)
+            return;
+        for (WrongForm& wrong : wrong_forms(object, keys))
+            wrong_forms_.push_back(std::move(wrong));
     }
 
     /// Which steps were left out.
@@ -488,10 +506,8 @@ private:
         }
         if (primitive)
             left_out.primitive = primitive->text;
-        const bool leaves_out_places = region || primitive;
-        trace_.is_partial = left_out.only || leaves_out_places;
-        has_every_pixel_ = !leaves_out_places && !trace_.lacks(StepKind::pixel);
-        has_every_color_ = has_every_pixel_ && !trace_.lacks(StepKind::primitive);
+        left_out.has_places_missing = region || primitive;
+        trace_.is_partial = left_out.only || left_out.has_places_missing;
     }
 
     /// A stage that ran. What is no such record is passed over.
@@ -513,8 +529,20 @@ private:
     }
 
     void add_step(std::size_t begin, std::size_t size) {
+        if (care_ != Care::to_tell || useless_steps_ == most_useless_steps)
+            return add_usable_step(begin, size);
+        try {
+            add_usable_step(begin, size);
+        } catch (Problem& problem) {
+            ++useless_steps_;
+            trace_.damage.push_back(std::move(problem));
+            trace_.steps_.push_back({begin, static_cast<std::uint32_t>(size), std::nullopt});
+        }
+    }
+
+    void add_usable_step(std::size_t begin, std::size_t size) {
         const std::string_view json = text().substr(begin, size);
-        if (is_sound_) {
+        if (care_ == Care::none) {
             constexpr std::string_view front = R"({"step":")";
             const std::string_view name = json.substr(front.size());
             trace_.steps_.push_back({begin, static_cast<std::uint32_t>(size),
@@ -564,6 +592,7 @@ private:
                 end.count[kind.text] = count_in(number);
         trace_.end = std::move(end);
         end_offset_ = value.begin;
+        note_wrong_forms(value, end_keys);
     }
 
     /// Says what is missing at the end, or does not agree with it.
@@ -582,6 +611,8 @@ private:
         };
         if (trace_.end->steps && *trace_.end->steps != trace_.size())
             disagree(fmt::format("{}", *trace_.end->steps), "steps", trace_.size());
+        if (useless_steps_ > 0)
+            return; // nobody knows what they should have been
         if (!trace_.end->count.empty()) {
             const auto counts = count_steps();
             for (const auto& [name, told] : trace_.end->count) {
@@ -591,7 +622,7 @@ private:
                     disagree(fmt::format("{}", told), name + " steps", steps);
             }
         }
-        compare_picture_with_end(disagree);
+        compare_picture_with_end();
     }
 
     /// How many steps there are of each kind.
@@ -608,42 +639,34 @@ private:
         return counts;
     }
 
-    /// The picture that the steps draw against the end record, which is about the whole picture
-    /// even where steps were left out. A pixel off the canvas has been told already.
-    template <typename Disagree> void compare_picture_with_end(const Disagree& disagree) {
-        const EndRecord& end = *trace_.end;
-        if (has_stray_pixel_ || (!end.pixels && end.frame.empty()))
+    /// The picture that the steps draw against the end record. A pixel off the canvas has been told already.
+    void compare_picture_with_end() {
+        if (has_stray_pixel_ || !tells_picture(*trace_.end))
             return;
         Replay replay(trace_);
         replay.go_to(trace_.size());
-        const Image& image = replay.frame().image;
-        const std::uint64_t pixels = image.drawn();
-        if (end.pixels && has_every_pixel_ && *end.pixels != pixels)
-            disagree(fmt::format("{}", *end.pixels), "pixels", pixels);
-        else if (end.pixels && *end.pixels < pixels)
-            disagree(fmt::format("at most {}", *end.pixels), "pixels", pixels);
-        else if (!end.frame.empty() && has_every_color_ && end.frame != frame_name(image))
-            disagree("the picture", end.frame, frame_name(image));
+        if (auto message = disagreement_of_picture(trace_, *trace_.end, replay.frame().image))
+            trace_.damage.push_back(problem_at(source(), end_offset_, *std::move(message)));
     }
 
     Trace trace_;
-    bool is_sound_;
+    Care care_;
     bool was_cut_short_ = false;
     bool has_stray_pixel_ = false;
-    bool has_every_pixel_ = true; ///< the header does not leave out steps that plot one
-    bool has_every_color_ = true; ///< nor those that color it
     std::size_t end_offset_ = 0;
+    std::size_t useless_steps_ = 0; ///< that are damage
+    std::vector<WrongForm> wrong_forms_;
 };
 
 Result<Trace> read_written_trace(Source source) {
     try {
-        return TraceReader(std::move(source), true).read();
+        return TraceReader(std::move(source), TraceReader::Care::none).read();
     } catch (const Problem& problem) {
         return problem;
     }
 }
 
-Result<Trace> read_trace(Source source) {
+Result<Trace> TraceReader::read_with(Source source, Care care) {
     // The mark that some editors put in front of UTF-8 says nothing.
     constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
     if (source.text.starts_with(byte_order_mark))
@@ -651,10 +674,18 @@ Result<Trace> read_trace(Source source) {
     if (auto problem = zero_byte_in(source))
         return *std::move(problem);
     try {
-        return TraceReader(std::move(source), false).read();
+        return TraceReader(std::move(source), care).read();
     } catch (const Problem& problem) {
         return problem;
     }
+}
+
+Result<Trace> read_trace(Source source) {
+    return TraceReader::read_with(std::move(source), TraceReader::Care::to_use);
+}
+
+Result<Trace> read_trace_to_tell(Source source) {
+    return TraceReader::read_with(std::move(source), TraceReader::Care::to_tell);
 }
 
 bool is_trace(const Source& source) {

@@ -3,8 +3,10 @@
 
 // The two layouts that have one step a line, and what is said of a trace that ends too soon.
 
+#include <rastertrace/core/raster/image.h>
 #include <rastertrace/trace/problem.h>
 #include <rastertrace/trace/step_kind.h>
+#include <rastertrace/trace/trace.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -40,5 +42,12 @@ std::string truncation_after(std::size_t steps);
 
 /// That there are not as many as the end record says: `expected 62 steps as the end record says, found 61`.
 std::string disagreement(std::string_view told, std::string_view what, std::string_view found);
+
+/// True if an end record says something about the picture.
+bool tells_picture(const EndRecord& end);
+
+/// What the picture that comes of all steps has otherwise than the end record says.
+std::optional<std::string> disagreement_of_picture(const Trace& header, const EndRecord& end,
+                                                   const Image& image);
 
 } // namespace rastertrace

@@ -202,7 +202,8 @@ std::variant<TraceText, Source> open_trace_text(const std::string& path,
                                                 const InputLimits& limits) {
     InputFile input = value_of(InputFile::open(path));
     Source source{.name = input.name(), .text = {}, .file = input.id()};
-    const LineLayout layout = read_first_line(input, source, limits);
+    InputCheck fault_of(InputCheck::Kind::scene_or_trace, limits);
+    const LineLayout layout = read_first_line(input, source, fault_of);
     if (layout == LineLayout::other)
         return source;
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "variations.h"
 
+#include "scene_keys.h"
+
 #include <rastertrace/core/numbers/number.h>
 #include <rastertrace/trace/text.h>
 
@@ -139,7 +141,7 @@ public:
         if (value.kind != JsonValue::Kind::object)
             json_.fail_expecting(value,
                                  R"({"from": 0, "to": 345, "steps": 24} or a list of numbers)");
-        json_.allow_keys(value, {"from", "to", "steps"});
+        json_.allow_keys(value, range_keys);
         const JsonValue steps_value = json_.member(value, "steps");
         const auto steps = json_.number_in(steps_value).numerator_over(1);
         if (!steps || *steps < 1 || *steps > static_cast<std::int64_t>(most_frames))

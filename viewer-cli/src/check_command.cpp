@@ -10,7 +10,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -48,23 +47,12 @@ private:
     const Truth& truth_for(const Claims& claims) {
         if (given_)
             return *given_;
-        if (claims.scene.empty())
-            throw problem_of(claims.source.name,
-                             "expected a scene before the claims, or its name in them, found none",
-                             "check SCENE CLAIMS, or a line `scene: FILE`");
-        const std::string path =
-            (std::filesystem::path(claims.source.name).parent_path() / claims.scene).string();
+        const std::string path = path_of_scene(claims);
         const auto known = by_path_.find(path);
         if (known != by_path_.end())
             return known->second;
-        Source scene = value_or_throw(read_named_file(path, options_.limits));
-        refuse_claims(scene);
+        Source scene = load_scene_of_claims(path, options_.limits);
         return by_path_.emplace(path, truth_in(std::move(scene), options_)).first->second;
-    }
-
-    static void refuse_claims(const Source& source) {
-        if (is_claims(source))
-            throw problem_of(source.name, "expected a scene or a trace, found claims");
     }
 
     SceneOptions options_;

@@ -255,6 +255,7 @@ public:
         add_stats();
         add_check();
         add_diff();
+        add_validate();
         add_plan();
         add_stress();
         add_report();
@@ -605,6 +606,59 @@ private:
             refuse("--template", "one scene, without claims", check_.files[1]);
         if (has_no_answers_ || !check_format_.empty())
             refuse("--template", "no --format, --json or --no-answers beside it", check_format_);
+    }
+
+    void add_validate() {
+        CLI::App& command = add_command(
+            "validate", "Say whether files are scenes, traces or claims that can be used",
+            "rastertrace validate examples/t0-fill/first-triangle.json\n\n"
+            "What a file is, is found by its content. Exit status 2: one of them is not valid.\n"
+            "--schema prints the JSON Schema of a kind of file, for an editor:\n"
+            "rastertrace validate --schema scene > scene.schema.json");
+        command.add_option("file", validate_.files, "The files; - for standard input")
+            ->type_name("FILE");
+        command
+            .add_option(
+                "--kind", validate_kind_,
+                fmt::format("What each file has to be: {}", joined(schema_kind_names(), ", ")))
+            ->type_name("NAME");
+        command.add_option("--format", validate_format_, "text or json")->type_name("NAME");
+        command.add_flag("--json", is_json_validation_, "Short for --format json");
+        command
+            .add_option(
+                "--schema", validate_schema_,
+                fmt::format("Print a schema instead: {}", joined(schema_kind_names(), ", ")))
+            ->type_name("NAME");
+        validate_input_.add_to(command);
+        command.callback([this] {
+            validate_.kind = schema_kind_in("--kind", validate_kind_);
+            validate_.schema = schema_kind_in("--schema", validate_schema_);
+            if (validate_.schema && !validate_.files.empty())
+                refuse("--schema", "no file beside it", validate_.files.front());
+            if (!validate_.schema && validate_.files.empty())
+                throw problem_of("", "validate: expected a file, found none",
+                                 "- is standard input; --schema NAME prints a schema");
+            if (std::count(validate_.files.begin(), validate_.files.end(), "-") > 1)
+                refuse("validate", "standard input once", "-");
+            if (is_json_validation_ && !validate_format_.empty())
+                refuse("--json", "no --format beside it", validate_format_);
+            if (!validate_format_.empty() && validate_format_ != "text" &&
+                validate_format_ != "json")
+                refuse("--format", "text or json", validate_format_);
+            validate_.json = is_json_validation_ || validate_format_ == "json";
+            validate_.input = validate_input_.limits();
+            action_ = [this] { return rastertrace::run(validate_); };
+        });
+    }
+
+    /// The kind of file that an option names, if it was given.
+    static std::optional<SchemaKind> schema_kind_in(std::string_view option,
+                                                    const std::string& name) {
+        const auto kind = schema_kind_named(name);
+        if (!kind && !name.empty())
+            refuse(option, fmt::format("one of {}", joined(schema_kind_names(), ", ")), name,
+                   did_you_mean(name, schema_kind_names()));
+        return kind;
     }
 
     void add_plan() {
@@ -1009,6 +1063,13 @@ private:
     MethodOptions check_method_;
     InputOptions check_input_;
     FrameOptions check_frames_;
+
+    ValidateCommand validate_;
+    std::string validate_kind_;
+    std::string validate_schema_;
+    std::string validate_format_;
+    bool is_json_validation_ = false;
+    InputOptions validate_input_;
 
     PlanCommand plan_;
     MethodOptions plan_method_;

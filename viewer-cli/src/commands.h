@@ -13,6 +13,7 @@
 #include <rastertrace/trace/explain.h>
 #include <rastertrace/trace/input.h>
 #include <rastertrace/trace/method_names.h>
+#include <rastertrace/trace/schema.h>
 #include <rastertrace/trace/vary.h>
 #include <rastertrace/trace/write_trace.h>
 
@@ -162,6 +163,15 @@ struct DiffCommand {
     FrameChoice frames;
 };
 int run(const DiffCommand& command);
+
+struct ValidateCommand {
+    std::vector<std::string> files;
+    std::optional<SchemaKind> kind;   ///< what all of them have to be; none: found by content
+    std::optional<SchemaKind> schema; ///< print this one instead
+    bool json = false;
+    InputLimits input;
+};
+int run(const ValidateCommand& command);
 
 struct RenewCommand {
     std::vector<std::string> pages;

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
+#include <filesystem>
 #include <utility>
 
 namespace rastertrace {
@@ -35,6 +36,16 @@ Source input_or_throw(Result<Source> read) {
     if (source.file)
         refuse_as_standard_output({*source.file});
     return source;
+}
+
+/// What was opened, unless standard output would go into it.
+template <typename Opened>
+std::variant<Opened, Source> not_standard_output(std::variant<Opened, Source> opened) {
+    const auto* const steps = std::get_if<Opened>(&opened);
+    const auto& file = steps ? steps->file() : std::get<Source>(opened).file;
+    if (file)
+        refuse_as_standard_output({*file});
+    return opened;
 }
 
 /// Reads a file that is a scene or a trace.
@@ -118,23 +129,14 @@ Trace InputFrames::trace_by(std::size_t frame, const MethodOverrides& method) co
 }
 
 std::variant<StepStream, Source> open_input(const std::string& path, const SceneOptions& options) {
-    auto opened = open_steps(path, options.limits);
-    const auto* const steps = std::get_if<StepStream>(&opened);
-    const auto& file = steps ? steps->file() : std::get<Source>(opened).file;
-    if (file)
-        refuse_as_standard_output({*file});
-    if (steps)
+    auto opened = not_standard_output(open_steps(path, options.limits));
+    if (std::holds_alternative<StepStream>(opened))
         refuse_scene_options({path == "-" ? "standard input" : path, {}, {}}, options);
     return opened;
 }
 
 OpenedTrace open_trace(const std::string& path, const InputLimits& limits) {
-    OpenedTrace opened = open_trace_text(path, limits);
-    const auto* const text = std::get_if<TraceText>(&opened);
-    const auto& file = text ? text->file() : std::get<Source>(opened).file;
-    if (file)
-        refuse_as_standard_output({*file});
-    return opened;
+    return not_standard_output(open_trace_text(path, limits));
 }
 
 bool is_scene(const OpenedTrace& opened) {
@@ -151,6 +153,11 @@ TraceText trace_text(OpenedTrace opened, const std::string& path, const SceneOpt
     const std::string name = source.name;
     InputFrames input(path, std::move(source), options);
     return TraceText(drawn_text(input.scene(input.first()), name));
+}
+
+std::variant<StepStream, Source> open_input_or_claims(const std::string& path,
+                                                      const InputLimits& limits) {
+    return not_standard_output(open_steps_or_claims(path, limits));
 }
 
 PlannedScene load_scene(const std::string& path, const SceneOptions& options) {
@@ -189,6 +196,21 @@ Truth truth_in(Source source, const SceneOptions& options) {
     for (const Problem& remark : truth.remarks())
         print_error(fmt::format("rastertrace: {}\n", to_text(remark)));
     return truth;
+}
+
+std::string path_of_scene(const Claims& claims) {
+    if (claims.scene.empty())
+        throw problem_of(claims.source.name,
+                         "expected a scene before the claims, or its name in them, found none",
+                         "check SCENE CLAIMS, or a line `scene: FILE`");
+    return (std::filesystem::path(claims.source.name).parent_path() / claims.scene).string();
+}
+
+Source load_scene_of_claims(const std::string& path, const InputLimits& limits) {
+    Source source = value_or_throw(read_named_file(path, limits));
+    if (is_claims(source))
+        throw problem_of(source.name, "expected a scene or a trace, found claims");
+    return source;
 }
 
 Source load_page(const std::string& path) {

@@ -7,6 +7,7 @@
 #include "commands.h"
 
 #include <rastertrace/trace/check.h>
+#include <rastertrace/trace/claims.h>
 #include <rastertrace/trace/problem.h>
 #include <rastertrace/trace/scene_file.h>
 #include <rastertrace/trace/step_stream.h>
@@ -105,6 +106,10 @@ TraceText trace_text(OpenedTrace opened, const std::string& path, const SceneOpt
 /// Throws a Problem if an option says how to draw what is drawn already.
 void refuse_scene_options(const Source& trace, const SceneOptions& options);
 
+/// The same for a file that may also hold claims.
+std::variant<StepStream, Source> open_input_or_claims(const std::string& path,
+                                                      const InputLimits& limits);
+
 /// The scene in a file: the frame that was chosen, or the first.
 PlannedScene load_scene(const std::string& path, const SceneOptions& options = {});
 
@@ -123,6 +128,12 @@ Source load_scene_trace_or_claims(const std::string& path, const InputLimits& li
 /// What claims are held against, in a source that is a scene or a trace. Remarks on a scene go to standard
 /// error. Throws a Problem.
 Truth truth_in(Source source, const SceneOptions& options);
+
+/// The path of the scene or trace that claims name, which starts from their folder. Throws a Problem if they name none.
+std::string path_of_scene(const Claims& claims);
+
+/// The scene or trace that claims name, at that path. Throws a Problem.
+Source load_scene_of_claims(const std::string& path, const InputLimits& limits);
 
 /// Reads the Markdown page in a file, which is no pipe and no device. Throws a Problem.
 Source load_page(const std::string& path);

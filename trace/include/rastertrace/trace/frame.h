@@ -122,6 +122,19 @@ private:
     Color color_; ///< of the current primitive
 };
 
+/// A pixel that a step plots.
+struct PlottedPixel {
+    Pixel pixel;
+    Color color;
+};
+
+/// What a `pixel` step plots, if it lies on the canvas. Without a color of its own it has that of its primitive.
+std::optional<PlottedPixel> plotted_by(const StepView& step, const Canvas& canvas,
+                                       Color of_primitive);
+
+/// The color of the primitive that a step begins.
+Color color_of_primitive(const StepView& step);
+
 /// The picture after step n.
 Frame frame_after(const Trace& trace, std::size_t n);
 

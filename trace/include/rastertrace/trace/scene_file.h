@@ -39,6 +39,10 @@ struct PlannedScene {
 Result<PlannedScene> read_scene(const Source& source, const MethodOverrides& overrides = {},
                                 const InputLimits& limits = {}, const FrameChoice& choice = {});
 
+/// True if a source may hold a scene: an object with a key that says what is drawn or how, or the beginning of an
+/// object that is no JSON.
+bool is_scene(const Source& source);
+
 /// The scenes of a source whose "vary" makes a sequence of it: frame n is the scene that has the
 /// numbers of frame n typed in their places. A scene where nothing varies is its only frame.
 ///

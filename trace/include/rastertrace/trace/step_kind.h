@@ -62,11 +62,11 @@ struct StepField {
     FieldType type;
     FieldRole role;
     bool is_required = false; ///< without it the step cannot be understood
+    bool may_be_null = false; ///< null where there is no such number
 };
 
-/// What the elements of a list, or of the lists in it, are: a field of that name holds the same in steps of every
-/// kind.
-FieldType element_type_of(std::string_view list);
+/// What the values of a list are, or those of the lists in it.
+FieldType element_type_of(const StepField& list);
 
 /// All about a kind of step.
 struct StepRow {

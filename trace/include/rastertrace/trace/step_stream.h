@@ -25,6 +25,8 @@
 
 namespace rastertrace {
 
+class InputCheck;
+
 class StepStream {
 public:
     StepStream(StepStream&&) noexcept;
@@ -47,14 +49,28 @@ public:
     /// Behind the last step: what the end record says, if there is one.
     const std::optional<EndRecord>& end() const;
 
-    /// Behind the last step: what is wrong though the steps can be used. The picture is not held against the end
-    /// record, since it is not drawn.
+    /// Behind the last step: what is wrong though the steps can be used. The picture is held against the end record
+    /// only after tell_all.
     const std::vector<Problem>& damage() const;
+
+    /// Fields of the current step that have another type than step_kind.h says, though the step can be understood.
+    std::vector<Problem> faults_in_step() const;
+
+    /// Known keys of the header, and behind the last step also of the end record, that are not as the format says, and
+    /// that nobody reads.
+    const std::vector<Problem>& passed_over() const;
+
+    /// Before the first step: for who wants to know all that is wrong. A step that cannot be used is damage, as in
+    /// read_trace_to_tell, and the picture is drawn and held against the end record.
+    void tell_all();
 
 private:
     friend std::variant<StepStream, Source> open_steps(const std::string& path,
                                                        const InputLimits& limits);
+    friend std::variant<StepStream, Source> open_steps_or_claims(const std::string& path,
+                                                                 const InputLimits& limits);
     struct State;
+    static std::variant<StepStream, Source> open(const std::string& path, InputCheck& fault_of);
     explicit StepStream(std::unique_ptr<State> state);
 
     std::unique_ptr<State> state_;
@@ -63,5 +79,9 @@ private:
 /// Opens a file ("-" for standard input): the steps of a trace, or, if it is none of one step a line, all that it
 /// holds. Throws a Problem.
 std::variant<StepStream, Source> open_steps(const std::string& path, const InputLimits& limits);
+
+/// The same for a command that takes claims too, which need not be JSON.
+std::variant<StepStream, Source> open_steps_or_claims(const std::string& path,
+                                                      const InputLimits& limits);
 
 } // namespace rastertrace

@@ -75,10 +75,12 @@ struct LeftOut {
     std::optional<std::vector<std::string>> only; ///< the kinds that were written
     std::optional<std::array<Index, 4>> region;   ///< x0, y0, x1, y1: those about these pixels
     std::string primitive;                        ///< the one whose steps were written
+    bool has_places_missing = false;              ///< by `region` or `primitive`
 };
 
 class Trace {
 public:
+    Index version = 0; ///< of the format
     std::string title;
     Canvas canvas;
     std::optional<Color> background;                         ///< of pixels that nothing draws
@@ -91,6 +93,13 @@ public:
     /// What is wrong with the trace though its whole steps can be used: cut short, pixels off the
     /// canvas, counts that do not agree. Empty for a sound trace.
     std::vector<Problem> damage;
+
+    /// Known keys of the header and the end record that are not as the format says, and that nobody reads.
+    std::vector<Problem> passed_over;
+
+    /// The same for the fields of step n: those that have another type than step_kind.h says, though the step can be
+    /// understood without them.
+    std::vector<Problem> faults_in_step(std::size_t n) const;
 
     /// How many steps there are.
     std::size_t size() const { return steps_.size(); }
@@ -144,6 +153,13 @@ private:
 /// Reads a trace in either layout, found by its content. A problem comes back only if nothing can
 /// be shown: no header, a newer version, or a line that is no step.
 Result<Trace> read_trace(Source source);
+
+/// The most steps of a trace, or of a block of one, that are told to be of no use before the reading ends.
+inline constexpr std::size_t most_useless_steps = 100;
+
+/// The same for who wants to know all that is wrong: a step that cannot be used is damage, has no kind, and the rest is
+/// read.
+Result<Trace> read_trace_to_tell(Source source);
 
 /// Reads what write_trace has written to a string. It is not looked through for damage.
 Result<Trace> read_written_trace(Source source);

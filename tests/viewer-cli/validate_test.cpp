@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: MIT
+// `rastertrace validate`, as a user calls it.
+
+#include "program.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+namespace rastertrace {
+namespace {
+
+constexpr const char* scene = R"({"canvas":{"width":17,"height":14},
+ "vertices":{"A":[2,5],"B":[-4,-3],"C":[5,-3]},
+ "triangles":["ABC"],
+ "method":{"scalar":"exact"}})";
+
+class ValidateTest : public ProgramTest {
+protected:
+    ValidateTest() {
+        write("scene.json", scene);
+        write("claims.txt", "scene: scene.json\ny=2: -1/4, 25/8 -> -1..3\nA screen: 9, 9\n");
+        shell("$rastertrace trace scene.json -o trace.json; $rastertrace trace scene.json -o "
+              "trace.jsonl");
+    }
+
+    /// What is told of a copy of a trace that a sed script has changed.
+    Outcome changed(const std::string& script, const std::string& trace = "trace.jsonl") const {
+        return shell("sed -e '" + script + "' " + trace +
+                     " > bad.json; $rastertrace validate bad.json");
+    }
+};
+
+TEST_F(ValidateTest, SaysWhatEachFileIs) {
+    write("turn.json", R"({"canvas":{"width":9,"height":9},"vertices":{"A":[0,0],"B":[3,0]},)"
+                       R"("lines":["AB"],"points":["A","B"],"vary":{"/vertices/A/0":[0,1,2]}})");
+    write("loose.txt", "y=2: -1/4, 25/8\n");
+    const Outcome all = shell("$rastertrace trace scene.json --only pixel -o part.json; "
+                              "$rastertrace validate scene.json trace.json trace.jsonl part.json "
+                              "turn.json claims.txt loose.txt");
+    EXPECT_EQ(all.out,
+              "scene.json: a scene, 1 triangle, 17 x 14 pixels\n"
+              "trace.json: a trace of version 1, 62 steps, complete\n"
+              "trace.jsonl: a trace of version 1, 62 steps, complete\n"
+              "part.json: a trace of version 1, 49 steps (others were left out), complete\n"
+              "turn.json: a scene of 3 frames, 1 line, 2 points, 9 x 9 pixels\n"
+              "claims.txt: 2 claims about scene.json\n"
+              "loose.txt: 1 claim, which name no scene\n");
+    EXPECT_EQ(all.err, "");
+    EXPECT_EQ(all.status, 0);
+}
+
+TEST_F(ValidateTest, OneFileThatIsNotValidDoesNotStopTheOthers) {
+    write("empty.json", " \n");
+    write("list.json", "[1, 2]");
+    write("other.json", R"({"name": "x"})");
+    const Outcome all = shell("$rastertrace validate . empty.json list.json other.json lost.json "
+                              "scene.json scene.json");
+    EXPECT_EQ(all.status, 2);
+    EXPECT_EQ(all.out, "scene.json: a scene, 1 triangle, 17 x 14 pixels\n"
+                       "scene.json: a scene, 1 triangle, 17 x 14 pixels\n");
+    const std::string hint = "hint: a scene has \"vertices\" or \"meshes\", a trace begins with "
+                             "\"rastertrace\", claims are lines or have \"claims\"\n";
+    EXPECT_EQ(all.err,
+              "rastertrace: .: expected a file, found a folder\n"
+              "rastertrace: empty.json: expected a scene, a trace or claims, found an empty file\n"
+              "rastertrace: list.json: expected a scene, a trace or claims, found none of them\n" +
+                  hint +
+                  "rastertrace: other.json: expected a scene, a trace or claims, found none of "
+                  "them\n" +
+                  hint +
+                  "rastertrace: lost.json: expected a file that can be read, found: No such file "
+                  "or directory\n");
+}
+
+TEST_F(ValidateTest, ASceneIsValidIfEveryFrameCanBeDrawn) {
+    write("turn.json", R"({"canvas":{"width":9,"height":9},"vertices":{"A":[0,0],"B":[3,0]},
+ "lines":["AB"],"vary":{"/canvas/width":[9,8,0]}})");
+    const Outcome read = shell("$rastertrace validate turn.json");
+    EXPECT_EQ(read.status, 2);
+    EXPECT_EQ(read.out, "");
+    EXPECT_EQ(read.err,
+              "rastertrace: turn.json:1:20: expected a whole number of pixels from 1 to "
+              "16384, found 0, in frame 3 of 3: width 0\n"
+              "{\"canvas\":{\"width\":9,\"height\":9},\"vertices\":{\"A\":[0,0],\"B\":...\n"
+              "                   ^\n");
+}
+
+TEST_F(ValidateTest, ATraceIsReadToItsEnd) {
+    for (const char* const trace : {"trace.json", "trace.jsonl"}) {
+        const Outcome cut =
+            shell("head -20 " + std::string(trace) + " > cut.json; $rastertrace validate cut.json");
+        EXPECT_EQ(cut.status, 2);
+        EXPECT_EQ(cut.err, "rastertrace: cut.json:21:1: expected the rest of the trace, found the "
+                           "end of the file: the trace is truncated after 19 whole steps\n");
+        // The picture is drawn, and each count compared.
+        EXPECT_THAT(changed("$s/\"pixels\":49/\"pixels\":48/", trace).err,
+                    testing::HasSubstr("expected 48 pixels as the end record says, found 49\n"));
+        EXPECT_THAT(changed("$s/96f1/96f2/", trace).err,
+                    testing::HasSubstr("expected the picture 96f2b027ae1e2a78 as the end record "
+                                       "says, found 96f1b027ae1e2a78\n"));
+        EXPECT_THAT(changed("$s/\"edge\":3/\"edge\":4/", trace).err,
+                    testing::HasSubstr("expected 4 edge steps as the end record says, found 3\n"));
+    }
+}
+
+TEST_F(ValidateTest, FieldsThatReadersPassOverAreTold) {
+    EXPECT_EQ(changed("4s/null/[]/").err,
+              "rastertrace: bad.json:4:36: expected a number, an exact one like \"25/8\", or null "
+              "for dx_dy, found []\n"
+              "{\"step\":\"edge\",\"edge\":\"BC\",\"dx_dy\":[]}\n"
+              "                                   ^\n");
+    EXPECT_EQ(changed("2s/\\[\"A\"/[7/", "trace.json").err,
+              "rastertrace: bad.json:2:63: expected an array of strings for vertices, found "
+              "[7,\"B\",\"C\"]\n"
+              "...step\":\"primitive\",\"kind\":\"triangle\",\"name\":\"ABC\",\"vertices\":[7,"
+              "\"B\",\"C\"],"
+              "\"at\":[[\"2\",\"5\"],[\"-4\",\"-3\"],...\n"
+              "                                                               ^\n");
+    // In the header, in the end record, and in the order of their lines.
+    const Outcome both = changed("1s/\"stages\"/\"title\":7,\"stages\"/;3s/\"3.4\"/true/;"
+                                 "$s/\"frame\":\"[^\"]*\"/\"frame\":5/");
+    EXPECT_EQ(both.status, 2);
+    const std::size_t title = both.err.find(":1:");
+    const std::size_t edge = both.err.find(":3:36: expected a number, an exact one");
+    const std::size_t frame = both.err.find(":64:");
+    EXPECT_NE(both.err.find("expected a string for title, found 7\n"), std::string::npos);
+    EXPECT_NE(both.err.find("expected a string for frame, found 5\n"), std::string::npos);
+    EXPECT_TRUE(title < edge && edge < frame && frame != std::string::npos) << both.err;
+}
+
+TEST_F(ValidateTest, StepsThatCannotBeUsedDoNotHideTheRest) {
+    for (const char* const trace : {"trace.json", "trace.jsonl"}) {
+        const Outcome told =
+            changed("3s/\"edge\":\"AB\",//;4s/\"step\":\"edge\"/\"step\":5/;6s/\"y\":5/\"y\":0.5/;"
+                    "8s/\"left_edge\":\"AB\"/\"left_edge\":1/",
+                    trace);
+        EXPECT_EQ(told.status, 2);
+        EXPECT_THAT(told.err, testing::HasSubstr("bad.json:3:1: expected a edge step with the key "
+                                                 "\"edge\", found none\n"));
+        EXPECT_THAT(told.err, testing::HasSubstr("bad.json:4:1: expected"));
+        EXPECT_THAT(told.err,
+                    testing::HasSubstr("bad.json:6:24: expected a whole number, found 0.5\n"));
+        EXPECT_THAT(told.err, testing::HasSubstr("expected a string for left_edge, found 1\n"));
+        EXPECT_THAT(told.err, testing::Not(testing::HasSubstr("as the end record says")));
+        EXPECT_THAT(told.err, testing::Not(testing::HasSubstr("remark")));
+    }
+}
+
+TEST_F(ValidateTest, WhatComesBeforeTheEndOfTheReadingIsToldToo) {
+    const Outcome told = changed("3s/\"edge\":\"AB\",//;$s/}$//;$a more");
+    EXPECT_EQ(told.status, 2);
+    EXPECT_THAT(told.err, testing::HasSubstr("bad.json:3:1: expected a edge step with the key"));
+    EXPECT_THAT(told.err, testing::HasSubstr("bad.json:64:"));
+}
+
+TEST_F(ValidateTest, ATextOfAnyKindIsTakenForClaims) {
+    write("letter.txt", "Dear reader,\n");
+    EXPECT_THAT(shell("$rastertrace validate letter.txt").err,
+                testing::StartsWith("rastertrace: letter.txt:1:6: taken for claims, since it is no "
+                                    "JSON: expected a space ("));
+    write("claims.txt", "scene: scene.json\nDear reader\n");
+    EXPECT_THAT(shell("$rastertrace validate claims.txt").err,
+                testing::StartsWith("rastertrace: claims.txt:2:6: expected a space ("));
+}
+
+TEST_F(ValidateTest, APlaceFarBehindTheFirstBlockIsTold) {
+    // More than a block of a stream, with a fault in the last step.
+    std::string lines;
+    for (int i = 0; i < 40'000; ++i)
+        lines += R"({"step":"edge","edge":"AB","dx_dy":1})"
+                 "\n";
+    write("rest.jsonl", lines + R"({"step":"edge","edge":"AB","dx_dy":{}})"
+                                "\n{\"end\":{}}\n");
+    const Outcome long_one = shell("head -1 trace.jsonl | cat - rest.jsonl > long.jsonl; "
+                                   "$rastertrace validate long.jsonl");
+    EXPECT_THAT(long_one.err, testing::StartsWith("rastertrace: long.jsonl:40002:36: expected"));
+    EXPECT_EQ(long_one.status, 2);
+}
+
+TEST_F(ValidateTest, WhatAForeignRasterizerAddsIsARemark) {
+    const Outcome foreign =
+        changed("6s/\"step\":\"scanline\"/\"step\":\"wobble\"/;3s/\"AB\"/\"AB\",\"slope\":3/;"
+                "$s/\"scanline\":9/\"scanline\":8/");
+    EXPECT_EQ(foreign.status, 0);
+    EXPECT_EQ(foreign.out, "bad.json: a trace of version 1, 62 steps, complete\n");
+    EXPECT_EQ(foreign.err, "rastertrace: bad.json: remark: kinds of step that this program does "
+                           "not know: wobble (1)\n"
+                           "rastertrace: bad.json: remark: fields that steps of these kinds do not "
+                           "have: edge.slope (1)\n");
+}
+
+TEST_F(ValidateTest, ClaimsAreAboutWhatTheirSceneHas) {
+    write("lost.txt", "scene: nowhere.json\ny=2: 1, 2\n");
+    write("names.txt", "scene: scene.json\nedge AQ: 3/4\n");
+    write("rows.txt", "scene: scene.json\ny=99: 1, 2\n");
+    EXPECT_EQ(shell("$rastertrace validate lost.txt").err,
+              "rastertrace: nowhere.json: expected a file that can be read, found: No such file or "
+              "directory\n");
+    const Outcome names = shell("$rastertrace validate names.txt");
+    EXPECT_EQ(names.status, 2);
+    EXPECT_THAT(names.err, testing::StartsWith("rastertrace: names.txt:2:6: expected "));
+    // A row that is not there is a wrong claim, and no fault of the file.
+    const Outcome rows = shell("$rastertrace validate rows.txt");
+    EXPECT_EQ(rows.status, 0);
+    EXPECT_EQ(rows.out, "rows.txt: 1 claim about scene.json\n");
+    EXPECT_THAT(rows.err, testing::StartsWith("rastertrace: rows.txt:2:1: remark: "));
+}
+
+TEST_F(ValidateTest, TheKindMayBeAskedFor) {
+    EXPECT_EQ(shell("$rastertrace validate --kind trace trace.json scene.json").err,
+              "rastertrace: scene.json: expected a trace, found a scene\n");
+    EXPECT_EQ(shell("$rastertrace validate --kind scene trace.jsonl").err,
+              "rastertrace: trace.jsonl: expected a scene, found a trace\n");
+    EXPECT_EQ(shell("$rastertrace validate --kind claims scene.json").err,
+              "rastertrace: scene.json: expected claims, found a scene\n");
+    EXPECT_THAT(shell("$rastertrace validate --kind scene claims.txt").err,
+                testing::StartsWith("rastertrace: claims.txt:1:1: expected a JSON value"));
+}
+
+TEST_F(ValidateTest, ReadsStandardInputOnce) {
+    EXPECT_EQ(shell("$rastertrace validate - < scene.json").out,
+              "standard input: a scene, 1 triangle, 17 x 14 pixels\n");
+    EXPECT_EQ(shell("cat trace.jsonl | $rastertrace validate -").out,
+              "standard input: a trace of version 1, 62 steps, complete\n");
+    EXPECT_EQ(shell("$rastertrace validate - -").err,
+              "rastertrace: validate: expected standard input once, found \"-\"\n");
+}
+
+TEST_F(ValidateTest, TellsInJson) {
+    write("bad.json", R"({"vertices": {"A": [2, "five"]}, "points": ["A"]})");
+    const Outcome told = shell("$rastertrace validate scene.json bad.json --json");
+    EXPECT_EQ(told.status, 2);
+    EXPECT_EQ(told.err, "");
+    EXPECT_EQ(
+        told.out,
+        R"([{"file":"scene.json","kind":"scene","valid":true,"about":"a scene, 1 triangle, 17 x 14 pixels","problems":[],"all_told":true,"remarks":[]},)"
+        "\n"
+        R"({"file":"bad.json","kind":"scene","valid":false,"about":"","problems":[{"file":"bad.json","line":1,"column":24,"message":"expected a number, found \"five\"","hint":"a fraction is written \"25/8\", in quotes"}],"all_told":true,"remarks":[]}])"
+        "\n");
+}
+
+TEST_F(ValidateTest, ManyProblemsAreCounted) {
+    std::string lines;
+    for (int i = 0; i < 150; ++i)
+        lines += R"({"step":"edge","edge":"AB","dx_dy":true})"
+                 "\n";
+    write("rest.jsonl", lines + "{\"end\":{}}\n");
+    const Outcome told = shell("head -1 trace.jsonl | cat - rest.jsonl > bad.jsonl; "
+                               "$rastertrace validate bad.jsonl");
+    EXPECT_EQ(told.status, 2);
+    EXPECT_THAT(told.err, testing::HasSubstr(
+                              "rastertrace: bad.jsonl: only the first 100 problems are told\n"));
+}
+
+TEST_F(ValidateTest, PrintsSchemas) {
+    for (const std::string name : {"scene", "trace", "claims"}) {
+        const Outcome printed = shell("$rastertrace validate --schema " + name);
+        EXPECT_EQ(printed.status, 0);
+        EXPECT_EQ(nlohmann::json::parse(printed.out)["$schema"],
+                  "http://json-schema.org/draft-07/schema#");
+    }
+    EXPECT_EQ(shell("$rastertrace validate --schema scenes").err,
+              "rastertrace: --schema: expected one of scene, trace, claims, found \"scenes\"\n"
+              "hint: did you mean scene?\n");
+    EXPECT_EQ(shell("$rastertrace validate --schema scene scene.json").status, 2);
+    EXPECT_EQ(shell("$rastertrace validate").err,
+              "rastertrace: validate: expected a file, found none\n"
+              "hint: - is standard input; --schema NAME prints a schema\n");
+}
+
+} // namespace
+} // namespace rastertrace

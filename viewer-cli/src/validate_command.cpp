@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: MIT
+// `rastertrace validate`: whether files are scenes, traces or claims that can be used.
+
+#include "commands.h"
+#include "load.h"
+
+#include <rastertrace/core/scene/stages.h>
+#include <rastertrace/trace/check.h>
+#include <rastertrace/trace/claims.h>
+#include <rastertrace/trace/primitive_name.h>
+#include <rastertrace/trace/scene_file.h>
+#include <rastertrace/trace/step_stream.h>
+#include <rastertrace/trace/text.h>
+#include <rastertrace/trace/unknown_names.h>
+#include <rastertrace/trace/write_trace.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace rastertrace {
+
+namespace {
+
+/// The most problems of a file that are told one by one.
+constexpr std::size_t most_problems = 100;
+
+/// With the byte order mark.
+constexpr std::string_view blanks = "\xEF\xBB\xBF \t\r\n";
+
+/// What was found about a file.
+struct ValidatedFile {
+    std::string name;
+    std::optional<SchemaKind> kind = {}; ///< none: it is none of them
+    std::string about = {};              ///< of a valid one: `a scene, 1 triangle, 17 x 14 pixels`
+    std::vector<Problem> problems = {};
+    std::vector<Problem> remarks = {}; ///< what may be meant so
+
+    bool is_valid() const { return problems.empty(); }
+
+    /// False if there may be more problems than those that are told.
+    bool all_told() const { return problems.size() < most_problems; }
+
+    void add(std::vector<Problem> found) {
+        for (Problem& problem : found)
+            if (problems.size() < most_problems)
+                problems.push_back(std::move(problem));
+    }
+};
+
+std::string about_scene(const Scene& scene, std::size_t frames) {
+    std::string about = frames > 1 ? fmt::format("a scene of {} frames", frames) : "a scene";
+    constexpr std::array kinds{PrimitiveKind::triangle, PrimitiveKind::outline, PrimitiveKind::line,
+                               PrimitiveKind::point};
+    for (const PrimitiveKind kind : kinds) {
+        const auto count =
+            std::count_if(scene.primitives.begin(), scene.primitives.end(),
+                          [kind](const ScenePrimitive& one) { return one.kind == kind; });
+        if (count > 0)
+            about += ", " + counted(static_cast<std::uint64_t>(count), name_of(kind));
+    }
+    return about + fmt::format(", {} x {} pixels", scene.canvas.width, scene.canvas.height);
+}
+
+/// Reads every frame, as far as the first that cannot be drawn.
+void validate_scene(const Source& source, const InputLimits& limits, ValidatedFile& file) {
+    SceneSequence scenes(source, {}, limits, {});
+    for (std::size_t frame = 1; frame <= scenes.count(); ++frame) {
+        PlannedScene planned = scenes.frame(frame);
+        if (frame > 1)
+            continue;
+        file.remarks = std::move(planned.remarks);
+        file.about = about_scene(planned.scene, scenes.count());
+    }
+}
+
+std::string about_trace(const Trace& header, std::uint64_t steps) {
+    return fmt::format("a trace of version {}, {}{}, complete", header.version,
+                       counted(steps, "step"), header.is_partial ? " (others were left out)" : "");
+}
+
+/// Behind the last step: what is wrong with the whole, and what this program does not know.
+void finish_trace(const std::vector<Problem>& passed_over, const std::vector<Problem>& damage,
+                  const UnknownNames& unknown, ValidatedFile& file) {
+    file.add(passed_over);
+    file.add(damage);
+    std::stable_sort(file.problems.begin(), file.problems.end(),
+                     [](const Problem& a, const Problem& b) { return a.line < b.line; });
+    for (const std::string& remark : unknown.remarks())
+        file.remarks.push_back(problem_of(file.name, "remark: " + remark));
+}
+
+/// A trace of one step a line, which may have any size.
+void validate_steps(StepStream& steps, ValidatedFile& file) {
+    steps.tell_all();
+    UnknownNames unknown;
+    std::uint64_t count = 0;
+    try {
+        while (steps.next()) {
+            ++count;
+            if (file.all_told())
+                file.add(steps.faults_in_step());
+            unknown.add(steps.step(), steps.kind());
+        }
+    } catch (const Problem&) {
+        file.add(steps.damage());
+        throw;
+    }
+    finish_trace(steps.passed_over(), steps.damage(), unknown, file);
+    file.about = about_trace(steps.header(), count);
+}
+
+/// A trace of any other layout.
+void validate_trace(Source source, ValidatedFile& file) {
+    const Trace trace = value_or_throw(read_trace_to_tell(std::move(source)));
+    UnknownNames unknown;
+    for (std::size_t n = 1; n <= trace.size(); ++n) {
+        if (file.all_told())
+            file.add(trace.faults_in_step(n));
+        unknown.add(trace.step(n), trace.kind_of(n));
+    }
+    finish_trace(trace.passed_over, trace.damage, unknown, file);
+    file.about = about_trace(trace, trace.size());
+}
+
+/// Claims, or a Problem that says why the file was taken for some, if it does not look like it.
+Claims claims_in(Source source) {
+    const std::size_t first = source.text.find_first_not_of(blanks);
+    const bool is_table = source.text[first] != '{' && source.text[first] != '[';
+    const bool may_be_anything = is_table && source.text.find("scene:") == std::string::npos;
+    Result<Claims> claims = read_claims(std::move(source));
+    if (claims)
+        return std::move(claims.value());
+    Problem problem = claims.problem();
+    if (may_be_anything)
+        problem.message = "taken for claims, since it is no JSON: " + problem.message;
+    throw problem;
+}
+
+/// Claims can be read; and what they are about is there, if they name their scene.
+void validate_claims(Source source, const InputLimits& limits, ValidatedFile& file) {
+    const Claims claims = claims_in(std::move(source));
+    file.about = counted(claims.claims.size(), "claim");
+    if (claims.scene.empty()) {
+        file.about += ", which name no scene";
+        return;
+    }
+    file.about += " about " + printable(claims.scene);
+    const std::string path = path_of_scene(claims);
+    Source scene = load_scene_of_claims(path, limits);
+    const Truth truth = is_trace(scene) ? Truth(value_or_throw(read_trace(std::move(scene))))
+                                        : Truth(std::move(scene), {}, limits);
+    file.add(truth.decided().damage);
+    for (const CheckedClaim& checked : check(truth, claims).claims) {
+        const Claim& claim = claims.claims[checked.claim];
+        const bool has_step = checked.step > 0 || claim.step == "pixel" || claim.step == "picture";
+        if (!has_step && !checked.remarks.empty())
+            file.remarks.push_back(
+                problem_at(claims.source, claim.offset, "remark: " + checked.remarks.front()));
+    }
+}
+
+std::string_view with_article(SchemaKind kind) {
+    switch (kind) {
+    case SchemaKind::scene:
+        return "a scene";
+    case SchemaKind::trace:
+        return "a trace";
+    case SchemaKind::claims:
+        break;
+    }
+    return "claims";
+}
+
+/// What a source is, by its content.
+std::optional<SchemaKind> kind_by_content(const Source& source) {
+    if (is_trace(source))
+        return SchemaKind::trace;
+    if (is_claims(source))
+        return SchemaKind::claims;
+    return is_scene(source) ? std::optional(SchemaKind::scene) : std::nullopt;
+}
+
+/// Throws a Problem if a file cannot be of the kind that was asked for.
+void refuse_other_kind(const ValidatedFile& file, std::optional<SchemaKind> wanted) {
+    if (file.kind && wanted && *file.kind != *wanted)
+        throw problem_of(file.name, fmt::format("expected {}, found {}", with_article(*wanted),
+                                                with_article(*file.kind)));
+}
+
+void validate_source(Source source, const ValidateCommand& command, ValidatedFile& file) {
+    const std::size_t first = source.text.find_first_not_of(blanks);
+    const std::string expected =
+        command.kind ? std::string(with_article(*command.kind)) : "a scene, a trace or claims";
+    if (first == std::string::npos)
+        throw problem_of(file.name, fmt::format("expected {}, found an empty file", expected));
+    file.kind = kind_by_content(source);
+    // What is no JSON object could be anything: its reader says what it lacks.
+    if (source.text[first] == '{')
+        refuse_other_kind(file, command.kind);
+    if (command.kind)
+        file.kind = command.kind;
+    if (!file.kind)
+        throw problem_of(file.name, fmt::format("expected {}, found none of them", expected),
+                         R"(a scene has "vertices" or "meshes", a trace begins with )"
+                         R"("rastertrace", claims are lines or have "claims")");
+    switch (*file.kind) {
+    case SchemaKind::scene:
+        return validate_scene(source, command.input, file);
+    case SchemaKind::trace:
+        return validate_trace(std::move(source), file);
+    case SchemaKind::claims:
+        return validate_claims(std::move(source), command.input, file);
+    }
+}
+
+/// Only what the system cannot do is thrown.
+ValidatedFile validated(const std::string& path, const ValidateCommand& command) {
+    ValidatedFile file{.name = path == "-" ? "standard input" : path};
+    try {
+        auto opened = open_input_or_claims(path, command.input);
+        if (auto* const source = std::get_if<Source>(&opened)) {
+            validate_source(std::move(*source), command, file);
+        } else {
+            file.kind = SchemaKind::trace;
+            refuse_other_kind(file, command.kind);
+            validate_steps(std::get<StepStream>(opened), file);
+        }
+    } catch (const Problem& problem) {
+        if (problem.cause == Problem::Cause::system)
+            throw;
+        file.add({problem});
+    }
+    return file;
+}
+
+void print_text(const ValidatedFile& file) {
+    for (const std::vector<Problem>& list : {file.problems, file.remarks})
+        for (const Problem& problem : list)
+            print_error(fmt::format("rastertrace: {}\n", to_text(problem)));
+    if (!file.all_told())
+        print_error(fmt::format("rastertrace: {}: only the first {} problems are told\n",
+                                printable(file.name), most_problems));
+    if (file.is_valid())
+        print(fmt::format("{}: {}\n", printable(file.name), file.about));
+}
+
+std::string as_json(const std::vector<Problem>& problems) {
+    const auto number = [](std::size_t value) {
+        return value == 0 ? std::string("null") : fmt::format("{}", value);
+    };
+    std::vector<std::string> all;
+    for (const Problem& problem : problems)
+        all.push_back(fmt::format(R"({{"file":{},"line":{},"column":{},"message":{},"hint":{}}})",
+                                  json_quoted(problem.file), number(problem.line),
+                                  number(problem.column), json_quoted(problem.message),
+                                  json_quoted(problem.hint)));
+    return "[" + joined(all, ",") + "]";
+}
+
+std::string as_json(const ValidatedFile& file) {
+    return fmt::format(
+        R"({{"file":{},"kind":{},"valid":{},"about":{},"problems":{},"all_told":{},"remarks":{}}})",
+        json_quoted(file.name), file.kind ? json_quoted(name_of(*file.kind)) : "null",
+        file.is_valid(), json_quoted(file.is_valid() ? file.about : ""), as_json(file.problems),
+        file.all_told(), as_json(file.remarks));
+}
+
+} // namespace
+
+int run(const ValidateCommand& command) {
+    if (command.schema) {
+        print(schema_of(*command.schema));
+        return exit_fine;
+    }
+    bool all_valid = true;
+    std::vector<std::string> reports;
+    for (const std::string& path : command.files) {
+        const ValidatedFile file = validated(path, command);
+        all_valid = all_valid && file.is_valid();
+        if (command.json)
+            reports.push_back(as_json(file));
+        else
+            print_text(file);
+    }
+    if (command.json)
+        print("[" + joined(reports, ",\n") + "]\n");
+    return all_valid ? exit_fine : exit_bad_input;
+}
+
+} // namespace rastertrace
