@@ -125,6 +125,10 @@ FieldType element_type_of(const StepField& list) {
     return list.name == "inside" ? boolean : quantity;
 }
 
+const StepRow& row_of(StepKind kind) {
+    return table[static_cast<std::size_t>(kind)];
+}
+
 std::string_view name_of(StepKind kind) {
     return row_of(kind).name;
 }
