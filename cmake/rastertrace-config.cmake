@@ -1,4 +1,6 @@
-# find_package(rastertrace) gives the libraries rastertrace::core and rastertrace::trace.
+# find_package(rastertrace) gives the libraries rastertrace::core and rastertrace::trace, the program as
+# rastertrace::program, and the function rastertrace_add_golden. With COMPONENTS testing also rastertrace::testing,
+# matchers for GoogleTest: only then is GoogleTest looked for.
 include(CMakeFindDependencyMacro)
 list(APPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
 find_dependency(glm CONFIG)
@@ -7,3 +9,33 @@ find_dependency(Unistring)
 find_dependency(fmt CONFIG)
 list(POP_BACK CMAKE_MODULE_PATH)
 include(${CMAKE_CURRENT_LIST_DIR}/rastertrace-targets.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/rastertrace-golden.cmake)
+
+if("testing" IN_LIST rastertrace_FIND_COMPONENTS)
+  set(rastertrace_testing_FOUND FALSE)
+  if(NOT EXISTS ${CMAKE_CURRENT_LIST_DIR}/rastertrace-testing-targets.cmake)
+    set(rastertrace_NOT_FOUND_MESSAGE
+      "rastertrace was installed without its component testing: GoogleTest was not there when it was built")
+  else()
+    if(NOT TARGET GTest::gmock)
+      find_package(GTest QUIET CONFIG)
+    endif()
+    if(TARGET GTest::gmock)
+      include(${CMAKE_CURRENT_LIST_DIR}/rastertrace-testing-targets.cmake)
+      set(rastertrace_testing_FOUND TRUE)
+    else()
+      set(rastertrace_NOT_FOUND_MESSAGE
+        "rastertrace's component testing needs GoogleTest with GoogleMock, which was not found")
+    endif()
+  endif()
+endif()
+set(rastertrace_core_FOUND TRUE)
+set(rastertrace_trace_FOUND TRUE)
+foreach(component IN LISTS rastertrace_FIND_COMPONENTS)
+  if(rastertrace_FIND_REQUIRED_${component} AND NOT rastertrace_${component}_FOUND)
+    set(rastertrace_FOUND FALSE)
+    if(NOT rastertrace_NOT_FOUND_MESSAGE)
+      set(rastertrace_NOT_FOUND_MESSAGE "rastertrace has no component ${component}; it has core, trace and testing")
+    endif()
+  endif()
+endforeach()

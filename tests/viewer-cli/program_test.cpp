@@ -662,6 +662,48 @@ TEST_F(ProgramTest, TraceOfASceneIsReadBackTheSame) {
         StartsWith(R"({"title":"First triangle","steps":62,"count":{"primitive":1,"edge":3,)"));
 }
 
+TEST_F(ProgramTest, ATraceIsCutDownAsIfItWereDrawnSo) {
+    shell("$rastertrace trace $examples/t0-hidden/cube-culled.json -o whole.json; "
+          "$rastertrace trace whole.json -o whole.jsonl");
+    EXPECT_EQ(content("whole.jsonl"),
+              shell("$rastertrace trace $examples/t0-hidden/cube-culled.json --format jsonl").out);
+    for (const std::string options :
+         {"--only face,vertex --format jsonl", "--only face,vertex", "--only light", ""}) {
+        const std::string drawn =
+            shell("$rastertrace trace $examples/t0-hidden/cube-culled.json " + options).out;
+        EXPECT_THAT(drawn, HasSubstr("\"end\"")) << options;
+        EXPECT_EQ(shell("$rastertrace trace whole.json " + options).out, drawn) << options;
+        EXPECT_EQ(shell("$rastertrace trace whole.jsonl " + options).out, drawn) << options;
+        EXPECT_EQ(shell("$rastertrace trace - <whole.jsonl " + options).out, drawn) << options;
+    }
+    // A part of a part, and what it does not have.
+    shell("$rastertrace trace whole.json --only face,vertex -o part.json");
+    EXPECT_EQ(shell("$rastertrace trace part.json --only face").out,
+              shell("$rastertrace trace whole.json --only face").out);
+    const auto refusal = [this](const std::string& arguments) {
+        const Outcome outcome = shell("$rastertrace trace " + arguments);
+        EXPECT_EQ(outcome.status, 2) << arguments;
+        EXPECT_EQ(outcome.out, "") << arguments;
+        return outcome.err;
+    };
+    EXPECT_EQ(refusal("part.json --only pixel"),
+              "rastertrace: pixel steps were left out of the trace\n");
+    EXPECT_EQ(refusal("whole.json --region 0,0,1,1"),
+              "rastertrace: whole.json: expected a scene for --region, found a trace\n"
+              "hint: of a trace, --only writes the steps of some kinds\n");
+    EXPECT_EQ(refusal("whole.json --primitive ABC --only face"),
+              "rastertrace: whole.json: expected a scene for --primitive, found a trace\n"
+              "hint: of a trace, --only writes the steps of some kinds\n");
+    EXPECT_EQ(refusal("whole.json --fill fan"),
+              "rastertrace: whole.json: expected a scene to draw with --fill fan, found a trace, "
+              "which is drawn already\n");
+    // Neither a trace that breaks off nor itself is written.
+    shell("head -n 20 whole.jsonl >cut.jsonl; cp whole.json older.json");
+    EXPECT_THAT(refusal("cut.jsonl --only vertex -o older.json"), HasSubstr("truncated"));
+    EXPECT_THAT(refusal("whole.json --only face -o whole.json"), HasSubstr("whole.json"));
+    EXPECT_EQ(shell("cmp whole.json older.json").status, 0);
+}
+
 TEST_F(ProgramTest, SameSceneSameBytesInEveryLocaleAndTimeZone) {
     shell("$rastertrace trace $examples/t0-fill/first-triangle.json --scalar double -o a.json");
     shell("LC_ALL=de_DE.UTF-8 TZ=Asia/Tokyo $rastertrace trace "

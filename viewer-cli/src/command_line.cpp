@@ -293,10 +293,12 @@ private:
 
     void add_trace() {
         CLI::App& command =
-            add_command("trace", "Draw a scene and write its trace",
+            add_command("trace", "Draw a scene and write its trace, or a part of a trace",
                         "rastertrace trace examples/t0-fill/first-triangle.json --only "
                         "scanline -o rows.json");
-        command.add_option("scene", trace_.scene, "A scene; - for standard input")
+        command
+            .add_option("scene", trace_.scene,
+                        "A scene, or a trace to cut down; - for standard input")
             ->required()
             ->type_name("SCENE");
         command

@@ -60,6 +60,9 @@ public:
     /// True if more than one frame was asked for.
     bool is_sequence() const { return first_ < last_; }
 
+    /// The trace that was given; nullptr if it was a scene.
+    const Source* given_trace() const { return scenes_ ? nullptr : &source_; }
+
     /// `3 of 24: degrees 30`, for a frame of a sequence.
     std::string label(std::size_t frame) const { return scenes_->label(frame); }
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// `rastertrace trace`: draws a scene and writes its trace.
+// `rastertrace trace`: draws a scene and writes its trace; or writes a part of one that is there.
 
 #include "commands.h"
 #include "load.h"
 
+#include <rastertrace/trace/excerpt.h>
 #include <rastertrace/trace/output.h>
 #include <rastertrace/trace/text.h>
+#include <rastertrace/trace/trace_text.h>
 
 #include <fmt/core.h>
 
@@ -94,6 +96,21 @@ void write_frames(const TraceCommand& command, InputFrames& input, const TraceOp
         file.commit();
 }
 
+/// Writes steps of a trace that is there already.
+void write_part(const Source& given, const TraceCommand& command, Output& output) {
+    if (command.filter.region || command.filter.primitive)
+        throw problem_of(given.name,
+                         fmt::format("expected a scene for --{}, found a trace",
+                                     command.filter.region ? "region" : "primitive"),
+                         "of a trace, --only writes the steps of some kinds");
+    std::vector<std::string> kinds;
+    for (const StepKind kind : command.filter.only.value_or(std::vector<StepKind>{}))
+        kinds.emplace_back(name_of(kind));
+    const TraceText text(given);
+    write_excerpt(value_or_throw(read_trace(given)), text.header_json(), kinds, layout_of(command),
+                  output);
+}
+
 } // namespace
 
 int run(const TraceCommand& command) {
@@ -102,6 +119,18 @@ int run(const TraceCommand& command) {
         {.method = command.method, .limits = command.input, .frames = command.frames});
     const TraceOptions options{.layout = layout_of(command), .filter = command.filter};
     const bool is_printed = command.output.empty() || command.output == "-";
+    if (const Source* const given = input.given_trace()) {
+        if (is_printed) {
+            DescriptorOutput output(STDOUT_FILENO, "standard output");
+            write_part(*given, command, output);
+            return exit_fine;
+        }
+        FileOutput output(command.output,
+                          given->file ? std::vector{*given->file} : std::vector<FileId>{});
+        write_part(*given, command, output);
+        output.commit();
+        return exit_fine;
+    }
     if (input.is_sequence() && is_printed)
         throw problem_of(
             command.scene,
