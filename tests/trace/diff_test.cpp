@@ -15,9 +15,11 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -500,10 +502,9 @@ TEST(Diff, WhoOwnsAPixelIsPartOfThePicture) {
     EXPECT_EQ(found.picture->only_a + found.picture->only_b + found.picture->colors, 0U);
     EXPECT_THAT(found.picture->names, ElementsAre("ABC", "DEF"));
     EXPECT_NE(found.picture->faces_a, found.picture->faces_b);
-    EXPECT_THAT(
-        found.remarks,
-        ElementsAre("primitives were added, taken out or moved: from there on the traces were "
-                    "read twice"));
+    EXPECT_THAT(found.remarks,
+                ElementsAre("the primitives are not the same in the same order: from there on "
+                            "the traces were read twice"));
 }
 
 TEST(Diff, DifferentCanvasesAreComparedByCoordinates) {
@@ -570,8 +571,13 @@ TEST(Diff, AnOptionNamesWhatThereIs) {
                 HasSubstr("found sampel\nhint: did you mean sample?"));
     EXPECT_THAT(problem_of_options({.only = {"pixels"}}), HasSubstr("hint: did you mean pixel?"));
     EXPECT_EQ(problem_of_options({.ignored = {"header", "end", "pixel.color"}}), "none");
-    for (const std::string bad : {"", "left", "scanline.left", "scanline.left=", "=1", "-1",
-                                  "scanline.left=1e", "ulp", "scanline.left=x"})
+    EXPECT_THAT(problem_of_options({.tolerances = {parse_tolerance("pixel.x=1")}}),
+                HasSubstr("expected another field than x of pixel: steps are found by it"));
+    EXPECT_THAT(problem_of_options({.tolerances = {parse_tolerance("pixel.color=1")}}),
+                HasSubstr("expected another field than color of pixel: it is no number"));
+    for (const std::string bad :
+         {".left=1", "scanline.=1", "", "left", "scanline.left", "scanline.left=", "=1", "-1",
+          "scanline.left=1e", "ulp", "scanline.left=x"})
         EXPECT_THROW(parse_tolerance(bad), Problem) << bad;
 }
 
@@ -618,6 +624,101 @@ TEST(Diff, StepsInAnotherOrderAreFoundFarApart) {
     }
     EXPECT_GT(moved, 1000U);
     EXPECT_EQ(found.picture->only_a + found.picture->only_b, 0U);
+}
+
+// As many steps as a wide row has; what stands behind them has not moved.
+TEST(Diff, ThousandsOfStepsThatOneTraceDoesNotHaveMoveNoOther) {
+    const std::string scene = R"({"canvas":{"width":128,"height":128},
+        "vertices":{"A":[-60,-60],"B":[60,-60],"C":[0,60]},"triangles":["ABC"]})";
+    const Lines lines(trace_text(scene_in(scene), in_lines));
+    Lines shorter = lines;
+    const auto begin = shorter.steps.begin() + 100;
+    shorter.steps.erase(begin, begin + 5000);
+    std::size_t gone = 0;
+    for (const KindDifference& kind : diff_of(lines.text(), shorter.text()).kinds) {
+        gone += kind.only_a;
+        EXPECT_EQ(kind.changed + kind.only_b + kind.moved, 0U) << kind.kind;
+    }
+    EXPECT_EQ(gone, 5000U);
+}
+
+TEST(Diff, TheColorOfAPrimitiveChangesItsPixels) {
+    const Lines lines(first_triangle_trace());
+    Lines other = lines;
+    Json primitive = Json::parse(other.steps[0]);
+    primitive["color"] = "#ff0000";
+    other.steps[0] = primitive.dump();
+    for (const TraceDiff& found :
+         {diff_of(lines.text(), other.text()), diff_of(other.text(), lines.text())}) {
+        EXPECT_THAT(counts_of(found), ElementsAre("primitive 1 0 0 0"));
+        EXPECT_EQ(found.picture->colors, 49U);
+        EXPECT_EQ(found.led_to.count, 49U);
+        EXPECT_EQ(found.led_to.colors.size(), 49U);
+    }
+}
+
+// A part of a face is the face's, as are its vertices.
+TEST(Diff, AVertexReachesThePartsOfItsFaces) {
+    const auto trace = [](int z) {
+        return trace_text(scene_in(R"({"canvas":{"width":32,"height":32},
+                "vertices":{"A":[-1,-1,-2],"B":[1,-1,-2],"C":[0,1,)" +
+                                   std::to_string(z) + R"(]},"triangles":["ABC"],
+                "camera":{"position":[0,0,0],"look_at":[0,0,-1],"up":[0,1,0]},
+                "projection":{"type":"frustum","fov_y":90,"near":1,"far":10}})"),
+                          in_lines);
+    };
+    const TraceDiff found = diff_of(trace(1), trace(2));
+    ASSERT_TRUE(found.first.has_value());
+    EXPECT_EQ(found.first->kind, "vertex");
+    const PictureDifference& picture = *found.picture;
+    EXPECT_GT(found.led_to.count, 0U);
+    EXPECT_EQ(found.led_to.count, picture.only_a + picture.only_b + picture.colors + picture.owners)
+        << diff_text(found);
+}
+
+TEST(Diff, WhatTheEndRecordSaysOfStepsThatAreNotThere) {
+    for (const TraceLayout layout : {TraceLayout::json, TraceLayout::jsonl}) {
+        const std::string whole = first_triangle_trace(layout);
+        std::string other = whole;
+        const std::size_t frame = other.find("\"frame\":\"") + std::strlen("\"frame\":\"");
+        other[frame] = other[frame] == '0' ? '1' : '0';
+        const TraceDiff found = diff_of(whole, other);
+        EXPECT_FALSE(found.is_same);
+        ASSERT_EQ(found.end.size(), 1U);
+        EXPECT_EQ(found.end[0].name, "end.frame");
+        EXPECT_TRUE(diff_of(whole, other, {.ignored = {"end"}}).is_same);
+        EXPECT_THROW(diff_of(whole, whole + "{\"end\":{}}\n"), Problem);
+    }
+}
+
+TEST(Diff, WhatMayStandBehindTheBreakIsNotMissed) {
+    const std::string scene = R"({"canvas":{"width":8,"height":8,"origin":"bottom-left"},
+        "vertices":{"A":[0,0],"B":[6,0],"C":[0,6],"D":[7,1],"E":[7,7],"F":[1,7]},
+        "triangles":["ABC","DEF"]})";
+    const Lines lines(trace_text(scene_in(scene), in_lines));
+    auto primitives = primitives_in(lines);
+    std::swap(primitives[1], primitives[2]);
+    const std::string turned = lines_of(lines, primitives).text();
+    for (std::size_t size = turned.find('\n') + 1; size < turned.rfind("{\"end\""); size += 7) {
+        const TraceDiff found = diff_of(lines.text(), turned.substr(0, size));
+        SCOPED_TRACE(std::to_string(size) + "\n" + diff_text(found));
+        for (const KindDifference& kind : found.kinds)
+            EXPECT_EQ(kind.changed + kind.only_a + kind.only_b, 0U) << kind.kind;
+    }
+}
+
+TEST(Diff, OneNameInTwoWaysToWriteIt) {
+    const auto trace = [](const std::string& name, const std::string& blank) {
+        return R"({"rastertrace":1,"title":")" + name + R"(","canvas":{"width":4,"height":4}})" +
+               "\n" + blank + R"({"step":"primitive","kind":"triangle","name":")" + name + "\"}\n" +
+               blank + R"({"step":"pixel","x":1,"y":1})" + "\n{\"end\":{}}\n";
+    };
+    EXPECT_TRUE(diff_of(trace("\u00c4B", ""), trace("\\u00c4B", "")).is_same);
+    EXPECT_TRUE(diff_of(trace("AB", ""), trace("AB", "\n \r\n")).is_same);
+    std::string other = trace("AB", "\r\n");
+    other.replace(other.find("\"y\":1"), 5, "\"y\":0");
+    const TraceDiff found = diff_of(trace("AB", "\r\n"), other);
+    EXPECT_EQ(found.first->a->number, 2U);
 }
 
 } // namespace

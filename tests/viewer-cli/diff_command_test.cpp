@@ -119,6 +119,13 @@ TEST_F(DiffTest, JsonHasTheSame) {
     EXPECT_EQ(told["kinds"][0]["changed"], 1);
     EXPECT_EQ(told["picture"]["only_a"], 0);
     EXPECT_EQ(nlohmann::json::parse(diff("a.json a.json --json").out)["same"], true);
+
+    // Characters that a terminal obeys do not reach it.
+    shell("printf '{\"rastertrace\":1,\"title\":\"\\302\\233\","
+          "\"canvas\":{\"width\":1,\"height\":1}}\\n{\"end\":{}}\\n' > d.jsonl");
+    const std::string safe = diff("a.json d.jsonl --json").out;
+    EXPECT_EQ(safe.find("\302\233"), std::string::npos);
+    EXPECT_EQ(nlohmann::json::parse(safe)["header"][0]["b"], "\302\233");
 }
 
 TEST_F(DiffTest, WhatIsWrongIsSaid) {
@@ -181,6 +188,12 @@ TEST_F(DiffTest, GitCallsItForFilesThatHaveChanged) {
     EXPECT_EQ(lines.status, 0) << lines.err;
     EXPECT_THAT(lines.out, HasSubstr("\n-ABC: scanline y=2   left AB: x = 2 + 3/4 (2 - 5) = -1/4"));
     EXPECT_THAT(lines.out, HasSubstr("\n+ABC: scanline y=2   left AB: x = 2 + 3/4 (2 - 5) = -1/2"));
+
+    EXPECT_EQ(diff("--git some/name.json").out, "rastertrace diff some/name.json\nnot merged\n");
+    EXPECT_EQ(diff("--git some/name.json").status, 0);
+    EXPECT_EQ(shell("head -c 1000 a.json > cut.json; $rastertrace diff --textconv cut.json").status,
+              0);
+    EXPECT_THAT(diff("--textconv cut.json").out, HasSubstr("the trace is truncated after"));
 
     shell(git + "echo broken > first.trace.json");
     const Outcome broken =

@@ -1567,11 +1567,12 @@ TEST_F(ProgramTest, StepsOutOfRangeAndKindsThatAreNotThere) {
 TEST_F(ProgramTest, UsageErrorsNameTheWordAndANearOne) {
     EXPECT_EQ(shell("$rastertrace").status, 2);
     EXPECT_THAT(shell("$rastertrace").err, HasSubstr("rastertrace show examples/"));
-    EXPECT_EQ(shell("$rastertrace shw x").err,
-              "rastertrace: expected a command out of trace, "
-              "show, explain, stats, check, plan, stress, report, renew, help, found "
-              "\"shw\"\n"
-              "hint: did you mean show?\n");
+    EXPECT_EQ(
+        shell("$rastertrace shw x").err,
+        "rastertrace: expected a command out of trace, "
+        "show, explain, stats, check, diff, validate, plan, stress, report, renew, help, found "
+        "\"shw\"\n"
+        "hint: did you mean show?\n");
     EXPECT_EQ(shell("$rastertrace show x --evry pixel").err,
               "rastertrace show: --evry: no such option\nhint: did you mean --every?\n"
               "see rastertrace show --help\n");
