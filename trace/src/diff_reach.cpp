@@ -27,32 +27,28 @@ DiffReach::DiffReach(const FirstDifference& first) : first_(first) {
 }
 
 bool DiffReach::has(Pixel pixel, const OwnerOfPixels& owner) const {
-    const auto is_of = [&first = first_](const auto& holds) {
-        return (first.a && holds(StepView(first.a->json))) ||
-               (first.b && holds(StepView(first.b->json)));
-    };
+    return (first_.a && reaches(*first_.a, pixel, owner)) ||
+           (first_.b && reaches(*first_.b, pixel, owner));
+}
+
+bool DiffReach::reaches(const StepLine& line, Pixel pixel, const OwnerOfPixels& owner) const {
     const bool is_of_face = has_name(faces_, owner.face);
-    const auto kind = (first_.a ? *first_.a : *first_.b).kind;
-    if (!kind)
+    if (!line.kind)
         return is_of_face;
-    switch (*kind) {
+    const StepView step(line.json);
+    switch (*line.kind) {
     case StepKind::matrix:
     case StepKind::order:
     case StepKind::triangulate:
         return true;
     case StepKind::vertex:
-        return is_of([&owner](const StepView& vertex) {
-            return has_name(owner.vertices, vertex.text("name"));
-        });
+        return has_name(owner.vertices, step.text("name"));
     case StepKind::scanline:
-        return is_of_face &&
-               is_of([pixel](const StepView& row) { return row.whole("y") == pixel.y; });
+        return is_of_face && step.whole("y") == pixel.y;
     case StepKind::sample:
     case StepKind::depth:
     case StepKind::pixel:
-        return is_of_face && is_of([pixel](const StepView& step) {
-                   return step.whole("x") == pixel.x && step.whole("y") == pixel.y;
-               });
+        return is_of_face && step.whole("x") == pixel.x && step.whole("y") == pixel.y;
     default:
         return is_of_face;
     }

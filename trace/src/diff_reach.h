@@ -34,6 +34,8 @@ public:
     bool has(Pixel pixel, const OwnerOfPixels& owner) const;
 
 private:
+    bool reaches(const StepLine& step, Pixel pixel, const OwnerOfPixels& owner) const;
+
     const FirstDifference& first_;
     std::vector<std::string> faces_; ///< of the first difference, in a and in b
 };
