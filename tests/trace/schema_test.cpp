@@ -9,6 +9,7 @@
 #include <rastertrace/trace/step_kind.h>
 
 #include "random_choice.h"
+#include "random_scene.h"
 #include "traces.h"
 
 #include <gmock/gmock.h>
@@ -127,6 +128,43 @@ TEST(Schema, IsNamedInASceneAndInClaims) {
     ASSERT_FALSE(inside);
     EXPECT_EQ(inside.problem().message,
               "expected a key out of width, height, origin, found \"$schema\"");
+}
+
+/// Fails for each key of an object that a definition of the schema does not have.
+void expect_known_keys(const Json& object, const Json& definition) {
+    for (const auto& [key, value] : object.items())
+        EXPECT_TRUE(definition["properties"].contains(key))
+            << "\"" << key << "\": a new key needs a row";
+}
+
+// The schema allows unknown keys in a trace, as readers do; so a key that is written without a row in the tables would
+// not be missed otherwise.
+TEST(Schema, EveryKeyOfAHeaderAndAnEndThatIsWrittenHasItsRow) {
+    const Json definitions = Json::parse(schema_of(SchemaKind::trace))["definitions"];
+    const TraceOptions part{
+        .layout = TraceLayout::json,
+        .filter = {.only = std::vector{StepKind::pixel}, .region = Region{}, .primitive = "T"}};
+    std::set<std::string> seen;
+    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+        const auto read = read_scene({"scene.json", RandomScene(seed).text()});
+        if (!read)
+            continue;
+        for (const TraceOptions& options : {TraceOptions{}, part}) {
+            std::string text;
+            StringOutput output(text);
+            write_trace(read.value().scene, read.value().plan, options, output);
+            const Json trace = Json::parse(text);
+            expect_known_keys(trace, definitions["document"]);
+            for (const Json& stage : trace["stages"])
+                expect_known_keys(stage, definitions["stages"]["items"]);
+            expect_known_keys(trace["end"], definitions["end"]);
+            for (const auto& [key, value] : trace.items())
+                seen.insert(key);
+        }
+    }
+    for (const std::string key :
+         {"numbers", "projection", "viewport", "only", "region", "primitive"})
+        EXPECT_TRUE(seen.contains(key)) << key;
 }
 
 } // namespace
