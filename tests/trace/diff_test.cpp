@@ -441,6 +441,7 @@ TEST(Diff, UlpsAreThoseOfTheScalar) {
     EXPECT_TRUE(is_same("float", "0.33333334", "1ulp"));
     EXPECT_FALSE(is_same("float", "0.3333335", "4ulp"));
     EXPECT_TRUE(is_same("float", "0.3333335", "8ulp"));
+    EXPECT_FALSE(is_same("float", "1e300", "8ulp")); // no float is
 }
 
 TEST(Diff, NumbersAreComparedAsTheyAreWritten) {

@@ -53,13 +53,12 @@ struct ValueDifference {
 };
 using Differs = std::optional<ValueDifference>;
 
-/// The number that a decimal stands for: the nearest one of its type. A fraction in quotes is that number.
+/// The number that a decimal stands for: the nearest one of its type, if that has one. A fraction in quotes is that
+/// number.
 Rational as_stored(const Rational& number, std::string_view json, bool is_float) {
-    if (json.starts_with('"'))
-        return number;
     const double nearest = nearest_double(number);
-    return is_float ? Rational(static_cast<double>(static_cast<float>(nearest)))
-                    : Rational(nearest);
+    const double stored = is_float ? static_cast<double>(static_cast<float>(nearest)) : nearest;
+    return json.starts_with('"') || !std::isfinite(stored) ? number : Rational(stored);
 }
 
 bool is_within(const DiffTolerance& tolerance, const Rational& a, const Rational& b) {
