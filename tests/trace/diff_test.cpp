@@ -655,6 +655,7 @@ TEST(Diff, TheColorOfAPrimitiveChangesItsPixels) {
         EXPECT_EQ(found.picture->colors, 49U);
         EXPECT_EQ(found.led_to.count, 49U);
         EXPECT_EQ(found.led_to.colors.size(), 49U);
+        EXPECT_THAT(found.picture->faces_a, IsEmpty()); // nobody else has drawn them
     }
 }
 

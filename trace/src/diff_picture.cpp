@@ -112,8 +112,12 @@ private:
             return PixelVerdict::alike;
         if (a_.color(pixel) != b_.color(pixel))
             return PixelVerdict::color;
-        return owners_.b_of_a(a_.owner(pixel)) == b_.owner(pixel) ? PixelVerdict::alike
-                                                                  : PixelVerdict::owner;
+        return has_one_owner(pixel) ? PixelVerdict::alike : PixelVerdict::owner;
+    }
+
+    /// True if the same primitive has drawn a pixel in both.
+    bool has_one_owner(Pixel pixel) const {
+        return owners_.b_of_a(a_.owner(pixel)) == b_.owner(pixel);
     }
 
     void count(Pixel pixel, int row) {
@@ -132,10 +136,12 @@ private:
         case PixelVerdict::color:
             ++found_.colors;
             note_reached(pixel, led_to_.colors);
+            has_other_owner_ = has_other_owner_ || !has_one_owner(pixel);
             break;
         case PixelVerdict::owner:
             ++found_.owners;
             note_reached(pixel, led_to_.owners);
+            has_other_owner_ = true;
             break;
         }
         if (!has_any_)
@@ -202,8 +208,7 @@ private:
             found_.faces_a.push_back(std::move(faces_a));
             found_.faces_b.push_back(std::move(faces_b));
         }
-        // Letters are for who owns what; who draws alone, or in another color, is seen without.
-        if (found_.owners == 0 && found_.colors == 0) {
+        if (!has_other_owner_) {
             found_.faces_a.clear();
             found_.faces_b.clear();
             found_.names.clear();
@@ -253,7 +258,8 @@ private:
     PictureDifference found_;
     Consequences led_to_;
     bool has_any_ = false;
-    int left_ = 0; ///< of all pixels that differ
+    bool has_other_owner_ = false; ///< some pixel of both is of different primitives
+    int left_ = 0;                 ///< of all pixels that differ
     int right_ = 0;
     int first_row_ = 0;
     int last_row_ = 0;

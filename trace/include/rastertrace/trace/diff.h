@@ -118,7 +118,7 @@ struct PictureDifference {
     bool is_cut = false; ///< the pictures are larger
     std::vector<std::string> rows{};
 
-    /// The same part with a letter for each primitive, if some pixel has another owner.
+    /// The same part with a letter for each primitive, if different ones have drawn some pixel.
     std::vector<std::string> faces_a{};
     std::vector<std::string> faces_b{};
     std::vector<std::string> names{}; ///< of the letters, see primitive_letters
