@@ -2,7 +2,8 @@
 #include <rastertrace/trace/diff.h>
 
 #include "diff_context.h"
-#include "diff_fields.h"
+#include "diff_header.h"
+#include "diff_options.h"
 #include "trace_comparison.h"
 #include "trace_lines.h"
 

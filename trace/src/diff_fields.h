@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Two steps of the same key, field by field; and two headers, key by key.
+// Two steps of the same key, field by field.
+//
+//     FieldComparison fields(options, false);
+//     fields.differing(a, b);  // {{.name = "left", .a = ..., .b = ...}}
 
 #include "step_lines.h"
 
@@ -27,12 +30,5 @@ private:
     const DiffOptions& options_;
     bool has_floats_;
 };
-
-/// The keys of two headers that are not alike; an object's as `canvas.width`, a stage's as `stages.clip`. Which steps
-/// were left out (`only`, `region`, `primitive`) is none of them.
-std::vector<FieldDifference> differing_keys(std::string_view header_a, std::string_view header_b);
-
-/// Throws a Problem if an option names a kind or a field that no trace can have, or that neither of these two has.
-void check_names(const DiffOptions& options, const TraceText& a, const TraceText& b);
 
 } // namespace rastertrace
