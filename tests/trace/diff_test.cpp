@@ -196,12 +196,13 @@ void change_every_field(const std::string& name, const std::string& trace) {
         constexpr std::size_t most_of_a_kind = 3;
         if (seen[kind]++ >= most_of_a_kind)
             continue;
-        for (const auto& [key, value] : step.items()) {
+        for (const auto& item : step.items()) {
+            const std::string key = item.key();
             if (key == "step")
                 continue;
             Lines other = lines;
             Json mutated = step;
-            mutated[key] = changed(value);
+            mutated[key] = changed(item.value());
             other.steps[n] = mutated.dump();
             const TraceDiff found = diff_of(trace, other.text());
             SCOPED_TRACE(name + " step " + std::to_string(n + 1) + " " + key + ": " +
