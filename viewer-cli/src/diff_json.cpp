@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "diff_json.h"
 
+#include "json_list.h"
+
 #include <rastertrace/trace/color_text.h>
 #include <rastertrace/trace/step_writer.h>
 #include <rastertrace/trace/text.h>
@@ -13,15 +15,6 @@
 namespace rastertrace {
 
 namespace {
-
-/// `items` as a JSON array, each by `item_json`.
-template <typename Item, typename ItemJson>
-std::string array_json(const std::vector<Item>& items, const ItemJson& item_json) {
-    std::string text = "[";
-    for (const Item& item : items)
-        text += (text.size() > 1 ? "," : "") + item_json(item);
-    return text + "]";
-}
 
 /// JSON of a trace, with what a terminal obeys, or nobody sees, escaped; it stands in strings only. null where there
 /// is none.
@@ -61,8 +54,8 @@ std::string step_or_null(const std::optional<DiffStep>& step) {
 }
 
 std::string pixels_json(const std::vector<Pixel>& pixels) {
-    return array_json(pixels,
-                      [](const Pixel& pixel) { return fmt::format("[{},{}]", pixel.x, pixel.y); });
+    return list_json(pixels,
+                     [](const Pixel& pixel) { return fmt::format("[{},{}]", pixel.x, pixel.y); });
 }
 
 std::string first_json(const TraceDiff& found) {
@@ -74,7 +67,7 @@ std::string first_json(const TraceDiff& found) {
         R"("led_to":{{"pixels":{},"only_a":{},"only_b":{},"colors":{},"owners":{}}}}})",
         json_quoted(first.kind), first.primitive.empty() ? "null" : json_quoted(first.primitive),
         first.is_moved, step_or_null(first.a), step_or_null(first.b),
-        array_json(first.fields, field_json), found.led_to.count, pixels_json(found.led_to.only_a),
+        list_json(first.fields, field_json), found.led_to.count, pixels_json(found.led_to.only_a),
         pixels_json(found.led_to.only_b), pixels_json(found.led_to.colors),
         pixels_json(found.led_to.owners));
 }
@@ -88,7 +81,7 @@ std::string kind_json(const KindDifference& kind) {
     return fmt::format(
         R"({{"kind":{},"changed":{},"only_a":{},"only_b":{},"moved":{},"fields":{}}})",
         json_quoted(kind.kind), kind.changed, kind.only_a, kind.only_b, kind.moved,
-        array_json(kind.fields, summary_json));
+        list_json(kind.fields, summary_json));
 }
 
 std::string owner_json(const std::optional<PixelOwner>& owner) {
@@ -109,8 +102,8 @@ std::string picture_json(const std::optional<PictureDifference>& picture) {
     return fmt::format(R"({{"only_a":{},"only_b":{},"colors":{},"owners":{},"pixels":{},)"
                        R"("left":{},"top":{},"down":{},"rows":{}}})",
                        picture->only_a, picture->only_b, picture->colors, picture->owners,
-                       array_json(picture->pixels, pixel_json), picture->left, picture->top,
-                       picture->down, array_json(picture->rows, quoted));
+                       list_json(picture->pixels, pixel_json), picture->left, picture->top,
+                       picture->down, list_json(picture->rows, quoted));
 }
 
 } // namespace
@@ -123,10 +116,10 @@ std::string diff_json(const TraceDiff& found) {
                        R"("picture":{},"remarks":{},"damage":{}}})"
                        "\n",
                        found.is_same, json_quoted(found.name_a), json_quoted(found.name_b),
-                       array_json(header, field_json), first_json(found),
-                       array_json(found.kinds, kind_json), picture_json(found.picture),
-                       array_json(found.remarks, quoted),
-                       array_json(found.damage, [](const Problem& problem) {
+                       list_json(header, field_json), first_json(found),
+                       list_json(found.kinds, kind_json), picture_json(found.picture),
+                       list_json(found.remarks, quoted),
+                       list_json(found.damage, [](const Problem& problem) {
                            return json_quoted(to_text(problem));
                        }));
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "explain_text.h"
+#include "json_list.h"
 
 #include <rastertrace/trace/step_writer.h>
 
@@ -11,14 +12,6 @@
 namespace rastertrace {
 
 namespace {
-
-template <typename Item>
-std::string list_json(const std::vector<Item>& items, std::string (*item_json)(const Item&)) {
-    std::string text = "[";
-    for (const Item& item : items)
-        text += (text.size() > 1 ? "," : "") + item_json(item);
-    return text + "]";
-}
 
 std::string quoted(const std::string& text) {
     return json_quoted(text);
