@@ -6,6 +6,7 @@
 #include "json_scanner.h"
 #include "trace_lines.h"
 
+#include <rastertrace/trace/output.h>
 #include <rastertrace/trace/text.h>
 
 #include <sys/stat.h>
@@ -81,16 +82,6 @@ Descriptor nameless_file(const std::string& for_name) {
     if (!file.is_open() || ::unlink(path.c_str()) != 0)
         throw system_problem(for_name, "could not be kept in a temporary file");
     return file;
-}
-
-void write_all(int descriptor, std::string_view text, const std::string& for_name) {
-    while (!text.empty()) {
-        const ssize_t count = ::write(descriptor, text.data(), text.size());
-        if (count >= 0)
-            text.remove_prefix(static_cast<std::size_t>(count));
-        else if (errno != EINTR)
-            throw system_problem(for_name, "could not be kept in a temporary file");
-    }
 }
 
 } // namespace
@@ -222,8 +213,9 @@ std::variant<TraceText, Source> open_trace_text(const std::string& path,
     }
     state->temporary = nameless_file(source.name);
     state->descriptor = state->temporary.number();
+    DescriptorOutput output(state->descriptor, "a temporary file for " + source.name);
     do {
-        write_all(state->descriptor, source.text, source.name);
+        output.write(source.text);
         source.text.clear();
     } while (input.read_into(source.text));
     return TraceText(std::move(state));
