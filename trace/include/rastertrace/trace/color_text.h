@@ -18,6 +18,9 @@ std::optional<Color> parse_color(std::string_view text);
 /// #rrggbb, or #rrggbbaa where alpha is not 255.
 std::string to_text(Color color);
 
+/// Relative luminance of an sRGB color, 0 to 1: IEC 61966-2-1, with the weights of BT.709.
+double luminance(Color color);
+
 /// The sixteen names.
 std::vector<std::string_view> color_names();
 
