@@ -162,8 +162,8 @@ private:
         }
         if (label.has_rim)
             kind += " rim";
-        return fmt::format("<text {}{}>{}</text>\n", attributes(kind, label.role), more,
-                           escaped(label.text));
+        return fmt::format("<text {}{}>{}</text>\n", attributes(kind, label.role, label.color),
+                           more, escaped(label.text));
     }
 
     std::set<Role> roles_used_;

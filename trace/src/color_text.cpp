@@ -79,4 +79,8 @@ double luminance(Color color) {
            0.0722 * light_of(color.blue());
 }
 
+bool is_light(Color color) {
+    return luminance(color) > 0.179;
+}
+
 } // namespace rastertrace

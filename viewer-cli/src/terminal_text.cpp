@@ -101,9 +101,7 @@ std::string styled(std::string_view text, const Style& style, ColorDepth colors)
         return std::string(text);
     std::string codes;
     if (style.background) {
-        // Above 0.179, black on a color has more contrast than white: WCAG 2, contrast ratio.
-        const bool is_light = luminance(*style.background) > 0.179;
-        codes = fmt::format("{};{}", is_light ? 30 : 97, background(*style.background, colors));
+        codes = fmt::format("{};{}", is_light(*style.background) ? 30 : 97, background(*style.background, colors));
     }
     if (style.is_reversed)
         codes += codes.empty() ? "7" : ";7";

@@ -33,10 +33,11 @@ struct Place {
 
 /// What a shape is there for. theme.cpp has a row for each: its name, its colors, its line.
 enum class Role : std::uint8_t {
-    paper,   ///< the sheet
-    plotted, ///< pixels that are drawn
-    current, ///< pixels that this step draws
-    face_1,  ///< pixels of the first face, of the second, ...: face_role()
+    paper,          ///< the sheet
+    plotted,        ///< pixels that are drawn
+    current,        ///< pixels that this step draws
+    current_border, ///< around them
+    face_1,         ///< pixels of the first face, of the second, ...: face_role()
     face_2,
     face_3,
     face_4,
@@ -69,6 +70,7 @@ enum class Role : std::uint8_t {
     normal,
     text,
     strong_text,
+    cell_text,  ///< in a pixel
     quiet_text, ///< numbers of columns and rows, and what else is only looked up
     curve_1,    ///< of a plot: curve_role()
     curve_2,
@@ -141,6 +143,7 @@ enum class Anchor : std::uint8_t { start, middle, end };
 /// A line of text.
 struct Label {
     Role role = Role::text;
+    std::optional<Color> color = {};
     Place at; ///< on the line that the letters stand on
     std::string text;
     double size = 10; ///< of the letters, in units, from the top of an A to the bottom of a g
