@@ -69,8 +69,8 @@ void Coverage::add_positive(std::span<const Place> polygon) {
 void Coverage::add(const Box& box) {
     if (box.left >= box.right || box.right <= 0 || box.left >= width_)
         return;
-    add_edge({box.left, box.top}, {box.left, box.bottom});
-    add_edge({box.right, box.bottom}, {box.right, box.top});
+    add_edge({box.right, box.top}, {box.right, box.bottom});
+    add_edge({box.left, box.bottom}, {box.left, box.top});
 }
 
 void Coverage::add_line(std::int64_t line, int weight) {

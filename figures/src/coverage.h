@@ -47,6 +47,7 @@ public:
     /// One that winds to the right, however its places are given.
     void add_positive(std::span<const Place> polygon);
 
+    /// A box winds to the right.
     void add(const Box& box);
 
     /// Tells what is covered, row by row from the top, and forgets it.
