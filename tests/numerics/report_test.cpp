@@ -279,7 +279,7 @@ Scene example(const std::string& name) {
     return read_scene({path, text}).value().scene;
 }
 
-/// The settings of `adaptive` that are drawn with doubles, as far as fractions do not serve.
+/// The settings of `adaptive`, as far as fractions do not serve.
 std::vector<Setting> adaptive_settings(const JobReport& job) {
     std::vector<Setting> settings;
     for (const Curve& curve : job.curves)
@@ -299,11 +299,10 @@ TEST(AdaptiveReport, HasNoErrorInPixelsAndWinnersOfTheExamples) {
             EXPECT_EQ(setting.errors.at(0).value, 0) << name;
         }
         const JobReport depth = report_of_job(scene, ReportJob::depth);
-        EXPECT_EQ(wrong(depth, "inverse-z", "adaptive (draw)"), 0U) << name;
-        EXPECT_EQ(wrong(depth, "linear-z", "adaptive (draw)"), wrong(depth, "linear-z", "exact"))
-            << name;
+        EXPECT_EQ(wrong(depth, "inverse-z", "adaptive"), 0U) << name;
+        EXPECT_EQ(wrong(depth, "linear-z", "adaptive"), wrong(depth, "linear-z", "exact")) << name;
         // It holds doubles.
-        EXPECT_LT(error(depth, "inverse-z", "adaptive (draw)", 1), 1e-9) << name;
+        EXPECT_LT(error(depth, "inverse-z", "adaptive", 1), 1e-9) << name;
     }
 }
 
@@ -315,7 +314,7 @@ TEST(AdaptiveReport, MixesTheColorsOfExactNumbers) {
         for (const std::string curve :
              {"on the screen (affine)", "in space, divided in each pixel"}) {
             const Setting& exact = setting_of(job, curve, "exact");
-            const Setting& adaptive = setting_of(job, curve, "adaptive (draw)");
+            const Setting& adaptive = setting_of(job, curve, "adaptive");
             EXPECT_EQ(adaptive.failure, "") << name << ", " << curve;
             EXPECT_EQ(adaptive.errors.at(0).value, exact.errors.at(0).value) << name << curve;
             EXPECT_EQ(adaptive.errors.at(1).count, exact.errors.at(1).count) << name << curve;
@@ -326,13 +325,29 @@ TEST(AdaptiveReport, MixesTheColorsOfExactNumbers) {
 // Two triangles lie in one plane, and others share their corners with samples.
 TEST(AdaptiveReport, CountsWhatTookExactNumbers) {
     const Scene scene = example("extreme");
-    for (const ReportJob job : {ReportJob::coverage, ReportJob::depth}) {
-        for (const Setting& setting : adaptive_settings(report_of_job(scene, job))) {
-            const Work work = setting.work.value();
-            EXPECT_GT(work.exact_fallbacks, 0U) << setting.name;
-            EXPECT_FALSE(work.has_operations);
-            EXPECT_THAT(setting.note, HasSubstr("whole drawing"));
-        }
+    const JobReport coverage = report_of_job(scene, ReportJob::coverage);
+    const Setting& filled = setting_of(coverage, "top-left, scalars", "adaptive");
+    EXPECT_GT(filled.work.value().exact_fallbacks, 0U);
+    EXPECT_FALSE(filled.work.value().has_operations);
+    EXPECT_THAT(filled.note, HasSubstr("left open, and filled in rationals"));
+    const JobReport depth = report_of_job(scene, ReportJob::depth);
+    const Setting& tested = setting_of(depth, "inverse-z", "adaptive");
+    EXPECT_GT(tested.work.value().exact_fallbacks, 1000U) << "a plane that is cut twice";
+}
+
+// Each fragment is worked on once for each run, as by every other scalar: nothing is placed or drawn.
+TEST(AdaptiveReport, IsTimedForTheUnitsOfTheOtherScalars) {
+    const Scene scene = example("friendly");
+    for (const ReportJob which : {ReportJob::coverage, ReportJob::depth, ReportJob::color}) {
+        const JobReport job = report_of_job(scene, which);
+        for (const Curve& curve : job.curves)
+            for (const Setting& setting : curve.settings)
+                if (setting.name == "adaptive") {
+                    EXPECT_EQ(setting.units, curve.settings.back().units) << curve.method;
+                    EXPECT_EQ(setting.work.value().pixels_tested,
+                              curve.settings.back().work.value().pixels_tested)
+                        << curve.method;
+                }
     }
 }
 
@@ -341,8 +356,7 @@ TEST(AdaptiveReport, CountsTheOneTie) {
     const Scene scene =
         triangle_scene({"1e-30", "0", "5", "0", "0", "5"}, {.width = 12, .height = 12});
     const JobReport job = report_of_job(scene, ReportJob::coverage);
-    EXPECT_EQ(setting_of(job, "scanline, scalars", "adaptive (draw)").work.value().exact_fallbacks,
-              1U);
+    EXPECT_EQ(setting_of(job, "scanline, scalars", "adaptive").work.value().exact_fallbacks, 1U);
     EXPECT_EQ(setting_of(job, "scanline, scalars", "exact").work.value().exact_fallbacks, 0U);
 }
 
@@ -359,7 +373,7 @@ TEST(AdaptiveReport, OnlyTrianglesAreMeasured) {
         scene.primitives.begin(),
         {.kind = PrimitiveKind::line, .name = "AB", .vertices = {0, 1}, .color = {}});
     const JobReport job = report_of_job(scene, ReportJob::coverage);
-    EXPECT_EQ(wrong(job, "scanline, scalars", "adaptive (draw)"), 0U);
+    EXPECT_EQ(wrong(job, "scanline, scalars", "adaptive"), 0U);
 }
 
 TEST(Report, IsTheSameTwiceButForTheTimes) {

@@ -61,7 +61,7 @@ void put_wrapped(std::string& text, std::string_view first, std::string_view res
     }
 }
 
-/// "adaptive (draw): timed as a whole drawing; 3 exact fallbacks".
+/// "adaptive: a bound for each triangle; 3 exact fallbacks".
 std::string note_of(const Setting& setting) {
     std::string note = fmt::format("{}: {}", setting.name, setting.note);
     if (setting.work)

@@ -63,7 +63,7 @@ struct Setting {
     std::string name;    ///< "8 bits"
     std::string label;   ///< short, beside the mark: "8"
     std::string failure; ///< why it could not be measured, or what it gave that is no number
-    std::string note;    ///< what is timed, where that is more than the others' work
+    std::string note;    ///< what is timed, where that is not quite the others' work
     std::vector<ErrorValue> errors; ///< one for each of the job's measures, unless it failed
     std::vector<bool> on_front;     ///< for each measure: nothing is both faster and nearer
     bool never_errs = false;        ///< its error is 0 on any scene, not only on this one
