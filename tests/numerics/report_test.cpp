@@ -520,14 +520,5 @@ TEST(Counted, CountsEachOperationOnce) {
     EXPECT_EQ(work.adds, 2U) << "nobody is counting any more";
 }
 
-TEST(Timing, EachIsRunAsOftenAsAsked) {
-    int runs = 0;
-    std::vector<TimedRun> all{{.run = [&runs] { ++runs; }, .units = 1}};
-    time_in_turn(all, {.runs = 5, .shortest_run = 0, .most_time = 1});
-    EXPECT_EQ(runs, 6) << "once to begin with";
-    EXPECT_EQ(all[0].timing.runs, 5);
-    EXPECT_LE(all[0].timing.minimum, all[0].timing.median);
-}
-
 } // namespace
 } // namespace rastertrace

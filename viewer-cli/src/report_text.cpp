@@ -223,8 +223,9 @@ std::string report_text(const MeasuredReport& report) {
                 "  ");
     put_wrapped(text, "",
                 fmt::format("up to {} runs of each setting, all in turn; those of a setting end "
-                            "after {:g} s",
-                            report.timing.runs, report.timing.most_time),
+                            "after {:g} s, but not before {} have been made, unless one takes as "
+                            "long",
+                            report.timing.runs, report.timing.most_time, least_runs),
                 "  ");
     put_wrapped(text, "",
                 "Times and operations are for one row, one pixel: ns; additions, multiplications, "
