@@ -91,7 +91,12 @@ public:
                                ? "colors mixed as in space, in rationals, rounded to 8 bits"
                                : "colors mixed as on the screen, in rationals, rounded to 8 bits";
         report.measures = {
-            {"levels", "largest error of a channel", "of 255"},
+            {"levels",
+             "largest error of a channel",
+             "of 255",
+             {},
+             unseen_level,
+             "one level, which an eye can hardly tell from the next"},
             {"wrong_pixels", "pixels off by a level or more / fragments", "", "fragments"}};
         add_scalars<false>("on the screen (affine)", ColorRounding::nearest);
         if (in_perspective) {

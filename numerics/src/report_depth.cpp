@@ -104,7 +104,12 @@ public:
                                : "z in rationals, on the pixels of the exact top-left fill";
         report.measures = {{"wrong_winners", "pixels with the wrong winner / pixels covered", "",
                             "pixels covered"},
-                           {"inverse_z_error", "largest relative error of 1/z", ""}};
+                           {"inverse_z_error",
+                            "largest relative error of 1/z",
+                            "",
+                            {},
+                            unseen_inverse_z,
+                            "what rounding to a float may change"}};
         std::vector<Depth> kinds{Depth::inverse_z, Depth::linear_z};
         if (scene_.projection.type != ProjectionType::none)
             kinds.push_back(Depth::ndc_z);

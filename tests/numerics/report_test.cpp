@@ -450,22 +450,79 @@ TEST(Pareto, NothingIsBothFasterAndNearer) {
     EXPECT_THAT(front, ElementsAre("exact", "good", "fast"));
 }
 
-TEST(Pareto, TheAdviceNamesTheExactTheFastestAndWhatLiesBetween) {
-    EXPECT_EQ(
-        advice_for(hand_made_job(), 0).sentence,
-        "Choose one: exact: it has no error here (10 ns per row); one: slow and exact never has "
-        "any (20 ns per row); the fastest, two: fast (2 ns per row), is off by 0.001 px; within "
-        "twice that time one: good is off by 1e-06 px (3 ns per row).");
-    JobReport one_wins = hand_made_job();
-    one_wins.curves.resize(1);
-    one_wins.curves[0].settings.resize(2);
-    EXPECT_EQ(
-        advice_for(one_wins, 0).sentence,
-        "Choose one: exact: it has no error here, and nothing is faster (10 ns per row); one: "
-        "slow and exact never has any (20 ns per row).");
-    one_wins.curves[0].settings[0].never_errs = true;
-    EXPECT_EQ(advice_for(one_wins, 0).sentence,
-              "Choose one: exact: it has no error, and nothing is faster (10 ns per row).");
+/// A job of one curve: what never errs in `exact_time`, and what is near and what is not, both in 1 ns or less.
+JobReport job_with_price(double exact_time, double near_error, double unseen) {
+    JobReport job;
+    job.unit = "row";
+    job.measures = {{"e", "error", "px", {}, unseen, "half a grain"}};
+    job.curves = {{"one",
+                   "knob",
+                   {hand_made("exact", 0, exact_time), hand_made("near", near_error, 1),
+                    hand_made("far", 0.5, 0.9)}}};
+    job.curves[0].settings[0].never_errs = true;
+    return job;
+}
+
+TEST(Advice, TakesTheFastestThatIsEnoughAndTellsThePriceOfExactness) {
+    EXPECT_EQ(advice_for(job_with_price(207, 2e-12, 1e-3), 0).sentence,
+              "Choose one: near: it is off by 2e-12 px, no more than half a grain (1 ns per row). "
+              "What never errs, one: exact, takes 207 times as long (207 ns per row). The fastest, "
+              "one: far, is off by 0.5 px (0.9 ns per row).");
+}
+
+TEST(Advice, AnErrorOfJustWhatIsUnseenIsEnough) {
+    EXPECT_THAT(advice_for(job_with_price(207, 1e-3, 1e-3), 0).sentence,
+                testing::StartsWith("Choose one: near: "));
+    EXPECT_THAT(advice_for(job_with_price(207, 1.001e-3, 1e-3), 0).sentence,
+                testing::StartsWith("Choose one: exact: "));
+}
+
+TEST(Advice, TakesWhatNeverErrsWhereThatIsCheap) {
+    EXPECT_EQ(advice_for(job_with_price(price_of_safety, 2e-12, 1e-3), 0).sentence,
+              "Choose one: exact: it never errs (2 ns per row). The fastest, one: far, is off by "
+              "0.5 px (0.9 ns per row).");
+    EXPECT_THAT(advice_for(job_with_price(price_of_safety + 0.1, 2e-12, 1e-3), 0).sentence,
+                HasSubstr("Choose one: near: it is off by 2e-12 px, no more than half a grain (1 "
+                          "ns per row). What never errs, one: exact, takes 2.1 times as long"));
+}
+
+TEST(Advice, TakesTheLeastErrorWhereNothingIsEnough) {
+    JobReport job = job_with_price(207, 1e-2, 1e-3);
+    job.curves[0].settings.erase(job.curves[0].settings.begin());
+    EXPECT_EQ(advice_for(job, 0).sentence,
+              "Choose one: near: it is off by 0.01 px, the least of all (1 ns per row). The "
+              "fastest, one: far, is off by 0.5 px (0.9 ns per row).");
+}
+
+TEST(Advice, NoErrorHereNeedNotMeanNoneElsewhere) {
+    JobReport job = job_with_price(30, 0, 0);
+    job.curves[0].settings.pop_back();
+    EXPECT_EQ(advice_for(job, 0).sentence,
+              "Choose one: near: it has no error here, and nothing is faster (1 ns per row). What "
+              "never errs, one: exact, takes 30 times as long (30 ns per row).");
+    job.curves[0].settings[1].never_errs = true;
+    EXPECT_EQ(advice_for(job, 0).sentence,
+              "Choose one: near: it never errs, and nothing is faster (1 ns per row).");
+}
+
+TEST(Advice, OfTimesThatTheClockCannotTellApartTheOneThatNeverErrsIsTheFastest) {
+    EXPECT_EQ(advice_for(job_with_price(0.9 * (1 + timing_noise / 2), 0, 0), 0).sentence,
+              "Choose one: exact: it never errs, and nothing is faster (0.909 ns per row).");
+}
+
+TEST(Advice, FewWrongPixelsAreStillWrong) {
+    JobReport job = job_with_price(10, 0, 0);
+    job.measures[0].against = "rows";
+    job.curves[0].settings[1].errors = {ErrorValue::ratio(1, 1000000)};
+    EXPECT_EQ(advice_for(job, 0).sentence, "Choose one: exact: it never errs (10 ns per row). The "
+                                           "fastest, one: far, is off by 0.5 px (0.9 ns per row).");
+}
+
+TEST(Advice, WithoutAnyMeasurementThereIsNone) {
+    JobReport job = job_with_price(1, 0, 0);
+    for (Setting& setting : job.curves[0].settings)
+        setting.failure = "overflow";
+    EXPECT_EQ(advice_for(job, 0).sentence, "Nothing could be measured.");
 }
 
 // Knobs at their ends, against the core's own walk.

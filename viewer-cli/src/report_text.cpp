@@ -122,6 +122,8 @@ void put_job(std::string& text, const JobReport& job) {
         const ErrorMeasure& one = job.measures[measure];
         text += fmt::format("  error {}: {}{}\n", measure + 1, one.name,
                             one.unit.empty() ? "" : fmt::format(" ({})", one.unit));
+        if (one.unseen > 0)
+            text += fmt::format("    up to {:.2g} is enough: {}\n", one.unseen, one.unseen_as);
     }
     text += fmt::format("{:<17}{:>13} {:>13} {:>10}{:>10}{:>5}{:>6}{:>6}{:>6}{:>6}{:>6}\n", "",
                         "error 1", job.measures.size() > 1 ? "error 2" : "", "min ns", "median ns",
@@ -186,8 +188,10 @@ Json json_of(const JobReport& job) {
     json["units"] = job.units;
     json["reference"] = job.reference;
     for (const ErrorMeasure& measure : job.measures)
-        json["measures"].push_back(
-            {{"key", measure.key}, {"name", measure.name}, {"unit", measure.unit}});
+        json["measures"].push_back({{"key", measure.key},
+                                    {"name", measure.name},
+                                    {"unit", measure.unit},
+                                    {"enough", measure.unseen}});
     for (const Curve& curve : job.curves) {
         Json settings = Json::array();
         for (const Setting& setting : curve.settings)
