@@ -73,16 +73,8 @@ public:
                 fragments_ += static_cast<std::uint64_t>(span.to - span.from + 1);
         if (fragments_ == 0)
             return nothing_of(ReportJob::color, "no pixel of the canvas is covered");
-        const Plan plan = plan_for(exact);
-        with_scalar(plan, [&]<typename Scalar>() {
-            if constexpr (!std::same_as<Scalar, Adaptive>) {
-                const auto input = input_of<Scalar>(exact, plan);
-                for (const ColorRounding rounding :
-                     {ColorRounding::nearest, ColorRounding::truncate})
-                    exact_[rounding] = in_perspective ? mixed<true>(*input, *pieces_, rounding)
-                                                      : mixed<false>(*input, *pieces_, rounding);
-            }
-        });
+        for (const ColorRounding rounding : {ColorRounding::nearest, ColorRounding::truncate})
+            find_exact(exact, rounding, in_perspective);
 
         JobReport& report = builder_.report();
         report.unit = "fragment";
@@ -113,6 +105,19 @@ public:
     }
 
 private:
+    /// What all are compared with. Clipping makes vertices whose colors are rounded alike.
+    void find_exact(Scene exact, ColorRounding rounding, bool in_perspective) {
+        exact.method.color_rounding = rounding;
+        const Plan plan = plan_for(exact);
+        with_scalar(plan, [&]<typename Scalar>() {
+            if constexpr (!std::same_as<Scalar, Adaptive>) {
+                const auto input = input_of<Scalar>(exact, plan);
+                exact_[rounding] = in_perspective ? mixed<true>(*input, *pieces_, rounding)
+                                                  : mixed<false>(*input, *pieces_, rounding);
+            }
+        });
+    }
+
     Scene scene_with(ScalarKind scalar) const {
         Scene scene = plain_scene(scene_, scalar);
         scene.method.shade = Shade::interpolate;

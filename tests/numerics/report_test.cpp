@@ -279,6 +279,17 @@ Scene example(const std::string& name) {
     return read_scene({path, text}).value().scene;
 }
 
+// The extreme scene is clipped: colors that clipping makes are rounded as the method rounds.
+TEST(ColorReport, WhatNeverErrsHasNoErrorOnAnyExample) {
+    for (const std::string name : {"friendly", "extreme"})
+        for (const Curve& curve : report_of_job(example(name), ReportJob::color).curves)
+            for (const Setting& setting : curve.settings)
+                if (setting.never_errs) {
+                    EXPECT_EQ(setting.errors.at(1).count, 0U)
+                        << name << ", " << name_of(curve, setting);
+                }
+}
+
 /// The settings of `adaptive`, as far as fractions do not serve.
 std::vector<Setting> adaptive_settings(const JobReport& job) {
     std::vector<Setting> settings;
