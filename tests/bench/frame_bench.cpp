@@ -4,7 +4,7 @@
 // the memory that this takes.
 
 #include <frame_text.h>
-#include <view.h>
+#include <rastertrace/figures/view.h>
 
 #include <rastertrace/trace/output.h>
 #include <rastertrace/trace/scene_file.h>

@@ -3,7 +3,7 @@
 #include "frame_text.h"
 #include "load.h"
 #include "traces.h"
-#include "view.h"
+#include <rastertrace/figures/view.h>
 
 #include <gtest/gtest.h>
 

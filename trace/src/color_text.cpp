@@ -5,6 +5,7 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 
@@ -31,6 +32,12 @@ constexpr std::array<std::pair<std::string_view, Color>, 16> basic_colors{{
     {"teal", {0x00, 0x80, 0x80, 255}},
     {"aqua", {0x00, 0xFF, 0xFF, 255}},
 }};
+
+/// The share of light of an sRGB channel, 0 to 1.
+double light_of(std::uint8_t level) {
+    const double share = level / 255.0;
+    return share <= 0.04045 ? share / 12.92 : std::pow((share + 0.055) / 1.055, 2.4);
+}
 
 } // namespace
 
@@ -65,6 +72,15 @@ std::vector<std::string_view> color_names() {
     for (const auto& [name, color] : basic_colors)
         names.push_back(name);
     return names;
+}
+
+double luminance(Color color) {
+    return 0.2126 * light_of(color.red()) + 0.7152 * light_of(color.green()) +
+           0.0722 * light_of(color.blue());
+}
+
+bool is_light(Color color) {
+    return luminance(color) > 0.179;
 }
 
 } // namespace rastertrace

@@ -7,8 +7,8 @@
 #include "report_file.h"
 #include "step_table.h"
 #include "terminal_text.h"
-#include "view.h"
 
+#include <rastertrace/figures/view.h>
 #include <rastertrace/trace/diff.h>
 #include <rastertrace/trace/explain.h>
 #include <rastertrace/trace/input.h>

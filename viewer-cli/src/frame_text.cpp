@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "frame_text.h"
 
+#include <rastertrace/figures/shown_steps.h>
 #include <rastertrace/trace/text.h>
 
 #include <fmt/core.h>
@@ -118,18 +119,6 @@ std::string column_labels(const Canvas& canvas, const Window& window, std::size_
     return line.substr(0, line.find_last_not_of(' ') + 1);
 }
 
-/// The pixel of a step, if it has one that the canvas has.
-std::optional<Pixel> pixel_of(const Trace& trace, std::size_t n) {
-    if (n == 0)
-        return std::nullopt;
-    const StepView step = trace.step(n);
-    const auto x = step.whole("x");
-    const auto y = step.whole("y");
-    if (!x || !y || !trace.canvas.contains(*x, *y))
-        return std::nullopt;
-    return Pixel{static_cast<int>(*x), static_cast<int>(*y)};
-}
-
 /// The pixel of the canvas that is nearest to a point; none if there is none.
 std::optional<Pixel> pixel_at(const Trace& trace, const std::vector<std::string>& position) {
     const auto x = position.size() < 2 ? std::nullopt : nearest_double_in(position[0]);
@@ -184,22 +173,6 @@ std::string letter_of(const std::string& name, bool is_drawn) {
         return name;
     const bool is_capital = name.size() == 1 && 'A' <= name[0] && name[0] <= 'Z';
     return is_capital ? std::string(1, static_cast<char>(name[0] - 'A' + 'a')) : "'";
-}
-
-/// The pixels that steps have tested and not drawn.
-std::set<std::size_t> pixels_not_drawn(const Trace& trace, std::size_t first, std::size_t last) {
-    std::set<std::size_t> offsets;
-    for (std::size_t n = std::max<std::size_t>(first, 1); n <= last; ++n) {
-        const auto kind = trace.kind_of(n);
-        const bool is_depth = kind == StepKind::depth;
-        if (!is_depth && kind != StepKind::sample)
-            continue;
-        const StepView step = trace.step(n);
-        const auto pixel = pixel_of(trace, n);
-        if (pixel && step.text(is_depth ? "pass" : "inside") == "false")
-            offsets.insert(trace.canvas.offset_of(*pixel));
-    }
-    return offsets;
 }
 
 /// The pixel that was drawn last, if any.
@@ -310,7 +283,7 @@ class MarkedCells {
 public:
     MarkedCells(const Replay& replay, const FrameText& about, std::size_t room)
         : replay_(replay), about_(about), cells_(about.view, replay, room),
-          not_drawn_(pixels_not_drawn(replay.trace(), about.first_step, about.last_step)) {
+          not_drawn_(pixels_not_drawn(replay.trace(), {about.first_step, about.last_step})) {
         if (about.view == View::plotted)
             for (const VertexMark& mark : vertex_marks(replay)) {
                 const std::size_t offset = replay.trace().canvas.offset_of(mark.pixel);

@@ -12,8 +12,8 @@
 
 #include "terminal.h"
 #include "terminal_text.h"
-#include "view.h"
 
+#include <rastertrace/figures/view.h>
 #include <rastertrace/trace/frame.h>
 #include <rastertrace/trace/step_writer.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "off_canvas.h"
 
-#include "corners.h"
+#include <rastertrace/figures/corners.h>
 
 #include <fmt/core.h>
 

@@ -8,6 +8,7 @@
 #include "step_table.h"
 #include "terminal.h"
 
+#include <rastertrace/figures/shown_steps.h>
 #include <rastertrace/trace/describe.h>
 #include <rastertrace/trace/selector.h>
 #include <rastertrace/trace/text.h>
@@ -27,47 +28,8 @@ namespace rastertrace {
 
 namespace {
 
-/// The steps that one frame shows: the one it is about, and the last one whose pixels it has.
-struct Shown {
-    std::size_t first = 0;
-    std::size_t last = 0;
-};
-
-/// True if a step of the second kind begins something new for one of the first, which ends there.
-bool ends(StepKind kind, StepKind next) {
-    switch (kind) {
-    case StepKind::primitive:
-        return next == StepKind::primitive;
-    case StepKind::half:
-        return next == StepKind::primitive || next == StepKind::half;
-    case StepKind::ray:
-        return next == StepKind::primitive || next == StepKind::edge || next == StepKind::ray;
-    case StepKind::scanline:
-    case StepKind::along:
-    case StepKind::decide:
-    case StepKind::sample:
-        return next != StepKind::depth && next != StepKind::pixel && next != StepKind::reject;
-    default:
-        return true;
-    }
-}
-
-/// The last step that belongs to step n: a primitive has all steps up to the next one, a scanline
-/// or a decision its pixels, an edge only itself.
-std::size_t end_of(const Trace& trace, std::size_t n) {
-    const auto kind = n == 0 ? std::nullopt : trace.kind_of(n);
-    std::size_t last = n;
-    while (kind && last < trace.size()) {
-        const auto next = trace.kind_of(last + 1);
-        if (next && ends(*kind, *next))
-            break;
-        ++last;
-    }
-    return last;
-}
-
-std::vector<Shown> steps_to_show(const ShowCommand& command, const Trace& trace) {
-    std::vector<Shown> shown;
+std::vector<ShownSteps> steps_to_show(const ShowCommand& command, const Trace& trace) {
+    std::vector<ShownSteps> shown;
     switch (command.which) {
     case ShowCommand::Which::last:
         shown.push_back({trace.size(), trace.size()});
@@ -116,14 +78,14 @@ std::string indented(const std::vector<std::string>& lines) {
 }
 
 /// The steps of one kind, one line for each.
-void print_table(const Trace& trace, const std::vector<Shown>& shown, const ShowCommand& command) {
+void print_table(const Trace& trace, const std::vector<ShownSteps>& shown, const ShowCommand& command) {
     const TableFormat format = command.format.value_or(TableFormat::table);
     StepTable table(format, *trace.kind_of(shown.front().first));
     if (format == TableFormat::table)
         print(shortened(printable(trace.title), 79) + "\n\n");
     print(table.head());
     Replay replay(trace, parts_for(View::plotted, trace));
-    for (const Shown& steps : shown) {
+    for (const ShownSteps& steps : shown) {
         replay.go_to(steps.first);
         print(table.line(replay));
         if (command.has_working)
@@ -133,7 +95,7 @@ void print_table(const Trace& trace, const std::vector<Shown>& shown, const Show
 }
 
 /// True if steps are to be told as a table: asked for, or of a kind that there are many of.
-bool is_table(const ShowCommand& command, const Trace& trace, const std::vector<Shown>& shown) {
+bool is_table(const ShowCommand& command, const Trace& trace, const std::vector<ShownSteps>& shown) {
     if (command.which != ShowCommand::Which::every || command.bare || command.asks_for_frames())
         return false;
     const std::size_t first = shown.front().first;
@@ -184,7 +146,7 @@ ExitStatus show(const Trace& trace, const ShowCommand& command) {
     const std::string below = command.bare ? std::string() : text_below(trace);
     Replay replay(trace, parts_for(view, trace));
     bool is_first = true;
-    for (const Shown& steps : shown) {
+    for (const ShownSteps& steps : shown) {
         FrameText about{.caption = {},
                         .first_step = steps.first,
                         .last_step = steps.last,

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "terminal_text.h"
 
-#include <unistd.h>
+#include <rastertrace/trace/color_text.h>
 
 #include <fmt/core.h>
 
+#include <unistd.h>
+
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <limits>
@@ -18,12 +19,6 @@ namespace {
 std::string_view environment(const char* name) {
     const char* const value = std::getenv(name);
     return value == nullptr ? std::string_view() : std::string_view(value);
-}
-
-/// The share of light of an sRGB channel, 0 to 1.
-double light_of(std::uint8_t level) {
-    const double share = level / 255.0;
-    return share <= 0.04045 ? share / 12.92 : std::pow((share + 0.055) / 1.055, 2.4);
 }
 
 /// The number of the palette's color that is nearest, of those that `color_of(number)` gives.
@@ -101,19 +96,12 @@ ColorDepth output_colors(ColorChoice choice) {
                                                                : ColorDepth::ansi16;
 }
 
-double luminance(Color color) {
-    return 0.2126 * light_of(color.red()) + 0.7152 * light_of(color.green()) +
-           0.0722 * light_of(color.blue());
-}
-
 std::string styled(std::string_view text, const Style& style, ColorDepth colors) {
     if (colors == ColorDepth::none || (!style.background && !style.is_reversed))
         return std::string(text);
     std::string codes;
     if (style.background) {
-        // Above 0.179, black on a color has more contrast than white: WCAG 2, contrast ratio.
-        const bool is_light = luminance(*style.background) > 0.179;
-        codes = fmt::format("{};{}", is_light ? 30 : 97, background(*style.background, colors));
+        codes = fmt::format("{};{}", is_light(*style.background) ? 30 : 97, background(*style.background, colors));
     }
     if (style.is_reversed)
         codes += codes.empty() ? "7" : ";7";

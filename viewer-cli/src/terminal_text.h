@@ -38,7 +38,4 @@ struct Style {
 /// The text with the escape sequences for its style; the text alone if there is none, or no color.
 std::string styled(std::string_view text, const Style& style, ColorDepth colors);
 
-/// Relative luminance of an sRGB color, 0 to 1: IEC 61966-2-1, with the weights of BT.709.
-double luminance(Color color);
-
 } // namespace rastertrace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "corners.h"
+#include <rastertrace/figures/corners.h>
 
 namespace rastertrace {
 

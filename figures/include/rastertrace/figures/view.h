@@ -42,7 +42,8 @@ FrameParts parts_for(View view, const Trace& trace);
 
 struct Cell {
     std::string text;
-    std::optional<Color> color = {}; ///< of the pixel, where the view shows it
+    std::optional<Color> color = {};       ///< of the pixel, where the view shows it
+    std::optional<double> brightness = {}; ///< of a depth: 0 for the farthest, 1 for the nearest
 };
 
 /// The cells of the frame that a replay has reached. The replay must live as long, and stay there.

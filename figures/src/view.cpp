@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "view.h"
+#include <rastertrace/figures/view.h>
 
-#include "corners.h"
-#include "terminal_text.h"
-
+#include <rastertrace/figures/corners.h>
+#include <rastertrace/figures/face_groups.h>
 #include <rastertrace/trace/color_text.h>
 #include <rastertrace/trace/describe.h>
 #include <rastertrace/trace/text.h>
@@ -39,75 +38,6 @@ char ramp_at(double share) {
     const double step = std::floor(share * static_cast<double>(ramp.size()));
     return ramp[static_cast<std::size_t>(
         std::clamp(step, 0.0, static_cast<double>(ramp.size() - 1)))];
-}
-
-/// The face that a primitive's step is about: "ABC" of a part "ABC/1".
-std::string face_of(const StepView& primitive) {
-    const std::string name = primitive.text("name");
-    return primitive.text("part") == "true" ? name.substr(0, name.rfind('/')) : name;
-}
-
-/// The mesh of a face: "torus" of "torus.f12", and of "torus.f12.1", a triangle of a face.
-std::string mesh_of(const StepView& primitive) {
-    std::string name = face_of(primitive);
-    const auto is_face = [&name](std::size_t dot) {
-        return dot + 1 < name.size() && name[dot + 1] == 'f' &&
-               name.find_first_not_of("0123456789.", dot + 2) == std::string::npos;
-    };
-    for (std::size_t dot = name.find('.'); dot != std::string::npos; dot = name.find('.', dot + 1))
-        if (is_face(dot))
-            return name.substr(0, dot);
-    return name;
-}
-
-std::string color_of(const StepView& primitive) {
-    return primitive.text("color");
-}
-
-/// What the letters stand for.
-struct Grouping {
-    std::string_view heading; ///< said before the letters; nothing for faces
-    std::string (*group_of)(const StepView& primitive);
-};
-constexpr std::array<Grouping, 3> groupings{
-    {{"", face_of}, {"meshes: ", mesh_of}, {"colors: ", color_of}}};
-
-/// The primitives whose pixels can be seen, by number of their step, in the scene's order: that in which they
-/// are drawn, unless the painter has sorted them.
-std::vector<std::size_t> visible_primitives(const Replay& replay) {
-    std::set<std::size_t> seen;
-    for (const std::size_t step : replay.frame().drawn_by)
-        if (step != 0)
-            seen.insert(replay.primitive_of(step));
-    seen.erase(0);
-    std::vector<std::size_t> visible(seen.begin(), seen.end());
-    if (replay.order() == 0)
-        return visible;
-    const StepView order = replay.trace().step(replay.order());
-    const auto sorted = order.texts("names");
-    const auto listed = order.texts("listed");
-    std::unordered_map<std::string, double> place_of;
-    for (std::size_t i = 0; i < std::min(sorted.size(), listed.size()); ++i)
-        place_of.emplace(sorted[i], nearest_double_in(listed[i]).value_or(0));
-    // Only triangles are sorted; what is not in the list comes behind it.
-    const auto place = [&](std::size_t step) {
-        const auto found = place_of.find(face_of(replay.trace().step(step)));
-        return found == place_of.end() ? std::numeric_limits<double>::infinity() : found->second;
-    };
-    std::stable_sort(visible.begin(), visible.end(),
-                     [&](std::size_t a, std::size_t b) { return place(a) < place(b); });
-    return visible;
-}
-
-/// What the letters stand for, in the order of the primitives.
-std::vector<std::string> groups_of(const std::vector<std::size_t>& primitives,
-                                   const Grouping& grouping, const Trace& trace) {
-    std::vector<std::string> groups;
-    std::set<std::string> known;
-    for (const std::size_t step : primitives)
-        if (auto group = grouping.group_of(trace.step(step)); known.insert(group).second)
-            groups.push_back(std::move(group));
-    return groups;
 }
 
 /// True if a nearer depth is a larger one, as far as the tests of a trace tell.
@@ -237,42 +167,26 @@ Cell FrameCells::at(Pixel pixel) const {
 /// A letter for each face that can be seen; if there are too many, for each mesh, or for each color.
 void FrameCells::set_up_faces() {
     const Frame& frame = replay_.frame();
-    const std::vector<std::size_t> visible = visible_primitives(replay_);
-    std::vector<std::string> groups;
-    const Grouping* grouping = nullptr;
-    for (const Grouping& one : groupings) {
-        groups = groups_of(visible, one, replay_.trace());
-        grouping = &one;
-        // One mesh says no more than `plotted`; one face has a name.
-        if (groups.size() <= face_letters.size() && (groups.size() > 1 || &one == groupings.data()))
-            break;
-    }
-    std::unordered_map<std::string, char> letters;
-    if (groups.size() <= face_letters.size()) {
-        for (const std::string& group : groups) {
-            const char letter = face_letters[letters.size()];
-            letters.emplace(group, letter);
-            legend_.push_back(fmt::format("{} {}", letter, printable(group)));
-        }
+    FaceGroups groups = face_groups(replay_.trace(), visible_primitives(replay_), replay_.order(),
+                                    face_letters.size());
+    const bool has_letters = groups.names.size() <= face_letters.size();
+    if (has_letters) {
+        for (std::size_t i = 0; i < groups.names.size(); ++i)
+            legend_.push_back(fmt::format("{} {}", face_letters[i], printable(groups.names[i])));
         if (!legend_.empty())
-            legend_.front().insert(0, grouping->heading);
+            legend_.front().insert(0, groups.heading);
     } else {
-        legend_ = {fmt::format("{} faces, {} colors: too many for letters", visible.size(),
-                               groups.size())};
+        legend_ = {fmt::format("{} faces, {} colors: too many for letters", groups.faces,
+                               groups.names.size())};
     }
-
-    std::unordered_map<std::size_t, char> letter_of;
-    for (const std::size_t step : visible)
-        if (const auto letter = letters.find(grouping->group_of(replay_.trace().step(step)));
-            letter != letters.end())
-            letter_of.emplace(step, letter->second);
-    cell_ = [this, &frame, letter_of = std::move(letter_of)](std::size_t offset, Pixel) {
+    cell_ = [this, &frame, has_letters, groups = std::move(groups)](std::size_t offset, Pixel) {
         const std::size_t drawn_by = frame.drawn_by[offset];
         if (drawn_by == 0)
             return Cell{std::string(empty_cell)};
-        const auto letter = letter_of.find(replay_.primitive_of(drawn_by));
-        return Cell{std::string(1, letter == letter_of.end() ? '#' : letter->second),
-                    frame.image.colors()[offset]};
+        const auto group = groups.group_of.find(replay_.primitive_of(drawn_by));
+        const bool has_letter = has_letters && group != groups.group_of.end();
+        return Cell{.text = std::string(1, has_letter ? face_letters[group->second] : '#'),
+                    .color = frame.image.colors()[offset]};
     };
 }
 
@@ -314,28 +228,36 @@ void FrameCells::set_up_depths(std::size_t room) {
         cell_ = [](std::size_t, Pixel) { return Cell{std::string(empty_cell)}; };
         return;
     }
+    // The nearest is the brightest.
+    const bool larger = larger_is_nearer(trace);
+    const auto brightness = [&trace, larger, least = *least,
+                             range = *largest - *least](std::size_t step) {
+        const double depth = nearest_double_in(trace.step(step).text("depth")).value_or(least);
+        const double share = range > 0 ? (depth - least) / range : 1;
+        return larger ? share : 1 - share;
+    };
     if (width_ <= room) {
-        cell_ = [&frame, numbers = std::move(numbers),
+        cell_ = [&frame, brightness, numbers = std::move(numbers),
                  clear = cleared_depth(trace)](std::size_t offset, Pixel) {
-            const auto number = numbers.find(frame.stored_by[offset]);
-            return Cell{number == numbers.end() ? clear : number->second};
+            const std::size_t step = frame.stored_by[offset];
+            const auto number = numbers.find(step);
+            return number == numbers.end()
+                       ? Cell{clear}
+                       : Cell{.text = number->second, .brightness = brightness(step)};
         };
         return;
     }
 
-    // A ramp: the nearest is the brightest.
+    // A ramp.
     width_ = 1;
-    const bool larger = larger_is_nearer(trace);
     legend_ = {fmt::format("far {:.4g} {} {:.4g} near", larger ? *least : *largest, ramp,
                            larger ? *largest : *least)};
-    cell_ = [&frame, &trace, larger, least = *least, range = *largest - *least](std::size_t offset,
-                                                                                Pixel) {
+    cell_ = [&frame, brightness](std::size_t offset, Pixel) {
         const std::size_t step = frame.stored_by[offset];
         if (step == 0)
             return Cell{std::string(empty_cell)};
-        const double depth = nearest_double_in(trace.step(step).text("depth")).value_or(least);
-        const double share = range > 0 ? (depth - least) / range : 1;
-        return Cell{std::string(1, ramp_at(larger ? share : 1 - share))};
+        const double share = brightness(step);
+        return Cell{.text = std::string(1, ramp_at(share)), .brightness = share};
     };
 }
 

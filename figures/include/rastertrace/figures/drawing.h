@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A drawing: shapes on a sheet, each with a role. A theme (theme.h) says what a role looks like; svg.h, tikz.h
+// and bitmap.h write the drawing.
+//
+//     Drawing drawing{.width = 40, .height = 20, .title = "A line"};
+//     drawing.shapes.push_back(Lines{.role = Role::edge, .paths = {{{0, 0}, {40, 20}}}});
+//     const std::string svg = svg_of(drawing, Theme::automatic);
+//
+// One unit is a pixel of a screen (in a bitmap that is not scaled, exactly one). (0, 0) is the upper left
+// corner of the sheet, x runs to the right and y down. Shapes cover those before them.
+
+#include <rastertrace/core/raster/image.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace rastertrace {
+
+/// A place on the sheet, in units.
+struct Place {
+    double x = 0;
+    double y = 0;
+
+    friend bool operator==(const Place&, const Place&) = default;
+};
+
+/// What a shape is there for. theme.cpp has a row for each: its name, its colors, its line.
+enum class Role : std::uint8_t {
+    paper,          ///< the sheet
+    plotted,        ///< pixels that are drawn
+    current,        ///< pixels that this step draws
+    current_border, ///< around them
+    face_1,         ///< pixels of the first face, of the second, ...: face_role()
+    face_2,
+    face_3,
+    face_4,
+    face_5,
+    face_6,
+    face_7,
+    face_8,
+    empty,      ///< pixels of a canvas that nothing has drawn
+    pattern,    ///< strokes over the pixels of a face
+    grid,       ///< between pixels
+    border,     ///< of the canvas, of a panel
+    axis,       ///< where x or y is 0
+    true_edge,  ///< of the primitive that the step is about
+    other_edge, ///< of another one
+    vertex,     ///< its dot
+    sample,     ///< where a pixel is tested
+    row,        ///< the line at the y that a row is about
+    row_end,    ///< where an edge meets it
+    rounding,   ///< from there to its pixel
+    rejected,   ///< pixels that were tested and not drawn
+    only_here,  ///< pixels drawn by this trace alone
+    only_there, ///< pixels drawn by the other one alone
+    differs,    ///< pixels that both have drawn, differently
+    inside,     ///< where a function is not negative
+    outside,    ///< where it is
+    bar,        ///< a value as a length
+    bar_below,  ///< a negative one
+    eye,
+    view_plane,
+    normal,
+    text,
+    strong_text,
+    cell_text,  ///< in a pixel
+    quiet_text, ///< numbers of columns and rows, and what else is only looked up
+    curve_1,    ///< of a plot: curve_role()
+    curve_2,
+    curve_3,
+    curve_4,
+    curve_5,
+    curve_6,
+    curve_7,
+    curve_8,
+    curve_9,
+    curve_10,
+    curve_11,
+    curve_12,
+    shelf, ///< the part of a plot for what its axis does not reach
+};
+
+/// The roles of the nth face and of the nth curve, from 0; after the last one comes the first again.
+Role face_role(std::size_t n);
+Role curve_role(std::size_t n);
+
+/// A rectangle, its corner at the upper left.
+struct Rectangle {
+    Place corner;
+    double width = 0;
+    double height = 0;
+};
+
+/// Rectangles without a border.
+struct Areas {
+    Role role = Role::plotted;
+    std::optional<Color> color = {}; ///< in the place of the role's
+    std::vector<Rectangle> rectangles = {};
+};
+
+/// A line from place to place.
+using Path = std::vector<Place>;
+
+/// Lines, in the role's width and dashes.
+struct Lines {
+    Role role = Role::true_edge;
+    std::optional<Color> color = {};
+    std::vector<Path> paths = {};
+    bool are_closed = false; ///< the last place is joined with the first
+};
+
+/// Polygons without a border.
+struct Polygons {
+    Role role = Role::inside;
+    std::optional<Color> color = {};
+    std::vector<Path> paths = {};
+};
+
+struct Dots {
+    Role role = Role::vertex;
+    double radius = 2;
+    std::vector<Place> centers = {};
+};
+
+/// A grid of square pixels, each in a color of its own; `no_color` leaves the paper as it is.
+struct Pixels {
+    Place corner;
+    double side = 1; ///< of a pixel
+    std::size_t columns = 0;
+    std::vector<Color> colors = {}; ///< row by row, the top one first
+};
+
+/// Which part of a text stands at its place.
+enum class Anchor : std::uint8_t { start, middle, end };
+
+/// A line of text.
+struct Label {
+    Role role = Role::text;
+    std::optional<Color> color = {};
+    Place at; ///< on the line that the letters stand on
+    std::string text;
+    double size = 10; ///< of the letters, in units, from the top of an A to the bottom of a g
+    Anchor anchor = Anchor::start;
+    bool is_bold = false;
+    bool is_fixed_width = false; ///< letters below one another
+    bool is_turned = false;      ///< it runs upward
+    bool has_rim = false;        ///< in the color of the paper, to be read over lines
+};
+
+using Shape = std::variant<Areas, Lines, Polygons, Dots, Pixels, Label>;
+
+/// A sheet and what is on it.
+struct Drawing {
+    double width = 0;
+    double height = 0;
+    std::string title;            ///< for who cannot see it: what it is ...
+    std::string description = {}; ///< ... and what is to be seen
+    std::vector<Shape> shapes = {};
+};
+
+/// Puts a drawing on another one, its upper left corner at `corner`.
+void place(Drawing&& part, Place corner, Drawing& sheet);
+
+/// A number to be read by people, with at most two digits behind the point: "0.25", "3", "-0.5".
+std::string decimal(double value);
+
+/// A line to `to` with a head there.
+void add_arrow(Place from, Place to, Role role, double head_length, std::vector<Shape>& shapes);
+
+/// How wide a text is at most, in units, in the letters that our formats have.
+double width_of(std::string_view text, double size);
+
+} // namespace rastertrace

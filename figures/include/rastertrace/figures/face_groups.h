@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The faces that can be seen in a frame; where there are too many to be told apart, those of a mesh or of a color
+// together.
+//
+//     const FaceGroups groups = face_groups(trace, visible_primitives(replay), replay.order(), 35);
+//     groups.names[groups.group_of.at(primitive)];  // "ABC"
+
+#include <rastertrace/trace/frame.h>
+
+#include <cstddef>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace rastertrace {
+
+struct FaceGroups {
+    std::string heading; ///< "meshes: " or "colors: " if that is what they are, else ""
+    std::vector<std::string>
+        names;             ///< in the scene's order; more than asked for if no grouping has fewer
+    std::size_t faces = 0; ///< how many they are
+    /// The group, from 0, of each of these faces, by the step of its primitive.
+    std::unordered_map<std::size_t, std::size_t> group_of;
+};
+
+/// Primitives, by their steps, in at most `most` groups if there is a way. `order` is the step that tells how the
+/// painter has sorted them; 0 if there is none.
+FaceGroups face_groups(const Trace& trace, std::vector<std::size_t> primitives, std::size_t order,
+                       std::size_t most);
+
+/// The primitives of which pixels can be seen in the frame that a replay has reached, by their steps.
+std::vector<std::size_t> visible_primitives(const Replay& replay);
+
+/// The face that a primitive's step is about: "ABC" of a part "ABC/1".
+std::string face_of(const StepView& primitive);
+
+} // namespace rastertrace

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A figure of a rasterization lesson: the pixels of a frame as large squares, and over them what the algorithm works
+// with: true edges, vertices, the row with its exact ends, the arrows of rounding.
+//
+//     FigureMaker maker(trace, {{n, end_of(trace, n)}}, {});
+//     const Drawing figure = maker.figure(0);  // of step n
+
+#include <rastertrace/figures/drawing.h>
+#include <rastertrace/figures/face_groups.h>
+#include <rastertrace/figures/shown_steps.h>
+#include <rastertrace/figures/view.h>
+#include <rastertrace/trace/frame.h>
+#include <rastertrace/trace/step_writer.h>
+
+#include <bitset>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rastertrace {
+
+/// What a figure can show beside the pixels. figure_parts() tells of each what it is.
+enum class FigurePart : std::uint8_t {
+    grid,
+    axes,
+    edges,
+    vertices,
+    samples,
+    row,
+    pixels,
+    current,
+    rejected,
+    order,
+    depths,
+    writes,
+    weights,
+    patterns,
+    half_planes,
+    errors,
+    scene,
+    plot,
+    title,
+    legend,
+    caption,
+    working,
+};
+inline constexpr std::size_t figure_part_count = 22;
+
+/// A set of parts.
+class FigureParts {
+public:
+    bool has(FigurePart part) const { return bits_[static_cast<std::size_t>(part)]; }
+    void set(FigurePart part, bool is_in) { bits_[static_cast<std::size_t>(part)] = is_in; }
+
+private:
+    std::bitset<figure_part_count> bits_;
+};
+
+struct FigurePartRow {
+    FigurePart part;
+    std::string_view name;
+    std::string_view shows;
+    std::string_view by_default; ///< when it is there without having been asked for
+};
+
+/// The one list of parts.
+std::span<const FigurePartRow> figure_parts();
+std::optional<FigurePart> figure_part_named(std::string_view name);
+
+/// Where the colors of faces come from.
+enum class FacePalette : std::uint8_t {
+    distinct, ///< of the theme: colors that differ for every kind of color vision
+    scene,    ///< those that the scene names
+};
+std::vector<std::string_view> face_palette_names();
+std::optional<FacePalette> face_palette_named(std::string_view name);
+
+struct FigureOptions {
+    std::vector<FigurePart> with = {};    ///< more than would be there
+    std::vector<FigurePart> without = {}; ///< less
+    std::optional<View> view = {}; ///< what the color of a pixel means; none: the trace's default
+    std::optional<Region> region = {}; ///< of the canvas; none: all of it
+    std::optional<double> cell = {};   ///< the side of a pixel, in units; none: by the canvas
+    FacePalette palette = FacePalette::distinct;
+    std::optional<std::string> caption = {}; ///< none: what the step says
+    const Trace* against = nullptr;          ///< another one, whose final pixels are compared
+    std::string against_name = {};
+};
+
+/// A frame of a figure.
+struct FigureFrame {
+    ShownSteps steps = {};
+    bool is_question =
+        false; ///< the picture before the first step, which is asked for and not told
+};
+
+/// Makes the figures of frames of a trace, all of one size.
+class FigureMaker {
+public:
+    /// The trace must outlive the maker. Frames are in the order of their steps.
+    FigureMaker(const Trace& trace, std::vector<FigureFrame> frames, FigureOptions options);
+
+    std::size_t size() const { return frames_.size(); }
+
+    /// The nth frame, from 0. Fastest in their order.
+    Drawing figure(std::size_t n);
+
+private:
+    std::vector<std::string> caption_lines(std::size_t n, double width);
+
+    const Trace& trace_;
+    std::vector<FigureFrame> frames_;
+    FigureOptions options_;
+    View view_;
+    Replay replay_;
+    FaceGroups groups_;
+    std::optional<Frame> against_;
+    std::size_t caption_lines_ = 0; ///< of the longest caption
+    std::size_t working_lines_ = 0;
+};
+
+} // namespace rastertrace

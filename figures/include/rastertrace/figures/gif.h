@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Bitmaps one after the other as an animated GIF. Each is asked for when it is its turn and only the rectangle
+// that changed is written, so that a long animation takes the memory of two bitmaps and its file.
+//
+//     const auto gif = gif_of(
+//         frames.size(), [&](std::size_t i) { return bitmap_of(frames[i], Theme::light, 1); },
+//         {.seconds = 0.5});
+
+#include <rastertrace/figures/bitmap.h>
+#include <rastertrace/trace/problem.h>
+
+#include <cstddef>
+#include <functional>
+#include <string>
+
+namespace rastertrace {
+
+/// The most frames: browsers keep all of them in memory, where 10,000 of 300 x 300 pixels take 3.6 gigabytes.
+inline constexpr std::size_t most_gif_frames = 10'000;
+
+/// The most pixels of a row or a column, and the most hundredths of a second: the format has 16 bits for each.
+inline constexpr std::size_t most_gif_side = 65'535;
+
+struct GifOptions {
+    double seconds = 0.5; ///< for each frame, at least 0.02: browsers take less for 0.1
+    bool repeats = true;  ///< over and over; else once
+};
+
+/// The bytes of the file; or why there are none: no frame or too many, frames that are too large or differ in
+/// size, or too long a time. `frame_at` is called once for each of 0 to `count` - 1, in this order. A rectangle
+/// of more than 256 colors is written in fewer: colors that differ only in their last bit become the one among
+/// them that is most frequent, then those that differ in their last two bits, until 256 are enough.
+Result<std::string> gif_of(std::size_t count,
+                           const std::function<Bitmap(std::size_t index)>& frame_at,
+                           const GifOptions& options);
+
+} // namespace rastertrace

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Which steps a frame shows: the one that it is about and those that belong to it.
+//
+//     const ShownSteps row{n, end_of(trace, n)};  // a scanline with its pixels
+
+#include <rastertrace/trace/trace.h>
+
+#include <cstddef>
+#include <optional>
+#include <set>
+
+namespace rastertrace {
+
+/// The step that a frame is about, and the last one whose pixels it has; 0 is before the first.
+struct ShownSteps {
+    std::size_t first = 0;
+    std::size_t last = 0;
+
+    bool has(std::size_t step) const { return first <= step && step <= last; }
+};
+
+/// The last step that belongs to step n: a primitive has all steps up to the next one, a scanline or a decision
+/// its pixels, an edge only itself.
+std::size_t end_of(const Trace& trace, std::size_t n);
+
+/// The pixel of a step, if it has one that the canvas has.
+std::optional<Pixel> pixel_of(const Trace& trace, std::size_t n);
+
+/// The pixels that steps have tested and not drawn, by their offset on the canvas.
+std::set<std::size_t> pixels_not_drawn(const Trace& trace, ShownSteps steps);
+
+} // namespace rastertrace

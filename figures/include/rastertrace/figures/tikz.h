@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A drawing for LaTeX: a bare `tikzpicture`, to be put into a document with \input. The document needs
+// \usepackage{tikz} and nothing else. Text is set in the document's sans serif font, scaled with the drawing.
+//
+//     tikz_of(drawing, Theme::print, 80);  // % To be used with \usepackage{tikz}: \input{FILE}
+
+#include <rastertrace/figures/drawing.h>
+#include <rastertrace/figures/theme.h>
+#include <rastertrace/trace/problem.h>
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace rastertrace {
+
+/// The most rectangles, lines, polygons and dots together of a picture: pdflatex takes a second for each 10,000.
+inline constexpr std::size_t most_tikz_paths = 50'000;
+
+/// A text as LaTeX sets it, letter by letter. What cannot be seen is shown, as printable() does; characters that
+/// pdflatex does not know are shown as their number: U+05D0.
+std::string tex_escaped(std::string_view text);
+
+/// The picture, `width_mm` millimeters wide; or why there is none: it would be too large for pdflatex.
+Result<std::string> tikz_of(const Drawing& drawing, Theme theme, double width_mm);
+
+} // namespace rastertrace

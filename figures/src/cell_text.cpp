@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// What is written in the pixels of a figure: numbers of their order, depths, writes, weights.
+
+#include "panel.h"
+
+#include <rastertrace/trace/color_text.h>
+#include <rastertrace/trace/text.h>
+#include <rastertrace/trace/working.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <string>
+
+namespace rastertrace {
+
+namespace {
+
+constexpr double text_size = 9;
+constexpr double line_height = 10;
+constexpr std::size_t any_width = std::numeric_limits<std::size_t>::max();
+
+/// The lines of each pixel, by its offset.
+using CellTexts = std::map<std::size_t, std::vector<std::string>>;
+
+/// The first pixel that was drawn has 1, the next one 2; a pixel drawn over keeps its last number.
+void add_order(const Replay& replay, CellTexts& texts) {
+    const Trace& trace = replay.trace();
+    std::size_t number = 0;
+    std::map<std::size_t, std::size_t> number_of;
+    for (std::size_t n = 1; n <= replay.step(); ++n) {
+        if (trace.kind_of(n) != StepKind::pixel)
+            continue;
+        ++number;
+        if (const auto pixel = pixel_of(trace, n))
+            number_of[trace.canvas.offset_of(*pixel)] = number;
+    }
+    for (const auto& [offset, of_pixel] : number_of)
+        texts[offset].push_back(std::to_string(of_pixel));
+}
+
+/// What a view of a terminal's frame would print, where it is not empty.
+void add_view(View view, const Replay& replay, CellTexts& texts) {
+    const FrameCells cells(view, replay, any_width);
+    const Canvas& canvas = replay.trace().canvas;
+    for (int row = 0; row < canvas.height; ++row)
+        for (int column = 0; column < canvas.width; ++column) {
+            const Pixel pixel{canvas.left() + column, canvas.y_of(row)};
+            if (std::string text = cells.at(pixel).text; text != "." && text != "-")
+                texts[canvas.offset_of(pixel)].push_back(std::move(text));
+        }
+}
+
+/// The weights of each sample of the current primitive: each over the area, which all of them have.
+void add_weights(const Replay& replay, CellTexts& texts) {
+    const Trace& trace = replay.trace();
+    for (std::size_t n = replay.primitive() + 1; n <= replay.step(); ++n) {
+        if (trace.kind_of(n) != StepKind::sample)
+            continue;
+        const auto pixel = pixel_of(trace, n);
+        if (!pixel)
+            continue;
+        auto& lines = texts[trace.canvas.offset_of(*pixel)];
+        for (const std::string& weight : trace.step(n).texts("weights"))
+            lines.push_back(as_in_working(weight));
+    }
+}
+
+CellTexts cell_texts(const Replay& replay, const FigureParts& parts) {
+    CellTexts texts;
+    if (parts.has(FigurePart::order))
+        add_order(replay, texts);
+    if (parts.has(FigurePart::depths))
+        add_view(View::depth, replay, texts);
+    if (parts.has(FigurePart::writes))
+        add_view(View::writes, replay, texts);
+    if (parts.has(FigurePart::weights))
+        add_weights(replay, texts);
+    return texts;
+}
+
+} // namespace
+
+double cell_for_texts(const Replay& replay, const FigureParts& parts) {
+    constexpr double gap = 4;
+    double side = 0;
+    for (const auto& [offset, lines] : cell_texts(replay, parts)) {
+        side = std::max(side, static_cast<double>(lines.size()) * line_height + gap);
+        for (const std::string& line : lines)
+            side = std::max(side, width_of(line, text_size) + gap);
+    }
+    return side;
+}
+
+void add_cell_texts(const Panel& panel, std::vector<Shape>& shapes) {
+    const PixelColors color_of = own_colors_of(panel);
+    const CellTexts texts = cell_texts(panel.replay, panel.parts);
+    panel.for_each_pixel([&](Pixel pixel, std::size_t offset) {
+        const auto found = texts.find(offset);
+        if (found == texts.end())
+            return;
+        std::optional<Color> color; // what can be read on a pixel that has a color of its own
+        if (const Color own = color_of ? color_of(pixel, offset) : no_color; own != no_color)
+            color = is_light(own) ? Color{0, 0, 0} : Color{255, 255, 255};
+        const Place middle = panel.lattice.middle_of(pixel);
+        double y = middle.y + 0.36 * text_size -
+                   0.5 * line_height * static_cast<double>(found->second.size() - 1);
+        for (const std::string& line : found->second) {
+            shapes.push_back(Label{.role = Role::cell_text,
+                                   .color = color,
+                                   .at = {middle.x, y},
+                                   .text = line,
+                                   .size = text_size,
+                                   .anchor = Anchor::middle,
+                                   .has_rim = panel.parts.has(FigurePart::patterns)});
+            y += line_height;
+        }
+    });
+}
+
+} // namespace rastertrace

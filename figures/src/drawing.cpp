@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include <rastertrace/figures/drawing.h>
+
+#include <rastertrace/trace/text.h>
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <iterator>
+#include <type_traits>
+#include <utility>
+
+namespace rastertrace {
+
+namespace {
+
+Role role_behind(Role first, std::size_t n, std::size_t count) {
+    return static_cast<Role>(static_cast<std::size_t>(first) + n % count);
+}
+
+void move(Place& place, Place by) {
+    place = {place.x + by.x, place.y + by.y};
+}
+
+void move(std::vector<Path>& paths, Place by) {
+    for (Path& path : paths)
+        for (Place& place : path)
+            move(place, by);
+}
+
+void move(Shape& shape, Place by) {
+    std::visit(
+        [by](auto& one) {
+            using One = std::remove_reference_t<decltype(one)>;
+            if constexpr (std::is_same_v<One, Areas>)
+                for (Rectangle& rectangle : one.rectangles)
+                    move(rectangle.corner, by);
+            else if constexpr (std::is_same_v<One, Dots>)
+                for (Place& center : one.centers)
+                    move(center, by);
+            else if constexpr (std::is_same_v<One, Pixels>)
+                move(one.corner, by);
+            else if constexpr (std::is_same_v<One, Label>)
+                move(one.at, by);
+            else
+                move(one.paths, by);
+        },
+        shape);
+}
+
+} // namespace
+
+Role face_role(std::size_t n) {
+    constexpr std::size_t count = 8;
+    static_assert(static_cast<std::size_t>(Role::face_8) - static_cast<std::size_t>(Role::face_1) +
+                      1 ==
+                  count);
+    return role_behind(Role::face_1, n, count);
+}
+
+Role curve_role(std::size_t n) {
+    constexpr std::size_t count = 12;
+    static_assert(static_cast<std::size_t>(Role::curve_12) -
+                      static_cast<std::size_t>(Role::curve_1) + 1 ==
+                  count);
+    return role_behind(Role::curve_1, n, count);
+}
+
+void place(Drawing&& part, Place corner, Drawing& sheet) {
+    for (Shape& shape : part.shapes)
+        move(shape, corner);
+    sheet.shapes.insert(sheet.shapes.end(), std::make_move_iterator(part.shapes.begin()),
+                        std::make_move_iterator(part.shapes.end()));
+}
+
+std::string decimal(double value) {
+    constexpr int hundred = 100;
+    const auto hundredths = static_cast<long long>(std::llround(value * hundred));
+    const long long whole = std::llabs(hundredths) / hundred;
+    const long long rest = std::llabs(hundredths) % hundred;
+    std::string text = fmt::format("{}{}", hundredths < 0 ? "-" : "", whole);
+    if (rest != 0)
+        text += rest % 10 == 0 ? fmt::format(".{}", rest / 10) : fmt::format(".{:02}", rest);
+    return text;
+}
+
+void add_arrow(Place from, Place to, Role role, double head_length, std::vector<Shape>& shapes) {
+    const double dx = to.x - from.x;
+    const double dy = to.y - from.y;
+    const double length = std::sqrt(dx * dx + dy * dy);
+    if (length == 0)
+        return;
+    const double head = std::min(head_length, length);
+    const double along_x = dx / length * head;
+    const double along_y = dy / length * head;
+    const Place neck{to.x - along_x, to.y - along_y};
+    constexpr double slimness = 0.4; // of half the head's width to its length
+    shapes.push_back(Lines{.role = role, .paths = {{from, neck}}});
+    shapes.push_back(
+        Polygons{.role = role,
+                 .paths = {{to,
+                            {neck.x - slimness * along_y, neck.y + slimness * along_x},
+                            {neck.x + slimness * along_y, neck.y - slimness * along_x}}}});
+}
+
+double width_of(std::string_view text, double size) {
+    // Of the widest letters of fixed width that our formats have: DejaVu Sans Mono has 0.602.
+    constexpr double advance = 0.61;
+    return advance * size * static_cast<double>(columns_in(text));
+}
+
+} // namespace rastertrace

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: MIT
+// The true geometry over the pixels: edges, vertices with their coordinates, samples, half-planes.
+
+#include "clip.h"
+#include "panel.h"
+
+#include <rastertrace/figures/corners.h>
+#include <rastertrace/trace/text.h>
+#include <rastertrace/trace/working.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <string>
+#include <utility>
+
+namespace rastertrace {
+
+namespace {
+
+/// The corners of a primitive on the sheet; none if its step does not tell them.
+Path places_of(const Panel& panel, std::size_t primitive) {
+    Path places;
+    for (const Point& corner : corners_of(panel.trace().step(primitive)))
+        places.push_back(panel.lattice.place_of(corner.x, corner.y));
+    return places;
+}
+
+/// The sides of a primitive, as far as they are inside.
+std::vector<Path> sides_of(const Panel& panel, std::size_t primitive) {
+    const Path corners = places_of(panel, primitive);
+    std::vector<Path> sides;
+    const std::size_t count = corners.size() == 2 ? 1 : corners.size();
+    for (std::size_t i = 0; i < count && corners.size() > 1; ++i)
+        if (const auto side =
+                clipped(corners[i], corners[(i + 1) % corners.size()], panel.lattice.frame()))
+            sides.push_back({side->first, side->second});
+    return sides;
+}
+
+Place middle_of(const Path& corners) {
+    Place sum;
+    for (const Place& corner : corners)
+        sum = {sum.x + corner.x, sum.y + corner.y};
+    const auto count = static_cast<double>(corners.size());
+    return {sum.x / count, sum.y / count};
+}
+
+/// A vertex, its words, and from where they should keep away.
+struct NamedVertex {
+    Place at;
+    std::string text;
+    Place inside; ///< the middle of its primitive
+};
+
+bool is_inside(const Rectangle& frame, Place place) {
+    return frame.corner.x <= place.x && place.x <= frame.corner.x + frame.width &&
+           frame.corner.y <= place.y && place.y <= frame.corner.y + frame.height;
+}
+
+/// Those that are inside, each once.
+std::vector<NamedVertex> vertices_of(const Panel& panel) {
+    std::vector<NamedVertex> vertices;
+    std::set<std::pair<std::string, std::pair<double, double>>> known;
+    for (const std::size_t primitive : primitives_with_edges(panel)) {
+        const StepView step = panel.trace().step(primitive);
+        const auto names = step.texts("vertices");
+        const auto positions = step.text_rows("at");
+        const Path corners = places_of(panel, primitive);
+        for (std::size_t i = 0; i < std::min(names.size(), corners.size()); ++i) {
+            if (!is_inside(panel.lattice.frame(), corners[i]) ||
+                !known.insert({names[i], {corners[i].x, corners[i].y}}).second)
+                continue;
+            vertices.push_back({corners[i],
+                                fmt::format("{}({}, {})", names[i], as_in_working(positions[i][0]),
+                                            as_in_working(positions[i][1])),
+                                middle_of(corners)});
+        }
+    }
+    return vertices;
+}
+
+bool meet(const Rectangle& a, const Rectangle& b) {
+    return a.corner.x < b.corner.x + b.width && b.corner.x < a.corner.x + a.width &&
+           a.corner.y < b.corner.y + b.height && b.corner.y < a.corner.y + a.height;
+}
+
+/// Where the words of a vertex stand: beside it, away from its primitive, and not over other words.
+Rectangle words_beside(const NamedVertex& vertex, double size, const Rectangle& frame,
+                       const std::vector<Rectangle>& taken) {
+    const double width = width_of(vertex.text, size);
+    constexpr double gap = 5;
+    struct Candidate {
+        Rectangle box;
+        double worse;
+    };
+    std::vector<Candidate> candidates;
+    const double away_x = vertex.at.x - vertex.inside.x;
+    const double away_y = vertex.at.y - vertex.inside.y;
+    const double away = std::max(1.0, std::sqrt(away_x * away_x + away_y * away_y));
+    for (const int right : {1, 0, -1})
+        for (const int down : {-1, 0, 1}) {
+            if (right == 0 && down == 0)
+                continue;
+            const Rectangle box{{vertex.at.x + right * gap + (right - 1) * width / 2,
+                                 vertex.at.y + down * gap + (down - 1) * size / 2},
+                                width,
+                                size};
+            double worse = -(right * away_x + down * away_y) / away;
+            // What leaves the panel may be cut off; what covers other words cannot be read.
+            if (box.corner.x < 0 || box.corner.y < frame.corner.y - size ||
+                box.corner.x + width > frame.corner.x + frame.width + size ||
+                box.corner.y + size > frame.corner.y + frame.height)
+                worse += 4;
+            for (const Rectangle& other : taken)
+                if (meet(box, other))
+                    worse += 8;
+            candidates.push_back({box, worse});
+        }
+    return std::min_element(
+               candidates.begin(), candidates.end(),
+               [](const Candidate& a, const Candidate& b) { return a.worse < b.worse; })
+        ->box;
+}
+
+} // namespace
+
+std::vector<std::size_t> primitives_with_edges(const Panel& panel) {
+    const auto& all = panel.replay.primitives();
+    const std::size_t current = panel.replay.primitive();
+    if (panel.has_all_edges || current == 0)
+        return all;
+    return {current};
+}
+
+void add_edges(const Panel& panel, std::vector<Shape>& shapes) {
+    Lines others{.role = Role::other_edge};
+    Lines current{.role = Role::true_edge};
+    for (const std::size_t primitive : primitives_with_edges(panel))
+        for (Path& side : sides_of(panel, primitive))
+            (primitive == panel.replay.primitive() ? current : others)
+                .paths.push_back(std::move(side));
+    shapes.push_back(std::move(others));
+    shapes.push_back(std::move(current));
+}
+
+void add_vertices(const Panel& panel, std::vector<Shape>& shapes) {
+    constexpr double size = 11;
+    constexpr double radius = 2.6;
+    Dots dots{.role = Role::vertex, .radius = radius};
+    std::vector<Rectangle> taken;
+    std::vector<Shape> labels;
+    for (const NamedVertex& vertex : vertices_of(panel)) {
+        dots.centers.push_back(vertex.at);
+        const Rectangle box = words_beside(vertex, size, panel.lattice.frame(), taken);
+        taken.push_back(box);
+        // Words at the left of their vertex end there.
+        const bool is_left = box.corner.x + box.width < vertex.at.x;
+        const bool is_right = box.corner.x > vertex.at.x;
+        labels.push_back(Label{
+            .role = Role::strong_text,
+            .at = {is_left    ? box.corner.x + box.width
+                   : is_right ? box.corner.x
+                              : vertex.at.x,
+                   box.corner.y + 0.85 * size},
+            .text = vertex.text,
+            .size = size,
+            .anchor = is_left    ? Anchor::end
+                      : is_right ? Anchor::start
+                                 : Anchor::middle,
+            .is_bold = true,
+            .has_rim = true,
+        });
+    }
+    shapes.push_back(std::move(dots));
+    shapes.insert(shapes.end(), labels.begin(), labels.end());
+}
+
+void add_samples(const Panel& panel, std::vector<Shape>& shapes) {
+    constexpr double radius = 1.4;
+    Dots dots{.role = Role::sample, .radius = radius};
+    panel.for_each_pixel(
+        [&](Pixel pixel, std::size_t) { dots.centers.push_back(panel.lattice.middle_of(pixel)); });
+    shapes.push_back(std::move(dots));
+}
+
+void add_half_planes(const Panel& panel, std::vector<Shape>& shapes) {
+    const std::size_t primitive = panel.replay.primitive();
+    const Path corners = primitive == 0 ? Path() : places_of(panel, primitive);
+    if (corners.size() != 3)
+        return;
+    const auto names = panel.trace().step(primitive).texts("vertices");
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Place a = corners[i];
+        const Place b = corners[(i + 1) % 3];
+        const Place c = corners[(i + 2) % 3];
+        const auto side_of = [a, b](Place p) {
+            return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+        };
+        // The side of the third corner is the inner one.
+        const double sign = side_of(c) < 0 ? -1 : 1;
+        const Path all = corners_of(panel.lattice.frame());
+        shapes.push_back(Polygons{.role = Role::inside, .paths = {clipped(all, [&](Place p) {
+                                                            return sign * side_of(p);
+                                                        })}});
+        shapes.push_back(Polygons{.role = Role::outside, .paths = {clipped(all, [&](Place p) {
+                                                             return -sign * side_of(p);
+                                                         })}});
+        // The whole line, through the panel.
+        constexpr double far = 1000;
+        const Place beyond{b.x + far * (b.x - a.x), b.y + far * (b.y - a.y)};
+        const Place before{a.x - far * (b.x - a.x), a.y - far * (b.y - a.y)};
+        if (const auto line = clipped(before, beyond, panel.lattice.frame())) {
+            shapes.push_back(
+                Lines{.role = Role::other_edge, .paths = {{line->first, line->second}}});
+            if (names.size() != 3)
+                continue;
+            // Its name on the inner side, in the middle of what is seen of the line.
+            const Place middle{(line->first.x + line->second.x) / 2,
+                               (line->first.y + line->second.y) / 2};
+            const double length = std::sqrt(std::pow(b.x - a.x, 2) + std::pow(b.y - a.y, 2));
+            constexpr double inward = 16;
+            if (length > 0)
+                shapes.push_back(
+                    Label{.role = Role::text,
+                          .at = {middle.x - sign * (b.y - a.y) / length * inward,
+                                 middle.y + sign * (b.x - a.x) / length * inward + 4},
+                          .text = fmt::format("{}{} \u2265 0", names[i], names[(i + 1) % 3]),
+                          .size = 10,
+                          .anchor = Anchor::middle,
+                          .has_rim = true});
+        }
+    }
+}
+
+} // namespace rastertrace

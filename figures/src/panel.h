@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The parts of a figure that are drawn on the pixels. Each adds its shapes over those before it; figure.cpp says in
+// which order.
+
+#include "lattice.h"
+
+#include <rastertrace/figures/drawing.h>
+#include <rastertrace/figures/face_groups.h>
+#include <rastertrace/figures/figure.h>
+#include <rastertrace/trace/frame.h>
+
+#include <functional>
+#include <vector>
+
+namespace rastertrace {
+
+/// What a part is drawn from.
+struct Panel {
+    const Replay& replay; ///< at the last step of the frame
+    FigureFrame frame;
+    Lattice lattice;
+    FigureParts parts;
+    View view;
+    const FaceGroups& groups;
+    FacePalette palette;
+    const Frame* against;       ///< a picture to compare with; nullptr for none
+    bool has_all_edges = false; ///< not only those of the current primitive
+
+    const Trace& trace() const { return replay.trace(); }
+
+    /// True if a step of the frame has drawn the pixel.
+    bool is_current(std::size_t offset) const {
+        return !frame.is_question && frame.steps.first != 0 &&
+               frame.steps.has(replay.frame().drawn_by[offset]);
+    }
+
+    /// All pixels that are shown, top row first.
+    template <typename Visit> void for_each_pixel(Visit&& visit) const {
+        const Canvas& canvas = lattice.canvas;
+        for (int row = 0; row < lattice.rows(); ++row)
+            for (int column = 0; column < lattice.columns(); ++column) {
+                const Pixel pixel{lattice.region.x0 + column, lattice.top() + row * canvas.down()};
+                visit(pixel, canvas.offset_of(pixel));
+            }
+    }
+};
+
+// pixel_parts.cpp
+
+/// The color of a pixel that has one of its own, whatever the theme; no_color for one that has none.
+using PixelColors = std::function<Color(Pixel pixel, std::size_t offset)>;
+
+/// Those of the view; nothing if it paints in the theme's colors.
+PixelColors own_colors_of(const Panel& panel);
+void add_pixels(const Panel& panel, std::vector<Shape>& shapes);
+void add_patterns(const Panel& panel, std::vector<Shape>& shapes);
+void add_current(const Panel& panel, std::vector<Shape>& shapes);
+void add_rejected(const Panel& panel, std::vector<Shape>& shapes);
+
+// cell_text.cpp
+void add_cell_texts(const Panel& panel, std::vector<Shape>& shapes);
+
+/// The side that a pixel needs at least for what is written in it.
+double cell_for_texts(const Replay& replay, const FigureParts& parts);
+
+// grid_parts.cpp
+void add_grid(const Panel& panel, std::vector<Shape>& shapes);
+void add_axes(const Panel& panel, std::vector<Shape>& shapes);
+void add_border(const Panel& panel, std::vector<Shape>& shapes);
+
+/// How much room the numbers of rows need at the left, and those of columns below.
+double axis_margin(const Lattice& lattice);
+inline constexpr double axis_height = 16;
+
+/// The strokes that stand for a group of faces, in a square.
+std::vector<Path> pattern_strokes(std::size_t group, const Rectangle& square);
+
+// edge_parts.cpp
+
+/// The primitives whose edges and vertices are shown, by their steps.
+std::vector<std::size_t> primitives_with_edges(const Panel& panel);
+void add_edges(const Panel& panel, std::vector<Shape>& shapes);
+void add_vertices(const Panel& panel, std::vector<Shape>& shapes);
+void add_samples(const Panel& panel, std::vector<Shape>& shapes);
+void add_half_planes(const Panel& panel, std::vector<Shape>& shapes);
+
+// row_part.cpp
+void add_row(const Panel& panel, std::vector<Shape>& shapes);
+
+} // namespace rastertrace

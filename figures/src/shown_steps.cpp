@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include <rastertrace/figures/shown_steps.h>
+
+#include <algorithm>
+
+namespace rastertrace {
+
+namespace {
+
+/// True if a step of the second kind begins something new for one of the first, which ends there.
+bool ends(StepKind kind, StepKind next) {
+    switch (kind) {
+    case StepKind::primitive:
+        return next == StepKind::primitive;
+    case StepKind::half:
+        return next == StepKind::primitive || next == StepKind::half;
+    case StepKind::ray:
+        return next == StepKind::primitive || next == StepKind::edge || next == StepKind::ray;
+    case StepKind::scanline:
+    case StepKind::along:
+    case StepKind::decide:
+    case StepKind::sample:
+        return next != StepKind::depth && next != StepKind::pixel && next != StepKind::reject;
+    default:
+        return true;
+    }
+}
+
+} // namespace
+
+std::size_t end_of(const Trace& trace, std::size_t n) {
+    const auto kind = n == 0 ? std::nullopt : trace.kind_of(n);
+    std::size_t last = n;
+    while (kind && last < trace.size()) {
+        const auto next = trace.kind_of(last + 1);
+        if (next && ends(*kind, *next))
+            break;
+        ++last;
+    }
+    return last;
+}
+
+std::optional<Pixel> pixel_of(const Trace& trace, std::size_t n) {
+    if (n == 0)
+        return std::nullopt;
+    const StepView step = trace.step(n);
+    const auto x = step.whole("x");
+    const auto y = step.whole("y");
+    if (!x || !y || !trace.canvas.contains(*x, *y))
+        return std::nullopt;
+    return Pixel{static_cast<int>(*x), static_cast<int>(*y)};
+}
+
+std::set<std::size_t> pixels_not_drawn(const Trace& trace, ShownSteps steps) {
+    std::set<std::size_t> offsets;
+    for (std::size_t n = std::max<std::size_t>(steps.first, 1); n <= steps.last; ++n) {
+        const auto kind = trace.kind_of(n);
+        const bool is_depth = kind == StepKind::depth;
+        if (!is_depth && kind != StepKind::sample)
+            continue;
+        const StepView step = trace.step(n);
+        const auto pixel = pixel_of(trace, n);
+        if (pixel && step.text(is_depth ? "pass" : "inside") == "false")
+            offsets.insert(trace.canvas.offset_of(*pixel));
+    }
+    return offsets;
+}
+
+} // namespace rastertrace

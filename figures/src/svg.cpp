@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: MIT
+#include <rastertrace/figures/svg.h>
+
+#include <rastertrace/trace/color_text.h>
+#include <rastertrace/trace/text.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace rastertrace {
+
+namespace {
+
+/// "#rrggbb".
+std::string hex(Color color) {
+    return to_text(Color{color.red(), color.green(), color.blue()});
+}
+
+/// A color and how much of it covers what is below, for `fill` or `stroke`.
+std::string paint_css(std::string_view property, Color color) {
+    constexpr double opaque = 255;
+    const std::string opacity = color.alpha() == 255 ? ""
+                                                     : fmt::format(";{}-opacity:{}", property,
+                                                                   decimal(color.alpha() / opaque));
+    return fmt::format("{}:{}{}", property, hex(color), opacity);
+}
+
+std::string path_data(const Path& path, bool is_closed) {
+    std::string data;
+    for (const Place& place : path)
+        data +=
+            fmt::format("{}{} {}", data.empty() ? "M" : "L", decimal(place.x), decimal(place.y));
+    return data + (is_closed ? "Z" : "");
+}
+
+std::string path_data(const Rectangle& rectangle) {
+    const std::string width = decimal(rectangle.width);
+    return fmt::format("M{} {}h{}v{}h-{}z", decimal(rectangle.corner.x),
+                       decimal(rectangle.corner.y), width, decimal(rectangle.height), width);
+}
+
+/// Pixels of one color beside one another, as one rectangle; by color.
+std::map<std::string, std::vector<Rectangle>> runs_of(const Pixels& pixels) {
+    std::map<std::string, std::vector<Rectangle>> runs;
+    const auto at = [&pixels](std::size_t i) { return pixels.colors[i]; };
+    for (std::size_t begin = 0; begin < pixels.colors.size();) {
+        const std::size_t row_end = (begin / pixels.columns + 1) * pixels.columns;
+        std::size_t end = begin + 1;
+        while (end < row_end && at(end) == at(begin))
+            ++end;
+        if (at(begin) != no_color) {
+            const auto column = static_cast<double>(begin % pixels.columns);
+            const auto row = static_cast<double>(begin / pixels.columns);
+            runs[paint_css("fill", at(begin))].push_back(
+                {.corner = {pixels.corner.x + column * pixels.side,
+                            pixels.corner.y + row * pixels.side},
+                 .width = static_cast<double>(end - begin) * pixels.side,
+                 .height = pixels.side});
+        }
+        begin = end;
+    }
+    return runs;
+}
+
+/// Writes shapes, and remembers what they take.
+class ShapeWriter {
+public:
+    std::string written(const Shape& shape) {
+        return std::visit([this](const auto& one) { return written(one); }, shape);
+    }
+
+    const std::set<Role>& roles_used() const { return roles_used_; }
+    std::size_t rectangles() const { return rectangles_; }
+
+private:
+    /// The attributes that all shapes have.
+    std::string attributes(std::string_view kind, Role role,
+                           const std::optional<Color>& color = {}) {
+        roles_used_.insert(role);
+        const std::string_view property = kind == "line" ? "stroke" : "fill";
+        return fmt::format(R"(class="{} {}"{})", kind, name_of(role),
+                           color ? fmt::format(R"( style="{}")", paint_css(property, *color)) : "");
+    }
+
+    std::string written(const Areas& areas) {
+        if (areas.rectangles.empty())
+            return {};
+        rectangles_ += areas.rectangles.size();
+        std::string data;
+        for (const Rectangle& rectangle : areas.rectangles)
+            data += path_data(rectangle);
+        return fmt::format("<path {} d=\"{}\"/>\n", attributes("area", areas.role, areas.color),
+                           data);
+    }
+
+    std::string written(const Lines& lines) {
+        std::string data;
+        for (const Path& path : lines.paths)
+            data += path_data(path, lines.are_closed);
+        if (data.empty())
+            return {};
+        return fmt::format("<path {} d=\"{}\"/>\n", attributes("line", lines.role, lines.color),
+                           data);
+    }
+
+    std::string written(const Polygons& polygons) {
+        std::string data;
+        for (const Path& path : polygons.paths)
+            data += path_data(path, true);
+        if (data.empty())
+            return {};
+        return fmt::format("<path {} d=\"{}\"/>\n",
+                           attributes("shape", polygons.role, polygons.color), data);
+    }
+
+    std::string written(const Dots& dots) {
+        std::string data;
+        const std::string radius = decimal(dots.radius);
+        const std::string across = decimal(2 * dots.radius);
+        for (const Place& center : dots.centers)
+            data += fmt::format("M{0} {1}a{2} {2} 0 1 0 {3} 0a{2} {2} 0 1 0 -{3} 0z",
+                                decimal(center.x - dots.radius), decimal(center.y), radius, across);
+        if (data.empty())
+            return {};
+        return fmt::format("<path {} d=\"{}\"/>\n", attributes("shape", dots.role), data);
+    }
+
+    std::string written(const Pixels& pixels) {
+        std::string svg;
+        for (const auto& [css, rectangles] : runs_of(pixels)) {
+            rectangles_ += rectangles.size();
+            svg += fmt::format("<path class=\"area\" style=\"{}\" d=\"", css);
+            for (const Rectangle& rectangle : rectangles)
+                svg += path_data(rectangle);
+            svg += "\"/>\n";
+        }
+        return svg;
+    }
+
+    std::string written(const Label& label) {
+        std::string more;
+        if (label.is_turned)
+            more += fmt::format(R"svg( transform="translate({} {}) rotate(-90)")svg",
+                                decimal(label.at.x), decimal(label.at.y));
+        else
+            more += fmt::format(R"( x="{}" y="{}")", decimal(label.at.x), decimal(label.at.y));
+        more += fmt::format(R"( font-size="{}")", decimal(label.size));
+        if (label.anchor != Anchor::start)
+            more += fmt::format(R"( text-anchor="{}")",
+                                label.anchor == Anchor::middle ? "middle" : "end");
+        if (label.is_bold)
+            more += R"( font-weight="bold")";
+        std::string kind = "label";
+        if (label.is_fixed_width) {
+            kind += " fixed";
+            more += R"( xml:space="preserve")";
+        }
+        if (label.has_rim)
+            kind += " rim";
+        return fmt::format("<text {}{}>{}</text>\n", attributes(kind, label.role, label.color),
+                           more, escaped(label.text));
+    }
+
+    std::set<Role> roles_used_;
+    std::size_t rectangles_ = 0;
+};
+
+/// The rules for the roles that are used, and for the kinds of shape.
+std::string rules(const std::set<Role>& used, Theme theme) {
+    std::string css;
+    for (const Role role : used) {
+        const Paint paint = paint_of(role, theme);
+        css +=
+            fmt::format(".{}{{{};{};stroke-width:{}", name_of(role), paint_css("fill", paint.color),
+                        paint_css("stroke", paint.color), decimal(paint.width));
+        if (!paint.dashes.empty()) {
+            std::string dashes;
+            for (const double dash : paint.dashes)
+                dashes += (dashes.empty() ? "" : " ") + decimal(dash);
+            css += ";stroke-dasharray:" + dashes;
+        }
+        css += "}\n";
+    }
+    css += ".line{fill:none;stroke-linejoin:round}\n"
+           ".area,.shape,.label{stroke:none}\n"
+           ".area{shape-rendering:crispEdges}\n";
+    const std::string paper = hex(paint_of(Role::paper, theme).color);
+    css +=
+        fmt::format(".sheet{{fill:{0}}}\n"
+                    ".rim{{stroke:{0};stroke-width:3;stroke-linejoin:round;stroke-dasharray:none;"
+                    "paint-order:stroke}}\n"
+                    ".label{{font-family:\"DejaVu Sans\",Verdana,sans-serif}}\n"
+                    ".fixed{{font-family:\"DejaVu Sans Mono\",Menlo,Consolas,monospace}}\n",
+                    paper);
+    return css;
+}
+
+std::string style_sheet(const std::set<Role>& used, Theme theme) {
+    std::string css = rules(used, theme);
+    if (theme == Theme::automatic)
+        css +=
+            fmt::format("@media (prefers-color-scheme:dark){{\n{}}}\n", rules(used, Theme::dark));
+    return css;
+}
+
+std::string document(const Drawing& sheet, const std::string& css, const std::string& body) {
+    const std::string width = decimal(sheet.width);
+    const std::string height = decimal(sheet.height);
+    const std::string description =
+        sheet.description.empty() ? ""
+                                  : fmt::format("<desc>{}</desc>\n", escaped(sheet.description));
+    return fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" width=\"{0}\" "
+                       "height=\"{1}\" viewBox=\"0 0 {0} {1}\">\n<title>{2}</title>\n{3}"
+                       "<style>\n{4}</style>\n"
+                       "<rect class=\"sheet\" width=\"{0}\" height=\"{1}\"/>\n{5}</svg>\n",
+                       width, height, escaped(sheet.title), description, css, body);
+}
+
+/// The shapes of a drawing, each written.
+std::vector<std::string> written_shapes(const Drawing& drawing, ShapeWriter& writer) {
+    std::vector<std::string> shapes;
+    for (const Shape& shape : drawing.shapes)
+        shapes.push_back(writer.written(shape));
+    return shapes;
+}
+
+std::string joined_from(const std::vector<std::string>& shapes, std::size_t first) {
+    std::string body;
+    for (std::size_t i = first; i < shapes.size(); ++i)
+        body += shapes[i];
+    return body;
+}
+
+/// How many shapes all of the frames begin with.
+std::size_t common_shapes(const std::vector<std::vector<std::string>>& frames) {
+    std::size_t count = frames.front().size();
+    for (const auto& frame : frames) {
+        const auto [end, unused] = std::mismatch(
+            frames.front().begin(), frames.front().begin() + static_cast<std::ptrdiff_t>(count),
+            frame.begin(), frame.end());
+        count = static_cast<std::size_t>(end - frames.front().begin());
+    }
+    return count;
+}
+
+std::optional<Problem> too_many(std::size_t rectangles) {
+    if (rectangles <= most_svg_rectangles)
+        return std::nullopt;
+    return problem_of("",
+                      fmt::format("expected at most {} rectangles in an SVG, found {}",
+                                  most_svg_rectangles, rectangles),
+                      "a .png holds any picture; --region takes a part of it");
+}
+
+} // namespace
+
+std::string escaped(std::string_view text) {
+    std::string result;
+    for (const char c : printable(text)) {
+        switch (c) {
+        case '&':
+            result += "&amp;";
+            break;
+        case '<':
+            result += "&lt;";
+            break;
+        case '>':
+            result += "&gt;";
+            break;
+        case '"':
+            result += "&quot;";
+            break;
+        case '\'':
+            result += "&#39;";
+            break;
+        default:
+            result += c;
+        }
+    }
+    return result;
+}
+
+Result<std::string> svg_of(const Drawing& drawing, Theme theme) {
+    ShapeWriter writer;
+    const std::string body = joined_from(written_shapes(drawing, writer), 0);
+    if (auto problem = too_many(writer.rectangles()))
+        return *std::move(problem);
+    return document(drawing, style_sheet(writer.roles_used(), theme), body);
+}
+
+Result<std::string> animated_svg_of(std::span<const Drawing> frames, double seconds, Theme theme) {
+    if (frames.size() == 1)
+        return svg_of(frames.front(), theme);
+    ShapeWriter writer;
+    std::vector<std::vector<std::string>> written;
+    for (const Drawing& frame : frames)
+        written.push_back(written_shapes(frame, writer));
+    if (auto problem = too_many(writer.rectangles()))
+        return *std::move(problem);
+
+    // What all begin with is written once. Each frame is shown for its share of the time, from its turn on; a
+    // negative delay starts an animation in its middle.
+    const std::size_t common = common_shapes(written);
+    std::string body(joined_from(
+        {written.front().begin(), written.front().begin() + static_cast<std::ptrdiff_t>(common)},
+        0));
+    const auto count = static_cast<double>(frames.size());
+    for (std::size_t i = 0; i < frames.size(); ++i)
+        body += fmt::format("<g class=\"frame{}\" style=\"animation-delay:{}s\">\n{}</g>\n",
+                            i + 1 == frames.size() ? " last" : "",
+                            decimal(-static_cast<double>(frames.size() - i) * seconds),
+                            joined_from(written[i], common));
+    std::string css = style_sheet(writer.roles_used(), theme);
+    css += fmt::format(".frame{{visibility:hidden}}\n.last{{visibility:visible}}\n"
+                       "@keyframes turn{{0%{{visibility:visible}}{:.4f}%{{visibility:hidden}}}}\n"
+                       "@media (prefers-reduced-motion:no-preference){{.frame{{animation:turn {}s "
+                       "step-end infinite}}}}\n",
+                       100 / count, decimal(count * seconds));
+    return document(frames.back(), css, body);
+}
+
+} // namespace rastertrace
