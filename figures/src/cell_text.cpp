@@ -48,8 +48,9 @@ void add_view(View view, const Replay& replay, CellTexts& texts) {
     for (int row = 0; row < canvas.height; ++row)
         for (int column = 0; column < canvas.width; ++column) {
             const Pixel pixel{canvas.left() + column, canvas.y_of(row)};
-            if (std::string text = cells.at(pixel).text; text != "." && text != "-")
-                texts[canvas.offset_of(pixel)].push_back(std::move(text));
+            const Cell cell = cells.at(pixel);
+            if (cell.text != "." && cell.text != "-")
+                texts[canvas.offset_of(pixel)].push_back(cell.text);
         }
 }
 
@@ -82,6 +83,11 @@ CellTexts cell_texts(const Replay& replay, const FigureParts& parts) {
 }
 
 } // namespace
+
+bool has_cell_texts(const FigureParts& parts) {
+    return parts.has(FigurePart::order) || parts.has(FigurePart::depths) ||
+           parts.has(FigurePart::writes) || parts.has(FigurePart::weights);
+}
 
 double cell_for_texts(const Replay& replay, const FigureParts& parts) {
     constexpr double gap = 4;

@@ -141,7 +141,7 @@ void add_edges(const Panel& panel, std::vector<Shape>& shapes) {
     Lines current{.role = Role::true_edge};
     for (const std::size_t primitive : primitives_with_edges(panel))
         for (Path& side : sides_of(panel, primitive))
-            (primitive == panel.replay.primitive() ? current : others)
+            (primitive == panel.replay.primitive() || !panel.is_step() ? current : others)
                 .paths.push_back(std::move(side));
     shapes.push_back(std::move(others));
     shapes.push_back(std::move(current));

@@ -74,7 +74,7 @@ void add_axes(const Panel& panel, std::vector<Shape>& shapes) {
         axes.paths.push_back({{zero.x, frame.corner.y}, {zero.x, frame.corner.y + frame.height}});
     if (frame.corner.y < zero.y && zero.y < frame.corner.y + frame.height)
         axes.paths.push_back({{frame.corner.x, zero.y}, {frame.corner.x + frame.width, zero.y}});
-    if (panel.parts.has(FigurePart::grid))
+    if (panel.parts.has(FigurePart::grid) && !has_cell_texts(panel.parts))
         shapes.push_back(std::move(axes));
 
     // The numbers of columns below, those of rows at the left.

@@ -12,6 +12,7 @@
 #include <rastertrace/trace/frame.h>
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace rastertrace {
@@ -30,10 +31,12 @@ struct Panel {
 
     const Trace& trace() const { return replay.trace(); }
 
+    /// True if the frame is about a step: it is not the whole picture, nor a question.
+    bool is_step() const { return frame.steps.first != 0 && !frame.is_question; }
+
     /// True if a step of the frame has drawn the pixel.
     bool is_current(std::size_t offset) const {
-        return !frame.is_question && frame.steps.first != 0 &&
-               frame.steps.has(replay.frame().drawn_by[offset]);
+        return is_step() && frame.steps.has(replay.frame().drawn_by[offset]);
     }
 
     /// All pixels that are shown, top row first.
@@ -47,6 +50,11 @@ struct Panel {
     }
 };
 
+// default_parts.cpp
+
+/// Sets the parts that a figure has, and the side of its pixels.
+void set_parts(const FigureOptions& options, Panel& panel);
+
 // pixel_parts.cpp
 
 /// The color of a pixel that has one of its own, whatever the theme; no_color for one that has none.
@@ -59,7 +67,11 @@ void add_patterns(const Panel& panel, std::vector<Shape>& shapes);
 void add_current(const Panel& panel, std::vector<Shape>& shapes);
 void add_rejected(const Panel& panel, std::vector<Shape>& shapes);
 
+/// The color of a group's first primitive, as the scene names it.
+std::optional<Color> scene_color_of(const Panel& panel, std::size_t group);
+
 // cell_text.cpp
+bool has_cell_texts(const FigureParts& parts);
 void add_cell_texts(const Panel& panel, std::vector<Shape>& shapes);
 
 /// The side that a pixel needs at least for what is written in it.

@@ -198,6 +198,14 @@ PixelColors own_colors_of(const Panel& panel) {
     return {};
 }
 
+std::optional<Color> scene_color_of(const Panel& panel, std::size_t group) {
+    std::size_t first = 0; // the step of a primitive
+    for (const auto& [primitive, its_group] : panel.groups.group_of)
+        if (its_group == group && (first == 0 || primitive < first))
+            first = primitive;
+    return first == 0 ? std::nullopt : std::optional(color_of_primitive(panel.trace().step(first)));
+}
+
 void add_pixels(const Panel& panel, std::vector<Shape>& shapes) {
     if (panel.against != nullptr)
         add_comparison(panel, shapes);

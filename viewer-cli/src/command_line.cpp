@@ -251,6 +251,7 @@ public:
                     std::string(exit_statuses));
         add_trace();
         add_show();
+        add_figure();
         add_explain();
         add_stats();
         add_check();
@@ -439,6 +440,204 @@ private:
             show_.frames = show_frames_.choice();
             action_ = [this] { return rastertrace::run(show_); };
         });
+    }
+
+    void add_figure() {
+        std::string list;
+        for (const FigurePartRow& row : figure_parts())
+            list += fmt::format("  {:<12} {}\n", row.name, row.shows);
+        CLI::App& command = add_command(
+            "figure", "Draw frames as figures for a page, a book or a talk",
+            "rastertrace figure examples/t0-fill/first-triangle.json --step \"scanline y=2\" -o "
+            "row.svg\n\n"
+            "What a figure can show (PART), for --with and --without:\n" +
+                list);
+        command.add_option("trace", figure_.trace, std::string(trace_input))
+            ->required()
+            ->type_name("TRACE");
+        command
+            .add_option("-o,--output", figure_.output,
+                        fmt::format("The file; its name ends in {}. - for standard output",
+                                    joined(endings_in<FigureFormat>(figure_endings), ", ")))
+            ->required()
+            ->type_name("FILE");
+        command
+            .add_option("--format", figure_format_,
+                        "svg, png, tex, txt, cast or gif, whatever the file's name")
+            ->type_name("NAME");
+        CLI::Option_group* const which =
+            command.add_option_group("Which frames", "One of these; the last one if none is given");
+        which->require_option(0, 1);
+        which
+            ->add_option("--step", figure_step_,
+                         "After this step, together with the pixels that belong to it")
+            ->type_name("STEP");
+        which
+            ->add_option("--until", figure_until_,
+                         "Before this step, which is not told: an exercise")
+            ->type_name("STEP");
+        which
+            ->add_option("--every", figure_every_,
+                         "After every such step: a file for each, but for --sheet, --animate, .gif "
+                         "and .cast")
+            ->type_name("STEP");
+        command
+            .add_option("--sheet", figure_sheet_,
+                        "Frames side by side, like 3x4: 3 columns, 4 rows")
+            ->type_name("CxR");
+        command.add_flag("--animate", figure_.is_animated, "All frames in one .svg, which moves");
+        command
+            .add_option("--seconds", figure_seconds_,
+                        "How long each frame is seen; by default all of them take 20, and one at "
+                        "most 1")
+            ->type_name("N");
+        command.add_option("--with", figure_with_, "Show these parts too")->type_name("PART,...");
+        command.add_option("--without", figure_without_, "Leave these parts out")
+            ->type_name("PART,...");
+        command
+            .add_option("--caption", figure_.options.caption,
+                        "This text instead of the step's sentence; none for no text")
+            ->type_name("TEXT");
+        command
+            .add_option(
+                "--view", figure_view_,
+                fmt::format("What the color of a pixel means: {}; if none is given, what the scene "
+                            "is about",
+                            joined(view_names(), ", ")))
+            ->type_name("NAME");
+        command
+            .add_option("--against", figure_.against,
+                        "Compare the pixels with those of another trace or scene, or of the same "
+                        "scene by another METHOD (key=value,...)")
+            ->type_name("TRACE|METHOD");
+        command.add_option("--region", figure_region_, "Show only these pixels")
+            ->type_name("x0,y0,x1,y1");
+        command
+            .add_option("--palette", figure_palette_,
+                        "Colors of faces: distinct (for every kind of color vision) or scene")
+            ->type_name("NAME");
+        command
+            .add_option("--theme", figure_theme_,
+                        "auto (in an .svg as the reader has set it), light, dark or print (grays)")
+            ->type_name("NAME");
+        command
+            .add_option("--cell", figure_cell_,
+                        "The side of a pixel, in units; by default by the canvas")
+            ->type_name("PX");
+        command
+            .add_option("--scale", figure_scale_,
+                        "Of a .png or .gif: pixels of a unit; 2 and 1 if not given")
+            ->type_name("N");
+        command.add_option("--width", figure_width_, "Of a .tex: millimeters")->type_name("MM");
+        command.add_flag(
+            "--bare", figure_is_bare_,
+            "Only the pixels in their own colors, one unit each if --cell is not given");
+        figure_method_.add_to(command);
+        figure_input_.add_to(command);
+        figure_frames_.add_to(command, "all if not given");
+        command.callback([this] { set_figure(); });
+    }
+
+    /// A number above 0, at most `most`.
+    static std::optional<double> size_in(std::string_view option, const std::string& text,
+                                         double most) {
+        if (text.empty())
+            return std::nullopt;
+        const auto value = nearest_double_in(text);
+        if (!value || !(*value > 0) || *value > most)
+            refuse(option, fmt::format("a number above 0, at most {:g}", most), text);
+        return value;
+    }
+
+    /// What one of several names stands for; nothing if there is none.
+    template <typename Value>
+    static std::optional<Value> one_of(std::string_view option, const std::string& text,
+                                       const std::vector<std::string_view>& names,
+                                       std::optional<Value> (*named)(std::string_view)) {
+        if (text.empty())
+            return std::nullopt;
+        const auto value = named(text);
+        if (!value)
+            refuse(option, fmt::format("one of {}", joined(names, ", ")), text,
+                   did_you_mean(text, names));
+        return value;
+    }
+
+    void set_figure() {
+        using Which = FigureCommand::Which;
+        if (!figure_step_.empty())
+            figure_.which = Which::step;
+        if (!figure_until_.empty())
+            figure_.which = Which::until;
+        if (!figure_every_.empty())
+            figure_.which = Which::every;
+        figure_.selector = figure_step_ + figure_until_ + figure_every_; // one of them, at most
+
+        std::vector<std::string_view> part_names;
+        for (const FigurePartRow& row : figure_parts())
+            part_names.push_back(row.name);
+        FigureOptions& options = figure_.options;
+        if (!figure_with_.empty())
+            options.with = list_in("--with", "parts", figure_with_, part_names, figure_part_named);
+        if (!figure_without_.empty())
+            options.without =
+                list_in("--without", "parts", figure_without_, part_names, figure_part_named);
+        for (const FigurePart part : options.with)
+            if (std::find(options.without.begin(), options.without.end(), part) !=
+                options.without.end())
+                refuse("--without", "parts that are not in --with", figure_without_);
+        if (options.caption == "none") {
+            options.caption.reset();
+            options.without.push_back(FigurePart::caption);
+        }
+        options.view = one_of("--view", figure_view_, view_names(), view_named);
+        if (!figure_region_.empty())
+            options.region = region_in(figure_region_);
+        options.palette =
+            one_of("--palette", figure_palette_, face_palette_names(), face_palette_named)
+                .value_or(FacePalette::distinct);
+        constexpr double largest_cell = 1000;
+        options.cell = size_in("--cell", figure_cell_, largest_cell);
+
+        FigureStyle& style = figure_.style;
+        style.theme =
+            one_of("--theme", figure_theme_, theme_names(), theme_named).value_or(Theme::automatic);
+        constexpr double largest_scale = 100;
+        style.scale = size_in("--scale", figure_scale_, largest_scale);
+        constexpr double largest_width = 5000;
+        style.width_mm = size_in("--width", figure_width_, largest_width);
+        constexpr double longest = 600;
+        style.seconds = size_in("--seconds", figure_seconds_, longest);
+
+        if (figure_is_bare_) {
+            for (const FigurePartRow& row : figure_parts())
+                if (row.part != FigurePart::pixels)
+                    options.without.push_back(row.part);
+            options.view = options.view.value_or(View::shade);
+            options.cell = options.cell.value_or(1);
+            style.scale = style.scale.value_or(1);
+        }
+        if (!figure_format_.empty())
+            figure_.format =
+                one_of("--format", figure_format_, figure_format_names(), figure_format_named);
+        if (!figure_sheet_.empty())
+            figure_.sheet = sheet_in(figure_sheet_);
+        figure_.method = figure_method_.overrides();
+        figure_.input = figure_input_.limits();
+        figure_.frames = figure_frames_.choice();
+        action_ = [this] { return rastertrace::run(figure_); };
+    }
+
+    static FigureCommand::Sheet sheet_in(const std::string& text) {
+        const auto words = split_at(text, 'x');
+        if (words.size() == 2) {
+            const auto columns = whole_in<std::size_t>(words[0]);
+            const auto rows = whole_in<std::size_t>(words[1]);
+            constexpr std::size_t most = 100;
+            if (columns && rows && 0 < *columns && *columns <= most && 0 < *rows && *rows <= most)
+                return {*columns, *rows};
+        }
+        refuse("--sheet", "columns and rows, like 3x4, each from 1 to 100", text);
     }
 
     void add_explain() {
@@ -1016,6 +1215,27 @@ private:
     MethodOptions trace_method_;
     InputOptions trace_input_;
     FrameOptions trace_frames_;
+
+    FigureCommand figure_;
+    std::string figure_step_;
+    std::string figure_until_;
+    std::string figure_every_;
+    std::string figure_format_;
+    std::string figure_with_;
+    std::string figure_without_;
+    std::string figure_view_;
+    std::string figure_region_;
+    std::string figure_palette_;
+    std::string figure_theme_;
+    std::string figure_sheet_;
+    std::string figure_cell_;
+    std::string figure_scale_;
+    std::string figure_width_;
+    std::string figure_seconds_;
+    bool figure_is_bare_ = false;
+    MethodOptions figure_method_;
+    InputOptions figure_input_;
+    FrameOptions figure_frames_;
 
     ShowCommand show_;
     std::string step_;

@@ -4,10 +4,12 @@
 // What each command is asked to do, and the function that does it. A command returns its exit
 // status and throws a Problem when it cannot go on.
 
+#include "figure_file.h"
 #include "report_file.h"
 #include "step_table.h"
 #include "terminal_text.h"
 
+#include <rastertrace/figures/figure.h>
 #include <rastertrace/figures/view.h>
 #include <rastertrace/trace/diff.h>
 #include <rastertrace/trace/explain.h>
@@ -99,6 +101,31 @@ struct ShowCommand {
     bool asks_for_frames() const { return has_frames || view || region || is_overview; }
 };
 int run(const ShowCommand& command);
+
+struct FigureCommand {
+    enum class Which { last, step, until, every };
+
+    /// Frames in rows and columns on one sheet.
+    struct Sheet {
+        std::size_t columns;
+        std::size_t rows;
+    };
+
+    std::string trace;
+    std::string output;
+    std::optional<FigureFormat> format; ///< none: by the name of the output
+    Which which = Which::last;
+    std::string selector; ///< for all but Which::last
+    FigureOptions options;
+    FigureStyle style;
+    std::optional<Sheet> sheet;
+    bool is_animated = false; ///< all frames in one .svg
+    std::string against;      ///< METHOD, or a file: see FigureOptions
+    MethodOverrides method;
+    InputLimits input;
+    FrameChoice frames;
+};
+int run(const FigureCommand& command);
 
 /// What `stats` can be asked to fail on.
 enum class StatsFinding {

@@ -128,6 +128,17 @@ Trace InputFrames::trace_by(std::size_t frame, const MethodOverrides& method) co
     return titled(drawn(scenes.frame(frame), source_.name), path_);
 }
 
+void check_region(const Region& region, const Canvas& canvas) {
+    if (canvas.contains(region.x0, region.y0) && canvas.contains(region.x1, region.y1))
+        return;
+    throw problem_of(
+        "", fmt::format("--region: expected pixels of the canvas (x {} to {}, y {} to {}), "
+                        "found {},{},{},{}",
+                        canvas.left(), canvas.right(), std::min(canvas.top(), canvas.bottom()),
+                        std::max(canvas.top(), canvas.bottom()), region.x0, region.y0, region.x1,
+                        region.y1));
+}
+
 std::variant<StepStream, Source> open_input(const std::string& path, const SceneOptions& options) {
     auto opened = not_standard_output(open_steps(path, options.limits));
     if (std::holds_alternative<StepStream>(opened))

@@ -21,6 +21,7 @@
 #include <string_view>
 #include <utility>
 #include <variant>
+#include <vector>
 
 namespace rastertrace {
 
@@ -63,6 +64,11 @@ public:
     /// The trace that was given; nullptr if it was a scene.
     const Source* given_trace() const { return scenes_ ? nullptr : &source_; }
 
+    /// The file that was read, which must not be written.
+    std::vector<FileId> files() const {
+        return source_.file ? std::vector{*source_.file} : std::vector<FileId>{};
+    }
+
     /// `3 of 24: degrees 30`, for a frame of a sequence.
     std::string label(std::size_t frame) const { return scenes_->label(frame); }
 
@@ -86,6 +92,9 @@ private:
     std::size_t first_ = 1;
     std::size_t last_ = 1;
 };
+
+/// Throws a Problem if a region does not lie on a canvas.
+void check_region(const Region& region, const Canvas& canvas);
 
 /// The steps of the trace in a file, to be read one by one; or the file whole, if it is a scene, or a trace that has
 /// not one step a line. Throws a Problem, as InputFrames does.

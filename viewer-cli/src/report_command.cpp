@@ -3,6 +3,7 @@
 
 #include "commands.h"
 #include "load.h"
+#include "output_ending.h"
 #include "report_file.h"
 
 #include <rastertrace/trace/output.h>
@@ -12,6 +13,7 @@
 
 #include <unistd.h>
 
+#include <array>
 #include <memory>
 #include <string_view>
 #include <utility>
@@ -24,18 +26,17 @@ namespace {
 /// What a setting may take when there is no time: enough to see what is fast and what is slow.
 constexpr TimingRules quick_timing{.runs = 20, .shortest_run = 2e-5, .most_time = 0.03};
 
+constexpr std::array<Ending<ReportFormat>, 5> report_endings{{{".svg", ReportFormat::svg},
+                                                              {".html", ReportFormat::html},
+                                                              {".json", ReportFormat::json},
+                                                              {".csv", ReportFormat::csv},
+                                                              {".txt", ReportFormat::text}}};
+
 /// The format of a file, by how its name ends.
 ReportFormat format_of(const std::string& path) {
-    constexpr std::pair<std::string_view, ReportFormat> endings[]{{".txt", ReportFormat::text},
-                                                                  {".json", ReportFormat::json},
-                                                                  {".csv", ReportFormat::csv},
-                                                                  {".svg", ReportFormat::svg},
-                                                                  {".html", ReportFormat::html}};
-    for (const auto& [ending, format] : endings)
-        if (path.ends_with(ending))
-            return format;
-    throw problem_of(path, "expected a name that ends in .svg, .html, .json, .csv or .txt",
-                     "or say --format");
+    if (const auto format = format_by_ending<ReportFormat>(path, report_endings))
+        return *format;
+    refuse_ending(path, endings_in<ReportFormat>(report_endings));
 }
 
 /// Says on a terminal what is being done, on one line that is cleared in the end.

@@ -57,18 +57,6 @@ std::vector<ShownSteps> steps_to_show(const ShowCommand& command, const Trace& t
     return shown;
 }
 
-/// A region has to lie on the canvas.
-void check_region(const Region& region, const Canvas& canvas) {
-    if (canvas.contains(region.x0, region.y0) && canvas.contains(region.x1, region.y1))
-        return;
-    throw problem_of(
-        "", fmt::format("--region: expected pixels of the canvas (x {} to {}, y {} to {}), "
-                        "found {},{},{},{}",
-                        canvas.left(), canvas.right(), std::min(canvas.top(), canvas.bottom()),
-                        std::max(canvas.top(), canvas.bottom()), region.x0, region.y0, region.x1,
-                        region.y1));
-}
-
 /// The working of a step below its sentence.
 std::string indented(const std::vector<std::string>& lines) {
     std::string text;

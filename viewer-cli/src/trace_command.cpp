@@ -2,7 +2,9 @@
 // `rastertrace trace`: draws a scene and writes its trace; or writes a part of one that is there.
 
 #include "commands.h"
+#include "frame_files.h"
 #include "load.h"
+#include "output_ending.h"
 
 #include <rastertrace/trace/excerpt.h>
 #include <rastertrace/trace/output.h>
@@ -11,27 +13,27 @@
 
 #include <fmt/core.h>
 
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
-#include <deque>
-#include <filesystem>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <vector>
 
 namespace rastertrace {
 
 namespace {
 
-/// JSON Lines for a file that is named so, else one JSON document.
+constexpr std::array<Ending<TraceLayout>, 2> trace_endings{
+    {{".json", TraceLayout::json}, {".jsonl", TraceLayout::jsonl}}};
+
+/// By the ending of the file's name, where there is one; else a JSON document.
 TraceLayout layout_of(const TraceCommand& command) {
     if (command.layout)
         return *command.layout;
-    return command.output.ends_with(".jsonl") ? TraceLayout::jsonl : TraceLayout::json;
+    return format_by_ending<TraceLayout>(command.output, trace_endings).value_or(TraceLayout::json);
 }
 
 void check_primitive(const TraceCommand& command, const Scene& scene) {
@@ -47,53 +49,15 @@ void check_primitive(const TraceCommand& command, const Scene& scene) {
                          did_you_mean(*name, names));
 }
 
-/// The file of a frame: its number, with as many digits as the last one has, in front of the ending.
-std::string path_of_frame(const std::string& path, std::size_t frame, std::size_t frames) {
-    const std::filesystem::path whole(path);
-    const std::size_t digits = std::to_string(frames).size();
-    return (whole.parent_path() / fmt::format("{}-{:0{}}{}", whole.stem().string(), frame, digits,
-                                              whole.extension().string()))
-        .string();
-}
-
-/// Lets the program have this many files open, or says that it cannot.
-void allow_open_files(std::size_t frames) {
-    constexpr rlim_t of_frame = 2; // the file and its folder
-    constexpr rlim_t others = 32;
-    const rlim_t needed = of_frame * frames + others;
-    rlimit limit{};
-    if (::getrlimit(RLIMIT_NOFILE, &limit) != 0 || needed <= limit.rlim_cur)
-        return;
-    if (needed > limit.rlim_max)
-        throw problem_of("",
-                         fmt::format("expected at most {} frames to write at once, found {}",
-                                     (limit.rlim_max - others) / of_frame, frames),
-                         "--frame 1 writes the first; `ulimit -H -n` tells how many files may be "
-                         "open");
-    limit.rlim_cur = needed;
-    ::setrlimit(RLIMIT_NOFILE, &limit);
-}
-
-/// Writes a file for each frame. All are written before the first one gets its name.
+/// Writes a file for each frame.
 void write_frames(const TraceCommand& command, InputFrames& input, const TraceOptions& options) {
-    std::error_code error;
-    if (std::filesystem::exists(command.output, error) &&
-        !std::filesystem::is_regular_file(command.output, error))
-        throw problem_of(
-            command.output,
-            fmt::format("expected a name for {} files, found a device or a folder", input.last()),
-            "--frame 1 writes the first");
-    allow_open_files(input.last());
-    std::deque<FileOutput> files;
+    FrameFiles files(command.output, input.last());
     for (std::size_t frame = input.first(); frame <= input.last(); ++frame) {
         const PlannedScene planned = input.scene(frame);
         check_primitive(command, planned.scene);
-        FileOutput& file =
-            files.emplace_back(path_of_frame(command.output, frame, input.last()), planned.files);
-        write_trace(planned.scene, planned.plan, options, file);
+        write_trace(planned.scene, planned.plan, options, files.open(frame, planned.files));
     }
-    for (FileOutput& file : files)
-        file.commit();
+    files.commit();
 }
 
 /// Writes steps of a trace that is there already.
@@ -114,10 +78,10 @@ void write_part(const Source& given, const TraceCommand& command, Output& output
 } // namespace
 
 int run(const TraceCommand& command) {
+    const TraceOptions options{.layout = layout_of(command), .filter = command.filter};
     InputFrames input(
         command.scene,
         {.method = command.method, .limits = command.input, .frames = command.frames});
-    const TraceOptions options{.layout = layout_of(command), .filter = command.filter};
     const bool is_printed = command.output.empty() || command.output == "-";
     if (const Source* const given = input.given_trace()) {
         if (is_printed) {

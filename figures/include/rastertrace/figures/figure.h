@@ -100,10 +100,10 @@ struct FigureFrame {
         false; ///< the picture before the first step, which is asked for and not told
 };
 
-/// Makes the figures of frames of a trace, all of one size.
+/// Makes the figures of frames of a trace.
 class FigureMaker {
 public:
-    /// The trace must outlive the maker. Frames are in the order of their steps.
+    /// The trace must outlive the maker.
     FigureMaker(const Trace& trace, std::vector<FigureFrame> frames, FigureOptions options);
 
     std::size_t size() const { return frames_.size(); }
@@ -112,8 +112,6 @@ public:
     Drawing figure(std::size_t n);
 
 private:
-    std::vector<std::string> caption_lines(std::size_t n, double width);
-
     const Trace& trace_;
     std::vector<FigureFrame> frames_;
     FigureOptions options_;
@@ -121,8 +119,6 @@ private:
     Replay replay_;
     FaceGroups groups_;
     std::optional<Frame> against_;
-    std::size_t caption_lines_ = 0; ///< of the longest caption
-    std::size_t working_lines_ = 0;
 };
 
 } // namespace rastertrace

@@ -8,6 +8,8 @@
 //     Plot plot{.x_label = "error", .y_label = "ns", .curves = {{"float", {{.x = 1e-7, .y = 2}}}}};
 //     const std::string svg = svg_document(plot_size, plot_svg(plot));
 
+#include <rastertrace/figures/svg.h>
+
 #include <optional>
 #include <string>
 #include <string_view>
@@ -35,10 +37,6 @@ struct Plot {
     std::vector<PlotCurve> curves; ///< the nth is drawn in the nth style, also if it has no marks
     std::string caption;           ///< below the plot, wrapped
 };
-
-/// Text in an SVG or HTML document, also in attributes. Control characters are shown, as
-/// printable() does.
-std::string escaped(std::string_view text);
 
 /// In pixels of the SVG.
 struct SvgSize {

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// Which parts a figure has: those that were asked for, and those that make sense for its frame and its size.
+
+#include "panel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace rastertrace {
+
+namespace {
+
+/// The largest pixels, and how wide and high they may be together, in units.
+constexpr double largest_cell = 30;
+constexpr double widest_panel = 560;
+constexpr double highest_panel = 480;
+
+// Parts that are there by themselves need pixels of at least so many units ...
+constexpr double cell_for_grid = 5;
+constexpr double cell_for_patterns = 6;
+constexpr double cell_for_samples = 9;
+constexpr double cell_for_numbers = 40; ///< numbers of depths may enlarge pixels up to this
+// ... and at most so many things.
+constexpr std::size_t few_primitives = 6;
+constexpr std::size_t few_vertices = 24;
+
+/// What was asked for, of one part.
+std::optional<bool> wanted(const FigureOptions& options, FigurePart part) {
+    const auto is_in = [part](const std::vector<FigurePart>& list) {
+        return std::find(list.begin(), list.end(), part) != list.end();
+    };
+    return is_in(options.without) ? std::optional(false)
+           : is_in(options.with)  ? std::optional(true)
+                                  : std::nullopt;
+}
+
+double side_by_canvas(const Lattice& lattice) {
+    const double side =
+        std::min({largest_cell, widest_panel / lattice.columns(), highest_panel / lattice.rows()});
+    return std::max(1.0, std::floor(side));
+}
+
+bool tests_samples(const Trace& trace) {
+    const std::string fill = trace.method_value("fill");
+    return fill == "barycentric" || fill == "top-left";
+}
+
+} // namespace
+
+void set_parts(const FigureOptions& options, Panel& panel) {
+    Lattice& lattice = panel.lattice;
+    lattice.cell = options.cell.value_or(side_by_canvas(lattice));
+    const auto set = [&](FigurePart part, bool by_default) {
+        panel.parts.set(part, wanted(options, part).value_or(by_default));
+    };
+    const auto make_room = [&] {
+        if (!options.cell)
+            lattice.cell =
+                std::max(lattice.cell, std::ceil(cell_for_texts(panel.replay, panel.parts)));
+    };
+
+    // What is written in the pixels makes them as large as it needs.
+    for (const FigurePart part : {FigurePart::order, FigurePart::depths, FigurePart::weights})
+        set(part, false);
+    set(FigurePart::writes, panel.view == View::writes && lattice.cell >= cell_for_samples);
+    if (panel.view == View::depth && !wanted(options, FigurePart::depths)) {
+        FigureParts numbers;
+        numbers.set(FigurePart::depths, true);
+        const double needed = cell_for_texts(panel.replay, numbers);
+        set(FigurePart::depths, needed <= (options.cell ? lattice.cell : cell_for_numbers));
+    }
+    make_room();
+
+    // What the step is about.
+    const bool is_step = panel.is_step();
+    set(FigurePart::pixels, true);
+    set(FigurePart::current, is_step);
+    set(FigurePart::rejected, is_step);
+    set(FigurePart::row, true);
+    set(FigurePart::caption, is_step || options.caption.has_value());
+    set(FigurePart::title, true);
+    set(FigurePart::legend, panel.view == View::faces || panel.against != nullptr);
+    set(FigurePart::axes, true);
+
+    // What needs room, and what is too much if there is too much of it.
+    set(FigurePart::grid, lattice.cell >= cell_for_grid);
+    set(FigurePart::patterns,
+        panel.view == View::faces && panel.against == nullptr && lattice.cell >= cell_for_patterns);
+    set(FigurePart::samples, tests_samples(panel.trace()) && lattice.cell >= cell_for_samples &&
+                                 !has_cell_texts(panel.parts));
+    panel.has_all_edges = !is_step || wanted(options, FigurePart::edges) == true;
+    const std::size_t with_edges = primitives_with_edges(panel).size();
+    set(FigurePart::edges, with_edges <= few_primitives);
+    set(FigurePart::vertices, panel.parts.has(FigurePart::edges) && 3 * with_edges <= few_vertices);
+
+    for (const FigurePart part : {FigurePart::half_planes, FigurePart::errors, FigurePart::scene,
+                                  FigurePart::plot, FigurePart::working})
+        set(part, false);
+}
+
+} // namespace rastertrace

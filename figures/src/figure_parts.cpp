@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// The list of what a figure can show.
+
+#include <rastertrace/figures/figure.h>
+
+#include <algorithm>
+#include <array>
+
+namespace rastertrace {
+
+namespace {
+
+constexpr std::array parts{
+    FigurePartRow{FigurePart::grid, "grid", "lines between the pixels",
+                  "where pixels are large enough"},
+    FigurePartRow{FigurePart::axes, "axes",
+                  "the numbers of columns and rows, and where x and y are 0", "always"},
+    FigurePartRow{FigurePart::edges, "edges", "the true edges of primitives, over the pixels",
+                  "of the step's primitive; at the end, of all if they are few"},
+    FigurePartRow{FigurePart::vertices, "vertices", "their vertices, with coordinates",
+                  "with edges"},
+    FigurePartRow{FigurePart::samples, "samples", "the place where each pixel is tested",
+                  "for fills that test samples"},
+    FigurePartRow{FigurePart::row, "row",
+                  "the row of a scanline, its exact ends, and arrows to the pixels that they are "
+                  "rounded to",
+                  "for a scanline"},
+    FigurePartRow{FigurePart::pixels, "pixels", "the pixels drawn so far, colored by --view",
+                  "always"},
+    FigurePartRow{FigurePart::current, "current", "which of them this step has drawn",
+                  "for a step"},
+    FigurePartRow{FigurePart::rejected, "rejected",
+                  "a cross where the step has tested a pixel and not drawn it", "for a step"},
+    FigurePartRow{FigurePart::order, "order", "in each pixel, as the how manieth it was drawn",
+                  "never"},
+    FigurePartRow{FigurePart::depths, "depths", "in each pixel, what the depth buffer holds",
+                  "in the view depth, where the numbers fit"},
+    FigurePartRow{FigurePart::writes, "writes", "in each pixel, how often it was written",
+                  "in the view writes"},
+    FigurePartRow{FigurePart::weights, "weights", "in each pixel that was tested, its weights",
+                  "never"},
+    FigurePartRow{FigurePart::patterns, "patterns",
+                  "a pattern for each face, so that they differ without color",
+                  "in the view faces"},
+    FigurePartRow{FigurePart::half_planes, "half-planes",
+                  "for each edge of a triangle the side where its function is not negative",
+                  "never"},
+    FigurePartRow{FigurePart::errors, "errors",
+                  "below or beside Bresenham's line, d at each of its decisions", "never"},
+    FigurePartRow{FigurePart::scene, "scene",
+                  "beside the picture, the scene in space: wireframe, eye, view plane, normals",
+                  "never"},
+    FigurePartRow{FigurePart::plot, "plot",
+                  "below, depths along the row: as drawn, and the true curve", "never"},
+    FigurePartRow{FigurePart::title, "title", "the title of the scene, and which step it is",
+                  "always"},
+    FigurePartRow{FigurePart::legend, "legend", "what colors and patterns stand for",
+                  "in the view faces, and for --against"},
+    FigurePartRow{FigurePart::caption, "caption", "what the step says, or --caption TEXT",
+                  "for a step"},
+    FigurePartRow{FigurePart::working, "working", "below it, how its numbers come of one another",
+                  "never"},
+};
+static_assert(parts.size() == figure_part_count);
+
+constexpr std::array<std::string_view, 2> palettes{"distinct", "scene"};
+
+} // namespace
+
+std::span<const FigurePartRow> figure_parts() {
+    return parts;
+}
+
+std::optional<FigurePart> figure_part_named(std::string_view name) {
+    const auto found = std::find_if(parts.begin(), parts.end(),
+                                    [name](const FigurePartRow& row) { return row.name == name; });
+    return found == parts.end() ? std::nullopt : std::optional(found->part);
+}
+
+std::vector<std::string_view> face_palette_names() {
+    return {palettes.begin(), palettes.end()};
+}
+
+std::optional<FacePalette> face_palette_named(std::string_view name) {
+    const auto found = std::find(palettes.begin(), palettes.end(), name);
+    if (found == palettes.end())
+        return std::nullopt;
+    return static_cast<FacePalette>(found - palettes.begin());
+}
+
+} // namespace rastertrace

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include "words.h"
+
+#include "clip.h"
+
+#include <rastertrace/trace/text.h>
+
+#include <fmt/core.h>
+
+#include <optional>
+#include <set>
+
+namespace rastertrace {
+
+namespace {
+
+// Sizes of letters and heights of lines, in units.
+constexpr double title_size = 13;
+constexpr double title_height = 22;
+constexpr double step_size = 9;
+constexpr double caption_size = 11;
+constexpr double caption_line = 15;
+constexpr double working_size = 9.5;
+constexpr double working_line = 13;
+constexpr double legend_size = 10;
+constexpr double legend_line = 16;
+constexpr double swatch = 11;
+constexpr double gap = 5;
+
+/// A legend with more groups than this says nothing any more.
+constexpr std::size_t most_entries = 24;
+
+/// How many letters of a size have room.
+std::size_t letters_in(double width, double size) {
+    const double count = width / width_of("x", size);
+    return count < 1 ? 1 : static_cast<std::size_t>(count);
+}
+
+/// Which steps are shown; nothing for the whole picture.
+std::string steps_text(const Panel& panel) {
+    const auto [first, last] = panel.frame.steps;
+    const Trace& trace = panel.trace();
+    if (panel.frame.is_question)
+        return fmt::format("before step {} of {}", trace.number_of(first), trace.size());
+    if (first == 0)
+        return {};
+    if (first == last)
+        return fmt::format("step {} of {}", trace.number_of(last), trace.size());
+    return fmt::format("steps {} to {} of {}", trace.number_of(first), trace.number_of(last),
+                       trace.size());
+}
+
+/// A swatch, and what it stands for.
+struct Entry {
+    Role role;
+    std::optional<Color> color;
+    std::optional<std::size_t> pattern;
+    std::string text;
+};
+
+/// The groups of faces that can be seen.
+std::vector<Entry> entries_of_faces(const Panel& panel) {
+    std::set<std::size_t> seen;
+    for (const std::size_t primitive : visible_primitives(panel.replay))
+        if (const auto group = panel.groups.group_of.find(primitive);
+            group != panel.groups.group_of.end())
+            seen.insert(group->second);
+    std::vector<Entry> entries;
+    if (seen.size() > most_entries)
+        return entries;
+    for (const std::size_t group : seen) {
+        Entry& entry = entries.emplace_back(Entry{.role = face_role(group),
+                                                  .color = {},
+                                                  .pattern = {},
+                                                  .text = printable(panel.groups.names[group])});
+        if (panel.parts.has(FigurePart::patterns))
+            entry.pattern = group;
+        if (panel.palette == FacePalette::scene)
+            entry.color = scene_color_of(panel, group);
+    }
+    return entries;
+}
+
+std::vector<Entry> entries_of_comparison(const Panel& panel, const std::string& against) {
+    return {{Role::plotted, {}, {}, "the same"},
+            {Role::only_here, {}, {}, "only in " + printable(panel.trace().title)},
+            {Role::only_there, {}, {}, "only in " + printable(against)},
+            {Role::differs, {}, {}, "in another color"}};
+}
+
+} // namespace
+
+double add_title(const Panel& panel, const Column& column, double y, std::vector<Shape>& shapes) {
+    const std::string steps = steps_text(panel);
+    const double room = column.width() - (steps.empty() ? 0 : width_of(steps, step_size) + 2 * gap);
+    shapes.push_back(
+        Label{.role = Role::strong_text,
+              .at = {column.left, y + title_size - 1},
+              .text = shortened(printable(panel.trace().title), letters_in(room, title_size)),
+              .size = title_size,
+              .is_bold = true});
+    if (!steps.empty())
+        shapes.push_back(Label{.role = Role::quiet_text,
+                               .at = {column.right, y + title_size - 1},
+                               .text = steps,
+                               .size = step_size,
+                               .anchor = Anchor::end});
+    return title_height;
+}
+
+double add_legend(const Panel& panel, const std::string& against, const Column& column, double y,
+                  std::vector<Shape>& shapes) {
+    const std::vector<Entry> entries =
+        panel.against != nullptr ? entries_of_comparison(panel, against) : entries_of_faces(panel);
+    if (entries.empty())
+        return 0;
+    const double top = y;
+    double x = column.left;
+    y += gap;
+    for (const Entry& entry : entries) {
+        const double needed = swatch + gap + width_of(entry.text, legend_size) + 2 * gap;
+        if (x > column.left && x + needed > column.right) {
+            x = column.left;
+            y += legend_line;
+        }
+        const Rectangle box{{x, y}, swatch, swatch};
+        shapes.push_back(Areas{.role = entry.role, .color = entry.color, .rectangles = {box}});
+        if (entry.pattern)
+            shapes.push_back(
+                Lines{.role = Role::pattern, .paths = pattern_strokes(*entry.pattern, box)});
+        shapes.push_back(Lines{.role = Role::grid, .paths = {corners_of(box)}, .are_closed = true});
+        shapes.push_back(Label{
+            .at = {x + swatch + gap, y + 0.85 * swatch}, .text = entry.text, .size = legend_size});
+        x += needed;
+    }
+    return y + legend_line - top;
+}
+
+double add_caption(const std::string& caption, const Column& column, double y,
+                   std::vector<Shape>& shapes) {
+    const double top = y;
+    y += gap;
+    // Several blanks stand between parts of a sentence: each begins a line.
+    std::string part;
+    std::string rest = printable(caption);
+    while (!rest.empty()) {
+        const std::size_t end = rest.find("   ");
+        part = rest.substr(0, end);
+        rest = end == std::string::npos ? std::string()
+                                        : std::string(without_blanks(rest.substr(end)));
+        for (const std::string& line : wrapped(part, letters_in(column.width(), caption_size))) {
+            shapes.push_back(Label{
+                .at = {column.left, y + 0.85 * caption_size}, .text = line, .size = caption_size});
+            y += caption_line;
+        }
+    }
+    return y - top;
+}
+
+double add_working(const std::vector<std::string>& working, const Column& column, double y,
+                   std::vector<Shape>& shapes) {
+    const double top = y;
+    y += gap;
+    for (const std::string& line : working)
+        for (const std::string& piece : wrapped(line, letters_in(column.width(), working_size))) {
+            shapes.push_back(Label{.at = {column.left, y + 0.85 * working_size},
+                                   .text = piece,
+                                   .size = working_size,
+                                   .is_fixed_width = true});
+            y += working_line;
+        }
+    return y - top;
+}
+
+} // namespace rastertrace

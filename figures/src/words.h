@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The words around a figure: title, legend, caption. Each is set from a height on, and returns how high it is.
+
+#include "panel.h"
+
+#include <string>
+#include <vector>
+
+namespace rastertrace {
+
+/// The part of a sheet that words may take.
+struct Column {
+    double left;
+    double right;
+    double width() const { return right - left; }
+};
+
+/// The narrowest sheet on which words are set.
+inline constexpr double narrowest_for_words = 300;
+
+/// The title of the scene, and which steps are shown.
+double add_title(const Panel& panel, const Column& column, double y, std::vector<Shape>& shapes);
+
+/// What colors and patterns stand for. `against` is the name of the picture that is compared with.
+double add_legend(const Panel& panel, const std::string& against, const Column& column, double y,
+                  std::vector<Shape>& shapes);
+
+/// What the step says.
+double add_caption(const std::string& caption, const Column& column, double y,
+                   std::vector<Shape>& shapes);
+
+/// How its numbers come of one another.
+double add_working(const std::vector<std::string>& working, const Column& column, double y,
+                   std::vector<Shape>& shapes);
+
+} // namespace rastertrace

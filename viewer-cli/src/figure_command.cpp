@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: MIT
+// `rastertrace figure`: figures of frames for a page, a book or a talk.
+
+#include "commands.h"
+#include "figure_file.h"
+#include "frame_files.h"
+#include "frame_text.h"
+#include "load.h"
+
+#include <rastertrace/figures/figure.h>
+#include <rastertrace/trace/describe.h>
+#include <rastertrace/trace/output.h>
+#include <rastertrace/trace/selector.h>
+#include <rastertrace/trace/text.h>
+#include <rastertrace/trace/working.h>
+
+#include <fmt/core.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rastertrace {
+
+namespace {
+
+/// The frames of a trace that a figure was asked of.
+std::vector<FigureFrame> frames_of(const Trace& trace, const FigureCommand& command) {
+    using Which = FigureCommand::Which;
+    const auto one = [&](const char* option) {
+        const Selector selector = value_or_throw(parse_selector({option, command.selector}, trace));
+        return value_or_throw(matching_step(selector, trace, "say which, or use --every"));
+    };
+    switch (command.which) {
+    case Which::last:
+        break;
+    case Which::step: {
+        const std::size_t n = one("--step");
+        return {{.steps = {n, end_of(trace, n)}}};
+    }
+    case Which::until: {
+        const std::size_t n = one("--until");
+        if (n == 0)
+            throw problem_of("", "--until: expected a step, from 1, found 0");
+        return {{.steps = {n, n}, .is_question = true}};
+    }
+    case Which::every: {
+        std::vector<FigureFrame> frames;
+        const Selector selector =
+            value_or_throw(parse_selector({"--every", command.selector}, trace));
+        for (const std::size_t n : value_or_throw(matching_steps(selector, trace)))
+            frames.push_back({.steps = {n, end_of(trace, n)}});
+        return frames;
+    }
+    }
+    return {{.steps = {0, trace.size()}}};
+}
+
+/// The trace that the picture is compared with.
+Trace other_trace(const FigureCommand& command, const InputFrames& input, std::size_t frame) {
+    if (command.against.find('=') != std::string::npos)
+        return input.trace_by(frame, value_or_throw(parse_method({"--against", command.against})));
+    return load_trace(command.against, {.limits = command.input});
+}
+
+/// A trace, its frames, and who draws them.
+class TraceFigures {
+public:
+    TraceFigures(const FigureCommand& command, InputFrames& input, std::size_t frame)
+        : command_(command), trace_(input.trace(frame)), frames_(frames_of(trace_, command)) {
+        FigureOptions options = command.options;
+        if (options.region)
+            check_region(*options.region, trace_.canvas);
+        if (!command.against.empty()) {
+            against_ = other_trace(command, input, frame);
+            if (against_->canvas != trace_.canvas)
+                throw problem_of("", "--against: expected a trace with the same canvas, found "
+                                     "another one");
+            options.against = &*against_;
+            options.against_name =
+                against_->title == trace_.title ? command.against : against_->title;
+        }
+        if (input.is_sequence() && !options.caption)
+            options.caption = input.label(frame);
+        maker_ = std::make_unique<FigureMaker>(trace_, frames_, options);
+    }
+
+    std::size_t count() const { return frames_.size(); }
+    const Trace& trace() const { return trace_; }
+    Drawing drawing(std::size_t n) { return maker_->figure(n); }
+
+    /// The same frame as `show` prints it.
+    TextFrame text(std::size_t n, ColorDepth colors) {
+        const FigureFrame& frame = frames_[n];
+        const View view = command_.options.view.value_or(default_view(trace_));
+        if (!replay_)
+            replay_.emplace(trace_, parts_for(view, trace_));
+        FrameText about{.caption = command_.options.caption.value_or(""),
+                        .first_step = frame.steps.first,
+                        .last_step = frame.steps.last,
+                        .view = view,
+                        .colors = colors,
+                        .region = command_.options.region};
+        if (frame.is_question) {
+            about.first_step = about.last_step = frame.steps.first - 1;
+        } else {
+            if (frame.steps.first == 0)
+                about.first_step = about.last_step;
+            replay_->go_to(about.first_step);
+            if (!command_.options.caption)
+                about.caption = describe_step(*replay_);
+            const auto& with = command_.options.with;
+            if (std::find(with.begin(), with.end(), FigurePart::working) != with.end())
+                about.working = working_of(*replay_);
+        }
+        replay_->go_to(about.last_step);
+        TextFrame result{.text = frame_text(*replay_, about, {}), .primitive = {}};
+        if (replay_->primitive() != 0)
+            result.primitive = trace_.step(replay_->primitive()).text("name");
+        return result;
+    }
+
+private:
+    const FigureCommand& command_;
+    Trace trace_;
+    std::optional<Trace> against_;
+    std::vector<FigureFrame> frames_;
+    std::unique_ptr<FigureMaker> maker_;
+    std::optional<Replay> replay_;
+};
+
+/// All frames that were asked for: of one trace, or of each in a sequence.
+class AllFigures {
+public:
+    AllFigures(const FigureCommand& command, InputFrames& input)
+        : command_(command), input_(input) {
+        for (std::size_t scene = input.first(); scene <= input.last(); ++scene) {
+            TraceFigures& figures = of(scene);
+            status_ = std::max(status_, report_damage(figures.trace()));
+            for (std::size_t n = 0; n < figures.count(); ++n)
+                places_.push_back({scene, n});
+        }
+    }
+
+    std::size_t count() const { return places_.size(); }
+    ExitStatus status() const { return status_; }
+    std::string title() { return of(input_.first()).trace().title; }
+
+    Drawing drawing(std::size_t i) { return of(places_[i].scene).drawing(places_[i].frame); }
+    TextFrame text(std::size_t i, ColorDepth colors) {
+        return of(places_[i].scene).text(places_[i].frame, colors);
+    }
+
+    /// Drawings that are all as large as the largest.
+    FigureFrames of_one_size() {
+        double width = 0;
+        double height = 0;
+        for (std::size_t i = 0; i < count(); ++i) {
+            const Drawing one = drawing(i);
+            width = std::max(width, one.width);
+            height = std::max(height, one.height);
+        }
+        return {count(), [this, width, height](std::size_t i) {
+                    Drawing one = drawing(i);
+                    one.width = width;
+                    one.height = height;
+                    return one;
+                }};
+    }
+
+private:
+    struct PlaceInSequence {
+        std::size_t scene;
+        std::size_t frame;
+    };
+
+    TraceFigures& of(std::size_t scene) {
+        if (!figures_ || scene_ != scene)
+            figures_ = std::make_unique<TraceFigures>(command_, input_, scene);
+        scene_ = scene;
+        return *figures_;
+    }
+
+    const FigureCommand& command_;
+    InputFrames& input_;
+    std::size_t scene_ = 0; ///< that figures_ are of
+    std::unique_ptr<TraceFigures> figures_;
+    std::vector<PlaceInSequence> places_;
+    ExitStatus status_ = exit_fine;
+};
+
+FigureFormat format_of(const FigureCommand& command) {
+    if (command.format)
+        return *command.format;
+    if (const auto format = format_by_ending<FigureFormat>(command.output, figure_endings))
+        return *format;
+    refuse_ending(command.output, endings_in<FigureFormat>(figure_endings));
+}
+
+bool is_animation(const FigureCommand& command, FigureFormat format) {
+    return command.is_animated || format == FigureFormat::gif || format == FigureFormat::cast;
+}
+
+/// The contents of the files to write: one, or one for each frame or sheet.
+class FigureFiles {
+public:
+    FigureFiles(const FigureCommand& command, FigureFormat format, AllFigures& figures)
+        : command_(command), format_(format), figures_(figures) {
+        if (command.sheet) {
+            frames_ = figures.of_one_size();
+            const std::size_t each = command.sheet->columns * command.sheet->rows;
+            count_ = (figures.count() + each - 1) / each;
+        } else if (is_animation(command, format)) {
+            if (format != FigureFormat::cast)
+                frames_ = figures.of_one_size();
+            count_ = 1;
+        } else {
+            count_ = figures.count();
+        }
+    }
+
+    std::size_t count() const { return count_; }
+
+    /// The content of a file, from 0.
+    std::string content(std::size_t i) {
+        if (command_.sheet) {
+            const std::size_t each = command_.sheet->columns * command_.sheet->rows;
+            const std::size_t last = std::min((i + 1) * each, figures_.count()) - 1;
+            return figure_in(
+                format_,
+                contact_sheet(frames_, i * each, last, command_.sheet->columns, figures_.title()),
+                command_.style);
+        }
+        if (format_ == FigureFormat::cast) {
+            std::vector<TextFrame> screens;
+            for (std::size_t n = 0; n < figures_.count(); ++n)
+                screens.push_back(figures_.text(n, ColorDepth::truecolor));
+            return cast_of(screens, figures_.title(),
+                           command_.style.seconds.value_or(seconds_for(screens.size())));
+        }
+        if (is_animation(command_, format_))
+            return animation_in(format_, frames_, command_.style);
+        if (format_ == FigureFormat::txt)
+            return figures_.text(i, ColorDepth::none).text;
+        return figure_in(format_, figures_.drawing(i), command_.style);
+    }
+
+private:
+    const FigureCommand& command_;
+    FigureFormat format_;
+    AllFigures& figures_;
+    FigureFrames frames_;
+    std::size_t count_ = 0;
+};
+
+} // namespace
+
+int run(const FigureCommand& command) {
+    const FigureFormat format = format_of(command);
+    InputFrames input(
+        command.trace,
+        {.method = command.method, .limits = command.input, .frames = command.frames});
+    AllFigures figures(command, input);
+    FigureFiles files(command, format, figures);
+    const std::vector<FileId> inputs = input.files();
+    if (command.output == "-") {
+        if (files.count() > 1)
+            throw problem_of("", fmt::format("expected one figure for standard output, found {}",
+                                             files.count()));
+        print(files.content(0));
+    } else if (files.count() == 1) {
+        FileOutput file(command.output, inputs);
+        file.write(files.content(0));
+        file.commit();
+    } else {
+        FrameFiles outputs(command.output, files.count());
+        for (std::size_t i = 0; i < files.count(); ++i)
+            outputs.open(i + 1, inputs).write(files.content(i));
+        outputs.commit();
+    }
+    return figures.status();
+}
+
+} // namespace rastertrace

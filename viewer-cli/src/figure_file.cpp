@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "figure_file.h"
+
+#include "load.h"
+
+#include <rastertrace/figures/bitmap.h>
+#include <rastertrace/figures/gif.h>
+#include <rastertrace/figures/png.h>
+#include <rastertrace/figures/svg.h>
+#include <rastertrace/figures/tikz.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace rastertrace {
+
+namespace {
+
+/// Two pixels for a unit: letters of ten units are read well on paper.
+constexpr double png_scale = 2;
+constexpr double gif_scale = 1;
+
+/// The width of the text of an `article`, which is what figures are set in.
+constexpr double widest_mm = 120;
+constexpr double mm_per_unit = 25.4 / 96; ///< of CSS
+
+Bitmap checked_bitmap(const Drawing& drawing, Theme theme, double scale) {
+    if (const auto problem = too_large_for_bitmap(drawing, scale))
+        throw *problem;
+    return bitmap_of(drawing, theme, scale);
+}
+
+} // namespace
+
+std::vector<std::string_view> figure_format_names() {
+    std::vector<std::string_view> names;
+    for (const auto& ending : figure_endings)
+        names.push_back(ending.text.substr(1)); // without the dot
+    return names;
+}
+
+std::optional<FigureFormat> figure_format_named(std::string_view name) {
+    for (const auto& ending : figure_endings)
+        if (ending.text.substr(1) == name)
+            return ending.format;
+    return std::nullopt;
+}
+
+std::string figure_in(FigureFormat format, const Drawing& drawing, const FigureStyle& style) {
+    switch (format) {
+    case FigureFormat::svg:
+        return value_or_throw(svg_of(drawing, style.theme));
+    case FigureFormat::png:
+        return value_or_throw(
+            png_of(checked_bitmap(drawing, style.theme, style.scale.value_or(png_scale))));
+    case FigureFormat::tex:
+        return value_or_throw(
+            tikz_of(drawing, style.theme,
+                    style.width_mm.value_or(std::min(widest_mm, drawing.width * mm_per_unit))));
+    case FigureFormat::gif:
+        return animation_in(format, {1, [&drawing](std::size_t) { return drawing; }}, style);
+    case FigureFormat::txt:
+    case FigureFormat::cast:
+        break;
+    }
+    return {};
+}
+
+double seconds_for(std::size_t frames) {
+    constexpr double altogether = 20;
+    constexpr double shortest = 0.05;
+    constexpr double longest = 1;
+    constexpr double hundred = 100; // a GIF has hundredths
+    return std::round(hundred *
+                      std::clamp(altogether / static_cast<double>(frames), shortest, longest)) /
+           hundred;
+}
+
+std::string animation_in(FigureFormat format, const FigureFrames& frames,
+                         const FigureStyle& style) {
+    const double seconds = style.seconds.value_or(seconds_for(frames.count));
+    if (format == FigureFormat::gif) {
+        const double scale = style.scale.value_or(gif_scale);
+        return value_or_throw(
+            gif_of(frames.count,
+                   [&](std::size_t i) { return checked_bitmap(frames.at(i), style.theme, scale); },
+                   {.seconds = seconds}));
+    }
+    std::vector<Drawing> drawings;
+    for (std::size_t i = 0; i < frames.count; ++i)
+        drawings.push_back(frames.at(i));
+    return value_or_throw(animated_svg_of(drawings, seconds, style.theme));
+}
+
+Drawing contact_sheet(const FigureFrames& frames, std::size_t first, std::size_t last,
+                      std::size_t columns, const std::string& title) {
+    Drawing sheet{.title = title};
+    for (std::size_t i = first; i <= last; ++i) {
+        Drawing frame = frames.at(i);
+        const auto column = static_cast<double>((i - first) % columns);
+        const auto row = static_cast<double>((i - first) / columns);
+        const Place corner{column * frame.width, row * frame.height};
+        sheet.width = std::max(sheet.width, corner.x + frame.width);
+        sheet.height = std::max(sheet.height, corner.y + frame.height);
+        sheet.description += (i == first ? "" : " ") + frame.description;
+        place(std::move(frame), corner, sheet);
+    }
+    return sheet;
+}
+
+std::string cast_of(const std::vector<TextFrame>& frames, const std::string& title,
+                    double seconds) {
+    std::size_t columns = 1;
+    std::size_t lines = 1;
+    std::vector<std::vector<std::string>> screens;
+    for (const TextFrame& frame : frames) {
+        auto& screen = screens.emplace_back(split_at(frame.text, '\n'));
+        if (screen.back().empty())
+            screen.pop_back();
+        lines = std::max(lines, screen.size());
+        for (const std::string& line : screen)
+            columns = std::max(columns, columns_in(line));
+    }
+
+    // One line for the header, then an event a line: [seconds, code, text]. Times rise.
+    using Json = nlohmann::ordered_json;
+    Json header{{"version", 2}, {"width", columns}, {"height", lines}};
+    if (!title.empty())
+        header["title"] = printable(title);
+    std::string text = header.dump() + "\n";
+    const auto add = [&](std::size_t frame, std::string_view code, const std::string& what) {
+        // Hundredths, so that the number is the same everywhere.
+        const auto hundredths = std::llround(static_cast<double>(frame) * seconds * 100);
+        text += fmt::format("[{}.{:02}, \"{}\", {}]\n", hundredths / 100, hundredths % 100, code,
+                            Json(what).dump());
+    };
+    std::string primitive;
+    for (std::size_t i = 0; i < screens.size(); ++i) {
+        if (frames[i].primitive != primitive) {
+            primitive = frames[i].primitive;
+            add(i, "m", printable(primitive));
+        }
+        // Home, clear, and the lines; a terminal begins a line by carriage return and line feed.
+        add(i, "o", "\x1b[H\x1b[2J" + joined(screens[i], "\r\n"));
+    }
+    // The last screen is seen as long as the others.
+    add(screens.size(), "o", "");
+    return text;
+}
+
+} // namespace rastertrace

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Figures in the formats of their files.
+//
+//     const auto bytes = figure_in(FigureFormat::svg, drawing, {});
+
+#include "output_ending.h"
+
+#include <rastertrace/figures/drawing.h>
+#include <rastertrace/figures/theme.h>
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rastertrace {
+
+enum class FigureFormat : std::uint8_t { svg, png, tex, txt, cast, gif };
+
+inline constexpr std::array<Ending<FigureFormat>, 6> figure_endings{{{".svg", FigureFormat::svg},
+                                                                     {".png", FigureFormat::png},
+                                                                     {".tex", FigureFormat::tex},
+                                                                     {".txt", FigureFormat::txt},
+                                                                     {".cast", FigureFormat::cast},
+                                                                     {".gif", FigureFormat::gif}}};
+
+/// svg, png, ...
+std::vector<std::string_view> figure_format_names();
+std::optional<FigureFormat> figure_format_named(std::string_view name);
+
+/// How figures are written.
+struct FigureStyle {
+    Theme theme = Theme::automatic;
+    std::optional<double> scale = {};    ///< of a .png or .gif: pixels of a unit
+    std::optional<double> width_mm = {}; ///< of a .tex
+    std::optional<double> seconds = {};  ///< for each frame
+};
+
+/// The frames of an animation, each made when it is asked for.
+struct FigureFrames {
+    std::size_t count = 0;
+    std::function<Drawing(std::size_t)> at; ///< from 0; all of one size
+};
+
+/// The bytes of a file with one drawing: .svg, .png, .tex, .gif. Throws a Problem.
+std::string figure_in(FigureFormat format, const Drawing& drawing, const FigureStyle& style);
+
+/// The bytes of a file with all of them, one after the other: .svg, .gif. Throws a Problem.
+std::string animation_in(FigureFormat format, const FigureFrames& frames, const FigureStyle& style);
+
+/// How long each of so many frames is seen, if nothing else was asked for: all of them for 20 seconds, one for a second
+/// at most.
+double seconds_for(std::size_t frames);
+
+/// Drawings on one sheet, in rows of so many columns.
+Drawing contact_sheet(const FigureFrames& frames, std::size_t first, std::size_t last,
+                      std::size_t columns, const std::string& title);
+
+/// A frame as text, and the primitive that it is about.
+struct TextFrame {
+    std::string text;
+    std::string primitive;
+};
+
+/// A recording for asciinema, version 2: a screen for each frame, and a marker where a primitive begins.
+std::string cast_of(const std::vector<TextFrame>& frames, const std::string& title, double seconds);
+
+} // namespace rastertrace

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A file for each frame of a sequence: they get their names when all of them are written.
+//
+//     FrameFiles files("turn.svg", 12);      // turn-01.svg, ...
+//     files.open(1, {}).write(svg);
+//     files.commit();
+
+#include <rastertrace/trace/output.h>
+
+#include <cstddef>
+#include <deque>
+#include <span>
+#include <string>
+
+namespace rastertrace {
+
+class FrameFiles {
+public:
+    /// `count` is the number of the last frame. Throws a Problem if `path` is a device or a folder, or that many files
+    /// cannot be open at once.
+    FrameFiles(std::string path, std::size_t count);
+
+    /// The file of a frame, from 1: its number, with as many digits as the last one has, stands in front of the
+    /// ending. Throws a Problem, as FileOutput does.
+    FileOutput& open(std::size_t frame, std::span<const FileId> inputs);
+
+    /// Gives all of them their names.
+    void commit();
+
+private:
+    std::string path_;
+    std::size_t count_;
+    std::deque<FileOutput> files_;
+};
+
+} // namespace rastertrace
