@@ -5,7 +5,6 @@
 #include "report_file.h"
 
 #include <rastertrace/core/scene/stages.h>
-#include <rastertrace/numerics/plot_svg.h>
 #include <rastertrace/trace/text.h>
 
 #include <fmt/core.h>
