@@ -77,7 +77,7 @@ void set_parts(const FigureOptions& options, Panel& panel) {
     set(FigurePart::pixels, true);
     set(FigurePart::current, is_step);
     set(FigurePart::rejected, is_step);
-    set(FigurePart::row, true);
+    set(FigurePart::row, is_step || panel.frame.is_question);
     set(FigurePart::caption, is_step || options.caption.has_value());
     set(FigurePart::title, true);
     set(FigurePart::legend, panel.view == View::faces || panel.against != nullptr);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/figures/figure.h>
 
+#include "error_bars.h"
 #include "panel.h"
+#include "scene_panel.h"
 #include "words.h"
 
 #include <rastertrace/trace/describe.h>
@@ -19,6 +21,8 @@ namespace rastertrace {
 namespace {
 
 constexpr double margin_of_sheet = 10; // in units
+
+constexpr double smallest_scene = 220; // in units
 
 /// More groups of faces than can be told apart: eight colors, each with eight patterns.
 constexpr std::size_t most_groups = 64;
@@ -86,9 +90,15 @@ FigureMaker::FigureMaker(const Trace& trace, std::vector<FigureFrame> frames, Fi
             painted.push_back(n);
     }
     groups_ = face_groups(trace, std::move(painted), order, most_groups);
+    const auto is_scene = [](FigurePart part) { return part == FigurePart::scene; };
+    if (std::any_of(options_.with.begin(), options_.with.end(), is_scene))
+        if (auto space = space_of(trace))
+            space_ = std::make_unique<const SpatialScene>(*std::move(space));
     if (options_.against != nullptr)
         against_ = frame_after(*options_.against, options_.against->size());
 }
+
+FigureMaker::~FigureMaker() = default;
 
 Drawing FigureMaker::figure(std::size_t n) {
     Panel panel{.replay = replay_,
@@ -113,15 +123,31 @@ Drawing FigureMaker::figure(std::size_t n) {
     replay_.go_to(panel.frame.is_question ? steps.first - 1 : steps.last);
     set_parts(options_, panel);
 
-    // The width of the sheet is that of the pixels, and of the numbers at their left.
+    // What stands beside the pixels, or below.
     const FigureParts& parts = panel.parts;
+    std::optional<Decisions> decisions;
+    if (parts.has(FigurePart::errors) && !(decisions = decisions_of(replay_)))
+        throw problem_of("", "--with errors: expected a frame of Bresenham's line, found another",
+                         "--step last, or another step of such a line");
+    if (parts.has(FigurePart::scene) && !space_)
+        throw problem_of("", "--with scene: expected vertices in space, found a scene that is "
+                             "typed in pixels");
+
+    // The width of the sheet is that of the pixels, of the numbers at their left, and of what is beside them.
     Lattice& lattice = panel.lattice;
     const double margin = is_bare(parts) ? 0 : margin_of_sheet;
     const double numbers = parts.has(FigurePart::axes) ? axis_margin(lattice) : 0;
     lattice.corner.x = std::ceil(margin + numbers);
     Drawing sheet{.title = trace_.title};
-    sheet.width = std::ceil(std::max(lattice.corner.x + lattice.width() + margin,
-                                     has_words(parts) ? narrowest_for_words : 0));
+    double right = lattice.corner.x + lattice.width();
+    const double bars_left = right;
+    if (decisions && decisions->is_steep)
+        right += error_bars_size;
+    const double scene_left = right;
+    const double scene_side = std::max(lattice.height(), smallest_scene);
+    if (parts.has(FigurePart::scene))
+        right += scene_side;
+    sheet.width = std::ceil(std::max(right + margin, has_words(parts) ? narrowest_for_words : 0));
     const Column column{margin, sheet.width - margin};
 
     // From the top to the bottom.
@@ -130,7 +156,18 @@ Drawing FigureMaker::figure(std::size_t n) {
         y += add_title(panel, column, y, sheet.shapes);
     lattice.corner.y = std::ceil(y);
     add_raster(panel, sheet.shapes);
+    if (decisions && decisions->is_steep)
+        add_error_bars(*decisions, lattice, bars_left, sheet.shapes);
+    if (parts.has(FigurePart::scene))
+        place(scene_drawing(*space_, scene_side, scene_side), {scene_left, lattice.corner.y},
+              sheet);
     y = lattice.corner.y + lattice.height() + (parts.has(FigurePart::axes) ? axis_height : 0);
+    if (parts.has(FigurePart::scene))
+        y = std::max(y, lattice.corner.y + scene_side);
+    if (decisions && !decisions->is_steep) {
+        add_error_bars(*decisions, lattice, y, sheet.shapes);
+        y += error_bars_size;
+    }
     if (parts.has(FigurePart::legend))
         y += add_legend(panel, options_.against_name, column, y, sheet.shapes);
     if (parts.has(FigurePart::caption))

@@ -13,6 +13,8 @@
 
 #include <functional>
 #include <optional>
+#include <span>
+#include <string_view>
 #include <vector>
 
 namespace rastertrace {
@@ -56,6 +58,18 @@ struct Panel {
 void set_parts(const FigureOptions& options, Panel& panel);
 
 // pixel_parts.cpp
+
+/// What a pixel is in a comparison of two pictures, with the mark that diff has for it.
+struct ComparisonMark {
+    Role role;
+    std::string_view mark;
+};
+
+/// Drawn by both alike, by this trace only, by the other only, by both in different colors.
+std::span<const ComparisonMark> comparison_marks();
+
+/// That of a pixel; nullptr if none has drawn it.
+const ComparisonMark* comparison_at(const Panel& panel, std::size_t offset);
 
 /// The color of a pixel that has one of its own, whatever the theme; no_color for one that has none.
 using PixelColors = std::function<Color(Pixel pixel, std::size_t offset)>;

@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -127,20 +128,11 @@ void add_colored(const Panel& panel, const PixelColors& color_of, std::vector<Sh
     shapes.push_back(std::move(pixels));
 }
 
-/// `#!?~` of diff: drawn by both alike, by one only, by both in different colors.
 void add_comparison(const Panel& panel, std::vector<Shape>& shapes) {
     RoleCollector pixels(panel.lattice);
-    const Frame& here = panel.replay.frame();
-    const Frame& there = *panel.against;
     panel.for_each_pixel([&](Pixel pixel, std::size_t offset) {
-        const bool is_here = here.drawn_by[offset] != 0;
-        const bool is_there = there.drawn_by[offset] != 0;
-        if (is_here && is_there)
-            pixels.add(here.image.colors()[offset] == there.image.colors()[offset] ? Role::plotted
-                                                                                   : Role::differs,
-                       pixel);
-        else if (is_here || is_there)
-            pixels.add(is_here ? Role::only_here : Role::only_there, pixel);
+        if (const ComparisonMark* const mark = comparison_at(panel, offset))
+            pixels.add(mark->role, pixel);
     });
     std::move(pixels).move_to(shapes);
 }
@@ -177,6 +169,23 @@ std::vector<Path> pattern_strokes(std::size_t group, const Rectangle& square) {
                          {square.corner.x + stroke.to.x * square.width,
                           square.corner.y + stroke.to.y * square.height}});
     return paths;
+}
+
+std::span<const ComparisonMark> comparison_marks() {
+    static constexpr std::array<ComparisonMark, 4> marks{
+        {{Role::same, ""}, {Role::only_here, "!"}, {Role::only_there, "?"}, {Role::differs, "~"}}};
+    return marks;
+}
+
+const ComparisonMark* comparison_at(const Panel& panel, std::size_t offset) {
+    const Frame& here = panel.replay.frame();
+    const Frame& there = *panel.against;
+    const bool is_here = here.drawn_by[offset] != 0;
+    const bool is_there = there.drawn_by[offset] != 0;
+    if (!is_here && !is_there)
+        return nullptr;
+    const bool is_alike = here.image.colors()[offset] == there.image.colors()[offset];
+    return &comparison_marks()[is_here && is_there ? (is_alike ? 0 : 3) : (is_here ? 1 : 2)];
 }
 
 PixelColors own_colors_of(const Panel& panel) {

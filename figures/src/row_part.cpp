@@ -36,7 +36,8 @@ std::optional<RowEnd> end_of_row(const StepView& scanline, bool is_left) {
 void add_row(const Panel& panel, std::vector<Shape>& shapes) {
     const std::size_t n =
         panel.frame.is_question ? panel.frame.steps.first : panel.replay.scanline();
-    if (n == 0 || panel.trace().kind_of(n) != StepKind::scanline)
+    // Of a step that has several rows, none is shown.
+    if (n == 0 || n > panel.frame.steps.first || panel.trace().kind_of(n) != StepKind::scanline)
         return;
     const StepView step = panel.trace().step(n);
     const auto row = step.whole("y");

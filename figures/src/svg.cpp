@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/figures/svg.h>
 
+#include "pixel_runs.h"
+
 #include <rastertrace/trace/color_text.h>
 #include <rastertrace/trace/text.h>
 
@@ -8,7 +10,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <map>
 #include <set>
 #include <utility>
 
@@ -42,29 +43,6 @@ std::string path_data(const Rectangle& rectangle) {
     const std::string width = decimal(rectangle.width);
     return fmt::format("M{} {}h{}v{}h-{}z", decimal(rectangle.corner.x),
                        decimal(rectangle.corner.y), width, decimal(rectangle.height), width);
-}
-
-/// Pixels of one color beside one another, as one rectangle; by color.
-std::map<std::string, std::vector<Rectangle>> runs_of(const Pixels& pixels) {
-    std::map<std::string, std::vector<Rectangle>> runs;
-    const auto at = [&pixels](std::size_t i) { return pixels.colors[i]; };
-    for (std::size_t begin = 0; begin < pixels.colors.size();) {
-        const std::size_t row_end = (begin / pixels.columns + 1) * pixels.columns;
-        std::size_t end = begin + 1;
-        while (end < row_end && at(end) == at(begin))
-            ++end;
-        if (at(begin) != no_color) {
-            const auto column = static_cast<double>(begin % pixels.columns);
-            const auto row = static_cast<double>(begin / pixels.columns);
-            runs[paint_css("fill", at(begin))].push_back(
-                {.corner = {pixels.corner.x + column * pixels.side,
-                            pixels.corner.y + row * pixels.side},
-                 .width = static_cast<double>(end - begin) * pixels.side,
-                 .height = pixels.side});
-        }
-        begin = end;
-    }
-    return runs;
 }
 
 /// Writes shapes, and remembers what they take.
@@ -132,10 +110,11 @@ private:
 
     std::string written(const Pixels& pixels) {
         std::string svg;
-        for (const auto& [css, rectangles] : runs_of(pixels)) {
-            rectangles_ += rectangles.size();
-            svg += fmt::format("<path class=\"area\" style=\"{}\" d=\"", css);
-            for (const Rectangle& rectangle : rectangles)
+        for (const PixelRuns& runs : runs_of(pixels)) {
+            rectangles_ += runs.rectangles.size();
+            svg += fmt::format("<path class=\"area\" style=\"{}\" d=\"",
+                               paint_css("fill", runs.color));
+            for (const Rectangle& rectangle : runs.rectangles)
                 svg += path_data(rectangle);
             svg += "\"/>\n";
         }

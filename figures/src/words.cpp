@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include <array>
 #include <optional>
 #include <set>
 
@@ -82,10 +83,19 @@ std::vector<Entry> entries_of_faces(const Panel& panel) {
 }
 
 std::vector<Entry> entries_of_comparison(const Panel& panel, const std::string& against) {
-    return {{Role::plotted, {}, {}, "the same"},
-            {Role::only_here, {}, {}, "only in " + printable(panel.trace().title)},
-            {Role::only_there, {}, {}, "only in " + printable(against)},
-            {Role::differs, {}, {}, "in another color"}};
+    const std::array<std::string, 4> words{"the same",
+                                           "! only in " + printable(panel.trace().title),
+                                           "? only in " + printable(against), "~ in another color"};
+    std::set<Role> seen;
+    panel.for_each_pixel([&](Pixel, std::size_t offset) {
+        if (const ComparisonMark* const mark = comparison_at(panel, offset))
+            seen.insert(mark->role);
+    });
+    std::vector<Entry> entries;
+    for (std::size_t i = 0; i < words.size(); ++i)
+        if (const Role role = comparison_marks()[i].role; seen.contains(role))
+            entries.push_back({.role = role, .color = {}, .pattern = {}, .text = words[i]});
+    return entries;
 }
 
 } // namespace

@@ -58,6 +58,7 @@ enum class Role : std::uint8_t {
     row_end,    ///< where an edge meets it
     rounding,   ///< from there to its pixel
     rejected,   ///< pixels that were tested and not drawn
+    same,       ///< pixels that two traces have drawn alike
     only_here,  ///< pixels drawn by this trace alone
     only_there, ///< pixels drawn by the other one alone
     differs,    ///< pixels that both have drawn, differently

@@ -17,6 +17,7 @@
 #include <bitset>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -24,6 +25,8 @@
 #include <vector>
 
 namespace rastertrace {
+
+struct SpatialScene;
 
 /// What a figure can show beside the pixels. figure_parts() tells of each what it is.
 enum class FigurePart : std::uint8_t {
@@ -106,9 +109,11 @@ public:
     /// The trace must outlive the maker.
     FigureMaker(const Trace& trace, std::vector<FigureFrame> frames, FigureOptions options);
 
+    ~FigureMaker();
+
     std::size_t size() const { return frames_.size(); }
 
-    /// The nth frame, from 0. Fastest in their order.
+    /// The nth frame, from 0. Fastest in their order. Throws a Problem if a part was asked for that it cannot have.
     Drawing figure(std::size_t n);
 
 private:
@@ -119,6 +124,7 @@ private:
     Replay replay_;
     FaceGroups groups_;
     std::optional<Frame> against_;
+    std::unique_ptr<const SpatialScene> space_; ///< nullptr: the scene is typed in pixels
 };
 
 } // namespace rastertrace

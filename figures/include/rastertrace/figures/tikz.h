@@ -11,17 +11,21 @@
 #include <rastertrace/trace/problem.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
 namespace rastertrace {
 
-/// The most rectangles, lines, polygons and dots together of a picture: pdflatex takes a second for each 10,000.
-inline constexpr std::size_t most_tikz_paths = 50'000;
+/// The most places of a picture: TeX has five million words of memory, where some 40,000 places of lines fit
+/// beside a document. A rectangle counts as two places, a dot as four, a label as eight.
+inline constexpr std::size_t most_tikz_places = 40'000;
+
+enum class TexFont : std::uint8_t { proportional, fixed_width };
 
 /// A text as LaTeX sets it, letter by letter. What cannot be seen is shown, as printable() does; characters that
-/// pdflatex does not know are shown as their number: U+05D0.
-std::string tex_escaped(std::string_view text);
+/// pdflatex does not know are shown as their number, U+05D0, in small letters.
+std::string tex_escaped(std::string_view text, TexFont font = TexFont::proportional);
 
 /// The picture, `width_mm` millimeters wide; or why there is none: it would be too large for pdflatex.
 Result<std::string> tikz_of(const Drawing& drawing, Theme theme, double width_mm);

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A text as the boxes and slanted strokes of its letters.
+//
+//     add_lettering(label, 2, 0, coverage);
+
+#include "coverage.h"
+
+namespace rastertrace {
+
+/// Adds a text to what is covered, `scale` pixels per unit, each stroke wider by `rim` pixels on every side.
+void add_lettering(const Label& label, double scale, int rim, Coverage& coverage);
+
+} // namespace rastertrace

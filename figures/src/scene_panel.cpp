@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: MIT
+#include "scene_panel.h"
+
+#include <rastertrace/trace/text.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace rastertrace {
+
+namespace {
+
+using Row = std::array<double, 4>;
+using Rows = std::array<Row, 4>;
+
+std::optional<Position> position_in(const std::vector<std::string>& numbers) {
+    if (numbers.size() < 3)
+        return std::nullopt;
+    Position position{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto number = nearest_double_in(numbers[i]);
+        if (!number || !std::isfinite(*number))
+            return std::nullopt;
+        position[i] = *number;
+    }
+    return position;
+}
+
+/// The rows of a `matrix` step.
+std::optional<Rows> rows_in(const StepView& matrix) {
+    const auto texts = matrix.text_rows("rows");
+    Rows rows{};
+    if (texts.size() != 4)
+        return std::nullopt;
+    for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t j = 0; j < 4; ++j) {
+            const auto number =
+                texts[i].size() == 4 ? nearest_double_in(texts[i][j]) : std::nullopt;
+            if (!number)
+                return std::nullopt;
+            rows[i][j] = *number;
+        }
+    return rows;
+}
+
+Position sum(const Position& a, const Position& b, double share = 1) {
+    return {a[0] + share * b[0], a[1] + share * b[1], a[2] + share * b[2]};
+}
+
+double length_of(const Position& vector) {
+    return std::sqrt(vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2]);
+}
+
+/// From camera space to the world: the view is a rotation R and a translation t, so x = R^T (c - t).
+Position from_camera(const Rows& view, const Position& camera) {
+    Position world{};
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t row = 0; row < 3; ++row)
+            world[i] += view[row][i] * (camera[row] - view[row][3]);
+    return world;
+}
+
+/// The eye, and the canvas on the plane where a point of the scene is on the screen as it is in camera space.
+std::optional<Viewer> viewer_of(const Canvas& canvas, const std::optional<Rows>& view,
+                                const std::optional<Rows>& projection,
+                                const std::optional<Rows>& viewport) {
+    if (!projection || !viewport)
+        return std::nullopt;
+    // x' = m00 x / (m32 z + m33): on the plane, the divisor is m00. Without m32 nothing gets smaller far away.
+    const double m32 = (*projection)[3][2];
+    if (m32 == 0 || (*viewport)[0][0] == 0 || (*viewport)[1][1] == 0)
+        return std::nullopt;
+    const double z = ((*projection)[0][0] - (*projection)[3][3]) / m32;
+    const double eye_z = -(*projection)[3][3] / m32; // where the divisor is 0
+    const auto to_world = [&](const Position& camera) {
+        return view ? from_camera(*view, camera) : camera;
+    };
+    const double left = canvas.left() - 0.5;
+    const double top = canvas.top() - 0.5 * canvas.down();
+    const double right = left + canvas.width;
+    const double bottom = top + canvas.down() * canvas.height;
+    const auto on_plane = [&](double x, double y) {
+        return to_world({(x - (*viewport)[0][3]) / (*viewport)[0][0],
+                         (y - (*viewport)[1][3]) / (*viewport)[1][1], z});
+    };
+    return Viewer{.eye = to_world({0, 0, eye_z}),
+                  .view_plane = {on_plane(left, top), on_plane(right, top), on_plane(right, bottom),
+                                 on_plane(left, bottom)}};
+}
+
+/// The vertices that a face is named after: A, B, C of "ABC", P1, P2, P3 of "P1-P2-P3".
+std::vector<std::string> vertices_in_name(const std::string& name,
+                                          const std::map<std::string, Position>& vertices) {
+    std::vector<std::string> words = split_at(name, '-');
+    if (words.size() == 1) {
+        words.clear();
+        for (std::string_view rest = name; !rest.empty();) {
+            const std::string_view letter = first_characters(rest, 1);
+            words.emplace_back(letter);
+            rest.remove_prefix(letter.size());
+        }
+    }
+    for (const std::string& word : words)
+        if (!vertices.contains(word))
+            return {};
+    return words;
+}
+
+/// Each side once, whichever way round.
+class Sides {
+public:
+    void add(const std::vector<std::string>& corners, bool is_closed) {
+        const std::size_t count = is_closed ? corners.size() : corners.size() - 1;
+        for (std::size_t i = 0; i < count; ++i)
+            sides_.insert(std::minmax(corners[i], corners[(i + 1) % corners.size()]));
+    }
+    bool has(const std::pair<std::string, std::string>& side) const {
+        return sides_.contains(side);
+    }
+    const auto& all() const { return sides_; }
+
+private:
+    std::set<std::pair<std::string, std::string>> sides_;
+};
+
+/// A place to look from, and what of the picture is where on the sheet.
+class SideView {
+public:
+    /// From the front right, and a little from above, whatever is up in the scene: y, as in all of the texts.
+    Place flat(const Position& p) const {
+        // The sine and cosine of 35 degrees around y, and of 20 degrees of height, by four digits.
+        constexpr double sin_turn = 0.5736;
+        constexpr double cos_turn = 0.8192;
+        constexpr double sin_height = 0.3420;
+        constexpr double cos_height = 0.9397;
+        const double x = cos_turn * p[0] + sin_turn * p[2];
+        const double away = -sin_turn * p[0] + cos_turn * p[2];
+        return {x, -(cos_height * p[1] + sin_height * away)};
+    }
+
+    void include(const Position& p) {
+        const Place place = flat(p);
+        if (is_first_) {
+            least_ = most_ = place;
+            is_first_ = false;
+        }
+        least_ = {std::min(least_.x, place.x), std::min(least_.y, place.y)};
+        most_ = {std::max(most_.x, place.x), std::max(most_.y, place.y)};
+    }
+
+    /// Once all is included: fits it into a rectangle.
+    void fit(const Rectangle& room) {
+        const double width = std::max(most_.x - least_.x, 1e-300);
+        const double height = std::max(most_.y - least_.y, 1e-300);
+        scale_ = std::min(room.width / width, room.height / height);
+        origin_ = {room.corner.x + (room.width - scale_ * width) / 2,
+                   room.corner.y + (room.height - scale_ * height) / 2};
+    }
+
+    Place at(const Position& p) const {
+        const Place place = flat(p);
+        return {origin_.x + scale_ * (place.x - least_.x),
+                origin_.y + scale_ * (place.y - least_.y)};
+    }
+
+private:
+    bool is_first_ = true;
+    Place least_;
+    Place most_;
+    Place origin_;
+    double scale_ = 1;
+};
+
+/// How long normals are drawn: a part of the whole.
+double length_of_normals(const SpatialScene& space) {
+    Position least{};
+    Position most{};
+    bool is_first = true;
+    for (const auto& [name, at] : space.vertices) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            least[i] = is_first ? at[i] : std::min(least[i], at[i]);
+            most[i] = is_first ? at[i] : std::max(most[i], at[i]);
+        }
+        is_first = false;
+    }
+    constexpr double part = 0.25;
+    return part * length_of(sum(most, least, -1));
+}
+
+} // namespace
+
+std::optional<SpatialScene> space_of(const Trace& trace) {
+    SpatialScene space;
+    std::optional<Rows> view, projection, viewport;
+    Sides seen, tested;
+    struct Face {
+        std::string name;
+        Position normal;
+    };
+    std::vector<Face> faces;
+    std::map<std::string, std::vector<std::string>> corners_of_face;
+    for (std::size_t n = 1; n <= trace.size(); ++n) {
+        const auto kind = trace.kind_of(n);
+        const StepView step = trace.step(n);
+        if (kind == StepKind::matrix) {
+            const std::string name = step.text("name");
+            if (name == "view")
+                view = rows_in(step);
+            else if (name == "projection")
+                projection = rows_in(step);
+            else if (name == "viewport")
+                viewport = rows_in(step);
+        } else if (kind == StepKind::vertex) {
+            // Object space comes first, then the world, if anything moves there.
+            const std::string where = step.text("space");
+            if (where == "object" || where == "world")
+                if (const auto position = position_in(step.texts("at")))
+                    space.vertices[step.text("name")] = *position;
+        } else if (kind == StepKind::face) {
+            if (const auto normal = position_in(step.texts("normal")))
+                faces.push_back({step.text("name"), *normal});
+        } else if (kind == StepKind::primitive) {
+            const auto names = step.texts("vertices");
+            const bool are_known =
+                !names.empty() && std::all_of(names.begin(), names.end(), [&](const auto& name) {
+                    return space.vertices.contains(name);
+                });
+            if (are_known)
+                seen.add(names, names.size() > 2);
+            corners_of_face[step.text("name")] = are_known ? names : std::vector<std::string>{};
+        }
+    }
+    if (space.vertices.empty())
+        return std::nullopt;
+
+    for (const Face& face : faces) {
+        auto& corners = corners_of_face[face.name];
+        if (corners.empty())
+            corners = vertices_in_name(face.name, space.vertices);
+        if (corners.empty())
+            continue;
+        tested.add(corners, true);
+        Position middle{};
+        for (const std::string& corner : corners)
+            middle =
+                sum(middle, space.vertices.at(corner), 1.0 / static_cast<double>(corners.size()));
+        space.normals.push_back({middle, face.normal});
+    }
+    space.seen.assign(seen.all().begin(), seen.all().end());
+    for (const auto& side : tested.all())
+        if (!seen.has(side))
+            space.culled.push_back(side);
+    space.viewer = viewer_of(trace.canvas, view, projection, viewport);
+    return space;
+}
+
+Drawing scene_drawing(const SpatialScene& space, double width, double height) {
+    constexpr double margin = 18; // for names
+    constexpr double text_size = 10;
+    Drawing drawing{.width = width, .height = height, .title = "The scene in space"};
+    std::vector<Shape>& shapes = drawing.shapes;
+
+    SideView side;
+    for (const auto& [name, at] : space.vertices)
+        side.include(at);
+    if (space.viewer) {
+        side.include(space.viewer->eye);
+        for (const Position& corner : space.viewer->view_plane)
+            side.include(corner);
+    }
+    const double normal_length = length_of_normals(space);
+    std::vector<std::pair<Position, Position>> normals;
+    for (const Normal& normal : space.normals)
+        if (const double length = length_of(normal.direction); length > 0) {
+            normals.emplace_back(normal.from,
+                                 sum(normal.from, normal.direction, normal_length / length));
+            side.include(normals.back().second);
+        }
+    side.fit({{margin, margin}, width - 2 * margin, height - 2 * margin});
+
+    const auto lines_of = [&](const auto& sides, Role role) {
+        Lines lines{.role = role};
+        for (const auto& [a, b] : sides)
+            lines.paths.push_back({side.at(space.vertices.at(a)), side.at(space.vertices.at(b))});
+        shapes.push_back(std::move(lines));
+    };
+    lines_of(space.culled, Role::other_edge);
+    lines_of(space.seen, Role::true_edge);
+
+    // The view plane, the lines of sight through its corners, and the eye where they meet.
+    if (space.viewer) {
+        const Place eye = side.at(space.viewer->eye);
+        Path plane;
+        Lines sight{.role = Role::other_edge};
+        for (const Position& corner : space.viewer->view_plane) {
+            plane.push_back(side.at(corner));
+            sight.paths.push_back({eye, plane.back()});
+        }
+        shapes.push_back(std::move(sight));
+        shapes.push_back(Polygons{.role = Role::inside, .paths = {plane}});
+        shapes.push_back(Lines{.role = Role::view_plane, .paths = {plane}, .are_closed = true});
+        constexpr double radius = 4;
+        shapes.push_back(Dots{.role = Role::eye, .radius = radius, .centers = {eye}});
+        shapes.push_back(Label{.role = Role::eye,
+                               .at = {eye.x, eye.y + text_size + radius},
+                               .text = "eye",
+                               .size = text_size,
+                               .anchor = Anchor::middle,
+                               .has_rim = true});
+    }
+    constexpr double head = 6;
+    for (const auto& [from, to] : normals)
+        add_arrow(side.at(from), side.at(to), Role::normal, head, shapes);
+
+    constexpr std::size_t most_names = 24;
+    if (space.vertices.size() <= most_names)
+        for (const auto& [name, at] : space.vertices) {
+            const Place place = side.at(at);
+            shapes.push_back(Label{.role = Role::strong_text,
+                                   .at = {place.x + 3, place.y - 4},
+                                   .text = printable(name),
+                                   .size = text_size,
+                                   .is_bold = true,
+                                   .has_rim = true});
+        }
+    return drawing;
+}
+
+} // namespace rastertrace

@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: MIT
+#include <rastertrace/figures/tikz.h>
+
+#include "pixel_runs.h"
+#include "sheet_clip.h"
+
+#include <rastertrace/trace/text.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <span>
+
+namespace rastertrace {
+
+namespace {
+
+constexpr double opaque = 255;
+
+/// TeX has no lengths of 5.8 meters and more, and TikZ no numbers of 16,384 and more.
+constexpr double most_mm = 5000;
+constexpr double most_units = 16000;
+
+/// Names of ours begin so, that they are not those of TikZ or of the document.
+constexpr std::string_view prefix = "rt-";
+
+/// A number with at most `digits` digits behind the point.
+std::string number(double value, int digits) {
+    std::string text = fmt::format("{:.{}f}", value, digits);
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.ends_with('.'))
+        text.pop_back();
+    return text == "-0" ? "0" : text;
+}
+
+std::string millimeters(double value) {
+    return number(value, 4) + "mm";
+}
+
+/// In units.
+std::string text_of(Place place) {
+    return fmt::format("({},{})", number(place.x, 3), number(place.y, 3));
+}
+
+std::string hex(Color color) {
+    return fmt::format("{:02X}{:02X}{:02X}", color.red(), color.green(), color.blue());
+}
+
+/// A comment of one line.
+std::string comment(std::string_view text) {
+    return text.empty() ? "" : fmt::format("% {}\n", printable(text));
+}
+
+/// Writes shapes, and remembers what they take.
+class TikzWriter {
+public:
+    TikzWriter(const Drawing& sheet, Theme theme, double mm_per_unit)
+        : theme_(theme), mm_per_unit_(mm_per_unit), clip_{.width = sheet.width,
+                                                          .height = sheet.height,
+                                                          .margin = widest_line} {}
+
+    void write(const Shape& shape) {
+        std::visit([this](const auto& one) { write(one); }, shape);
+    }
+
+    const std::string& body() const { return body_; }
+    std::size_t places() const { return places_; }
+
+    /// Colors and lines of the roles that have been used.
+    std::string definitions() const {
+        std::string tex;
+        for (const Role role : roles_used_) {
+            const Paint paint = paint_of(role, theme_);
+            tex += fmt::format("\\definecolor{{{}{}}}{{HTML}}{{{}}}\n", prefix, name_of(role),
+                               hex(paint.color));
+        }
+        for (const Role role : lines_used_) {
+            const Paint paint = paint_of(role, theme_);
+            std::string dashes;
+            for (std::size_t i = 0; i < paint.dashes.size(); ++i)
+                dashes += fmt::format("{}{} {}", i == 0 ? "" : " ", i % 2 == 0 ? "on" : "off",
+                                      in_mm(paint.dashes[i]));
+            tex += fmt::format(
+                "\\tikzset{{{0}line {1}/.style={{draw={0}{1},line width={2}{3}}}}}\n", prefix,
+                name_of(role), in_mm(paint.width), dashes.empty() ? "" : ",dash pattern=" + dashes);
+        }
+        for (const std::string& color : colors_used_)
+            tex += fmt::format("\\definecolor{{{}{}}}{{HTML}}{{{}}}\n", prefix, color, color);
+        return tex;
+    }
+
+private:
+    /// Units around the sheet in which lines go on that leave it.
+    static constexpr double widest_line = 20;
+
+    /// A path of many parts takes TikZ longer than many paths.
+    static constexpr std::size_t parts_per_path = 50;
+
+    std::string in_mm(double units) const { return millimeters(units * mm_per_unit_); }
+
+    /// The name of the color that a shape has.
+    std::string color_name(Role role, const std::optional<Color>& color) {
+        if (!color) {
+            roles_used_.insert(role);
+            return fmt::format("{}{}", prefix, name_of(role));
+        }
+        return fmt::format("{}{}", prefix, *colors_used_.insert(hex(*color)).first);
+    }
+
+    std::string fill_options(Role role, const std::optional<Color>& color) {
+        const Color painted = color.value_or(paint_of(role, theme_).color);
+        return color_name(role, color) +
+               (painted.alpha() == 255 ? "" : ",fill opacity=" + decimal(painted.alpha() / opaque));
+    }
+
+    /// A command for every `parts_per_path` parts.
+    void write_in_paths(const std::string& command, std::span<const std::string> parts) {
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            const bool is_last = i + 1 == parts.size() || (i + 1) % parts_per_path == 0;
+            body_ +=
+                (i % parts_per_path == 0 ? command : "\n  ") + parts[i] + (is_last ? ";\n" : "");
+        }
+    }
+
+    void write_rectangles(const std::string& options, const std::vector<Rectangle>& rectangles) {
+        places_ += 2 * rectangles.size();
+        if (is_too_much())
+            return;
+        std::vector<std::string> written;
+        for (const Rectangle& rectangle : rectangles)
+            if (const auto part = visible_part(rectangle, clip_))
+                written.push_back(fmt::format(
+                    "{} rectangle {}", text_of(part->corner),
+                    text_of({part->corner.x + part->width, part->corner.y + part->height})));
+        write_in_paths(fmt::format("\\fill[{}] ", options), written);
+    }
+
+    std::string joined_places(const Path& path) {
+        places_ += path.size();
+        std::string tex;
+        for (std::size_t i = 0; i < path.size(); ++i)
+            tex += (i == 0 ? "" : i % 8 == 0 ? "\n  -- " : " -- ") + text_of(path[i]);
+        return tex;
+    }
+
+    void write(const Areas& areas) {
+        write_rectangles(fill_options(areas.role, areas.color), areas.rectangles);
+    }
+
+    void write(const Pixels& pixels) {
+        for (const PixelRuns& runs : runs_of(pixels))
+            write_rectangles(fill_options(Role::plotted, runs.color), runs.rectangles);
+    }
+
+    void write(const Lines& lines) {
+        std::vector<std::string> written;
+        for (Path path : lines.paths) {
+            if (is_too_much())
+                return;
+            const bool is_whole = std::all_of(
+                path.begin(), path.end(), [this](Place place) { return is_visible(place, clip_); });
+            if (is_whole && path.size() > 1) {
+                written.push_back(joined_places(path) + (lines.are_closed ? " -- cycle" : ""));
+                continue;
+            }
+            if (lines.are_closed && !path.empty())
+                path.push_back(path.front());
+            for (const Path& piece : visible_pieces(path, clip_))
+                written.push_back(joined_places(piece));
+        }
+        if (written.empty())
+            return;
+        roles_used_.insert(lines.role);
+        lines_used_.insert(lines.role);
+        std::string options = fmt::format("{}line {}", prefix, name_of(lines.role));
+        if (lines.color)
+            options += ",draw=" + color_name(lines.role, lines.color);
+        const Color painted = lines.color.value_or(paint_of(lines.role, theme_).color);
+        if (painted.alpha() != 255)
+            options += ",draw opacity=" + decimal(painted.alpha() / opaque);
+        write_in_paths(fmt::format("\\draw[{}] ", options), written);
+    }
+
+    void write(const Polygons& polygons) {
+        std::string written;
+        for (const Path& path : polygons.paths) {
+            const Path part = visible_polygon(path, clip_);
+            if (part.size() > 2 && !is_too_much())
+                written += (written.empty() ? "" : "\n  ") + joined_places(part) + " -- cycle";
+        }
+        if (!written.empty()) // one path: what two of the polygons cover is not twice as dark
+            body_ += fmt::format("\\fill[{}] {};\n", fill_options(polygons.role, polygons.color),
+                                 written);
+    }
+
+    void write(const Dots& dots) {
+        // A dot that is larger than the sheet is drawn as large as that: TeX has no larger lengths.
+        const double radius = std::min(dots.radius, 2 * (clip_.width + clip_.height));
+        places_ += 4 * dots.centers.size();
+        if (radius <= 0 || is_too_much())
+            return;
+        std::vector<std::string> written;
+        for (const Place& center : dots.centers)
+            if (is_visible(center, clip_))
+                written.push_back(
+                    fmt::format("{} circle[radius={}]", text_of(center), in_mm(radius)));
+        write_in_paths(fmt::format("\\fill[{}] ", fill_options(dots.role, std::nullopt)), written);
+    }
+
+    void write(const Label& label) {
+        places_ += 8;
+        if (!is_visible(label.at, clip_) || label.size <= 0 || label.text.empty() || is_too_much())
+            return;
+        std::string options =
+            fmt::format("rt-label,text={},scale={}", color_name(label.role, std::nullopt),
+                        number(scale_of(label.size), 4));
+        if (label.is_turned)
+            options += ",rotate=90";
+        constexpr double rim_units = 1.5;
+        if (label.has_rim)
+            options += fmt::format(",fill={},inner sep={}", color_name(Role::paper, std::nullopt),
+                                   in_mm(rim_units / scale_of(label.size)));
+        options += fmt::format(",anchor=base{}", label.anchor == Anchor::start ? " west"
+                                                 : label.anchor == Anchor::end ? " east"
+                                                                               : "");
+        std::string fonts;
+        if (label.is_fixed_width)
+            fonts += "\\ttfamily ";
+        if (label.is_bold)
+            fonts += "\\bfseries ";
+        body_ += fmt::format("\\node[{}] at {} {{{}{}}};\n", options, text_of(label.at), fonts,
+                             tex_escaped(label.text, label.is_fixed_width ? TexFont::fixed_width
+                                                                          : TexFont::proportional));
+    }
+
+    /// What letters of 10 points are enlarged by. (TeX has letters of any size only so.)
+    double scale_of(double size) const {
+        constexpr double points_per_mm = 72.27 / 25.4;
+        constexpr double points = 10;
+        constexpr double largest = 500;
+        return std::min(size * mm_per_unit_ * points_per_mm / points, largest);
+    }
+
+    bool is_too_much() const { return places_ > most_tikz_places; }
+
+    Theme theme_;
+    double mm_per_unit_;
+    SheetClip clip_;
+    std::string body_;
+    std::size_t places_ = 0; ///< see most_tikz_places
+    std::set<Role> roles_used_{Role::paper};
+    std::set<Role> lines_used_;
+    std::set<std::string> colors_used_;
+};
+
+} // namespace
+
+Result<std::string> tikz_of(const Drawing& drawing, Theme theme, double width_mm) {
+    const double mm_per_unit = width_mm / drawing.width;
+    const double height_mm = drawing.height * mm_per_unit;
+    if (!(drawing.width > 0 && drawing.height > 0 && width_mm > 0 && width_mm <= most_mm &&
+          height_mm <= most_mm))
+        return problem_of("", fmt::format("expected a picture of at most {} x {} mm for TeX, found "
+                                          "{} x {} mm",
+                                          most_mm, most_mm, decimal(width_mm), decimal(height_mm)));
+    if (std::max(drawing.width, drawing.height) > most_units)
+        return problem_of("",
+                          fmt::format("expected a sheet of at most {0} x {0} units for TeX, found "
+                                      "{1} x {2}",
+                                      most_units, decimal(drawing.width), decimal(drawing.height)),
+                          "a .png holds any picture; --region takes a part of it");
+    TikzWriter writer(drawing, theme, mm_per_unit);
+    for (const Shape& shape : drawing.shapes)
+        writer.write(shape);
+    if (writer.places() > most_tikz_places)
+        return problem_of("",
+                          fmt::format("expected a picture that fits into TeX's memory, found more "
+                                      "than {} places (a rectangle counts as two, a dot as four, "
+                                      "a label as eight)",
+                                      most_tikz_places),
+                          "a .png holds any picture; --region takes a part of it");
+
+    const std::string sheet = "(0,0) rectangle " + text_of({drawing.width, drawing.height});
+    return comment(drawing.title) + comment(drawing.description) +
+           fmt::format(
+               "% To be put into a document that has \\usepackage{{tikz}}: \\input{{FILE}}\n"
+               "\\begingroup\n"
+               "% Packages for languages let some signs be commands. Here they are signs.\n"
+               "\\catcode33 12\\catcode34 12\\catcode39 12\\catcode45 12\\catcode58 12"
+               "\\catcode59 12\\catcode60 12\n"
+               "\\catcode61 12\\catcode62 12\\catcode63 12\\catcode94 7\\catcode96 12"
+               "\\catcode124 12\n"
+               "\\begin{{tikzpicture}}[x={0},y=-{0},line join=round]\n"
+               "{1}"
+               "\\tikzset{{rt-label/.style={{inner sep=0pt,outer sep=0pt,"
+               "font=\\normalfont\\sffamily\\fontsize{{10}}{{12}}\\selectfont}}}}\n"
+               "\\clip {2};\n\\fill[rt-paper] {2};\n"
+               "{3}\\end{{tikzpicture}}%\n\\endgroup\n",
+               number(mm_per_unit, 6) + "mm", writer.definitions(), sheet, writer.body());
+}
+
+} // namespace rastertrace
