@@ -7,6 +7,7 @@
 #include "draw_in.h"
 #include "draw_scalar.h"
 
+#include <rastertrace/core/draw/certain_rows.h>
 #include <rastertrace/core/draw/exactly.h>
 
 #include <concepts>
@@ -15,7 +16,6 @@
 #include <limits>
 #include <optional>
 #include <span>
-#include <vector>
 
 namespace rastertrace {
 
@@ -26,36 +26,6 @@ extern template void draw_piece(const Piece<Rational>&, const Scene&, const Plan
                                 Target<Rational, Adaptive>&, const ListenerSink&);
 
 namespace {
-
-/// The rows that a fill yields, kept until all of them are certain. What comes pixel by pixel is too much
-/// to keep: its decisions are taken again.
-class CertainRows {
-public:
-    template <typename Step> void operator()(const Step&) {}
-    void operator()(const ScanlineSpanned<Adaptive>& span) { spans_.push_back(span); }
-    void operator()(const SampleTested<Adaptive>&) { has_pixels_ = true; }
-    void operator()(const PixelPlotted&) { has_pixels_ = true; }
-
-    template <typename Step> bool takes() const { return false; }
-
-    void clear() {
-        spans_.clear();
-        has_pixels_ = false;
-    }
-
-    /// Hands all of it to a painter; `yield_again(painter)` if not all has been kept.
-    template <typename Painter, typename YieldAgain>
-    void paint_with(const Painter& painter, YieldAgain&& yield_again) const {
-        if (has_pixels_)
-            return yield_again(painter);
-        for (const auto& span : spans_)
-            painter(span);
-    }
-
-private:
-    std::vector<ScanlineSpanned<Adaptive>> spans_;
-    bool has_pixels_ = false;
-};
 
 /// Takes the steps that a listener takes, and tells it nothing. A step that doubles cannot tell is left
 /// open like a decision that they cannot take.
@@ -102,16 +72,6 @@ private:
     Undecided undecided_;
     bool is_told_ = false;
 };
-
-/// Runs what may leave something open; tells what.
-template <typename Run> std::optional<Undecided> left_open_by(Run&& run) {
-    try {
-        run();
-        return std::nullopt;
-    } catch (const Undecided& undecided) {
-        return undecided;
-    }
-}
 
 /// Draws the pieces of a scene, with a sink or without one.
 template <typename Sink> class AdaptiveDrawing {

@@ -91,6 +91,7 @@ constexpr std::array all{
     Row{Role::curve_10, "curve-10", rgb(0x5d6b00), rgb(0xd4dc70), rgb(0x777777), 1.3, two_dashes},
     Row{Role::curve_11, "curve-11", rgb(0x003f8f), rgb(0x90a8ff), rgb(0x777777), 1.3, short_dashes},
     Row{Role::curve_12, "curve-12", rgb(0x7a5c00), rgb(0xe0c060), rgb(0x777777), 1.3, long_dashes},
+    Row{Role::leader, "leader", rgb(0x5a616b), rgb(0x98a1ad), rgb(0x444444), 0.6},
     Row{Role::shelf, "shelf", rgb(0xeeeeee), rgb(0x262b32), rgb(0xeeeeee)},
 };
 

@@ -5,8 +5,8 @@
 
 namespace rastertrace {
 
-Image drawn(const Scene& scene, const Plan& plan, Fallbacks* fallbacks) {
-    return draw(scene, plan, {}, fallbacks);
+Image drawn(const Scene& scene, const Plan& plan) {
+    return draw(scene, plan);
 }
 
 } // namespace rastertrace

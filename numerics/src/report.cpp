@@ -72,24 +72,34 @@ struct Candidate {
 bool is_faster(const Candidate& a, const Candidate& b) {
     return a.time() < b.time();
 }
-bool is_more_exact(const Candidate& a, const Candidate& b) {
+bool is_nearer(const Candidate& a, const Candidate& b) {
     return a.error != b.error ? a.error < b.error : is_faster(a, b);
 }
 
-/// The most exact of those that take at most `factor` times the least time.
-Candidate most_exact_within(std::vector<Candidate> all, double factor) {
-    const double least = std::min_element(all.begin(), all.end(), is_faster)->time();
-    std::erase_if(all, [&](const Candidate& one) { return one.time() > factor * least; });
-    return *std::min_element(all.begin(), all.end(), is_more_exact);
+/// True if it is right on any scene.
+bool never_errs(const Candidate& one) {
+    return one.setting->never_errs && one.error == 0;
 }
 
-/// Of those that are right on any scene.
-std::optional<Candidate> fastest_that_never_errs(std::vector<Candidate> all) {
-    std::erase_if(all,
-                  [](const Candidate& one) { return !one.setting->never_errs || one.error != 0; });
-    if (all.empty())
-        return std::nullopt;
-    return *std::min_element(all.begin(), all.end(), is_faster);
+/// True if a time is as good as another, but for the noise of the clock.
+bool is_as_fast(double time, double other) {
+    return time <= other * (1 + timing_noise);
+}
+
+/// Those that `has` holds for.
+template <typename Has> std::vector<Candidate> those(std::vector<Candidate> all, const Has& has) {
+    std::erase_if(all, [&has](const Candidate& one) { return !has(one); });
+    return all;
+}
+
+/// The fastest; of those that the clock can not tell apart, one that never errs, or the nearest.
+Candidate fastest_of(const std::vector<Candidate>& all) {
+    const double least = std::min_element(all.begin(), all.end(), is_faster)->time();
+    const auto fast =
+        those(all, [least](const Candidate& one) { return is_as_fast(one.time(), least); });
+    const auto safe = those(fast, never_errs);
+    const auto& among = safe.empty() ? fast : safe;
+    return *std::min_element(among.begin(), among.end(), is_nearer);
 }
 
 std::vector<Candidate> candidates(const JobReport& job, std::size_t measure) {
@@ -101,17 +111,24 @@ std::vector<Candidate> candidates(const JobReport& job, std::size_t measure) {
     return result;
 }
 
-/// "is off by 0.024 px", "has 12 wrong for 300 rows", "is off by 1.2e-07".
-std::string error_in_words(const ErrorMeasure& measure, const ErrorValue& error) {
+/// "is off by 0.024 px", "has 12 wrong for 300 rows", "is off by 1.2e-07", "has no error here".
+std::string error_in_words(const ErrorMeasure& measure, const Candidate& one,
+                           const ErrorValue& error) {
+    if (never_errs(one))
+        return "never errs";
+    if (one.error == 0)
+        return "has no error here";
     if (error.count)
         return fmt::format("has {} wrong for {} {}", *error.count, error.of, measure.against);
     return fmt::format("is off by {:.3g}{}{}", *error.value, measure.unit.empty() ? "" : " ",
                        measure.unit);
 }
 
-/// True if a time is as good as another, but for the noise of the clock.
-bool is_as_fast(double time, double other) {
-    return time <= other * (1 + timing_noise);
+/// "1.4 times as long", "207 times as long".
+std::string times_as_long(const Candidate& one, const Candidate& other) {
+    const double times = one.time() / other.time();
+    return times < 10 ? fmt::format("{:.2g} times as long", times)
+                      : fmt::format("{:.0f} times as long", times);
 }
 
 } // namespace
@@ -176,44 +193,46 @@ void mark_fronts(JobReport& job) {
     }
 }
 
-Advice advice_for(const JobReport& job, std::size_t measure) {
-    const auto all = candidates(job, measure);
+Advice advice_for(const JobReport& job, std::size_t index) {
+    const auto all = candidates(job, index);
     if (all.empty())
         return {"Nothing could be measured."};
+    const ErrorMeasure& measure = job.measures[index];
     const auto error = [&](const Candidate& one) {
-        return error_in_words(job.measures[measure], one.setting->errors[measure]);
+        return error_in_words(measure, one, one.setting->errors[index]);
     };
     const auto cost = [&](const Candidate& one) {
         return fmt::format("{:.3g} ns per {}", one.time(), job.unit);
     };
 
-    // The most exact of all, of the fastest, and of those that are almost as fast.
-    constexpr double almost = 2;
-    const Candidate best = *std::min_element(all.begin(), all.end(), is_more_exact);
-    const Candidate fastest = most_exact_within(all, 1 + timing_noise);
-    const Candidate near = most_exact_within(all, almost);
+    // The fastest that is enough, or the nearest if none is; then what never errs, if that is cheap.
+    const auto enough =
+        those(all, [&](const Candidate& one) { return one.error <= measure.unseen; });
+    Candidate chosen =
+        enough.empty() ? *std::min_element(all.begin(), all.end(), is_nearer) : fastest_of(enough);
+    const auto safe = those(all, never_errs);
+    if (!safe.empty() && fastest_of(safe).time() <= price_of_safety * chosen.time())
+        chosen = fastest_of(safe);
 
-    // No error on this scene need not mean none on another: name what cannot have any.
-    const bool may_err_elsewhere = best.error == 0 && !best.setting->never_errs;
-    const std::string of_best = best.error > 0      ? error(best)
-                                : may_err_elsewhere ? "has no error here"
-                                                    : "has no error";
-    std::string instead;
-    if (const auto safest = fastest_that_never_errs(all); may_err_elsewhere && safest)
-        instead = fmt::format("; {} never has any ({})", safest->name(), cost(*safest));
+    std::string sentence = fmt::format("Choose {}: it {}", chosen.name(), error(chosen));
+    if (enough.empty())
+        sentence += ", the least of all";
+    else if (chosen.error > 0)
+        sentence += fmt::format(", no more than {}", measure.unseen_as);
+    const Candidate fastest = fastest_of(all);
+    const bool is_fastest = is_as_fast(chosen.time(), fastest.time());
+    sentence += fmt::format("{} ({}).", is_fastest ? ", and nothing is faster" : "", cost(chosen));
 
-    if (fastest.error == best.error)
-        return {fmt::format("Choose {}: it {}, and nothing is faster ({}){}.", fastest.name(),
-                            of_best, cost(fastest), instead)};
-    const std::string choice =
-        fmt::format("Choose {}: it {}{} ({}){}", best.name(), of_best,
-                    best.error == 0 ? "" : ", the least of all", cost(best), instead);
-    const std::string speed =
-        fmt::format("the fastest, {} ({}), {}", fastest.name(), cost(fastest), error(fastest));
-    if (near.error == best.error || near.error == fastest.error)
-        return {fmt::format("{}; {}.", choice, speed)};
-    return {fmt::format("{}; {}; within twice that time {} {} ({}).", choice, speed, near.name(),
-                        error(near), cost(near))};
+    // What it costs to be right on any scene, and what is had for the least.
+    if (!never_errs(chosen) && !safe.empty()) {
+        const Candidate safest = fastest_of(safe);
+        sentence += fmt::format(" What never errs, {}, takes {} ({}).", safest.name(),
+                                times_as_long(safest, chosen), cost(safest));
+    }
+    if (!is_fastest)
+        sentence += fmt::format(" The fastest, {}, {} ({}).", fastest.name(), error(fastest),
+                                cost(fastest));
+    return {sentence};
 }
 
 } // namespace rastertrace

@@ -1,89 +1,70 @@
 // SPDX-License-Identifier: MIT
 #include "report_adaptive.h"
 
-#include <rastertrace/core/draw/draw.h>
-#include <rastertrace/numerics/drawing.h>
-#include <rastertrace/numerics/timing.h>
+#include "job_builder.h"
 
-#include <algorithm>
-#include <concepts>
+#include <rastertrace/core/draw/piece_in.h>
+#include <rastertrace/core/draw/screen_list.h>
+#include <rastertrace/core/scene/stages.h>
+
+#include <map>
 #include <utility>
+#include <variant>
 
 namespace rastertrace {
 
-namespace {
-
-/// Keeps what is drawn. Every primitive begins once, in the scene's order; its parts are no others.
-struct StepsSink {
-    const std::vector<std::size_t>& numbers;
-    AdaptiveSteps& steps;
-    std::size_t begun = 0;
-
-    template <typename Step> void operator()(const Step&) {}
-    /// One that is cut begins with the numbers that it has before it is placed.
-    template <typename Scalar> void operator()(const PrimitiveBegan<Scalar>& step) {
-        begun += step.is_part ? 0 : 1;
-    }
-    template <typename Scalar> void operator()(const SampleTested<Scalar>&) {
-        ++steps.samples_tested;
-    }
-    template <typename Scalar> void operator()(const DepthTested<Scalar>& step) {
-        steps.tested.push_back({numbers[begun - 1], step.pixel, to_double(step.depth)});
-    }
-    void operator()(const PixelPlotted& step) {
-        steps.plotted.push_back({numbers[begun - 1], step.pixel, step.color});
-    }
-
-    template <typename Step> bool takes() const {
-        return std::same_as<Step, PrimitiveBegan<Quantity>> ||
-               std::same_as<Step, SampleTested<Quantity>> ||
-               std::same_as<Step, DepthTested<Quantity>> || std::same_as<Step, PixelPlotted>;
-    }
-};
-
-} // namespace
-
-std::shared_ptr<AdaptiveDrawing> adaptive_drawing(const Scene& scene) {
-    const auto drawing = std::make_shared<AdaptiveDrawing>();
-    drawing->scene = scene;
-    drawing->scene.primitives.clear();
-    for (std::size_t number = 0; number < scene.primitives.size(); ++number)
-        if (scene.primitives[number].kind == PrimitiveKind::triangle) {
-            drawing->scene.primitives.push_back(scene.primitives[number]);
-            drawing->numbers.push_back(number);
-        }
-    drawing->plan = plan_for(drawing->scene);
-    drawing->plan.number = NumberType::adaptive;
-    return drawing;
+AdaptiveTriangles::AdaptiveTriangles(const Scene& of, const Plan& with)
+    : scene(of), plan(with), exactness{ExactPieces(scene, plan),
+                                       scalar_from<Rational>(sample_offset_of(scene.method))} {
+    std::map<std::size_t, std::size_t> parts; // of each primitive, so far
+    const auto add = [&](const PieceIndex& index, std::optional<Piece<Adaptive>> filtered) {
+        placed.push_back({index, std::move(filtered), exactness.pieces.piece(index)});
+    };
+    const auto add_from = [&](const auto& list, const ScreenPrimitive& one) {
+        add({one.primitive, parts[one.primitive]++},
+            piece_in<Adaptive>(piece_of(scene, list, one), plan));
+    };
+    std::visit(
+        [&]<typename AList>(const AList& list) {
+            if constexpr (draws<Adaptive, AList>)
+                for_each_primitive(scene, list, [&](const ScreenPrimitive& one) {
+                    if (scene.primitives[one.primitive].kind != PrimitiveKind::triangle)
+                        return;
+                    if (one.state != ScreenPrimitive::State::undecided)
+                        return add_from(list, one);
+                    // Its face, or what is left of it, was found in rationals.
+                    for (const ScreenPrimitive& exact : exactness.pieces.of(one.primitive)) {
+                        if (exact.state == ScreenPrimitive::State::part)
+                            add_from(exactness.pieces.list(), exact);
+                        else
+                            add({one.primitive, parts[one.primitive]++}, std::nullopt);
+                    }
+                });
+        },
+        *plan.list);
 }
 
-std::uint64_t AdaptiveSteps::pixels_tested() const {
-    return samples_tested > 0 ? samples_tested : plotted.size();
+std::vector<std::size_t> AdaptiveTriangles::primitives() const {
+    std::vector<std::size_t> numbers;
+    for (const Placed& one : placed)
+        numbers.push_back(one.index.primitive);
+    return numbers;
 }
 
-AdaptiveSteps steps_of(const AdaptiveDrawing& drawing) {
-    AdaptiveSteps steps;
-    draw(drawing.scene, drawing.plan, StepsSink{drawing.numbers, steps});
-    return steps;
+void AdaptiveTriangles::begin() {
+    exactness.drawn.clear();
+    exactness.colors.reset();
+    exactness.fallbacks = {};
 }
 
-Setting adaptive_setting(const AdaptiveDrawing& drawing, std::uint64_t pixels_tested) {
-    // Counted without a sink: what is only told may be left open, too.
-    Fallbacks fallbacks;
-    keep(drawn(drawing.scene, drawing.plan, &fallbacks));
-    Setting setting;
-    setting.name = "adaptive (draw)";
-    setting.label = setting.name;
-    setting.note = "timed as a whole drawing, with placing and clipping";
-    setting.work =
-        Work{.pixels_tested = pixels_tested,
-             .exact_fallbacks = fallbacks.primitives + fallbacks.depths + fallbacks.colors,
-             .has_operations = false};
+Setting adaptive_setting(std::uint64_t pixels_tested, std::uint64_t exact_fallbacks,
+                         std::string note) {
+    Setting setting = named_setting("adaptive");
+    setting.note = std::move(note);
+    setting.work = Work{.pixels_tested = pixels_tested,
+                        .exact_fallbacks = exact_fallbacks,
+                        .has_operations = false};
     return setting;
-}
-
-std::function<void()> timed(std::shared_ptr<const AdaptiveDrawing> drawing) {
-    return [drawing = std::move(drawing)] { keep(drawn(drawing->scene, drawing->plan)); };
 }
 
 } // namespace rastertrace

@@ -1,62 +1,59 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The scalar `adaptive` in the report. Where its doubles leave something open, only draw() knows how
-// to go on with exact numbers, so it is measured as the drawing that it is: of the triangles, on
-// pictures of their own.
+// The scalar `adaptive` in the report. It is timed like the other scalars, on triangles that are placed
+// already: those in filtered doubles, and the same in rationals for what doubles leave open. Bounds on
+// errors, and exact numbers where they are needed, are part of what is timed.
 //
-//     const auto drawing = adaptive_drawing(scene);
-//     const AdaptiveSteps steps = steps_of(*drawing);
-//     builder.add(adaptive_setting(*drawing, steps.pixels_tested()), timed(drawing), units);
+//     AdaptiveTriangles triangles(scene, plan);
+//     for (const AdaptiveTriangles::Placed& one : triangles.placed)
+//         fill(Triangle<Adaptive>{one.filtered->positions}, ...);
 
+#include <rastertrace/core/draw/exactly.h>
+#include <rastertrace/core/draw/pieces.h>
 #include <rastertrace/core/draw/plan.h>
-#include <rastertrace/core/raster/canvas.h>
-#include <rastertrace/core/raster/image.h>
 #include <rastertrace/core/scene/scene.h>
 #include <rastertrace/numerics/report.h>
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace rastertrace {
 
-/// The triangles of a scene, and how they are drawn.
-struct AdaptiveDrawing {
-    Scene scene;
-    Plan plan;
-    std::vector<std::size_t> numbers; ///< of its triangles in the scene that they come from
+/// The triangles of a scene on the screen, and the parts that clipping has left of them, ready to be
+/// filled, tested and colored again and again.
+struct AdaptiveTriangles {
+    struct Placed {
+        PieceIndex index;
+        std::optional<Piece<Adaptive>>
+            filtered; ///< none if doubles leave its face or clipping open
+        Piece<Rational> exact;
+    };
+
+    /// Of a plan that draws with filtered doubles.
+    AdaptiveTriangles(const Scene& scene, const Plan& plan);
+    AdaptiveTriangles(const AdaptiveTriangles&) = delete;
+    AdaptiveTriangles& operator=(const AdaptiveTriangles&) = delete;
+
+    /// Which triangles of the scene they are, in order.
+    std::vector<std::size_t> primitives() const;
+
+    /// Before everything is done once more: no piece has been drawn.
+    void begin();
+    /// What follows is about the next piece.
+    void begin(const Placed& piece) { exactness.drawn.push_back(piece.index); }
+
+    const Scene scene;
+    const Plan plan;
+    Exactness exactness;
+    std::vector<Placed> placed;
 };
 
-/// Plans the drawing of the triangles of a scene in which find_unfit has found nothing, in filtered doubles
-/// even where fractions would fit.
-std::shared_ptr<AdaptiveDrawing> adaptive_drawing(const Scene& scene);
-
-/// What was told by drawing, in order.
-struct AdaptiveSteps {
-    struct Plotted {
-        std::size_t primitive; ///< its place in the scene that was given
-        Pixel pixel;
-        Color color;
-    };
-    struct Tested {
-        std::size_t primitive;
-        Pixel pixel;
-        double depth;
-    };
-    std::vector<Plotted> plotted;
-    std::vector<Tested> tested;          ///< against the depth buffer
-    std::uint64_t samples_tested = 0;    ///< by the fill that tests samples
-    std::uint64_t pixels_tested() const; ///< by the fill, as the other scalars count them
-};
-AdaptiveSteps steps_of(const AdaptiveDrawing& drawing);
-
-/// A setting that says that a whole drawing is timed, with the work of it.
-Setting adaptive_setting(const AdaptiveDrawing& drawing, std::uint64_t pixels_tested);
-
-/// What is timed: drawing without a sink.
-std::function<void()> timed(std::shared_ptr<const AdaptiveDrawing> drawing);
+/// The setting `adaptive`, with its work: `note` says what took exact numbers, and how often.
+Setting adaptive_setting(std::uint64_t pixels_tested, std::uint64_t exact_fallbacks,
+                         std::string note);
 
 } // namespace rastertrace

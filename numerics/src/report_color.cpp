@@ -6,6 +6,8 @@
 #include "placed_triangles.h"
 #include "report_adaptive.h"
 
+#include <rastertrace/core/draw/certain_rows.h>
+#include <rastertrace/core/draw/exactly.h>
 #include <rastertrace/core/draw/fill.h>
 #include <rastertrace/core/raster/mixed_colors.h>
 #include <rastertrace/numerics/knobs.h>
@@ -17,6 +19,7 @@
 #include <cstdlib>
 #include <map>
 #include <memory>
+#include <optional>
 
 namespace rastertrace {
 
@@ -70,16 +73,8 @@ public:
                 fragments_ += static_cast<std::uint64_t>(span.to - span.from + 1);
         if (fragments_ == 0)
             return nothing_of(ReportJob::color, "no pixel of the canvas is covered");
-        const Plan plan = plan_for(exact);
-        with_scalar(plan, [&]<typename Scalar>() {
-            if constexpr (!std::same_as<Scalar, Adaptive>) {
-                const auto input = input_of<Scalar>(exact, plan);
-                for (const ColorRounding rounding :
-                     {ColorRounding::nearest, ColorRounding::truncate})
-                    exact_[rounding] = in_perspective ? mixed<true>(*input, *pieces_, rounding)
-                                                      : mixed<false>(*input, *pieces_, rounding);
-            }
-        });
+        for (const ColorRounding rounding : {ColorRounding::nearest, ColorRounding::truncate})
+            find_exact(exact, rounding, in_perspective);
 
         JobReport& report = builder_.report();
         report.unit = "fragment";
@@ -88,7 +83,12 @@ public:
                                ? "colors mixed as in space, in rationals, rounded to 8 bits"
                                : "colors mixed as on the screen, in rationals, rounded to 8 bits";
         report.measures = {
-            {"levels", "largest error of a channel", "of 255"},
+            {"levels",
+             "largest error of a channel",
+             "of 255",
+             {},
+             unseen_level,
+             "one level, which an eye can hardly tell from the next"},
             {"wrong_pixels", "pixels off by a level or more / fragments", "", "fragments"}};
         add_scalars<false>("on the screen (affine)", ColorRounding::nearest);
         if (in_perspective) {
@@ -105,6 +105,19 @@ public:
     }
 
 private:
+    /// What all are compared with. Clipping makes vertices whose colors are rounded alike.
+    void find_exact(Scene exact, ColorRounding rounding, bool in_perspective) {
+        exact.method.color_rounding = rounding;
+        const Plan plan = plan_for(exact);
+        with_scalar(plan, [&]<typename Scalar>() {
+            if constexpr (!std::same_as<Scalar, Adaptive>) {
+                const auto input = input_of<Scalar>(exact, plan);
+                exact_[rounding] = in_perspective ? mixed<true>(*input, *pieces_, rounding)
+                                                  : mixed<false>(*input, *pieces_, rounding);
+            }
+        });
+    }
+
     Scene scene_with(ScalarKind scalar) const {
         Scene scene = plain_scene(scene_, scalar);
         scene.method.shade = Shade::interpolate;
@@ -217,7 +230,7 @@ private:
         const Plan plan = plan_for(scene);
         with_scalar(plan, [&]<typename Scalar>() {
             if constexpr (std::same_as<Scalar, Adaptive>) {
-                add_adaptive(scene, setting.never_errs, stage);
+                add_adaptive(scene, plan, std::move(setting), stage);
             } else {
                 const auto input = input_of<Scalar>(scene, plan);
                 if (!input)
@@ -234,23 +247,57 @@ private:
         });
     }
 
-    void add_adaptive(const Scene& scene, bool never_errs, ColorStage stage) {
-        const auto drawing = adaptive_drawing(scene);
-        for (PixelStages& stages : drawing->plan.stages.pixels)
-            if (stages.colors == ColorStage::perspective)
-                stages.colors = stage;
-        const AdaptiveSteps steps = steps_of(*drawing);
+    /// The colors of all pixels as `adaptive` mixes them: a bound for each triangle, and rationals
+    /// for a pixel whose level it leaves open.
+    static std::vector<Color> mixed_adaptively(AdaptiveTriangles& input,
+                                               const std::vector<SpansOfPiece>& pieces,
+                                               ColorStage stage, ColorRounding rounding) {
         std::vector<Color> colors;
-        for (const auto& [primitive, pixel, color] : steps.plotted)
-            colors.push_back(color);
-        Setting setting = adaptive_setting(*drawing, fragments_);
-        setting.never_errs = never_errs;
+        input.begin();
+        for (std::size_t i = 0; i < input.placed.size(); ++i) {
+            const AdaptiveTriangles::Placed& one = input.placed[i];
+            input.begin(one);
+            const auto mix = [&]<typename Scalar>(const Piece<Scalar>& piece) {
+                std::optional<MixedColors<Adaptive>> paint;
+                const Barycentric<Scalar> barycentric(Triangle<Scalar>{piece.positions});
+                if (barycentric.area2() != scalar_from<Scalar>(0))
+                    paint = mixed_colors(piece, stage, rounding, input.exactness);
+                for (const PieceSpan& span : pieces[i].spans)
+                    for (int x = span.from; x <= span.to; ++x)
+                        colors.push_back(!paint ? piece.colors[0]
+                                         : stage == ColorStage::perspective
+                                             ? paint->at<true>({x, span.y})
+                                             : paint->at<false>({x, span.y}));
+            };
+            // Nothing is mixed before it is certain that the triangle has area.
+            if (one.filtered && !left_open_by([&] { mix(*one.filtered); }))
+                continue;
+            ++input.exactness.fallbacks.primitives;
+            mix(one.exact);
+        }
+        return colors;
+    }
+
+    void add_adaptive(const Scene& scene, const Plan& plan, Setting setting, ColorStage stage) {
+        const auto input = std::make_shared<AdaptiveTriangles>(scene, plan);
+        if (!are_those_of(*pieces_, input->primitives()))
+            return builder_.add_failure(
+                setting.name, setting.label,
+                "clipping has left other triangles than in exact arithmetic");
         const ColorRounding rounding = scene.method.color_rounding;
-        if (colors.size() != exact_.at(rounding).size())
-            setting.failure = "it has drawn other pixels than exact arithmetic";
-        else
-            setting.errors = errors_of(colors, rounding);
-        builder_.add(std::move(setting), timed(drawing), fragments_);
+        const auto colors = mixed_adaptively(*input, *pieces_, stage, rounding);
+        const Fallbacks& fallbacks = input->exactness.fallbacks;
+        Setting adaptive = adaptive_setting(
+            fragments_, fallbacks.primitives + fallbacks.colors,
+            "a bound for each triangle; a color whose levels it leaves open is mixed in rationals");
+        adaptive.never_errs = setting.never_errs;
+        adaptive.errors = errors_of(colors, rounding);
+        builder_.add(
+            std::move(adaptive),
+            [input, pieces = pieces_, stage, rounding] {
+                keep(mixed_adaptively(*input, *pieces, stage, rounding));
+            },
+            fragments_);
     }
 
     template <bool in_perspective> void add_scalars(std::string_view name, ColorRounding rounding) {

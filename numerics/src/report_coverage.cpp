@@ -5,6 +5,7 @@
 #include "placed_triangles.h"
 #include "report_adaptive.h"
 
+#include <rastertrace/core/draw/certain_rows.h>
 #include <rastertrace/core/draw/fill.h>
 #include <rastertrace/core/raster/flat_painter.h>
 #include <rastertrace/trace/method_names.h>
@@ -149,7 +150,7 @@ private:
             scalar.bits ? plan_for(scene, std::int64_t{1} << *scalar.bits) : plan_for(scene);
         with_scalar(plan, [&]<typename Scalar>() {
             if constexpr (std::same_as<Scalar, Adaptive>) {
-                add_adaptive(scene, setting.never_errs, exact);
+                add_adaptive(scene, plan, setting.never_errs, exact);
             } else {
                 const auto placed = std::make_shared<PlacedTriangles<Scalar>>(scene, plan);
                 PixelSets pixels = count(*placed, scene, setting.work.emplace());
@@ -171,17 +172,77 @@ private:
         });
     }
 
-    void add_adaptive(const Scene& scene, bool never_errs, const PixelSets& exact) {
-        const auto drawing = adaptive_drawing(scene);
-        const AdaptiveSteps steps = steps_of(*drawing);
+    /// The triangles of `adaptive`, ready to be filled again and again.
+    struct AdaptiveFill {
+        AdaptiveTriangles triangles;
+        Image image;
+        SampleGrid<Adaptive> grid;
+        SampleGrid<Rational> exact_grid;
+        CertainRows rows = {};
+
+        AdaptiveFill(const Scene& scene, const Plan& plan)
+            : triangles(scene, plan), image(scene.canvas), grid(sample_grid<Adaptive>(scene, plan)),
+              exact_grid(sample_grid<Rational>(scene, plan)) {}
+
+        /// Fills a triangle once all about it is certain, and with rationals if doubles leave
+        /// something open. True if it took these.
+        template <typename Sink> bool fill_one(const AdaptiveTriangles::Placed& one, Sink& sink) {
+            const Method& method = triangles.scene.method;
+            const auto fill_filtered = [&](auto& into) {
+                fill(Triangle<Adaptive>{one.filtered->positions}, one.filtered->colors, method,
+                     grid, image.canvas(), into);
+            };
+            rows.clear();
+            const bool is_certain = one.filtered && !left_open_by([&] { fill_filtered(rows); });
+            if (is_certain)
+                rows.paint_with(sink, fill_filtered);
+            else
+                fill(Triangle<Rational>{one.exact.positions}, one.exact.colors, method, exact_grid,
+                     image.canvas(), sink);
+            return !is_certain;
+        }
+    };
+
+    void add_adaptive(const Scene& scene, const Plan& plan, bool never_errs,
+                      const PixelSets& exact) {
+        const auto filling = std::make_shared<AdaptiveFill>(scene, plan);
         PixelSets pixels(scene.primitives.size());
-        for (const auto& [primitive, pixel, color] : steps.plotted)
-            pixels[primitive].push_back(scene.canvas.offset_of(pixel));
+        std::uint64_t tested = 0;
+        std::uint64_t fallbacks = 0;
+        for (const auto& one : filling->triangles.placed) {
+            if (one.exact.is_skipped)
+                continue;
+            auto& of_triangle = pixels[one.index.primitive];
+            const std::size_t before = of_triangle.size();
+            PixelSink sink{scene.canvas, of_triangle};
+            fallbacks += filling->fill_one(one, sink) ? 1 : 0;
+            tested += pixels_tested(scene, sink, of_triangle.size() - before);
+        }
         sort_sets(pixels);
-        Setting setting = adaptive_setting(*drawing, steps.pixels_tested());
+        Setting setting = adaptive_setting(
+            tested, fallbacks,
+            fmt::format(
+                "certifies all rows of a triangle before it paints one; {} of {} left open, and "
+                "filled in rationals",
+                fallbacks, filling->triangles.placed.size()));
         setting.never_errs = never_errs;
         setting.errors = {ErrorValue::ratio(differing(pixels, exact), perimeter_of(exact))};
-        builder_.add(std::move(setting), timed(drawing), size_of(exact));
+        builder_.add(
+            std::move(setting),
+            [filling] {
+                const FlatPainter painter(filling->image, Color{}, NullSink{});
+                for (const auto& one : filling->triangles.placed)
+                    if (!one.exact.is_skipped)
+                        filling->fill_one(one, painter);
+                keep(filling->image);
+            },
+            size_of(exact));
+    }
+
+    /// The fills that go by rows ask only for the pixels that they draw.
+    static std::uint64_t pixels_tested(const Scene& scene, const PixelSink& sink,
+                                       std::uint64_t drawn) {
+        return scene.method.fill == Fill::barycentric ? sink.tested : drawn;
     }
 
     /// Fills everything in numbers that count; returns the pixels.
@@ -199,9 +260,7 @@ private:
                 const Counting counting(work);
                 fill(counting_triangle, triangle.colors, scene.method, grid, scene.canvas, sink);
             }
-            // The fills that go by rows ask only for the pixels that they draw.
-            work.pixels_tested +=
-                scene.method.fill == Fill::barycentric ? sink.tested : pixels.size() - before;
+            work.pixels_tested += pixels_tested(scene, sink, pixels.size() - before);
         }
         sort_sets(sets);
         return sets;

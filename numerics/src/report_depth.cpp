@@ -6,6 +6,8 @@
 #include "placed_triangles.h"
 #include "report_adaptive.h"
 
+#include <rastertrace/core/draw/certain_rows.h>
+#include <rastertrace/core/draw/exactly.h>
 #include <rastertrace/core/draw/fill.h>
 #include <rastertrace/core/raster/painter_order.h>
 #include <rastertrace/numerics/knobs.h>
@@ -16,6 +18,7 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <optional>
 #include <tuple>
 
 namespace rastertrace {
@@ -101,7 +104,12 @@ public:
                                : "z in rationals, on the pixels of the exact top-left fill";
         report.measures = {{"wrong_winners", "pixels with the wrong winner / pixels covered", "",
                             "pixels covered"},
-                           {"inverse_z_error", "largest relative error of 1/z", ""}};
+                           {"inverse_z_error",
+                            "largest relative error of 1/z",
+                            "",
+                            {},
+                            unseen_inverse_z,
+                            "what rounding to a float may change"}};
         std::vector<Depth> kinds{Depth::inverse_z, Depth::linear_z};
         if (scene_.projection.type != ProjectionType::none)
             kinds.push_back(Depth::ndc_z);
@@ -342,7 +350,7 @@ private:
         const Plan plan = plan_for(scene);
         with_scalar(plan, [&]<typename Scalar>() {
             if constexpr (std::same_as<Scalar, Adaptive>)
-                add_adaptive(scene, setting.never_errs);
+                add_adaptive(scene, plan, std::move(setting));
             else if (const auto input = input_of<Scalar>(scene, plan))
                 use(std::move(setting), input);
             else
@@ -369,43 +377,97 @@ private:
         }
     }
 
-    /// `adaptive` decides as exact numbers do; what its buffer holds are doubles.
-    void add_adaptive(const Scene& scene, bool never_errs) {
-        const auto drawing = adaptive_drawing(scene);
-        const AdaptiveSteps steps = steps_of(*drawing);
-        SeenPrimitives seen(shared_->winners.size());
-        for (const auto& [primitive, pixel, color] : steps.plotted)
-            seen[scene.canvas.offset_of(pixel)] = primitive + 1;
-        Setting setting = adaptive_setting(*drawing, shared_->fragments);
-        setting.never_errs = never_errs;
-        const auto largest = largest_error(scene.depth(), steps.tested);
-        if (largest)
-            setting.errors = {wrong_winners(seen), *largest};
-        else
-            setting.failure = "it has tested other pixels than exact arithmetic draws";
-        builder_.add(std::move(setting), timed(drawing), shared_->fragments);
+    /// Calls `visit(row, span, piece)` with the depths of each row of each piece, in doubles with one
+    /// bound for the row. They come from a plane in filtered doubles, or in rationals where doubles
+    /// leave it open whether a triangle has area.
+    template <typename Visit>
+    static void for_each_adaptive_row(AdaptiveTriangles& input, const DepthScene& shared,
+                                      DepthBuffer<Adaptive>& buffer, Visit&& visit) {
+        input.begin();
+        for (std::size_t i = 0; i < input.placed.size(); ++i) {
+            const AdaptiveTriangles::Placed& one = input.placed[i];
+            input.begin(one);
+            buffer.begin(static_cast<std::uint32_t>(i));
+            const auto visit_rows = [&](const auto& plane) {
+                for (const PieceSpan& span : shared.pieces[i].spans)
+                    visit(buffer.compared(plane.on_row(span.y), span.from, span.to), span, i);
+            };
+            const auto plane_of = [&]<typename Scalar>(const Piece<Scalar>& piece) {
+                using D = DepthOf<Scalar>;
+                return TriangleDepth<D>(depth_positions(Triangle<Scalar>{piece.positions}),
+                                        piece.depths, buffer.larger_passes())
+                    .plane(D(0.5));
+            };
+            std::optional<DepthPlane<Adaptive>> plane;
+            if (one.filtered)
+                left_open_by([&] { plane.emplace(plane_of(*one.filtered)); });
+            if (plane) {
+                visit_rows(*plane);
+            } else {
+                ++input.exactness.fallbacks.primitives;
+                visit_rows(plane_of(one.exact));
+            }
+        }
     }
 
-    /// The largest error of the depths that were tested. They come in the order of the fragments; a
-    /// triangle that meets no other one may not be tested. Nothing, if one is not of these.
-    std::optional<ErrorValue>
-    largest_error(Depth kind, const std::vector<AdaptiveSteps::Tested>& tested) const {
+    /// The whole work of the depth buffer of `adaptive`.
+    static Winners run_adaptive(AdaptiveTriangles& input, const DepthScene& shared) {
+        DepthBuffer<Adaptive> buffer(whole(shared.canvas), depth_rule<Adaptive>(input.scene));
+        buffer.ask(
+            [&input](auto... asked) {
+                return is_nearer(input.scene, input.plan, input.exactness, asked...);
+            },
+            {});
+        Winners winners(static_cast<std::size_t>(shared.canvas.width) *
+                        static_cast<std::size_t>(shared.canvas.height));
+        for_each_adaptive_row(
+            input, shared, buffer,
+            [&](const DepthRow<Adaptive>& row, const PieceSpan& span, std::size_t piece) {
+                const int line = static_cast<int>(shared.canvas.row_of(span.y));
+                std::uint32_t* const seen = row_of(winners, shared.canvas, line);
+                const auto number = static_cast<std::uint32_t>(piece + 1);
+                buffer.keep_nearer(line, span.from, span.to, row,
+                                   [seen, number](int x) { seen[x] = number; });
+            });
+        input.exactness.fallbacks.depths = buffer.exact_tests();
+        return winners;
+    }
+
+    /// `adaptive` decides as exact numbers do; what its buffer holds are doubles.
+    void add_adaptive(const Scene& scene, const Plan& plan, Setting setting) {
+        const auto input = std::make_shared<AdaptiveTriangles>(scene, plan);
+        if (!are_those_of(shared_->pieces, input->primitives()))
+            return builder_.add_failure(
+                setting.name, setting.label,
+                "clipping has left other triangles than in exact arithmetic");
+        const Winners winners = run_adaptive(*input, *shared_);
+        const Fallbacks fallbacks = input->exactness.fallbacks;
+        Setting adaptive = adaptive_setting(
+            shared_->fragments, fallbacks.primitives + fallbacks.depths,
+            "a bound for each triangle; a test that it leaves open is decided in rationals");
+        adaptive.never_errs = setting.never_errs;
+        adaptive.errors = {wrong_winners(winners), largest_error(scene.depth(), *input)};
+        builder_.add(
+            std::move(adaptive), [input, shared = shared_] { keep(run_adaptive(*input, *shared)); },
+            shared_->fragments);
+    }
+
+    /// The largest error of the doubles that `adaptive` tests.
+    ErrorValue largest_error(Depth kind, AdaptiveTriangles& input) const {
+        DepthBuffer<Adaptive> buffer(whole(shared_->canvas), depth_rule<Adaptive>(input.scene));
         std::optional<double> largest;
-        auto next = tested.begin();
         std::size_t fragment = 0;
-        for (const SpansOfPiece& piece : shared_->pieces)
-            for (const PieceSpan& span : piece.spans)
-                for (int x = span.from; x <= span.to; ++x, ++fragment) {
-                    if (next == tested.end() || next->primitive != piece.primitive ||
-                        next->pixel != Pixel{x, span.y})
-                        continue;
-                    const auto error = inverse_z_error(kind, fragment, (next++)->depth);
+        for_each_adaptive_row(
+            input, *shared_, buffer,
+            [&](const DepthRow<Adaptive>& row, const PieceSpan& span, std::size_t) {
+                for (int x = span.from; x <= span.to; ++x) {
+                    const double depth = buffer.turned(row.at(x)).value();
+                    const auto error = inverse_z_error(kind, fragment++, depth);
                     if (error && !(largest && *error <= *largest))
                         largest = error;
                 }
-        if (next != tested.end())
-            return std::nullopt;
-        return ErrorValue{largest};
+            });
+        return {largest};
     }
 
     template <typename D, typename DepthsOf>

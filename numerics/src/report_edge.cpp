@@ -127,7 +127,12 @@ public:
         report.units = pixels_.size();
         report.reference = "x1 + (dx/dy) (y - y1) in rationals, and its floor";
         report.measures = {{"wrong_rows", "rows with a wrong pixel / rows", "", "rows"},
-                           {"x_error", "largest |x - exact|", "px"}};
+                           {"x_error",
+                            "largest |x - exact|",
+                            "px",
+                            {},
+                            unseen_x,
+                            "half a step of the grid of graphics hardware"}};
         add_direct();
         add_weighted();
         add_accumulated<float>("float");

@@ -10,13 +10,49 @@ namespace rastertrace {
 
 namespace {
 
+/// One of those that are measured.
+struct State {
+    int repetitions = 1;
+    double spent = 0;                 ///< seconds of all its runs
+    std::vector<double> seconds = {}; ///< of one repetition, in each run
+};
+
 /// Seconds that running it so often takes.
-double seconds_of(const TimedRun& one, int repetitions) {
-    using Clock = std::chrono::steady_clock;
-    const auto start = Clock::now();
+double seconds_of(const TimedRun& one, int repetitions, const Clock& clock) {
+    const double start = clock();
     for (int i = 0; i < repetitions; ++i)
         one.run();
-    return std::chrono::duration<double>(Clock::now() - start).count();
+    return clock() - start;
+}
+
+/// Seconds of two runs. The faster one tells how long it takes: a single one may have been held up by
+/// whatever else the machine does, or by memory that is touched for the first time.
+std::vector<double> two_runs(const TimedRun& one, int repetitions, const TimingRules& rules,
+                             const Clock& clock) {
+    std::vector<double> seconds;
+    for (int i = 0; i < std::min(2, rules.runs); ++i)
+        seconds.push_back(seconds_of(one, repetitions, clock));
+    return seconds;
+}
+
+/// Finds out how often it has to be repeated to be seen by the clock. This also fills the caches. What
+/// takes all the time that it has is not run again: these runs are the ones that count.
+State calibrated(const TimedRun& one, const TimingRules& rules, const Clock& clock) {
+    State state;
+    while (true) {
+        const auto runs = two_runs(one, state.repetitions, rules, clock);
+        const double seconds = *std::min_element(runs.begin(), runs.end());
+        if (seconds >= rules.most_time) {
+            for (const double run : runs)
+                state.seconds.push_back(run / state.repetitions);
+            return state;
+        }
+        if (seconds >= rules.shortest_run || state.repetitions >= 1 << 24)
+            return state;
+        const double factor = 1.25 * rules.shortest_run / std::max(seconds, 1e-9);
+        state.repetitions = static_cast<int>(
+            std::ceil(static_cast<double>(state.repetitions) * std::clamp(factor, 1.5, 100.0)));
+    }
 }
 
 /// The middle one, or the mean of the two in the middle.
@@ -28,41 +64,30 @@ double median_of(std::vector<double> values) {
 
 } // namespace
 
-void time_in_turn(std::vector<TimedRun>& all, const TimingRules& rules,
-                  const std::function<void(int, int)>& before_round) {
-    struct State {
-        int repetitions = 1;
-        double spent = 0;            ///< seconds of all its runs
-        std::vector<double> seconds; ///< of one repetition
-    };
-    std::vector<State> states(all.size());
+double steady_clock_seconds() {
+    const auto now = std::chrono::steady_clock::now().time_since_epoch();
+    return std::chrono::duration<double>(now).count();
+}
 
-    // How often each has to be repeated to be seen by the clock. This also fills the caches.
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        State& state = states[i];
-        double seconds = seconds_of(all[i], 1);
-        while (seconds < rules.shortest_run && state.repetitions < 1 << 24) {
-            const double factor = 1.25 * rules.shortest_run / std::max(seconds, 1e-9);
-            state.repetitions = static_cast<int>(
-                std::ceil(static_cast<double>(state.repetitions) * std::clamp(factor, 1.5, 100.0)));
-            seconds = seconds_of(all[i], state.repetitions);
-        }
-        // What takes so long that it is run only once has been.
-        if (seconds >= rules.most_time) {
-            state.spent = seconds;
-            state.seconds.push_back(seconds / state.repetitions);
-        }
+void time_in_turn(std::vector<TimedRun>& all, const TimingRules& rules,
+                  const std::function<void(int, int)>& before_round, const Clock& clock) {
+    std::vector<State> states;
+    std::vector<std::size_t> to_run;
+    for (const TimedRun& one : all) {
+        states.push_back(calibrated(one, rules, clock));
+        if (states.back().seconds.empty())
+            to_run.push_back(states.size() - 1);
     }
 
     for (int round = 0; round < rules.runs; ++round) {
         if (before_round)
             before_round(round, rules.runs);
-        for (std::size_t turn = 0; turn < all.size(); ++turn) {
-            const std::size_t i = (turn + static_cast<std::size_t>(round)) % all.size();
+        for (std::size_t turn = 0; turn < to_run.size(); ++turn) {
+            const std::size_t i = to_run[(turn + static_cast<std::size_t>(round)) % to_run.size()];
             State& state = states[i];
-            if (state.spent >= rules.most_time)
+            if (state.spent >= rules.most_time && round >= least_runs)
                 continue;
-            const double seconds = seconds_of(all[i], state.repetitions);
+            const double seconds = seconds_of(all[i], state.repetitions, clock);
             state.spent += seconds;
             state.seconds.push_back(seconds / state.repetitions);
         }

@@ -279,7 +279,18 @@ Scene example(const std::string& name) {
     return read_scene({path, text}).value().scene;
 }
 
-/// The settings of `adaptive` that are drawn with doubles, as far as fractions do not serve.
+// The extreme scene is clipped: colors that clipping makes are rounded as the method rounds.
+TEST(ColorReport, WhatNeverErrsHasNoErrorOnAnyExample) {
+    for (const std::string name : {"friendly", "extreme"})
+        for (const Curve& curve : report_of_job(example(name), ReportJob::color).curves)
+            for (const Setting& setting : curve.settings)
+                if (setting.never_errs) {
+                    EXPECT_EQ(setting.errors.at(1).count, 0U)
+                        << name << ", " << name_of(curve, setting);
+                }
+}
+
+/// The settings of `adaptive`, as far as fractions do not serve.
 std::vector<Setting> adaptive_settings(const JobReport& job) {
     std::vector<Setting> settings;
     for (const Curve& curve : job.curves)
@@ -299,11 +310,10 @@ TEST(AdaptiveReport, HasNoErrorInPixelsAndWinnersOfTheExamples) {
             EXPECT_EQ(setting.errors.at(0).value, 0) << name;
         }
         const JobReport depth = report_of_job(scene, ReportJob::depth);
-        EXPECT_EQ(wrong(depth, "inverse-z", "adaptive (draw)"), 0U) << name;
-        EXPECT_EQ(wrong(depth, "linear-z", "adaptive (draw)"), wrong(depth, "linear-z", "exact"))
-            << name;
+        EXPECT_EQ(wrong(depth, "inverse-z", "adaptive"), 0U) << name;
+        EXPECT_EQ(wrong(depth, "linear-z", "adaptive"), wrong(depth, "linear-z", "exact")) << name;
         // It holds doubles.
-        EXPECT_LT(error(depth, "inverse-z", "adaptive (draw)", 1), 1e-9) << name;
+        EXPECT_LT(error(depth, "inverse-z", "adaptive", 1), 1e-9) << name;
     }
 }
 
@@ -315,7 +325,7 @@ TEST(AdaptiveReport, MixesTheColorsOfExactNumbers) {
         for (const std::string curve :
              {"on the screen (affine)", "in space, divided in each pixel"}) {
             const Setting& exact = setting_of(job, curve, "exact");
-            const Setting& adaptive = setting_of(job, curve, "adaptive (draw)");
+            const Setting& adaptive = setting_of(job, curve, "adaptive");
             EXPECT_EQ(adaptive.failure, "") << name << ", " << curve;
             EXPECT_EQ(adaptive.errors.at(0).value, exact.errors.at(0).value) << name << curve;
             EXPECT_EQ(adaptive.errors.at(1).count, exact.errors.at(1).count) << name << curve;
@@ -326,13 +336,29 @@ TEST(AdaptiveReport, MixesTheColorsOfExactNumbers) {
 // Two triangles lie in one plane, and others share their corners with samples.
 TEST(AdaptiveReport, CountsWhatTookExactNumbers) {
     const Scene scene = example("extreme");
-    for (const ReportJob job : {ReportJob::coverage, ReportJob::depth}) {
-        for (const Setting& setting : adaptive_settings(report_of_job(scene, job))) {
-            const Work work = setting.work.value();
-            EXPECT_GT(work.exact_fallbacks, 0U) << setting.name;
-            EXPECT_FALSE(work.has_operations);
-            EXPECT_THAT(setting.note, HasSubstr("whole drawing"));
-        }
+    const JobReport coverage = report_of_job(scene, ReportJob::coverage);
+    const Setting& filled = setting_of(coverage, "top-left, scalars", "adaptive");
+    EXPECT_GT(filled.work.value().exact_fallbacks, 0U);
+    EXPECT_FALSE(filled.work.value().has_operations);
+    EXPECT_THAT(filled.note, HasSubstr("left open, and filled in rationals"));
+    const JobReport depth = report_of_job(scene, ReportJob::depth);
+    const Setting& tested = setting_of(depth, "inverse-z", "adaptive");
+    EXPECT_GT(tested.work.value().exact_fallbacks, 1000U) << "a plane that is cut twice";
+}
+
+// Each fragment is worked on once for each run, as by every other scalar: nothing is placed or drawn.
+TEST(AdaptiveReport, IsTimedForTheUnitsOfTheOtherScalars) {
+    const Scene scene = example("friendly");
+    for (const ReportJob which : {ReportJob::coverage, ReportJob::depth, ReportJob::color}) {
+        const JobReport job = report_of_job(scene, which);
+        for (const Curve& curve : job.curves)
+            for (const Setting& setting : curve.settings)
+                if (setting.name == "adaptive") {
+                    EXPECT_EQ(setting.units, curve.settings.back().units) << curve.method;
+                    EXPECT_EQ(setting.work.value().pixels_tested,
+                              curve.settings.back().work.value().pixels_tested)
+                        << curve.method;
+                }
     }
 }
 
@@ -341,8 +367,7 @@ TEST(AdaptiveReport, CountsTheOneTie) {
     const Scene scene =
         triangle_scene({"1e-30", "0", "5", "0", "0", "5"}, {.width = 12, .height = 12});
     const JobReport job = report_of_job(scene, ReportJob::coverage);
-    EXPECT_EQ(setting_of(job, "scanline, scalars", "adaptive (draw)").work.value().exact_fallbacks,
-              1U);
+    EXPECT_EQ(setting_of(job, "scanline, scalars", "adaptive").work.value().exact_fallbacks, 1U);
     EXPECT_EQ(setting_of(job, "scanline, scalars", "exact").work.value().exact_fallbacks, 0U);
 }
 
@@ -359,7 +384,7 @@ TEST(AdaptiveReport, OnlyTrianglesAreMeasured) {
         scene.primitives.begin(),
         {.kind = PrimitiveKind::line, .name = "AB", .vertices = {0, 1}, .color = {}});
     const JobReport job = report_of_job(scene, ReportJob::coverage);
-    EXPECT_EQ(wrong(job, "scanline, scalars", "adaptive (draw)"), 0U);
+    EXPECT_EQ(wrong(job, "scanline, scalars", "adaptive"), 0U);
 }
 
 TEST(Report, IsTheSameTwiceButForTheTimes) {
@@ -436,22 +461,79 @@ TEST(Pareto, NothingIsBothFasterAndNearer) {
     EXPECT_THAT(front, ElementsAre("exact", "good", "fast"));
 }
 
-TEST(Pareto, TheAdviceNamesTheExactTheFastestAndWhatLiesBetween) {
-    EXPECT_EQ(
-        advice_for(hand_made_job(), 0).sentence,
-        "Choose one: exact: it has no error here (10 ns per row); one: slow and exact never has "
-        "any (20 ns per row); the fastest, two: fast (2 ns per row), is off by 0.001 px; within "
-        "twice that time one: good is off by 1e-06 px (3 ns per row).");
-    JobReport one_wins = hand_made_job();
-    one_wins.curves.resize(1);
-    one_wins.curves[0].settings.resize(2);
-    EXPECT_EQ(
-        advice_for(one_wins, 0).sentence,
-        "Choose one: exact: it has no error here, and nothing is faster (10 ns per row); one: "
-        "slow and exact never has any (20 ns per row).");
-    one_wins.curves[0].settings[0].never_errs = true;
-    EXPECT_EQ(advice_for(one_wins, 0).sentence,
-              "Choose one: exact: it has no error, and nothing is faster (10 ns per row).");
+/// A job of one curve: what never errs in `exact_time`, and what is near and what is not, both in 1 ns or less.
+JobReport job_with_price(double exact_time, double near_error, double unseen) {
+    JobReport job;
+    job.unit = "row";
+    job.measures = {{"e", "error", "px", {}, unseen, "half a grain"}};
+    job.curves = {{"one",
+                   "knob",
+                   {hand_made("exact", 0, exact_time), hand_made("near", near_error, 1),
+                    hand_made("far", 0.5, 0.9)}}};
+    job.curves[0].settings[0].never_errs = true;
+    return job;
+}
+
+TEST(Advice, TakesTheFastestThatIsEnoughAndTellsThePriceOfExactness) {
+    EXPECT_EQ(advice_for(job_with_price(207, 2e-12, 1e-3), 0).sentence,
+              "Choose one: near: it is off by 2e-12 px, no more than half a grain (1 ns per row). "
+              "What never errs, one: exact, takes 207 times as long (207 ns per row). The fastest, "
+              "one: far, is off by 0.5 px (0.9 ns per row).");
+}
+
+TEST(Advice, AnErrorOfJustWhatIsUnseenIsEnough) {
+    EXPECT_THAT(advice_for(job_with_price(207, 1e-3, 1e-3), 0).sentence,
+                testing::StartsWith("Choose one: near: "));
+    EXPECT_THAT(advice_for(job_with_price(207, 1.001e-3, 1e-3), 0).sentence,
+                testing::StartsWith("Choose one: exact: "));
+}
+
+TEST(Advice, TakesWhatNeverErrsWhereThatIsCheap) {
+    EXPECT_EQ(advice_for(job_with_price(price_of_safety, 2e-12, 1e-3), 0).sentence,
+              "Choose one: exact: it never errs (2 ns per row). The fastest, one: far, is off by "
+              "0.5 px (0.9 ns per row).");
+    EXPECT_THAT(advice_for(job_with_price(price_of_safety + 0.1, 2e-12, 1e-3), 0).sentence,
+                HasSubstr("Choose one: near: it is off by 2e-12 px, no more than half a grain (1 "
+                          "ns per row). What never errs, one: exact, takes 2.1 times as long"));
+}
+
+TEST(Advice, TakesTheLeastErrorWhereNothingIsEnough) {
+    JobReport job = job_with_price(207, 1e-2, 1e-3);
+    job.curves[0].settings.erase(job.curves[0].settings.begin());
+    EXPECT_EQ(advice_for(job, 0).sentence,
+              "Choose one: near: it is off by 0.01 px, the least of all (1 ns per row). The "
+              "fastest, one: far, is off by 0.5 px (0.9 ns per row).");
+}
+
+TEST(Advice, NoErrorHereNeedNotMeanNoneElsewhere) {
+    JobReport job = job_with_price(30, 0, 0);
+    job.curves[0].settings.pop_back();
+    EXPECT_EQ(advice_for(job, 0).sentence,
+              "Choose one: near: it has no error here, and nothing is faster (1 ns per row). What "
+              "never errs, one: exact, takes 30 times as long (30 ns per row).");
+    job.curves[0].settings[1].never_errs = true;
+    EXPECT_EQ(advice_for(job, 0).sentence,
+              "Choose one: near: it never errs, and nothing is faster (1 ns per row).");
+}
+
+TEST(Advice, OfTimesThatTheClockCannotTellApartTheOneThatNeverErrsIsTheFastest) {
+    EXPECT_EQ(advice_for(job_with_price(0.9 * (1 + timing_noise / 2), 0, 0), 0).sentence,
+              "Choose one: exact: it never errs, and nothing is faster (0.909 ns per row).");
+}
+
+TEST(Advice, FewWrongPixelsAreStillWrong) {
+    JobReport job = job_with_price(10, 0, 0);
+    job.measures[0].against = "rows";
+    job.curves[0].settings[1].errors = {ErrorValue::ratio(1, 1000000)};
+    EXPECT_EQ(advice_for(job, 0).sentence, "Choose one: exact: it never errs (10 ns per row). The "
+                                           "fastest, one: far, is off by 0.5 px (0.9 ns per row).");
+}
+
+TEST(Advice, WithoutAnyMeasurementThereIsNone) {
+    JobReport job = job_with_price(1, 0, 0);
+    for (Setting& setting : job.curves[0].settings)
+        setting.failure = "overflow";
+    EXPECT_EQ(advice_for(job, 0).sentence, "Nothing could be measured.");
 }
 
 // Knobs at their ends, against the core's own walk.
@@ -504,15 +586,6 @@ TEST(Counted, CountsEachOperationOnce) {
     const Counted<double> after = Counted<double>(1.0) + 1;
     EXPECT_EQ(after.value(), 2);
     EXPECT_EQ(work.adds, 2U) << "nobody is counting any more";
-}
-
-TEST(Timing, EachIsRunAsOftenAsAsked) {
-    int runs = 0;
-    std::vector<TimedRun> all{{.run = [&runs] { ++runs; }, .units = 1}};
-    time_in_turn(all, {.runs = 5, .shortest_run = 0, .most_time = 1});
-    EXPECT_EQ(runs, 6) << "once to begin with";
-    EXPECT_EQ(all[0].timing.runs, 5);
-    EXPECT_LE(all[0].timing.minimum, all[0].timing.median);
 }
 
 } // namespace

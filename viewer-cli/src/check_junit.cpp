@@ -3,7 +3,7 @@
 
 #include "check_report.h"
 
-#include <rastertrace/numerics/plot_svg.h>
+#include <rastertrace/figures/svg.h>
 #include <rastertrace/trace/text.h>
 
 #include <fmt/core.h>

@@ -4,28 +4,33 @@
 #include "report_file.h"
 
 #include <rastertrace/core/scene/stages.h>
-#include <rastertrace/numerics/plot_svg.h>
+#include <rastertrace/figures/plot.h>
+#include <rastertrace/figures/svg.h>
 #include <rastertrace/trace/text.h>
 
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <iterator>
+#include <cmath>
+#include <cstddef>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace rastertrace {
 
 namespace {
 
-constexpr double title_height = 46;
+constexpr double margin = 14;
 
 Plot plot_of(const JobReport& job, std::size_t measure) {
     const ErrorMeasure& one = job.measures[measure];
     Plot plot{.title = std::string(one.name),
-              .x_label = one.unit.empty() ? std::string(one.name)
-                                          : fmt::format("{} ({})", one.name, one.unit),
-              .y_label = fmt::format("median ns for each {}", job.unit),
-              .curves = {},
-              .caption = job.advice[measure].sentence};
+              .x = {.label = one.unit.empty() ? std::string(one.name)
+                                              : fmt::format("{} ({})", one.name, one.unit)},
+              .y = {.label = fmt::format("median ns for each {}", job.unit)},
+              .caption = job.advice[measure].sentence,
+              .only_shelf = "no method has an error here"};
     for (const Curve& curve : job.curves) {
         PlotCurve& drawn = plot.curves.emplace_back();
         drawn.name = curve.method;
@@ -45,25 +50,61 @@ bool has_failed(const Curve& curve) {
                         [](const Setting& setting) { return setting.failure.empty(); });
 }
 
-/// The plots of a job side by side, and what their lines mean.
-std::string plots_svg(const JobReport& job) {
-    std::string svg;
-    double x = 0;
-    std::vector<PlotCurve> curves;
-    for (std::size_t measure = 0; measure < job.measures.size(); ++measure) {
-        const Plot plot = plot_of(job, measure);
-        svg += moved_svg(x, 0, plot_svg(plot));
-        x += plot_size.width;
-        curves = plot.curves;
-    }
-    for (std::size_t i = 0; i < curves.size(); ++i)
-        if (has_failed(job.curves[i]))
-            curves[i].name += " (failed)";
-    return svg + moved_svg(x, 0, legend_svg(curves));
+/// Puts a drawing right of what is on a sheet, or below it.
+void place_right(Drawing part, Drawing& sheet) {
+    const double left = sheet.width;
+    sheet.width += part.width;
+    sheet.height = std::max(sheet.height, part.height);
+    place(std::move(part), {left, 0}, sheet);
+}
+void place_below(Drawing part, Drawing& sheet) {
+    const double top = sheet.height;
+    sheet.width = std::max(sheet.width, part.width);
+    sheet.height += part.height;
+    place(std::move(part), {0, top}, sheet);
 }
 
-double width_of(const JobReport& job) {
-    return plot_size.width * static_cast<double>(job.measures.size()) + legend_size.width;
+/// Text on a sheet of its own, in as many lines as it takes.
+Drawing text_drawing(std::string_view text, double width, double size, bool is_bold) {
+    constexpr double line_height = 1.4;
+    Drawing sheet{.width = width, .title = {}};
+    const auto columns = static_cast<std::size_t>((width - 2 * margin) / width_of("x", size));
+    for (std::string& line : wrapped(printable(text), columns)) {
+        sheet.height += line_height * size;
+        sheet.shapes.push_back(Label{.role = is_bold ? Role::strong_text : Role::text,
+                                     .at = {margin, sheet.height},
+                                     .text = std::move(line),
+                                     .size = size,
+                                     .is_bold = is_bold});
+    }
+    return sheet;
+}
+
+std::string heading_of(const JobReport& job) {
+    return fmt::format("{}: {}; exact is {}", name_of(job.job), counted(job.units, job.unit),
+                       job.reference);
+}
+
+/// The plots of a job side by side, and what their lines mean.
+Drawing plots_drawing(const JobReport& job) {
+    Drawing sheet{.title = heading_of(job)};
+    Plot plot;
+    for (std::size_t measure = 0; measure < job.measures.size(); ++measure) {
+        plot = plot_of(job, measure);
+        sheet.description +=
+            fmt::format("{}{}: {}", sheet.description.empty() ? "" : " ", plot.title, plot.caption);
+        place_right(plot_drawing(plot), sheet);
+    }
+    for (std::size_t i = 0; i < plot.curves.size(); ++i)
+        if (has_failed(job.curves[i]))
+            plot.curves[i].name += " (failed)";
+    place_right(legend_drawing(plot), sheet);
+    return sheet;
+}
+
+/// A drawing as SVG. A plot has no pixels: there are never too many.
+std::string svg_text(const Drawing& drawing, Theme theme) {
+    return svg_of(drawing, theme).value();
 }
 
 std::string machine_line(const MeasuredReport& report) {
@@ -127,31 +168,26 @@ std::string table_html(const JobReport& job) {
     return html + "</table>\n";
 }
 
-std::string heading_of(const JobReport& job) {
-    return fmt::format("{}: {}; exact is {}", name_of(job.job), counted(job.units, job.unit),
-                       job.reference);
-}
-
 } // namespace
 
 std::string report_svg(const MeasuredReport& report) {
-    SvgSize size{0, 0};
-    std::string body;
-    for (const SceneReport& scene : report.scenes) {
+    Drawing sheet{.title = "rastertrace: error against run time"};
+    for (const SceneReport& scene : report.scenes)
         for (const JobReport& job : scene.jobs) {
             if (!job.nothing.empty())
                 continue;
-            size.width = std::max(size.width, width_of(job));
-            size.height += title_height;
-            body += text_svg(14, size.height - 22, 14, shortened(scene.title, 85));
-            body += text_svg(14, size.height - 6, 11, heading_of(job));
-            body += moved_svg(0, size.height, plots_svg(job));
-            size.height += plot_size.height;
+            Drawing plots = plots_drawing(job);
+            sheet.height += margin;
+            place_below(text_drawing(scene.title, plots.width, 14, true), sheet);
+            place_below(text_drawing(plots.title, plots.width, 11, false), sheet);
+            sheet.description += fmt::format("{}{}. {}", sheet.description.empty() ? "" : " ",
+                                             plots.title, plots.description);
+            place_below(std::move(plots), sheet);
         }
-    }
-    size.height += title_height;
-    body += text_svg(14, size.height - 12, 10, machine_line(report));
-    return svg_document(size, "rastertrace: error against run time", body);
+    sheet.height += margin;
+    place_below(text_drawing(machine_line(report), sheet.width, 10, false), sheet);
+    sheet.height = std::ceil(sheet.height + margin);
+    return svg_text(sheet, Theme::automatic);
 }
 
 std::string report_html(const MeasuredReport& report) {
@@ -175,8 +211,7 @@ std::string report_html(const MeasuredReport& report) {
                 continue;
             }
             html += fmt::format("<h3>{}</h3>\n", escaped(heading_of(job)));
-            html +=
-                svg_document({width_of(job), plot_size.height}, heading_of(job), plots_svg(job));
+            html += svg_text(plots_drawing(job), Theme::light);
             html += "<ul>\n";
             for (std::size_t measure = 0; measure < job.measures.size(); ++measure)
                 html += fmt::format("<li>{}: {}</li>\n", escaped(job.measures[measure].name),

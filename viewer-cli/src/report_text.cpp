@@ -5,7 +5,6 @@
 #include "report_file.h"
 
 #include <rastertrace/core/scene/stages.h>
-#include <rastertrace/numerics/plot_svg.h>
 #include <rastertrace/trace/text.h>
 
 #include <fmt/core.h>
@@ -61,7 +60,7 @@ void put_wrapped(std::string& text, std::string_view first, std::string_view res
     }
 }
 
-/// "adaptive (draw): timed as a whole drawing; 3 exact fallbacks".
+/// "adaptive: a bound for each triangle; 3 exact fallbacks".
 std::string note_of(const Setting& setting) {
     std::string note = fmt::format("{}: {}", setting.name, setting.note);
     if (setting.work)
@@ -122,6 +121,8 @@ void put_job(std::string& text, const JobReport& job) {
         const ErrorMeasure& one = job.measures[measure];
         text += fmt::format("  error {}: {}{}\n", measure + 1, one.name,
                             one.unit.empty() ? "" : fmt::format(" ({})", one.unit));
+        if (one.unseen > 0)
+            text += fmt::format("    up to {:.2g} is enough: {}\n", one.unseen, one.unseen_as);
     }
     text += fmt::format("{:<17}{:>13} {:>13} {:>10}{:>10}{:>5}{:>6}{:>6}{:>6}{:>6}{:>6}\n", "",
                         "error 1", job.measures.size() > 1 ? "error 2" : "", "min ns", "median ns",
@@ -186,8 +187,10 @@ Json json_of(const JobReport& job) {
     json["units"] = job.units;
     json["reference"] = job.reference;
     for (const ErrorMeasure& measure : job.measures)
-        json["measures"].push_back(
-            {{"key", measure.key}, {"name", measure.name}, {"unit", measure.unit}});
+        json["measures"].push_back({{"key", measure.key},
+                                    {"name", measure.name},
+                                    {"unit", measure.unit},
+                                    {"enough", measure.unseen}});
     for (const Curve& curve : job.curves) {
         Json settings = Json::array();
         for (const Setting& setting : curve.settings)
@@ -223,8 +226,9 @@ std::string report_text(const MeasuredReport& report) {
                 "  ");
     put_wrapped(text, "",
                 fmt::format("up to {} runs of each setting, all in turn; those of a setting end "
-                            "after {:g} s",
-                            report.timing.runs, report.timing.most_time),
+                            "after {:g} s, but not before {} have been made, unless one takes as "
+                            "long",
+                            report.timing.runs, report.timing.most_time, least_runs),
                 "  ");
     put_wrapped(text, "",
                 "Times and operations are for one row, one pixel: ns; additions, multiplications, "

@@ -85,6 +85,7 @@ enum class Role : std::uint8_t {
     curve_10,
     curve_11,
     curve_12,
+    leader, ///< from a mark to its label
     shelf, ///< the part of a plot for what its axis does not reach
 };
 

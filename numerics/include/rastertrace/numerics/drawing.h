@@ -12,10 +12,7 @@
 
 namespace rastertrace {
 
-struct Fallbacks;
-
-/// Draws a scene in which find_unfit has found nothing. Who wants to know is told how often
-/// `adaptive` fell back on exact numbers.
-Image drawn(const Scene& scene, const Plan& plan, Fallbacks* fallbacks = nullptr);
+/// Draws a scene in which find_unfit has found nothing.
+Image drawn(const Scene& scene, const Plan& plan);
 
 } // namespace rastertrace

@@ -45,7 +45,23 @@ struct ErrorMeasure {
     std::string_view name;         ///< "wrong rows / rows"
     std::string_view unit;         ///< "px"; empty where there is none
     std::string_view against = {}; ///< of a ratio: what the wrong ones are counted against: "rows"
+    double unseen = 0; ///< an error up to this is enough: nothing that is drawn shows it
+    std::string_view unseen_as = {}; ///< why, if it is not 0: "what rounding to a float may change"
 };
+
+/// In pixels. Graphics hardware snaps vertices to 1/256 px (Direct3D 11, 3.4.1) and so moves them by up to
+/// half of that: nobody misses what is less in x.
+inline constexpr double unseen_x = 1.0 / 512;
+
+/// Relative to 1/z. No depth buffer in use holds more than a float does, which rounds by up to 2^-24.
+inline constexpr double unseen_inverse_z = 0x1p-24;
+
+/// In levels of 255. An eye can hardly tell a level from the next one.
+inline constexpr double unseen_level = 1;
+
+/// Times. What never errs, on no scene, is chosen if it takes at most so many times as long as the fastest
+/// that is enough on this one.
+inline constexpr double price_of_safety = 2;
 
 /// One error of one method.
 struct ErrorValue {
@@ -63,7 +79,7 @@ struct Setting {
     std::string name;    ///< "8 bits"
     std::string label;   ///< short, beside the mark: "8"
     std::string failure; ///< why it could not be measured, or what it gave that is no number
-    std::string note;    ///< what is timed, where that is more than the others' work
+    std::string note;    ///< what is timed, where that is not quite the others' work
     std::vector<ErrorValue> errors; ///< one for each of the job's measures, unless it failed
     std::vector<bool> on_front;     ///< for each measure: nothing is both faster and nearer
     bool never_errs = false;        ///< its error is 0 on any scene, not only on this one
@@ -139,8 +155,9 @@ inline constexpr double timing_noise = 0.02;
 /// a time that is no longer, or the same error in a shorter time. Failures are not on it.
 void mark_fronts(JobReport& job);
 
-/// What to choose, from errors and median times: the cheapest setting without error, the fastest of
-/// all, and the most exact that is almost as fast.
+/// What to choose when price matters, from errors and median times: the fastest whose error is no more than
+/// the measure's `unseen`, or what never errs if that takes no longer than price_of_safety times as long; where
+/// nothing is that near, the least error. Says what it costs never to err, and what the fastest of all does.
 Advice advice_for(const JobReport& job, std::size_t measure);
 
 /// "x accumulated, float: every 16 rows".

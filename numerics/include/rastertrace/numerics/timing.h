@@ -20,6 +20,10 @@ struct TimingRules {
     double most_time = 2;       ///< seconds for one of them; what takes longer is run less often
 };
 
+/// However long its runs take, each is run so often, unless a single run takes all the time allowed: of
+/// three, the one that something else held up is neither the minimum nor the median.
+inline constexpr int least_runs = 3;
+
 /// What was measured, in nanoseconds per unit.
 struct Timing {
     double minimum = 0;
@@ -34,10 +38,15 @@ struct TimedRun {
     Timing timing = {};
 };
 
+/// Seconds since whenever.
+using Clock = std::function<double()>;
+double steady_clock_seconds();
+
 /// Runs all of them in turn, beginning with another one in each round, and fills in their timings.
 /// `before_round` is called with the number of each round and how many there will be.
 void time_in_turn(std::vector<TimedRun>& all, const TimingRules& rules,
-                  const std::function<void(int, int)>& before_round = {});
+                  const std::function<void(int, int)>& before_round = {},
+                  const Clock& clock = steady_clock_seconds);
 
 /// Makes the compiler believe that somebody reads `value`, and everything in memory.
 template <typename T> void keep(const T& value) {

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Places for labels, so that none covers a mark or another label: beside its mark if there is room, else as near
+// as there is, with a line that leads to it.
+//
+//     LabelPlaces places(area);
+//     places.take(box_around(mark, 4));
+//     places.find({.mark = mark, .away = 6, .width = 30, .height = 10});
+
+#include <rastertrace/figures/drawing.h>
+
+#include <optional>
+#include <vector>
+
+namespace rastertrace {
+
+/// A rectangle on the sheet that something takes.
+struct Box {
+    double left = 0;
+    double top = 0;
+    double right = 0;
+    double bottom = 0;
+
+    bool meets(const Box& other) const {
+        return left < other.right && other.left < right && top < other.bottom && other.top < bottom;
+    }
+    bool has(const Box& other) const {
+        return left <= other.left && other.right <= right && top <= other.top &&
+               other.bottom <= bottom;
+    }
+};
+
+/// The square that has a circle.
+Box box_around(Place center, double radius);
+
+/// A label that looks for its place.
+struct LabelWish {
+    Place mark;
+    double away = 0; ///< from the mark's center: so far it reaches
+    double width = 0;
+    double height = 0;
+};
+
+/// Where it stands.
+struct LabelPlace {
+    Box box;
+    std::optional<Path> leader = {}; ///< from the mark, if it does not stand beside it
+};
+
+class LabelPlaces {
+public:
+    /// Labels stand in `area`, and rather not across the line at x = `border`.
+    LabelPlaces(const Box& area, double border) : area_(area), border_(border) {}
+
+    /// No label covers this.
+    void take(const Box& box) { taken_.push_back(box); }
+
+    /// A place beside the mark, which is then taken. `nullopt` if there is none.
+    std::optional<LabelPlace> find_beside(const LabelWish& wish);
+
+    /// The nearest place that there is, which is then taken. A line leads to it, and crosses no label and no other
+    /// such line if that can be had. `nullopt` if the area is full.
+    std::optional<LabelPlace> find_anywhere(const LabelWish& wish);
+
+private:
+    bool is_free(const Box& box) const;
+    bool crosses_border(const Box& box) const { return box.left < border_ && border_ < box.right; }
+    bool is_clear(const Path& leader) const;
+
+    Box area_;
+    double border_;
+    std::vector<Box> taken_;
+    std::vector<Box> labels_;
+    std::vector<Path> leaders_;
+};
+
+} // namespace rastertrace
