@@ -103,39 +103,40 @@ struct Rect {
     }
 };
 
-/// The labels of marks, which have a rim; 0.5 units of slack at each side.
+/// Where a label stands.
+Rect rect_of(const Label& label) {
+    const double width = width_of(label.text, label.size);
+    const double left = label.anchor == Anchor::start    ? label.at.x
+                        : label.anchor == Anchor::middle ? label.at.x - width / 2
+                                                         : label.at.x - width;
+    if (label.is_turned)
+        return {label.at.x - label.size, label.at.y - width / 2, label.at.x,
+                label.at.y + width / 2};
+    return {left, label.at.y - 0.8 * label.size, left + width, label.at.y + 0.2 * label.size};
+}
+
+/// The labels of marks, which have a rim.
 std::vector<Rect> rects_of_mark_labels(const Drawing& drawing) {
     std::vector<Rect> rects;
     for (const Label& label : shapes_of<Label>(drawing))
         if (label.has_rim)
-            rects.push_back({label.at.x + 0.5, label.at.y + 2.5 - label.size,
-                             label.at.x + width_of(label.text, label.size) - 0.5,
-                             label.at.y + 1.5});
+            rects.push_back(rect_of(label));
     return rects;
 }
 
 /// A rectangle around everything that is drawn with a path or a text.
 Rect extent_of(const Drawing& drawing) {
     Rect all{drawing.width, drawing.height, 0, 0};
-    const auto add = [&all](double left, double top, double right, double bottom) {
-        all = {std::min(all.left, left), std::min(all.top, top), std::max(all.right, right),
-               std::max(all.bottom, bottom)};
+    const auto add = [&all](const Rect& one) {
+        all = {std::min(all.left, one.left), std::min(all.top, one.top),
+               std::max(all.right, one.right), std::max(all.bottom, one.bottom)};
     };
-    for (const Label& label : shapes_of<Label>(drawing)) {
-        const double width = width_of(label.text, label.size);
-        const double left = label.anchor == Anchor::start    ? label.at.x
-                            : label.anchor == Anchor::middle ? label.at.x - width / 2
-                                                             : label.at.x - width;
-        if (label.is_turned)
-            add(label.at.x - label.size, label.at.y - width / 2, label.at.x,
-                label.at.y + width / 2);
-        else
-            add(left, label.at.y - label.size, left + width, label.at.y + 0.2 * label.size);
-    }
+    for (const Label& label : shapes_of<Label>(drawing))
+        add(rect_of(label));
     for (const Lines& lines : shapes_of<Lines>(drawing))
         for (const Path& path : lines.paths)
             for (const Place& place : path)
-                add(place.x, place.y, place.x, place.y);
+                add({place.x, place.y, place.x, place.y});
     return all;
 }
 
