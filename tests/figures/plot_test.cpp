@@ -325,14 +325,15 @@ TEST(Plot, ALogarithmicAxisHasPowersOfTen) {
 }
 
 TEST(Plot, NumbersOfAnAxisDoNotCollide) {
-    for (const double largest : {1.2e-7, 3e-7, 2e-6, 9e-5, 1e3, 1e30}) {
+    for (const double largest : {1.2e-7, 3e-7, 3e-6, 9e-5, 1e3, 1e30}) {
         Plot plot = hand_made();
-        plot.curves = {{"one", {{.x = 1e-7, .y = 1e-7}, {.x = largest, .y = largest}}}};
+        plot.curves.resize(12); // a wide shelf leaves a short axis
+        plot.curves[0] = {"one", {{.x = 1e-7, .y = 1e-7}, {.x = largest, .y = largest}}};
+        plot.curves[1].marks.clear();
         std::vector<Rect> rects;
         for (const Label& label : shapes_of<Label>(plot_drawing(plot)))
-            if (label.role == Role::quiet_text && label.size == 10)
-                rects.push_back({label.at.x - width_of(label.text, 10), label.at.y - 10, label.at.x,
-                                 label.at.y});
+            if (label.role == Role::quiet_text)
+                rects.push_back(rect_of(label));
         for (std::size_t i = 0; i < rects.size(); ++i)
             for (std::size_t j = i + 1; j < rects.size(); ++j)
                 EXPECT_FALSE(rects[i].meets(rects[j])) << largest;
