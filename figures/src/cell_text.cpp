@@ -102,7 +102,13 @@ double cell_for_texts(const Replay& replay, const FigureParts& parts) {
 
 void add_cell_texts(const Panel& panel, std::vector<Shape>& shapes) {
     const PixelColors color_of = own_colors_of(panel);
-    const CellTexts texts = cell_texts(panel.replay, panel.parts);
+    CellTexts texts = cell_texts(panel.replay, panel.parts);
+    if (panel.against != nullptr && panel.lattice.cell > text_size)
+        panel.for_each_pixel([&](Pixel, std::size_t offset) {
+            const ComparisonMark* const mark = comparison_at(panel, offset);
+            if (mark != nullptr && !mark->mark.empty())
+                texts[offset].emplace_back(mark->mark);
+        });
     panel.for_each_pixel([&](Pixel pixel, std::size_t offset) {
         const auto found = texts.find(offset);
         if (found == texts.end())

@@ -89,24 +89,6 @@ std::optional<Viewer> viewer_of(const Canvas& canvas, const std::optional<Rows>&
                                  on_plane(left, bottom)}};
 }
 
-/// The vertices that a face is named after: A, B, C of "ABC", P1, P2, P3 of "P1-P2-P3".
-std::vector<std::string> vertices_in_name(const std::string& name,
-                                          const std::map<std::string, Position>& vertices) {
-    std::vector<std::string> words = split_at(name, '-');
-    if (words.size() == 1) {
-        words.clear();
-        for (std::string_view rest = name; !rest.empty();) {
-            const std::string_view letter = first_characters(rest, 1);
-            words.emplace_back(letter);
-            rest.remove_prefix(letter.size());
-        }
-    }
-    for (const std::string& word : words)
-        if (!vertices.contains(word))
-            return {};
-    return words;
-}
-
 /// Each side once, whichever way round.
 class Sides {
 public:
@@ -193,13 +175,13 @@ double length_of_normals(const SpatialScene& space) {
 std::optional<SpatialScene> space_of(const Trace& trace) {
     SpatialScene space;
     std::optional<Rows> view, projection, viewport;
-    Sides seen, tested;
     struct Face {
         std::string name;
         Position normal;
     };
     std::vector<Face> faces;
-    std::map<std::string, std::vector<std::string>> corners_of_face;
+    std::set<std::string> culled;
+    std::map<std::string, std::vector<std::string>> corners_of;
     for (std::size_t n = 1; n <= trace.size(); ++n) {
         const auto kind = trace.kind_of(n);
         const StepView step = trace.step(n);
@@ -217,38 +199,39 @@ std::optional<SpatialScene> space_of(const Trace& trace) {
             if (where == "object" || where == "world")
                 if (const auto position = position_in(step.texts("at")))
                     space.vertices[step.text("name")] = *position;
+        } else if (kind == StepKind::primitive) {
+            corners_of[step.text("name")] = step.texts("vertices");
         } else if (kind == StepKind::face) {
             if (const auto normal = position_in(step.texts("normal")))
                 faces.push_back({step.text("name"), *normal});
-        } else if (kind == StepKind::primitive) {
-            const auto names = step.texts("vertices");
-            const bool are_known =
-                !names.empty() && std::all_of(names.begin(), names.end(), [&](const auto& name) {
-                    return space.vertices.contains(name);
-                });
-            if (are_known)
-                seen.add(names, names.size() > 2);
-            corners_of_face[step.text("name")] = are_known ? names : std::vector<std::string>{};
+            if (step.text("culled") == "true")
+                culled.insert(step.text("name"));
         }
     }
     if (space.vertices.empty())
         return std::nullopt;
 
+    // What is cut has vertices that are nowhere in space: the whole primitive has been told before.
+    std::erase_if(corners_of, [&space](const auto& primitive) {
+        return primitive.second.size() < 2 ||
+               std::any_of(primitive.second.begin(), primitive.second.end(),
+                           [&](const auto& name) { return !space.vertices.contains(name); });
+    });
+    Sides seen, hidden;
+    for (const auto& [name, corners] : corners_of)
+        (culled.contains(name) ? hidden : seen).add(corners, corners.size() > 2);
     for (const Face& face : faces) {
-        auto& corners = corners_of_face[face.name];
-        if (corners.empty())
-            corners = vertices_in_name(face.name, space.vertices);
-        if (corners.empty())
+        const auto found = corners_of.find(face.name);
+        if (found == corners_of.end())
             continue;
-        tested.add(corners, true);
         Position middle{};
-        for (const std::string& corner : corners)
-            middle =
-                sum(middle, space.vertices.at(corner), 1.0 / static_cast<double>(corners.size()));
+        for (const std::string& corner : found->second)
+            middle = sum(middle, space.vertices.at(corner),
+                         1.0 / static_cast<double>(found->second.size()));
         space.normals.push_back({middle, face.normal});
     }
     space.seen.assign(seen.all().begin(), seen.all().end());
-    for (const auto& side : tested.all())
+    for (const auto& side : hidden.all())
         if (!seen.has(side))
             space.culled.push_back(side);
     space.viewer = viewer_of(trace.canvas, view, projection, viewport);
@@ -271,8 +254,10 @@ Drawing scene_drawing(const SpatialScene& space, double width, double height) {
     }
     const double normal_length = length_of_normals(space);
     std::vector<std::pair<Position, Position>> normals;
+    constexpr std::size_t most_normals = 30; // more are a hedgehog
     for (const Normal& normal : space.normals)
-        if (const double length = length_of(normal.direction); length > 0) {
+        if (const double length = length_of(normal.direction);
+            length > 0 && space.normals.size() <= most_normals) {
             normals.emplace_back(normal.from,
                                  sum(normal.from, normal.direction, normal_length / length));
             side.include(normals.back().second);

@@ -20,18 +20,17 @@ namespace rastertrace {
 /// The most frames: browsers keep all of them in memory, where 10,000 of 300 x 300 pixels take 3.6 gigabytes.
 inline constexpr std::size_t most_gif_frames = 10'000;
 
-/// The most pixels of a row or a column, and the most hundredths of a second: the format has 16 bits for each.
+/// The most pixels of a row or a column: the format has 16 bits for their number.
 inline constexpr std::size_t most_gif_side = 65'535;
 
 struct GifOptions {
-    double seconds = 0.5; ///< for each frame, at least 0.02: browsers take less for 0.1
+    double seconds = 0.5; ///< for each frame, 0.02 (browsers take less for 0.1) to 655.35
     bool repeats = true;  ///< over and over; else once
 };
 
 /// The bytes of the file; or why there are none: no frame or too many, frames that are too large or differ in
-/// size, or too long a time. `frame_at` is called once for each of 0 to `count` - 1, in this order. A rectangle
-/// of more than 256 colors is written in fewer: colors that differ only in their last bit become the one among
-/// them that is most frequent, then those that differ in their last two bits, until 256 are enough.
+/// size, or a time that GIF has not. `frame_at` is called once for each of 0 to `count` - 1, in this order. What
+/// changes in more than 256 colors at once is written in fewer: of colors that are alike, the most frequent stays.
 Result<std::string> gif_of(std::size_t count,
                            const std::function<Bitmap(std::size_t index)>& frame_at,
                            const GifOptions& options);

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "fewer_colors.h"
+
+#include "palette.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+namespace rastertrace {
+
+namespace {
+
+/// 0xRRGGBB.
+std::uint32_t word_of(Color color) {
+    return std::uint32_t{color.red()} << 16 | std::uint32_t{color.green()} << 8 | color.blue();
+}
+
+struct Counted {
+    std::uint32_t word;
+    std::size_t pixels;
+};
+
+/// The colors, by their words.
+std::vector<Counted> counted(std::span<const Color> pixels) {
+    std::unordered_map<std::uint32_t, std::size_t> counts;
+    for (const Color color : pixels)
+        ++counts[word_of(color)];
+    std::vector<Counted> colors;
+    for (const auto& [word, count] : counts)
+        colors.push_back({word, count});
+    std::sort(colors.begin(), colors.end(),
+              [](const Counted& a, const Counted& b) { return a.word < b.word; });
+    return colors;
+}
+
+/// The most frequent colors of the groups whose members differ in their last `bits` bits, by group.
+std::unordered_map<std::uint32_t, Counted> most_frequent(const std::vector<Counted>& colors,
+                                                         std::uint32_t group_mask) {
+    std::unordered_map<std::uint32_t, Counted> groups;
+    for (const Counted& color : colors) {
+        const auto found = groups.try_emplace(color.word & group_mask, color).first;
+        if (found->second.pixels < color.pixels)
+            found->second = color;
+    }
+    return groups;
+}
+
+} // namespace
+
+void reduce_colors(std::span<Color> pixels) {
+    const std::vector<Counted> colors = counted(pixels);
+    if (colors.size() <= Palette::most)
+        return;
+    std::uint32_t mask = 0xFFFFFF;
+    std::unordered_map<std::uint32_t, Counted> groups;
+    do {
+        mask = (mask << 1) & 0xFEFEFE & mask; // one more bit of each
+        groups = most_frequent(colors, mask);
+    } while (groups.size() > Palette::most);
+    for (Color& color : pixels) {
+        const std::uint32_t word = groups.at(word_of(color) & mask).word;
+        color = {static_cast<std::uint8_t>(word >> 16), static_cast<std::uint8_t>(word >> 8),
+                 static_cast<std::uint8_t>(word)};
+    }
+}
+
+} // namespace rastertrace
