@@ -52,12 +52,22 @@ bool LabelPlaces::is_free(const Box& box) const {
                                           [&box](const Box& other) { return box.meets(other); });
 }
 
-bool LabelPlaces::is_clear(const Path& leader) const {
-    return std::none_of(labels_.begin(), labels_.end(),
-                        [&leader](const Box& label) { return passes(leader, label); }) &&
-           std::none_of(leaders_.begin(), leaders_.end(), [&leader](const Path& other) {
-               return do_cross(leader[0], leader[1], other[0], other[1]);
-           });
+std::size_t LabelPlaces::crossings(const Path& leader, Place mark) const {
+    const auto marks_and_labels =
+        std::count_if(taken_.begin(), taken_.end(), [&](const Box& other) {
+            const bool is_own = other.meets(box_around(mark, 0.1));
+            return !is_own && passes(leader, other);
+        });
+    const auto leaders =
+        std::count_if(leaders_.begin(), leaders_.end(), [&leader](const Path& other) {
+            return do_cross(leader[0], leader[1], other[0], other[1]);
+        });
+    return static_cast<std::size_t>(marks_and_labels + leaders);
+}
+
+bool LabelPlaces::hides_leader(const Box& box) const {
+    return std::any_of(leaders_.begin(), leaders_.end(),
+                       [&box](const Path& leader) { return passes(leader, box); });
 }
 
 std::optional<LabelPlace> LabelPlaces::find_beside(const LabelWish& wish) {
@@ -76,23 +86,19 @@ std::optional<LabelPlace> LabelPlaces::find_beside(const LabelWish& wish) {
     for (const bool may_cross : {false, true})
         for (const Place& corner : corners) {
             const Box box{corner.x, corner.y, corner.x + width, corner.y + height};
-            if (!is_free(box) || (!may_cross && crosses_border(box)))
-                continue;
-            // A line that leads to another label must stay in sight.
-            if (std::any_of(leaders_.begin(), leaders_.end(),
-                            [&box](const Path& leader) { return passes(leader, box); }))
+            if (!is_free(box) || hides_leader(box) || (!may_cross && crosses_border(box)))
                 continue;
             take(box);
-            labels_.push_back(box);
             return LabelPlace{.box = box};
         }
     return std::nullopt;
 }
 
 std::optional<LabelPlace> LabelPlaces::find_anywhere(const LabelWish& wish) {
-    // All places on a grid; the nearest one is best, and what crosses something is as good as farther away.
+    // All places on a grid; the nearest one is best, and to cross something is as bad as to be so much farther away,
+    // in units.
     constexpr double step = 4;
-    constexpr double of_crossing = 150;
+    constexpr double of_crossing = 60;
     constexpr double of_border = 30;
     std::optional<LabelPlace> best;
     double least = std::numeric_limits<double>::infinity();
@@ -105,10 +111,8 @@ std::optional<LabelPlace> LabelPlaces::find_anywhere(const LabelWish& wish) {
             double price = std::sqrt(x * x + y * y) + (crosses_border(box) ? of_border : 0);
             if (price >= least || !is_free(box))
                 continue;
-            const bool hides_leader =
-                std::any_of(leaders_.begin(), leaders_.end(),
-                            [&box](const Path& other) { return passes(other, box); });
-            price += is_clear(leader) && !hides_leader ? 0 : of_crossing;
+            const std::size_t crossed = crossings(leader, wish.mark) + (hides_leader(box) ? 1 : 0);
+            price += of_crossing * static_cast<double>(crossed);
             if (price >= least)
                 continue;
             least = price;
@@ -116,7 +120,6 @@ std::optional<LabelPlace> LabelPlaces::find_anywhere(const LabelWish& wish) {
         }
     if (best) {
         take(best->box);
-        labels_.push_back(best->box);
         leaders_.push_back(*best->leader);
     }
     return best;

@@ -10,6 +10,7 @@
 
 #include <rastertrace/figures/drawing.h>
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -59,19 +60,21 @@ public:
     /// A place beside the mark, which is then taken. `nullopt` if there is none.
     std::optional<LabelPlace> find_beside(const LabelWish& wish);
 
-    /// The nearest place that there is, which is then taken. A line leads to it, and crosses no label and no other
-    /// such line if that can be had. `nullopt` if the area is full.
+    /// The nearest place that there is, which is then taken. A line leads to it, and crosses as little as
+    /// can be had: marks, labels, other such lines. `nullopt` if the area is full.
     std::optional<LabelPlace> find_anywhere(const LabelWish& wish);
 
 private:
     bool is_free(const Box& box) const;
     bool crosses_border(const Box& box) const { return box.left < border_ && border_ < box.right; }
-    bool is_clear(const Path& leader) const;
+    /// How many marks, labels and other leaders a leader from a mark crosses.
+    std::size_t crossings(const Path& leader, Place mark) const;
+    /// True if a leader to another label passes through a box: it must stay in sight.
+    bool hides_leader(const Box& box) const;
 
     Box area_;
     double border_;
     std::vector<Box> taken_;
-    std::vector<Box> labels_;
     std::vector<Path> leaders_;
 };
 

@@ -103,39 +103,40 @@ struct Rect {
     }
 };
 
-/// The labels of marks, which have a rim; 0.5 units of slack at each side.
+/// Where a label stands.
+Rect rect_of(const Label& label) {
+    const double width = width_of(label.text, label.size);
+    const double left = label.anchor == Anchor::start    ? label.at.x
+                        : label.anchor == Anchor::middle ? label.at.x - width / 2
+                                                         : label.at.x - width;
+    if (label.is_turned)
+        return {label.at.x - label.size, label.at.y - width / 2, label.at.x,
+                label.at.y + width / 2};
+    return {left, label.at.y - 0.8 * label.size, left + width, label.at.y + 0.2 * label.size};
+}
+
+/// The labels of marks, which have a rim.
 std::vector<Rect> rects_of_mark_labels(const Drawing& drawing) {
     std::vector<Rect> rects;
     for (const Label& label : shapes_of<Label>(drawing))
         if (label.has_rim)
-            rects.push_back({label.at.x + 0.5, label.at.y + 2.5 - label.size,
-                             label.at.x + width_of(label.text, label.size) - 0.5,
-                             label.at.y + 1.5});
+            rects.push_back(rect_of(label));
     return rects;
 }
 
 /// A rectangle around everything that is drawn with a path or a text.
 Rect extent_of(const Drawing& drawing) {
     Rect all{drawing.width, drawing.height, 0, 0};
-    const auto add = [&all](double left, double top, double right, double bottom) {
-        all = {std::min(all.left, left), std::min(all.top, top), std::max(all.right, right),
-               std::max(all.bottom, bottom)};
+    const auto add = [&all](const Rect& one) {
+        all = {std::min(all.left, one.left), std::min(all.top, one.top),
+               std::max(all.right, one.right), std::max(all.bottom, one.bottom)};
     };
-    for (const Label& label : shapes_of<Label>(drawing)) {
-        const double width = width_of(label.text, label.size);
-        const double left = label.anchor == Anchor::start    ? label.at.x
-                            : label.anchor == Anchor::middle ? label.at.x - width / 2
-                                                             : label.at.x - width;
-        if (label.is_turned)
-            add(label.at.x - label.size, label.at.y - width / 2, label.at.x,
-                label.at.y + width / 2);
-        else
-            add(left, label.at.y - label.size, left + width, label.at.y + 0.2 * label.size);
-    }
+    for (const Label& label : shapes_of<Label>(drawing))
+        add(rect_of(label));
     for (const Lines& lines : shapes_of<Lines>(drawing))
         for (const Path& path : lines.paths)
             for (const Place& place : path)
-                add(place.x, place.y, place.x, place.y);
+                add({place.x, place.y, place.x, place.y});
     return all;
 }
 
@@ -324,14 +325,15 @@ TEST(Plot, ALogarithmicAxisHasPowersOfTen) {
 }
 
 TEST(Plot, NumbersOfAnAxisDoNotCollide) {
-    for (const double largest : {1.2e-7, 3e-7, 2e-6, 9e-5, 1e3, 1e30}) {
+    for (const double largest : {1.2e-7, 3e-7, 3e-6, 9e-5, 1e3, 1e30}) {
         Plot plot = hand_made();
-        plot.curves = {{"one", {{.x = 1e-7, .y = 1e-7}, {.x = largest, .y = largest}}}};
+        plot.curves.resize(12); // a wide shelf leaves a short axis
+        plot.curves[0] = {"one", {{.x = 1e-7, .y = 1e-7}, {.x = largest, .y = largest}}};
+        plot.curves[1].marks.clear();
         std::vector<Rect> rects;
         for (const Label& label : shapes_of<Label>(plot_drawing(plot)))
-            if (label.role == Role::quiet_text && label.size == 10)
-                rects.push_back({label.at.x - width_of(label.text, 10), label.at.y - 10, label.at.x,
-                                 label.at.y});
+            if (label.role == Role::quiet_text)
+                rects.push_back(rect_of(label));
         for (std::size_t i = 0; i < rects.size(); ++i)
             for (std::size_t j = i + 1; j < rects.size(); ++j)
                 EXPECT_FALSE(rects[i].meets(rects[j])) << largest;

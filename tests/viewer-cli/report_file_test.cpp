@@ -9,6 +9,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -95,6 +97,40 @@ TEST(ReportFile, SvgAndHtmlTakeAnyTitle) {
     }
     EXPECT_THAT(html, HasSubstr("failed: beyond, &quot;the largest&quot; &lt;float&gt;"));
     EXPECT_THAT(html, HasSubstr("Nothing to measure: the scene has no depth."));
+}
+
+/// The heights at which an SVG has texts that begin so.
+std::vector<double> heights_of(const std::string& svg, const std::string& text) {
+    std::vector<double> heights;
+    for (std::size_t at = svg.find(">" + text); at != std::string::npos;
+         at = svg.find(">" + text, at + 1)) {
+        const std::size_t y = svg.rfind(" y=\"", at);
+        heights.push_back(std::stod(svg.substr(y + 4)));
+    }
+    return heights;
+}
+
+// Captions of several lines: the next heading stands below the last one, and the sheet ends below it all.
+TEST(ReportFile, AHeadingStandsBelowTheCaptionBeforeIt) {
+    MeasuredReport report = hand_made_report();
+    std::string sentence;
+    for (int i = 0; i < 200; ++i)
+        sentence += "word ";
+    report.scenes[0].jobs[0].advice = {{sentence + "last."}};
+    report.scenes[0].jobs[1] = report.scenes[0].jobs[0];
+    report.scenes[0].jobs[1].job = ReportJob::coverage;
+    const std::string svg = report_svg(report);
+    EXPECT_EQ(xml_fault(svg), "");
+    const auto headings = heights_of(svg, "coverage: 7 rows");
+    ASSERT_EQ(headings.size(), 1U);
+    const auto captions = heights_of(svg, "word ");
+    ASSERT_GT(captions.size(), 10U);
+    const auto half = static_cast<std::ptrdiff_t>(captions.size() / 2);
+    EXPECT_LT(*std::max_element(captions.begin(), captions.begin() + half), headings[0] - 20);
+    EXPECT_GT(*std::min_element(captions.begin() + half, captions.end()), headings[0]);
+    const double height = std::stod(svg.substr(svg.find(" height=\"") + 9));
+    EXPECT_LT(captions.back(), height);
+    EXPECT_LT(heights_of(svg, "rastertrace 0.1").at(0), height);
 }
 
 } // namespace
