@@ -19,7 +19,8 @@ constexpr double highest_panel = 480;
 // Parts that are there by themselves need pixels of at least so many units ...
 constexpr double cell_for_grid = 5;
 constexpr double cell_for_patterns = 6;
-constexpr double cell_for_samples = 9;
+constexpr double cell_for_samples = 14;
+constexpr double cell_for_digits = 9;
 constexpr double cell_for_numbers = 40; ///< numbers of depths may enlarge pixels up to this
 // ... and at most so many things.
 constexpr std::size_t few_primitives = 6;
@@ -63,7 +64,7 @@ void set_parts(const FigureOptions& options, Panel& panel) {
     // What is written in the pixels makes them as large as it needs.
     for (const FigurePart part : {FigurePart::order, FigurePart::depths, FigurePart::weights})
         set(part, false);
-    set(FigurePart::writes, panel.view == View::writes && lattice.cell >= cell_for_samples);
+    set(FigurePart::writes, panel.view == View::writes && lattice.cell >= cell_for_digits);
     if (panel.view == View::depth && !wanted(options, FigurePart::depths)) {
         FigureParts numbers;
         numbers.set(FigurePart::depths, true);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/figures/figure.h>
 
+#include "depth_plot.h"
 #include "error_bars.h"
 #include "panel.h"
 #include "scene_panel.h"
@@ -129,6 +130,12 @@ Drawing FigureMaker::figure(std::size_t n) {
     if (parts.has(FigurePart::errors) && !(decisions = decisions_of(replay_)))
         throw problem_of("", "--with errors: expected a frame of Bresenham's line, found another",
                          "--step last, or another step of such a line");
+    std::vector<Plot> plots;
+    if (parts.has(FigurePart::plot) && (plots = depth_plots(panel)).empty())
+        throw problem_of("",
+                         "--with plot: expected a triangle with depths of linear-z or inverse-z, "
+                         "found none",
+                         "--keep depth tests a triangle that no other one can hide");
     if (parts.has(FigurePart::scene) && !space_)
         throw problem_of("", "--with scene: expected vertices in space, found a scene that is "
                              "typed in pixels");
@@ -147,6 +154,10 @@ Drawing FigureMaker::figure(std::size_t n) {
     const double scene_side = std::max(lattice.height(), smallest_scene);
     if (parts.has(FigurePart::scene))
         right += scene_side;
+    double plots_width = 0;
+    for (const Plot& plot : plots)
+        plots_width += plot.width;
+    right = std::max(right, margin + plots_width);
     sheet.width = std::ceil(std::max(right + margin, has_words(parts) ? narrowest_for_words : 0));
     const Column column{margin, sheet.width - margin};
 
@@ -168,6 +179,17 @@ Drawing FigureMaker::figure(std::size_t n) {
         add_error_bars(*decisions, lattice, y, sheet.shapes);
         y += error_bars_size;
     }
+    double plot_left = margin;
+    double plots_bottom = y;
+    for (const Plot& plot : plots) {
+        Drawing drawing = plot_drawing(plot);
+        plots_bottom = std::max(plots_bottom, y + drawing.height);
+        place(std::move(drawing), {plot_left, y}, sheet);
+        plot_left += plot.width;
+    }
+    y = plots_bottom;
+    if (!plots.empty())
+        y += add_curve_legend(plots.front(), column, y, sheet.shapes);
     if (parts.has(FigurePart::legend))
         y += add_legend(panel, options_.against_name, column, y, sheet.shapes);
     if (parts.has(FigurePart::caption))

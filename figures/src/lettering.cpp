@@ -18,28 +18,28 @@ namespace rastertrace {
 
 namespace {
 
-/// Dots of a letter in a text of fixed width, and between letters otherwise.
-constexpr int fixed_columns = 6;
-
 /// A label's size is so many dots.
 constexpr double dots_in_size = 10;
 
-/// Where dots are, and how large. From one dot of a size on, all of it in whole pixels: strokes are equally wide
-/// then, with sharp borders, and only the gaps between them differ by a pixel.
+/// The room that a letter has, in dots: five columns and a gap. width_of() promises no more.
+constexpr double dots_in_advance = 6.1;
+
+/// Where dots are, and how large. Where a dot has a pixel or more, all of it is in whole pixels: strokes are
+/// equally wide then, with sharp borders, and only the gaps between them differ by a pixel.
 class DotGrid {
 public:
+    /// `pitch` is from dot to dot, in pixels.
     DotGrid(double pitch, bool is_bold)
-        : pitch_(pitch),
-          is_whole_(pitch >= 0.95), // within a twentieth of the size that is asked for
-          stroke_(is_whole_ ? std::max(1.0, std::floor(stroke_in_pitch * pitch + 0.5)) : pitch),
+        : pitch_(pitch), is_whole_(std::floor(dots_in_advance * pitch) > glyph_columns),
+          stroke_(is_whole_ ? std::max(1.0, std::floor(pitch + nearly_a_pixel)) : pitch),
           is_bold_(is_bold) {}
 
     /// The left border of a dot's box; columns count from the left one of a glyph. Both halves of a letter are
     /// alike.
     double left_of(int column) const {
         constexpr int middle = glyph_columns / 2;
-        const double half = rounded(std::abs(column - middle) * pitch_);
-        return rounded(middle * pitch_) + (column < middle ? -half : half);
+        const double half = half_width(std::abs(column - middle));
+        return half_width(middle) + (column < middle ? -half : half);
     }
 
     /// The upper border; the line that letters stand on is at 0.
@@ -60,17 +60,35 @@ public:
     /// True if bold strokes would close a gap of one dot.
     bool boldness_closes_gaps() const { return is_bold_ && is_whole_ && pitch_ < 1.5; }
 
-    /// `dots` of them, as a distance.
-    double distance(int dots) const { return rounded(dots * pitch_); }
+    /// From a letter of fixed width to the next.
+    double advance() const {
+        return is_whole_ ? std::floor(dots_in_advance * pitch_) : dots_in_advance * pitch_;
+    }
+
+    /// Between letters.
+    double gap() const {
+        const double widest = left_of(glyph_columns - 1) + stroke_;
+        return std::min(rounded(pitch_), advance() - widest);
+    }
+
+    double blank() const {
+        constexpr int columns = 4;
+        return rounded(columns * pitch_);
+    }
 
     /// To where a text may begin.
     double rounded(double pixels) const { return is_whole_ ? std::floor(pixels + 0.5) : pixels; }
 
 private:
-    /// Of large letters: those of one pixel a stroke stay so up to 16 pixels.
-    static constexpr double stroke_in_pitch = 0.9;
+    /// From the middle column to the one that is so many columns away. A gap is left beside the widest letters.
+    double half_width(int columns) const {
+        const double half = rounded(columns * pitch_);
+        return is_whole_ ? std::min(half, std::floor((advance() - stroke_ - 1) / 2)) : half;
+    }
 
-    double pitch_; ///< from dot to dot, in pixels
+    static constexpr double nearly_a_pixel = 0.1;
+
+    double pitch_;
     bool is_whole_;
     double stroke_;
     bool is_bold_;
@@ -120,20 +138,19 @@ Line set_line(const Label& label, const DotGrid& grid) {
         const bool is_digit = U'0' <= character.value && character.value <= U'9';
         if (label.is_fixed_width || is_digit) {
             line.letters.push_back({glyph, line.width});
-            line.width += grid.distance(fixed_columns);
+            line.width += grid.advance();
             if (!label.is_fixed_width)
                 line.width += grid.boldness();
         } else if (ink) {
             line.letters.push_back({glyph, line.width - grid.left_of(ink->first)});
             line.width += grid.left_of(ink->last) - grid.left_of(ink->first) + grid.stroke() +
-                          grid.boldness() + grid.distance(1);
+                          grid.boldness() + grid.gap();
         } else {
-            constexpr int blank_columns = 4;
-            line.width += grid.distance(blank_columns);
+            line.width += label.is_fixed_width ? grid.advance() : grid.blank();
         }
     }
     if (!line.letters.empty())
-        line.width -= grid.distance(1); // the gap behind the last letter
+        line.width -= grid.gap(); // the gap behind the last letter
     return line;
 }
 
@@ -215,20 +232,20 @@ private:
                               (side > 0 ? next.left <= dot.right : dot.left <= next.right);
             if (meet && grid_.stroke() <= 1)
                 continue;
+            // As wide as the strokes across and down: what they are narrower than from corner to corner is cut
+            // off, half on each side.
+            constexpr double share_cut_off = 0.293; // 1 - sqrt(1/2)
+            const double cut = share_cut_off * grid_.stroke();
             if (side > 0)
-                add({{{dot.left, dot.top},
-                      {dot.right, dot.top},
-                      {next.right, next.top},
-                      {next.right, next.bottom},
-                      {next.left, next.bottom},
-                      {dot.left, dot.bottom}}});
+                add({{{dot.right, dot.top + cut},
+                      {next.right - cut, next.top},
+                      {next.left, next.bottom - cut},
+                      {dot.left + cut, dot.bottom}}});
             else
-                add({{{dot.left, dot.top},
-                      {dot.right, dot.top},
-                      {dot.right, dot.bottom},
-                      {next.right, next.bottom},
-                      {next.left, next.bottom},
-                      {next.left, next.top}}});
+                add({{{dot.left, dot.top + cut},
+                      {dot.right - cut, dot.bottom},
+                      {next.right, next.bottom - cut},
+                      {next.left + cut, next.top}}});
         }
     }
 
@@ -244,7 +261,7 @@ private:
         coverage_.add(Box{a.x, std::min(a.y, b.y), b.x, std::max(a.y, b.y)});
     }
 
-    void add(std::array<Place, 6> places) {
+    void add(std::array<Place, 4> places) {
         for (Place& place : places)
             place = to_sheet(place);
         coverage_.add_positive(places);

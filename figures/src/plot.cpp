@@ -23,8 +23,7 @@ namespace {
 
 // The parts of a plot, in units. Left of the area of marks are the numbers of the y axis.
 constexpr double area_left = 58;
-constexpr double area_right = plot_width - 14;
-constexpr double area_height = 310;
+constexpr double room_at_right = 14;
 constexpr double margin = 14;     ///< between the sheet's edge and what is on it
 constexpr double shelf_slot = 13; ///< on the shelf every curve has a column
 constexpr double shelf_gap = 14;  ///< between the shelf and the axis
@@ -159,10 +158,10 @@ public:
     explicit PlotDrawer(const Plot& plot) : plot_(plot) {}
 
     Drawing drawn() {
-        drawing_ = {.width = plot_width, .title = plot_.title, .description = plot_.caption};
+        drawing_ = {.width = plot_.width, .title = plot_.title, .description = plot_.caption};
         double y = add_lines(plot_.title, title_size, 18, true);
         top_ = y - title_size * line_height + 12;
-        bottom_ = top_ + area_height;
+        bottom_ = top_ + plot_.area_height;
         find_axes();
         add_frame();
         for (std::size_t i = 0; i < plot_.curves.size(); ++i)
@@ -180,7 +179,7 @@ public:
 private:
     /// Lines of text from the margin on, the first one at this height; returns the height of the next.
     double add_lines(std::string_view text, double size, double y, bool is_bold) {
-        for (std::string& line : lines_of(text, size, plot_width - 2 * margin)) {
+        for (std::string& line : lines_of(text, size, plot_.width - 2 * margin)) {
             add(Label{.role = is_bold ? Role::strong_text : Role::text,
                       .at = {margin, y},
                       .text = std::move(line),
@@ -192,6 +191,8 @@ private:
     }
 
     void add(Shape shape) { drawing_.shapes.push_back(std::move(shape)); }
+
+    double area_right() const { return plot_.width - room_at_right; }
 
     bool has_shelf() const { return plot_.x.scale == PlotScale::logarithmic; }
 
@@ -208,7 +209,7 @@ private:
         const double slots = static_cast<double>(plot_.curves.size()) + 1;
         shelf_right_ = has_shelf() ? area_left + shelf_slot * slots : area_left;
         // There is room for labels right of the last mark.
-        x_ = axis_around(xs, {has_shelf() ? shelf_right_ + shelf_gap : area_left, area_right},
+        x_ = axis_around(xs, {has_shelf() ? shelf_right_ + shelf_gap : area_left, area_right()},
                          plot_.x.scale, {.below = 2, .above = 3});
         y_ = axis_around(ys, {bottom_, top_}, plot_.y.scale, {.below = 1.5, .above = 1.5});
     }
@@ -221,8 +222,9 @@ private:
 
     void add_frame() {
         if (has_shelf())
-            add(Areas{.role = Role::shelf,
-                      .rectangles = {{{area_left, top_}, shelf_right_ - area_left, area_height}}});
+            add(Areas{
+                .role = Role::shelf,
+                .rectangles = {{{area_left, top_}, shelf_right_ - area_left, plot_.area_height}}});
         add_ticks();
         std::vector<Path> borders;
         if (has_shelf()) {
@@ -237,12 +239,12 @@ private:
         }
         add(Lines{.role = Role::border,
                   .paths = {{{area_left, top_},
-                             {area_right, top_},
-                             {area_right, bottom_},
+                             {area_right(), top_},
+                             {area_right(), bottom_},
                              {area_left, bottom_}}},
                   .are_closed = true});
         const double middle = (top_ + bottom_) / 2;
-        add(Label{.at = {(area_left + area_right) / 2, bottom_ + 33},
+        add(Label{.at = {(area_left + area_right()) / 2, bottom_ + 33},
                   .text = plot_.x.label,
                   .size = name_size,
                   .anchor = Anchor::middle});
@@ -252,7 +254,7 @@ private:
                   .anchor = Anchor::middle,
                   .is_turned = true});
         if (!has_values_ && !plot_.only_shelf.empty())
-            add(Label{.at = {(shelf_right_ + area_right) / 2, middle},
+            add(Label{.at = {(shelf_right_ + area_right()) / 2, middle},
                       .text = plot_.only_shelf,
                       .size = name_size,
                       .anchor = Anchor::middle});
@@ -264,7 +266,7 @@ private:
         std::vector<Box> numbers;
         for (const Tick& tick : ticks_of(y_)) {
             const double y = y_.at(tick.value);
-            lines.paths.push_back({{area_left, y}, {area_right, y}});
+            lines.paths.push_back({{area_left, y}, {area_right(), y}});
             add_number(tick, {area_left - 5, y + 3.5}, Anchor::end, numbers);
         }
         if (has_values_)
@@ -343,7 +345,7 @@ private:
 
     /// Writes the labels; returns those that have no room.
     std::string add_labels() {
-        LabelPlaces places({area_left, top_, area_right, bottom_}, shelf_right_);
+        LabelPlaces places({area_left, top_, area_right(), bottom_}, shelf_right_);
         for (const Box& mark : marks_)
             places.take(mark);
         const auto wish_of = [](const MarkGroup& group) {

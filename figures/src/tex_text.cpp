@@ -123,7 +123,7 @@ std::string written(char32_t character, std::string_view bytes, TexFont font) {
         return std::string(*spelling);
     if (is_ascii || is_known_letter(character))
         return std::string(bytes);
-    return fmt::format("{{\\fontsize{{8}}{{8}}\\selectfont U+{:04X}}}",
+    return fmt::format("{{\\fontsize{{8}}{{8}}\\selectfont U+{:04X}\\,}}",
                        static_cast<unsigned>(character));
 }
 

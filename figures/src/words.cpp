@@ -146,6 +146,37 @@ double add_legend(const Panel& panel, const std::string& against, const Column& 
     return y + legend_line - top;
 }
 
+double add_curve_legend(const Plot& plot, const Column& column, double y,
+                        std::vector<Shape>& shapes) {
+    constexpr double line_length = 24;
+    constexpr double radius = 4;
+    const double top = y;
+    double x = column.left;
+    for (std::size_t i = 0; i < plot.curves.size(); ++i) {
+        const PlotCurve& curve = plot.curves[i];
+        if (curve.marks.empty())
+            continue;
+        const double needed = line_length + gap + width_of(curve.name, legend_size) + 2 * gap;
+        if (x > column.left && x + needed > column.right) {
+            x = column.left;
+            y += legend_line;
+        }
+        const double middle = y + legend_line / 2;
+        if (curve.has_line)
+            shapes.push_back(
+                Lines{.role = curve_role(i), .paths = {{{x, middle}, {x + line_length, middle}}}});
+        if (curve.has_marks)
+            shapes.push_back(Dots{.role = curve_role(i),
+                                  .radius = radius,
+                                  .centers = {{x + line_length / 2, middle}}});
+        shapes.push_back(Label{.at = {x + line_length + gap, middle + 0.35 * legend_size},
+                               .text = curve.name,
+                               .size = legend_size});
+        x += needed;
+    }
+    return y + legend_line - top;
+}
+
 double add_caption(const std::string& caption, const Column& column, double y,
                    std::vector<Shape>& shapes) {
     const double top = y;

@@ -5,6 +5,8 @@
 
 #include "panel.h"
 
+#include <rastertrace/figures/plot.h>
+
 #include <string>
 #include <vector>
 
@@ -26,6 +28,10 @@ double add_title(const Panel& panel, const Column& column, double y, std::vector
 /// What colors and patterns stand for. `against` is the name of the picture that is compared with.
 double add_legend(const Panel& panel, const std::string& against, const Column& column, double y,
                   std::vector<Shape>& shapes);
+
+/// What the curves of plots are.
+double add_curve_legend(const Plot& plot, const Column& column, double y,
+                        std::vector<Shape>& shapes);
 
 /// What the step says.
 double add_caption(const std::string& caption, const Column& column, double y,

@@ -86,7 +86,7 @@ enum class Role : std::uint8_t {
     curve_11,
     curve_12,
     leader, ///< from a mark to its label
-    shelf, ///< the part of a plot for what its axis does not reach
+    shelf,  ///< the part of a plot for what its axis does not reach
 };
 
 /// The roles of the nth face and of the nth curve, from 0; after the last one comes the first again.

@@ -37,7 +37,13 @@ struct PlotAxis {
     std::string label = {};
 };
 
+/// The usual widths of a plot and of a legend, in units. They are as high as what is in them.
+inline constexpr double plot_width = 460;
+inline constexpr double legend_width = 300;
+
 struct Plot {
+    double width = plot_width;
+    double area_height = 310; ///< of the part between the axes
     std::string title = {};
     PlotAxis x = {};
     PlotAxis y = {};
@@ -46,10 +52,6 @@ struct Plot {
     std::string caption = {};    ///< below the plot, in as many lines as it takes
     std::string only_shelf = {}; ///< what is said where nothing lies off the shelf: "no errors"
 };
-
-/// The widths of a plot and of a legend, in units. They are as high as what is in them.
-inline constexpr double plot_width = 460;
-inline constexpr double legend_width = 300;
 
 /// The plot. Every label stands where it covers no mark and no other label; one that has no room beside its mark
 /// is led to by a thin line, and one that has none at all is told in the caption. Marks of a curve that lie on

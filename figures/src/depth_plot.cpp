@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+#include "depth_plot.h"
+
+#include <rastertrace/figures/corners.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <string>
+
+namespace rastertrace {
+
+namespace {
+
+/// A depth somewhere along the row or the side.
+struct Sample {
+    double along;
+    double z;
+};
+
+/// Depths of one line of a picture.
+struct Depths {
+    std::string along; ///< "x in the row y=2", "y along the side AC"
+    std::vector<Sample> drawn;
+    std::function<double(double along)> true_z; ///< empty if what is drawn is linear and right
+};
+
+/// 1/z of a triangle in perspective is linear on the screen: 1/z = a x + b y + c. Nothing without an area.
+std::optional<std::array<double, 3>> plane_of_inverse(const std::vector<Point>& at,
+                                                      const std::array<double, 3>& inverse) {
+    const double ux = at[1].x - at[0].x;
+    const double uy = at[1].y - at[0].y;
+    const double vx = at[2].x - at[0].x;
+    const double vy = at[2].y - at[0].y;
+    const double area = ux * vy - uy * vx;
+    if (area == 0)
+        return std::nullopt;
+    const double du = inverse[1] - inverse[0];
+    const double dv = inverse[2] - inverse[0];
+    const double a = (du * vy - dv * uy) / area;
+    const double b = (ux * dv - vx * du) / area;
+    return std::array{a, b, inverse[0] - a * at[0].x - b * at[0].y};
+}
+
+/// True if nothing gets smaller far away: z itself is linear on the screen.
+bool is_parallel(const Replay& replay) {
+    for (const std::size_t n : replay.matrices()) {
+        const StepView step = replay.trace().step(n);
+        if (step.text("name") != "projection")
+            continue;
+        const auto rows = step.text_rows("rows");
+        return rows.size() == 4 && rows[3].size() == 4 && nearest_double_in(rows[3][2]) == 0.0;
+    }
+    return false;
+}
+
+/// The depths of the pixels of the row, as they were tested.
+std::vector<Sample> along_row(const Trace& trace, ShownSteps steps) {
+    std::vector<Sample> samples;
+    for (std::size_t n = steps.first; n <= steps.last; ++n) {
+        if (trace.kind_of(n) != StepKind::depth)
+            continue;
+        const auto x = trace.step(n).whole("x");
+        const auto depth = nearest_double_in(trace.step(n).text("depth"));
+        if (x && depth)
+            samples.push_back({static_cast<double>(*x), *depth});
+    }
+    return samples;
+}
+
+/// The side of the current triangle along which depths change most, and its depth in each row.
+struct Side {
+    std::string name;
+    bool is_left = false;
+    std::vector<Sample> samples;
+    std::vector<double> x; ///< where it is in each of these rows
+};
+Side along_side(const Replay& replay) {
+    const Trace& trace = replay.trace();
+    std::array<Side, 2> sides;
+    sides[0].is_left = true;
+    for (std::size_t n = replay.primitive() + 1; n <= replay.step(); ++n) {
+        if (trace.kind_of(n) != StepKind::scanline)
+            continue;
+        const StepView step = trace.step(n);
+        const auto y = step.whole("y");
+        for (Side& side : sides) {
+            const auto depth =
+                nearest_double_in(step.text(side.is_left ? "left_depth" : "right_depth"));
+            const auto x = nearest_double_in(step.text(side.is_left ? "left" : "right"));
+            if (!y || !depth || !x)
+                continue;
+            side.samples.push_back({static_cast<double>(*y), *depth});
+            side.x.push_back(*x);
+            const std::string edge = step.text(side.is_left ? "left_edge" : "right_edge");
+            if (side.name.find(edge) == std::string::npos)
+                side.name += (side.name.empty() ? "" : ", ") + edge;
+        }
+    }
+    const auto change_of = [](const Side& side) {
+        if (side.samples.empty())
+            return 0.0;
+        const auto [least, most] =
+            std::minmax_element(side.samples.begin(), side.samples.end(),
+                                [](const Sample& a, const Sample& b) { return a.z < b.z; });
+        return most->z - least->z;
+    };
+    return change_of(sides[0]) > change_of(sides[1]) ? sides[0] : sides[1];
+}
+
+std::optional<Depths> depths_of(const Panel& panel) {
+    const Replay& replay = panel.replay;
+    const Trace& trace = panel.trace();
+    const std::string kind = trace.method_value("depth");
+    const bool is_inverse = kind == "inverse-z";
+    if (replay.primitive() == 0 || (!is_inverse && kind != "linear-z"))
+        return std::nullopt;
+
+    // What was drawn, as z.
+    Depths depths;
+    const std::size_t scanline = replay.scanline();
+    const bool is_row = panel.is_step() && scanline != 0 && scanline <= panel.frame.steps.first;
+    Side side;
+    if (is_row) {
+        depths.along = fmt::format("x in the row y = {}", trace.step(scanline).text("y"));
+        depths.drawn = along_row(trace, {scanline, end_of(trace, scanline)});
+    } else {
+        side = along_side(replay);
+        depths.along = "y along the side " + side.name;
+        depths.drawn = side.samples;
+    }
+    if (is_inverse)
+        for (Sample& sample : depths.drawn)
+            sample.z = 1 / sample.z;
+    std::erase_if(depths.drawn, [](const Sample& sample) { return !std::isfinite(sample.z); });
+    if (depths.drawn.size() < 2)
+        return std::nullopt;
+    std::sort(depths.drawn.begin(), depths.drawn.end(),
+              [](const Sample& a, const Sample& b) { return a.along < b.along; });
+
+    // The truth, from the triangle's corners.
+    const StepView step = trace.step(replay.primitive());
+    const std::vector<Point> at = corners_of(step);
+    const auto texts = step.texts("depths");
+    if (is_parallel(replay) || at.size() != 3 || texts.size() != 3)
+        return depths;
+    std::array<double, 3> inverse{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double depth = nearest_double_in(texts[i]).value_or(0);
+        inverse[i] = is_inverse ? depth : 1 / depth;
+    }
+    const auto plane = plane_of_inverse(at, inverse);
+    if (!plane || !std::isfinite((*plane)[0] + (*plane)[1] + (*plane)[2]))
+        return depths;
+    const auto true_at = [plane = *plane](double x, double y) {
+        return 1 / (plane[0] * x + plane[1] * y + plane[2]);
+    };
+    if (is_row) {
+        const double y = nearest_double_in(trace.step(scanline).text("y")).value_or(0);
+        depths.true_z = [true_at, y](double x) { return true_at(x, y); };
+    } else {
+        // Between two rows the side is straight.
+        depths.true_z = [true_at, side](double y) {
+            for (std::size_t i = 0; i + 1 < side.samples.size(); ++i) {
+                const double from = side.samples[i].along;
+                const double to = side.samples[i + 1].along;
+                if ((y - from) * (y - to) <= 0 && from != to)
+                    return true_at(
+                        side.x[i] + (y - from) / (to - from) * (side.x[i + 1] - side.x[i]), y);
+            }
+            return std::nan("");
+        };
+    }
+    return depths;
+}
+
+/// The truth, the straight line between the ends, and what is drawn; of z, or of 1/z.
+Plot plot_of(const Depths& depths, std::string_view name, double (*value)(double z)) {
+    Plot plot{.width = 330,
+              .area_height = 190,
+              .x = {.scale = PlotScale::linear, .label = depths.along},
+              .y = {.scale = PlotScale::linear, .label = std::string(name)}};
+    PlotCurve drawn{.name = "as drawn", .marks = {}, .has_line = false};
+    for (const Sample& sample : depths.drawn)
+        drawn.marks.push_back({.x = sample.along, .y = value(sample.z)});
+    PlotCurve straight{.name = "straight between the ends", .marks = {}, .has_marks = false};
+    straight.marks = {drawn.marks.front(), drawn.marks.back()};
+    PlotCurve truth{.name = "true", .marks = {}, .has_marks = false};
+    if (depths.true_z) {
+        constexpr int pieces = 60;
+        const double from = depths.drawn.front().along;
+        const double to = depths.drawn.back().along;
+        for (int i = 0; i <= pieces; ++i) {
+            const double along = from + (to - from) * i / pieces;
+            if (const double z = depths.true_z(along); std::isfinite(z))
+                truth.marks.push_back({.x = along, .y = value(z)});
+        }
+    }
+    plot.curves = {std::move(truth), std::move(straight), std::move(drawn)};
+    return plot;
+}
+
+} // namespace
+
+std::vector<Plot> depth_plots(const Panel& panel) {
+    const auto depths = depths_of(panel);
+    if (!depths)
+        return {};
+    return {plot_of(*depths, "z", [](double z) { return z; }),
+            plot_of(*depths, "1/z", [](double z) { return 1 / z; })};
+}
+
+} // namespace rastertrace
