@@ -5,10 +5,9 @@
 
 #include <rastertrace/figures/bitmap.h>
 
-#include <rapidcheck/gtest.h>
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include <algorithm>
 #include <cmath>

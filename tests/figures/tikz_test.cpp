@@ -209,7 +209,7 @@ TEST(Tikz, SaysWhatTexCannotHold) {
     EXPECT_EQ(message_of(tikz_of(sheet({pixels, Areas{.rectangles = {{{0, 0}, 1, 1}}}}),
                                  Theme::light, 80)),
               "expected a picture that fits into TeX's memory, found more than 40000 places (a "
-              "rectangle counts as two, a dot as four, a label as eight)\n"
+              "rectangle counts as two, a dot as four, a label as twenty)\n"
               "hint: a .png holds any picture; --region takes a part of it");
     EXPECT_EQ(message_of(tikz_of(sheet({}), Theme::light, 5001)),
               "expected a picture of at most 5000 x 5000 mm for TeX, found 5001 x 2500.5 mm");
