@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a drawing is in pixels. White is the paper, black what the shapes are painted in.
 
-#include "effort.h"
-
 #include <rastertrace/figures/bitmap.h>
 
 #include <gmock/gmock.h>
@@ -11,10 +9,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
-#include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace rastertrace {
 namespace {
