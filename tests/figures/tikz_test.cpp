@@ -211,6 +211,17 @@ TEST(Tikz, SaysWhatTexCannotHold) {
               "expected a picture that fits into TeX's memory, found more than 40000 places (a "
               "rectangle counts as two, a dot as four, a label as twenty)\n"
               "hint: a .png holds any picture; --region takes a part of it");
+    const auto fits = [](const Shape& shape, std::size_t count) {
+        return static_cast<bool>(
+            tikz_of(sheet(std::vector<Shape>(count, shape)), Theme::light, 80));
+    };
+    const Path path(40'000, Place{1, 1});
+    EXPECT_TRUE(fits(Lines{.paths = {path}}, 1));
+    EXPECT_FALSE(fits(Lines{.paths = {path, {{0, 0}, {1, 1}}}}, 1));
+    EXPECT_TRUE(fits(Dots{.centers = {{1, 1}}}, 10'000));
+    EXPECT_FALSE(fits(Dots{.centers = {{1, 1}}}, 10'001));
+    EXPECT_TRUE(fits(Label{.at = {1, 1}, .text = "a"}, 2'000));
+    EXPECT_FALSE(fits(Label{.at = {1, 1}, .text = "a"}, 2'001));
     EXPECT_EQ(message_of(tikz_of(sheet({}), Theme::light, 5001)),
               "expected a picture of at most 5000 x 5000 mm for TeX, found 5001 x 2500.5 mm");
     EXPECT_EQ(message_of(tikz_of(sheet({}), Theme::light, 0)),
