@@ -128,6 +128,15 @@ TEST(Tikz, LeavesOutWhatIsNotOnTheSheet) {
         "\\fill[rt-vertex] (1,1) circle[radius=240mm];\n");
 }
 
+TEST(Tikz, SlantedLinesGoOnWhereTheyLeave) {
+    EXPECT_EQ(
+        body_of(sheet({Lines{.paths = {{{0, 10}, {240, 50}}, {{-90, 0}, {10, 20}}}},
+                       Polygons{.role = Role::vertex, .paths = {{{0, 0}, {240, 40}, {0, 4}}}}})),
+        "\\draw[rt-line true-edge] (0,10) -- (60,20)\n"
+        "  (-20,14) -- (10,20);\n"
+        "\\fill[rt-vertex] (0,0) -- (60,10) -- (60,13) -- (0,4) -- cycle;\n");
+}
+
 TEST(Tikz, LongLinesAreInPartsThatMeet) {
     Path path;
     for (int i = 0; i < 1500; ++i)
