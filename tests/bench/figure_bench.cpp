@@ -3,17 +3,14 @@
 // `figures/grid/*`: a circle of triangles on 64 x 64 pixels of 8 units with a grid, some 550 x 600 pixels; and on 512 x 512
 // pixels of one unit. `figures/gif/1000`: an animation of 1,000 frames.
 
+#include "drawn_trace.h"
+
 #include <frame_text.h>
 #include <rastertrace/figures/bitmap.h>
 #include <rastertrace/figures/figure.h>
 #include <rastertrace/figures/gif.h>
 #include <rastertrace/figures/png.h>
 #include <rastertrace/figures/svg.h>
-
-#include <rastertrace/trace/output.h>
-#include <rastertrace/trace/scene_file.h>
-#include <rastertrace/trace/trace.h>
-#include <rastertrace/trace/write_trace.h>
 
 #include <benchmark/benchmark.h>
 
@@ -25,24 +22,10 @@
 namespace rastertrace {
 namespace {
 
-/// The trace of a scene; the program ends if it is none.
-Trace drawn_trace(const std::string& json) {
-    const auto scene = read_scene({"scene.json", json});
-    if (!scene)
-        std::abort();
-    std::string text;
-    StringOutput output(text);
-    write_trace(scene.value().scene, scene.value().plan, {}, output);
-    auto trace = read_trace({"trace", std::move(text)});
-    if (!trace)
-        std::abort();
-    return std::move(trace).value();
-}
-
 const Trace& first_triangle() {
-    static const Trace trace = drawn_trace(R"({"canvas": {"width": 17, "height": 14},
+    static const Trace trace = drawn_trace({"scene.json", R"({"canvas": {"width": 17, "height": 14},
         "vertices": {"A": [2, 5], "B": [-4, -3], "C": [5, -3]}, "triangles": ["ABC"],
-        "method": {"scalar": "exact"}})");
+        "method": {"scalar": "exact"}})"});
     return trace;
 }
 
@@ -59,12 +42,13 @@ FigureFrame row_frame() {
 Trace square_trace(int side) {
     const std::string size = std::to_string(side);
     const std::string half = std::to_string(side / 2 - 1);
-    return drawn_trace(R"({"canvas": {"width": )" + size + R"(, "height": )" + size + R"(},
+    return drawn_trace({"scene.json", R"({"canvas": {"width": )" + size + R"(, "height": )" + size +
+                                          R"(},
         "vertices": {"O": [0, 0], "N": [0, )" +
-                       half + R"(], "E": [)" + half + R"(, 0],
-                     "S": [0, -)" +
-                       half + R"(], "W": [-)" + half + R"(, 0]},
-        "triangles": ["ONE", "OES", "OSW", "OWN"], "method": {"fill": "top-left"}})");
+                                          half + R"(], "E": [)" + half + R"(, 0],
+                     "S": [0, -)" + half + R"(], "W": [-)" +
+                                          half + R"(, 0]},
+        "triangles": ["ONE", "OES", "OSW", "OWN"], "method": {"fill": "top-left"}})"});
 }
 
 Drawing whole(const Trace& trace, double cell) {
