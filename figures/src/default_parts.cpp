@@ -18,7 +18,7 @@ constexpr double highest_panel = 480;
 
 // Parts that are there by themselves need pixels of at least so many units ...
 constexpr double cell_for_grid = 5;
-constexpr double cell_for_patterns = 6;
+constexpr double cell_for_patterns = 3;
 constexpr double cell_for_samples = 14;
 constexpr double cell_for_digits = 9;
 constexpr double cell_for_numbers = 40; ///< numbers of depths may enlarge pixels up to this
@@ -92,7 +92,7 @@ void set_parts(const FigureOptions& options, Panel& panel) {
                                  !has_cell_texts(panel.parts));
     panel.has_all_edges = !is_step || wanted(options, FigurePart::edges) == true;
     const std::size_t with_edges = primitives_with_edges(panel).size();
-    set(FigurePart::edges, with_edges <= few_primitives);
+    set(FigurePart::edges, with_edges <= few_primitives && !has_cell_texts(panel.parts));
     set(FigurePart::vertices, panel.parts.has(FigurePart::edges) && 3 * with_edges <= few_vertices);
 
     for (const FigurePart part : {FigurePart::half_planes, FigurePart::errors, FigurePart::scene,

@@ -115,6 +115,9 @@ Rectangle words_beside(const NamedVertex& vertex, double size, const Rectangle& 
                 box.corner.x + width > frame.corner.x + frame.width + size ||
                 box.corner.y + size > frame.corner.y + frame.height)
                 worse += 4;
+            if (box.corner.x < frame.corner.x ||
+                box.corner.y + size > frame.corner.y + frame.height)
+                worse += 1;
             for (const Rectangle& other : taken)
                 if (meet(box, other))
                     worse += 8;

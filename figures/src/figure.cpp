@@ -145,7 +145,7 @@ Drawing FigureMaker::figure(std::size_t n) {
     const double margin = is_bare(parts) ? 0 : margin_of_sheet;
     const double numbers = parts.has(FigurePart::axes) ? axis_margin(lattice) : 0;
     lattice.corner.x = std::ceil(margin + numbers);
-    Drawing sheet{.title = trace_.title};
+    Drawing sheet{.title = options_.title.value_or(trace_.title)};
     double right = lattice.corner.x + lattice.width();
     const double bars_left = right;
     if (decisions && decisions->is_steep)
@@ -164,7 +164,7 @@ Drawing FigureMaker::figure(std::size_t n) {
     // From the top to the bottom.
     double y = margin;
     if (parts.has(FigurePart::title))
-        y += add_title(panel, column, y, sheet.shapes);
+        y += add_title(sheet.title, panel, column, y, sheet.shapes);
     lattice.corner.y = std::ceil(y);
     add_raster(panel, sheet.shapes);
     if (decisions && decisions->is_steep)

@@ -26,8 +26,10 @@ Tick logarithmic_tick(double digit, int power) {
 
 /// Powers of ten; where there are few of these, 2 and 5 of each, too.
 std::vector<Tick> logarithmic_ticks(const Axis& axis) {
-    constexpr int most_powers = 9;
+    constexpr double room_of_number = 36; // in units, with a power of ten
     constexpr int few_powers = 3;
+    const int most_powers =
+        std::max(2, static_cast<int>(std::abs(axis.to - axis.from) / room_of_number));
     const auto first = static_cast<int>(std::floor(std::log10(axis.low)));
     const auto last = static_cast<int>(std::ceil(std::log10(axis.high)));
     const int stride = std::max(1, (last - first + most_powers - 1) / most_powers);

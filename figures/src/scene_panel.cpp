@@ -3,8 +3,11 @@
 
 #include <rastertrace/trace/text.h>
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 
 namespace rastertrace {
@@ -170,6 +173,38 @@ double length_of_normals(const SpatialScene& space) {
     return part * length_of(sum(most, least, -1));
 }
 
+/// More normals than this are a hedgehog, and of more than a few nobody reads the angles.
+constexpr std::size_t most_normals = 30;
+constexpr std::size_t most_angles = 4;
+
+/// The normals; and of a few faces the line of sight, and the angle between both.
+template <typename TipOf>
+void add_normals(const SpatialScene& space, const SideView& side, const TipOf& tip_of,
+                 std::vector<Shape>& shapes) {
+    constexpr double head = 6;
+    constexpr double text_size = 9;
+    const bool has_angles = space.faces.size() <= most_angles;
+    for (const FaceTest& face : space.faces) {
+        const Place tip = side.at(tip_of(face));
+        if (has_angles && face.view)
+            shapes.push_back(
+                Lines{.role = Role::axis,
+                      .paths = {{side.at(face.middle), side.at(sum(face.middle, *face.view))}}});
+        add_arrow(side.at(face.middle), tip, Role::normal, head, shapes);
+        if (!has_angles || !face.cosine)
+            continue;
+        constexpr double degrees = 180 / std::numbers::pi;
+        shapes.push_back(
+            Label{.role = Role::normal,
+                  .at = {tip.x + 4, tip.y - 3},
+                  .text = fmt::format("{:.1f}\u00b0",
+                                      std::acos(std::clamp(*face.cosine, -1.0, 1.0)) * degrees),
+                  .size = text_size,
+                  .is_bold = true,
+                  .has_rim = true});
+    }
+}
+
 } // namespace
 
 std::optional<SpatialScene> space_of(const Trace& trace) {
@@ -177,7 +212,7 @@ std::optional<SpatialScene> space_of(const Trace& trace) {
     std::optional<Rows> view, projection, viewport;
     struct Face {
         std::string name;
-        Position normal;
+        FaceTest test;
     };
     std::vector<Face> faces;
     std::set<std::string> culled;
@@ -203,7 +238,11 @@ std::optional<SpatialScene> space_of(const Trace& trace) {
             corners_of[step.text("name")] = step.texts("vertices");
         } else if (kind == StepKind::face) {
             if (const auto normal = position_in(step.texts("normal")))
-                faces.push_back({step.text("name"), *normal});
+                faces.push_back({step.text("name"),
+                                 {.middle = {},
+                                  .normal = *normal,
+                                  .view = position_in(step.texts("view")),
+                                  .cosine = nearest_double_in(step.text("cosine"))}});
             if (step.text("culled") == "true")
                 culled.insert(step.text("name"));
         }
@@ -220,15 +259,14 @@ std::optional<SpatialScene> space_of(const Trace& trace) {
     Sides seen, hidden;
     for (const auto& [name, corners] : corners_of)
         (culled.contains(name) ? hidden : seen).add(corners, corners.size() > 2);
-    for (const Face& face : faces) {
+    for (Face& face : faces) {
         const auto found = corners_of.find(face.name);
         if (found == corners_of.end())
             continue;
-        Position middle{};
         for (const std::string& corner : found->second)
-            middle = sum(middle, space.vertices.at(corner),
-                         1.0 / static_cast<double>(found->second.size()));
-        space.normals.push_back({middle, face.normal});
+            face.test.middle = sum(face.test.middle, space.vertices.at(corner),
+                                   1.0 / static_cast<double>(found->second.size()));
+        space.faces.push_back(face.test);
     }
     space.seen.assign(seen.all().begin(), seen.all().end());
     for (const auto& side : hidden.all())
@@ -252,16 +290,15 @@ Drawing scene_drawing(const SpatialScene& space, double width, double height) {
         for (const Position& corner : space.viewer->view_plane)
             side.include(corner);
     }
+    const bool has_normals = space.faces.size() <= most_normals;
     const double normal_length = length_of_normals(space);
-    std::vector<std::pair<Position, Position>> normals;
-    constexpr std::size_t most_normals = 30; // more are a hedgehog
-    for (const Normal& normal : space.normals)
-        if (const double length = length_of(normal.direction);
-            length > 0 && space.normals.size() <= most_normals) {
-            normals.emplace_back(normal.from,
-                                 sum(normal.from, normal.direction, normal_length / length));
-            side.include(normals.back().second);
-        }
+    const auto tip_of = [normal_length](const FaceTest& face) {
+        const double length = length_of(face.normal);
+        return sum(face.middle, face.normal, length > 0 ? normal_length / length : 0);
+    };
+    if (has_normals)
+        for (const FaceTest& face : space.faces)
+            side.include(tip_of(face));
     side.fit({{margin, margin}, width - 2 * margin, height - 2 * margin});
 
     const auto lines_of = [&](const auto& sides, Role role) {
@@ -294,9 +331,8 @@ Drawing scene_drawing(const SpatialScene& space, double width, double height) {
                                .anchor = Anchor::middle,
                                .has_rim = true});
     }
-    constexpr double head = 6;
-    for (const auto& [from, to] : normals)
-        add_arrow(side.at(from), side.at(to), Role::normal, head, shapes);
+    if (has_normals)
+        add_normals(space, side, tip_of, shapes);
 
     constexpr std::size_t most_names = 24;
     if (space.vertices.size() <= most_names)

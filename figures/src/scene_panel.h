@@ -26,9 +26,12 @@ struct Viewer {
     std::array<Position, 4> view_plane; ///< the corners of the canvas on it, in a circle
 };
 
-struct Normal {
-    Position from; ///< the middle of the face
-    Position direction;
+/// The test of a face: its normal, and where it was seen from.
+struct FaceTest {
+    Position middle;
+    Position normal;
+    std::optional<Position> view; ///< from the middle to the eye, or to the light
+    std::optional<double> cosine; ///< of the angle between them
 };
 
 /// What a trace tells of the world.
@@ -36,7 +39,7 @@ struct SpatialScene {
     std::map<std::string, Position> vertices;
     std::vector<std::pair<std::string, std::string>> seen;   ///< sides of faces that are drawn
     std::vector<std::pair<std::string, std::string>> culled; ///< sides of culled faces only
-    std::vector<Normal> normals;                             ///< of the faces that were tested
+    std::vector<FaceTest> faces;                             ///< that were tested
     std::optional<Viewer> viewer; ///< none where all lines of sight are parallel
 };
 

@@ -95,8 +95,9 @@ private:
     /// Units around the sheet in which lines go on that leave it.
     static constexpr double widest_line = 20;
 
-    /// A path of many parts takes TikZ longer than many paths.
-    static constexpr std::size_t parts_per_path = 50;
+    /// TeX keeps a path in memory until it ends, and takes longer for each part of a long one.
+    static constexpr std::size_t characters_per_path = 2000;
+    static constexpr std::size_t places_per_line = 1000;
 
     std::string in_mm(double units) const { return millimeters(units * mm_per_unit_); }
 
@@ -115,12 +116,16 @@ private:
                (painted.alpha() == 255 ? "" : ",fill opacity=" + decimal(painted.alpha() / opaque));
     }
 
-    /// A command for every `parts_per_path` parts.
+    /// As few commands as hold all parts.
     void write_in_paths(const std::string& command, std::span<const std::string> parts) {
+        std::size_t length = 0;
         for (std::size_t i = 0; i < parts.size(); ++i) {
-            const bool is_last = i + 1 == parts.size() || (i + 1) % parts_per_path == 0;
-            body_ +=
-                (i % parts_per_path == 0 ? command : "\n  ") + parts[i] + (is_last ? ";\n" : "");
+            body_ += (length == 0 ? command : "\n  ") + parts[i];
+            length += parts[i].size();
+            if (i + 1 == parts.size() || length > characters_per_path) {
+                body_ += ";\n";
+                length = 0;
+            }
         }
     }
 
@@ -137,8 +142,18 @@ private:
         write_in_paths(fmt::format("\\fill[{}] ", options), written);
     }
 
-    std::string joined_places(const Path& path) {
-        places_ += path.size();
+    /// A line in parts that TikZ has memory for, each from the end of the one before.
+    static std::vector<Path> parts_of(const Path& path) {
+        std::vector<Path> parts;
+        for (std::size_t begin = 0; begin + 1 < path.size(); begin += places_per_line - 1) {
+            const std::size_t end = std::min(begin + places_per_line, path.size());
+            parts.emplace_back(path.begin() + static_cast<std::ptrdiff_t>(begin),
+                               path.begin() + static_cast<std::ptrdiff_t>(end));
+        }
+        return parts;
+    }
+
+    static std::string joined_places(const Path& path) {
         std::string tex;
         for (std::size_t i = 0; i < path.size(); ++i)
             tex += (i == 0 ? "" : i % 8 == 0 ? "\n  -- " : " -- ") + text_of(path[i]);
@@ -159,16 +174,22 @@ private:
         for (Path path : lines.paths) {
             if (is_too_much())
                 return;
-            const bool is_whole = std::all_of(
-                path.begin(), path.end(), [this](Place place) { return is_visible(place, clip_); });
+            const bool is_whole = path.size() <= places_per_line &&
+                                  std::all_of(path.begin(), path.end(), [this](Place place) {
+                                      return is_visible(place, clip_);
+                                  });
             if (is_whole && path.size() > 1) {
+                places_ += path.size();
                 written.push_back(joined_places(path) + (lines.are_closed ? " -- cycle" : ""));
                 continue;
             }
             if (lines.are_closed && !path.empty())
                 path.push_back(path.front());
-            for (const Path& piece : visible_pieces(path, clip_))
-                written.push_back(joined_places(piece));
+            for (const Path& piece : visible_pieces(path, clip_)) {
+                places_ += piece.size();
+                for (const Path& part : parts_of(piece))
+                    written.push_back(joined_places(part));
+            }
         }
         if (written.empty())
             return;
@@ -187,6 +208,7 @@ private:
         std::string written;
         for (const Path& path : polygons.paths) {
             const Path part = visible_polygon(path, clip_);
+            places_ += part.size();
             if (part.size() > 2 && !is_too_much())
                 written += (written.empty() ? "" : "\n  ") + joined_places(part) + " -- cycle";
         }

@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <set>
@@ -17,7 +18,7 @@ namespace {
 
 // Sizes of letters and heights of lines, in units.
 constexpr double title_size = 13;
-constexpr double title_height = 22;
+constexpr double title_line = 17;
 constexpr double step_size = 9;
 constexpr double caption_size = 11;
 constexpr double caption_line = 15;
@@ -100,22 +101,26 @@ std::vector<Entry> entries_of_comparison(const Panel& panel, const std::string& 
 
 } // namespace
 
-double add_title(const Panel& panel, const Column& column, double y, std::vector<Shape>& shapes) {
+double add_title(const std::string& title, const Panel& panel, const Column& column, double y,
+                 std::vector<Shape>& shapes) {
     const std::string steps = steps_text(panel);
-    const double room = column.width() - (steps.empty() ? 0 : width_of(steps, step_size) + 2 * gap);
-    shapes.push_back(
-        Label{.role = Role::strong_text,
-              .at = {column.left, y + title_size - 1},
-              .text = shortened(printable(panel.trace().title), letters_in(room, title_size)),
-              .size = title_size,
-              .is_bold = true});
     if (!steps.empty())
         shapes.push_back(Label{.role = Role::quiet_text,
                                .at = {column.right, y + title_size - 1},
                                .text = steps,
                                .size = step_size,
                                .anchor = Anchor::end});
-    return title_height;
+    const double room = column.width() - (steps.empty() ? 0 : width_of(steps, step_size) + gap);
+    const double top = y;
+    for (const std::string& line : wrapped(printable(title), letters_in(room, title_size))) {
+        shapes.push_back(Label{.role = Role::strong_text,
+                               .at = {column.left, y + title_size - 1},
+                               .text = line,
+                               .size = title_size,
+                               .is_bold = true});
+        y += title_line;
+    }
+    return std::max(y, top + title_line) + gap - top;
 }
 
 double add_legend(const Panel& panel, const std::string& against, const Column& column, double y,

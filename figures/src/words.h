@@ -22,8 +22,9 @@ struct Column {
 /// The narrowest sheet on which words are set.
 inline constexpr double narrowest_for_words = 300;
 
-/// The title of the scene, and which steps are shown.
-double add_title(const Panel& panel, const Column& column, double y, std::vector<Shape>& shapes);
+/// The title, and which steps are shown.
+double add_title(const std::string& title, const Panel& panel, const Column& column, double y,
+                 std::vector<Shape>& shapes);
 
 /// What colors and patterns stand for. `against` is the name of the picture that is compared with.
 double add_legend(const Panel& panel, const std::string& against, const Column& column, double y,

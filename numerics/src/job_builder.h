@@ -42,8 +42,8 @@ public:
     JobReport& report() { return report_; }
 
     /// Begins a curve: what is added next belongs to it.
-    void begin_curve(std::string method, std::string knob) {
-        report_.curves.push_back({std::move(method), std::move(knob), {}});
+    void begin_curve(std::string method, std::string knob, bool is_apart = false) {
+        report_.curves.push_back({std::move(method), std::move(knob), {}, is_apart});
     }
 
     /// Adds a setting; `run` does the whole work once, so many units.

@@ -106,7 +106,7 @@ std::vector<Candidate> candidates(const JobReport& job, std::size_t measure) {
     std::vector<Candidate> result;
     for (const Curve& curve : job.curves)
         for (const Setting& setting : curve.settings)
-            if (setting.failure.empty() && setting.errors[measure].value)
+            if (!curve.is_apart && setting.failure.empty() && setting.errors[measure].value)
                 result.push_back({&curve, &setting, *setting.errors[measure].value});
     return result;
 }
@@ -179,7 +179,7 @@ void mark_fronts(JobReport& job) {
         const auto all = candidates(job, measure);
         for (Curve& curve : job.curves)
             for (Setting& setting : curve.settings) {
-                if (!setting.failure.empty() || !setting.errors[measure].value)
+                if (curve.is_apart || !setting.failure.empty() || !setting.errors[measure].value)
                     continue;
                 const double error = *setting.errors[measure].value;
                 const double time = setting.timing.median;

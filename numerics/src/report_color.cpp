@@ -301,7 +301,7 @@ private:
     }
 
     template <bool in_perspective> void add_scalars(std::string_view name, ColorRounding rounding) {
-        builder_.begin_curve(std::string(name), "scalar");
+        builder_.begin_curve(std::string(name), "scalar", rounding == ColorRounding::truncate);
         for (const ScalarSetting& scalar : scalar_settings()) {
             // Of the grids, the one that is drawn on.
             if (scalar.bits && std::int64_t{1} << *scalar.bits != fixed_grid)

@@ -529,6 +529,23 @@ TEST(Advice, FewWrongPixelsAreStillWrong) {
                                            "fastest, one: far, is off by 0.5 px (0.9 ns per row).");
 }
 
+TEST(Advice, WhatDoesSomethingElseIsNeitherAdvisedNorOnAFront) {
+    JobReport job = job_with_price(10, 0, 0);
+    job.curves.push_back({"apart", "knob", {hand_made("fastest of all", 0, 0.1)}, true});
+    mark_fronts(job);
+    EXPECT_TRUE(job.curves[0].settings[1].on_front[0]);
+    EXPECT_FALSE(job.curves[1].settings[0].on_front[0]);
+    EXPECT_THAT(advice_for(job, 0).sentence, testing::Not(HasSubstr("apart")));
+    job.curves[1].is_apart = false;
+    EXPECT_THAT(advice_for(job, 0).sentence, testing::StartsWith("Choose apart: fastest of all"));
+}
+
+TEST(ColorReport, WhatIsCutOffIsApartFromWhatIsRounded) {
+    for (const Curve& curve : report_of_job(z2_in_perspective(), ReportJob::color).curves)
+        EXPECT_EQ(curve.is_apart, curve.method.find("cut off") != std::string::npos)
+            << curve.method;
+}
+
 TEST(Advice, WithoutAnyMeasurementThereIsNone) {
     JobReport job = job_with_price(1, 0, 0);
     for (Setting& setting : job.curves[0].settings)

@@ -1722,9 +1722,11 @@ TEST_F(ProgramTest, ReportRefusesBeforeItMeasures) {
               "fill; depth: the scene has no depth; color: the scene has no triangle with colored "
               "vertices)\n");
     EXPECT_EQ(visible_files(), 1u) << "nothing was written";
-    EXPECT_EQ(shell("$rastertrace report point.json -o r.pdf").err,
-              "rastertrace: r.pdf: expected a name that ends in .svg, .html, .json, .csv or .txt\n"
-              "hint: or say --format\n");
+    EXPECT_EQ(
+        shell("$rastertrace report point.json -o r.pdf").err,
+        "rastertrace: r.pdf: expected a name that ends in .svg, .html, .json, .csv, .txt, found "
+        ".pdf\n"
+        "hint: or say --format\n");
     EXPECT_EQ(shell("$rastertrace report point.json --jobs edges").err,
               "rastertrace: --jobs: expected jobs out of edge,coverage,depth,color, found "
               "\"edges\"\nhint: did you mean edge?\n");

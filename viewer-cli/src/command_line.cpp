@@ -494,6 +494,8 @@ private:
         command.add_option("--with", figure_with_, "Show these parts too")->type_name("PART,...");
         command.add_option("--without", figure_without_, "Leave these parts out")
             ->type_name("PART,...");
+        command.add_option("--title", figure_.options.title, "This title instead of the scene's")
+            ->type_name("TEXT");
         command
             .add_option("--caption", figure_.options.caption,
                         "This text instead of the step's sentence; none for no text")

@@ -4,6 +4,7 @@
 #include "commands.h"
 #include "load.h"
 #include "page.h"
+#include "page_files.h"
 #include "run_self.h"
 
 #include <rastertrace/core/scene/stages.h>
@@ -29,6 +30,7 @@ struct RenewedPage {
     Source page;
     std::vector<PageCommand> commands;
     std::vector<std::string> outputs; ///< one for each command
+    std::vector<Problem> stale_files; ///< that its commands would write otherwise
 };
 
 std::string_view first_line_of(std::string_view text) {
@@ -58,13 +60,14 @@ Problem problem_of_exit(const Source& page, const PageCommand& command, const Fi
     return problem;
 }
 
-/// Runs a command; returns its output for the page.
-std::string output_of(const Source& page, const PageCommand& command) {
+/// Runs a command, with these words; returns its output for the page.
+std::string output_of(const Source& page, const PageCommand& command,
+                      const std::vector<std::string>& words) {
     if (!command.words.empty() && command.words.front() == "renew")
         throw problem_at(page, command.begin,
                          "expected a command that shows something, found renew");
 
-    const FinishedRun run = run_self(command.words);
+    const FinishedRun run = run_self(words);
     if (run.is_too_large)
         throw problem_at(page, command.begin,
                          fmt::format("expected a command that prints at most {} MB, found more",
@@ -74,11 +77,23 @@ std::string output_of(const Source& page, const PageCommand& command) {
     return output_for(page, command, run.out + run.err);
 }
 
-RenewedPage renew_page(const std::string& path) {
-    RenewedPage renewed{.page = load_page(path), .commands = {}, .outputs = {}};
+/// Runs the commands of a page. One that is only checked leaves the files that they write as they are.
+RenewedPage renew_page(const std::string& path, bool is_checked) {
+    RenewedPage renewed{.page = load_page(path), .commands = {}, .outputs = {}, .stale_files = {}};
     renewed.commands = commands_on(renewed.page);
-    for (const PageCommand& command : renewed.commands)
-        renewed.outputs.push_back(output_of(renewed.page, command));
+    for (const PageCommand& command : renewed.commands) {
+        if (!is_checked || command.exit_status != 0 || !writes_file(command.words)) {
+            renewed.outputs.push_back(output_of(renewed.page, command, command.words));
+            continue;
+        }
+        const OutputElsewhere elsewhere(command.words);
+        renewed.outputs.push_back(output_of(renewed.page, command, elsewhere.words()));
+        for (const std::string& file : elsewhere.stale_files())
+            renewed.stale_files.push_back(problem_at(
+                renewed.page, command.begin,
+                fmt::format("expected {} as this command writes it, found another file, or none",
+                            printable(file))));
+    }
     return renewed;
 }
 
@@ -121,7 +136,8 @@ std::vector<Problem> differences_in(const RenewedPage& renewed) {
 ExitStatus check(const std::vector<RenewedPage>& pages) {
     std::string stale;
     for (const RenewedPage& page : pages) {
-        const std::vector<Problem> differences = differences_in(page);
+        std::vector<Problem> differences = differences_in(page);
+        differences.insert(differences.end(), page.stale_files.begin(), page.stale_files.end());
         for (const Problem& difference : differences)
             print(to_text(difference) + "\n");
         if (!differences.empty())
@@ -151,7 +167,7 @@ int run(const RenewCommand& command) {
     // A page with a mistake leaves all of them as they were.
     std::vector<RenewedPage> pages;
     for (const std::string& path : command.pages)
-        pages.push_back(renew_page(path));
+        pages.push_back(renew_page(path, command.check));
 
     if (command.check)
         return check(pages);

@@ -91,6 +91,7 @@ struct FigureOptions {
     std::optional<Region> region = {}; ///< of the canvas; none: all of it
     std::optional<double> cell = {};   ///< the side of a pixel, in units; none: by the canvas
     FacePalette palette = FacePalette::distinct;
+    std::optional<std::string> title = {};   ///< none: the scene's
     std::optional<std::string> caption = {}; ///< none: what the step says
     const Trace* against = nullptr;          ///< another one, whose final pixels are compared
     std::string against_name = {};

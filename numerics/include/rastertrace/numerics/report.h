@@ -96,6 +96,8 @@ struct Curve {
     std::string method; ///< "x accumulated, float"
     std::string knob;   ///< "reseeded every so many rows"
     std::vector<Setting> settings;
+    /// It does something else than the others and is compared with that: no front and no advice has it.
+    bool is_apart = false;
 };
 
 /// What to choose, for one measure.

@@ -1,0 +1,431 @@
+// SPDX-License-Identifier: MIT
+// What figures show, read back from their shapes. Numbers are those of the texts (docs/sources.md).
+#include "depth_plot.h"
+#include "error_bars.h"
+#include "lattice.h"
+#include "scene_panel.h"
+#include "traces.h"
+
+#include <rastertrace/figures/figure.h>
+#include <rastertrace/trace/selector.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace rastertrace {
+namespace {
+
+const std::string first_triangle = R"({"title": "First triangle",
+    "canvas": {"width": 17, "height": 14},
+    "vertices": {"A": [2, 5], "B": [-4, -3], "C": [5, -3]},
+    "triangles": ["ABC"], "method": {"scalar": "exact"}})";
+
+/// The trace of a scene, with its title, as the program has it.
+Trace trace_of_scene(const std::string& text) {
+    Trace trace = trace_of(scene_in(text));
+    trace.title = scene_in(text).title;
+    return trace;
+}
+
+/// The first step that a selector means.
+std::size_t step_of(const Trace& trace, const std::string& selector) {
+    const auto parsed = parse_selector({"test", selector}, trace);
+    return matching_steps(parsed.value(), trace).value().front();
+}
+
+Drawing figure_of(const Trace& trace, FigureFrame frame, FigureOptions options = {}) {
+    return FigureMaker(trace, {frame}, std::move(options)).figure(0);
+}
+
+/// The figure of a step with what belongs to it.
+Drawing figure_at(const Trace& trace, const std::string& selector, FigureOptions options = {}) {
+    const std::size_t n = step_of(trace, selector);
+    return figure_of(trace, {.steps = {n, end_of(trace, n)}}, std::move(options));
+}
+
+Drawing whole_figure(const Trace& trace, FigureOptions options = {}) {
+    return figure_of(trace, {.steps = {0, trace.size()}}, std::move(options));
+}
+
+template <typename Kind> std::vector<Kind> shapes_of(const Drawing& drawing, Role role) {
+    std::vector<Kind> found;
+    for (const Shape& shape : drawing.shapes)
+        if (const auto* const one = std::get_if<Kind>(&shape); one != nullptr && one->role == role)
+            found.push_back(*one);
+    return found;
+}
+
+std::vector<std::string> texts_of(const Drawing& drawing, Role role) {
+    std::vector<std::string> texts;
+    for (const Label& label : shapes_of<Label>(drawing, role))
+        texts.push_back(label.text);
+    return texts;
+}
+
+bool has(const Rectangle& rectangle, Place place) {
+    return rectangle.corner.x < place.x && place.x < rectangle.corner.x + rectangle.width &&
+           rectangle.corner.y < place.y && place.y < rectangle.corner.y + rectangle.height;
+}
+
+/// Where things are on a sheet, as a reader finds out: from the numbers at the axes.
+class Axes {
+public:
+    explicit Axes(const Drawing& drawing) {
+        for (const Label& label : shapes_of<Label>(drawing, Role::quiet_text)) {
+            // Numbers of columns are centered below theirs, those of rows end at the left of theirs.
+            if (label.anchor == Anchor::middle)
+                columns_[std::stoi(label.text)] = label.at.x;
+            else if (label.text.find("step") == std::string::npos)
+                rows_[std::stoi(label.text)] = label.at.y - 0.35 * label.size;
+        }
+    }
+    Place of(double x, double y) const { return {along(columns_, x), along(rows_, y)}; }
+    double cell() const { return of(1, 0).x - of(0, 0).x; }
+
+private:
+    static double along(const std::map<int, double>& numbers, double value) {
+        const auto [first, from] = *numbers.begin();
+        const auto [last, to] = *numbers.rbegin();
+        return from + (value - first) / (last - first) * (to - from);
+    }
+    std::map<int, double> columns_;
+    std::map<int, double> rows_;
+};
+
+/// The rows from y = 7 to -6 of the first triangle's canvas: the letter of the role that a pixel has, `2` if it is
+/// covered twice.
+std::string picture_of(const Drawing& drawing, const std::map<Role, char>& letters) {
+    const Axes axes(drawing);
+    std::string picture;
+    for (int y = 7; y >= -6; --y) {
+        for (int x = -8; x <= 8; ++x) {
+            char found = '.';
+            for (const auto& [role, letter] : letters)
+                for (const Areas& areas : shapes_of<Areas>(drawing, role))
+                    for (const Rectangle& rectangle : areas.rectangles)
+                        if (has(rectangle, axes.of(x, y)))
+                            found = found == '.' ? letter : '2';
+            picture += found;
+        }
+        picture += '\n';
+    }
+    return picture;
+}
+
+TEST(Figures, ARowHasItsPixelsAndThoseBefore) {
+    const Drawing figure = figure_at(trace_of_scene(first_triangle), "scanline y=2");
+    EXPECT_EQ(picture_of(figure, {{Role::plotted, '#'}, {Role::current, '@'}}), R"(.................
+.................
+..........#......
+.........##......
+........###......
+.......@@@@@.....
+.................
+.................
+.................
+.................
+.................
+.................
+.................
+.................
+)");
+}
+
+TEST(Figures, TheEndsOfARowAreWhereTheEdgesMeetIt) {
+    const Drawing figure = figure_at(trace_of_scene(first_triangle), "scanline y=2");
+    const Axes axes(figure);
+    const auto dots = shapes_of<Dots>(figure, Role::row_end);
+    ASSERT_EQ(dots.size(), 2U);
+    // x = -1/4 and 25/8, on the line of y = 2.
+    EXPECT_NEAR(dots[0].centers[0].x, axes.of(-0.25, 2).x, 1e-9);
+    EXPECT_NEAR(dots[1].centers[0].x, axes.of(3.125, 2).x, 1e-9);
+    EXPECT_NEAR(dots[1].centers[0].y, axes.of(0, 2).y, 1e-9);
+    EXPECT_THAT(texts_of(figure, Role::row_end), testing::ElementsAre("-1/4", "25/8"));
+    // An arrow from each to its pixel: -1 and 3.
+    const auto arrows = shapes_of<Polygons>(figure, Role::rounding);
+    ASSERT_EQ(arrows.size(), 2U);
+    EXPECT_NEAR(arrows[0].paths[0][0].x, axes.of(-1, 2).x, 1e-9);
+    EXPECT_NEAR(arrows[1].paths[0][0].x, axes.of(3, 2).x, 1e-9);
+}
+
+TEST(Figures, AnExactEndHasNoArrow) {
+    // x = 2 at both ends of y = 5, and -1 at the left end of y = 1.
+    const Trace trace = trace_of_scene(first_triangle);
+    EXPECT_EQ(shapes_of<Polygons>(figure_at(trace, "scanline y=5"), Role::rounding).size(), 0U);
+    EXPECT_EQ(shapes_of<Polygons>(figure_at(trace, "scanline y=1"), Role::rounding).size(), 1U);
+}
+
+TEST(Figures, AQuestionTellsNothingOfItsStep) {
+    const Trace trace = trace_of_scene(first_triangle);
+    const std::size_t n = step_of(trace, "scanline y=2");
+    const Drawing figure = figure_of(trace, {.steps = {n, n}, .is_question = true});
+    EXPECT_EQ(picture_of(figure, {{Role::plotted, '#'}, {Role::current, '@'}}), R"(.................
+.................
+..........#......
+.........##......
+........###......
+.................
+.................
+.................
+.................
+.................
+.................
+.................
+.................
+.................
+)");
+    EXPECT_THAT(texts_of(figure, Role::row_end), testing::IsEmpty());
+    EXPECT_THAT(texts_of(figure, Role::text), testing::IsEmpty());
+    EXPECT_EQ(shapes_of<Lines>(figure, Role::row).size(), 1U) << "the row that is asked about";
+}
+
+TEST(Figures, EdgesRunThroughTheVertices) {
+    const Drawing figure = whole_figure(trace_of_scene(first_triangle));
+    const Axes axes(figure);
+    std::vector<Place> ends;
+    for (const Lines& lines : shapes_of<Lines>(figure, Role::true_edge))
+        for (const Path& path : lines.paths)
+            ends.push_back(path.front());
+    ASSERT_EQ(ends.size(), 3U);
+    const std::array<Place, 3> corners{axes.of(2, 5), axes.of(-4, -3), axes.of(5, -3)};
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_NEAR(ends[i].x, corners[i].x, 1e-9);
+        EXPECT_NEAR(ends[i].y, corners[i].y, 1e-9);
+    }
+    EXPECT_THAT(texts_of(figure, Role::strong_text),
+                testing::IsSupersetOf({"A(2, 5)", "B(-4, -3)", "C(5, -3)"}));
+}
+
+TEST(Figures, PixelsAreNumberedInTheOrderOfDrawing) {
+    const Drawing figure =
+        whole_figure(trace_of_scene(first_triangle), {.with = {FigurePart::order}});
+    std::map<std::pair<int, int>, std::string> numbers; // by row from the top, and column
+    const Axes axes(figure);
+    for (const Label& label : shapes_of<Label>(figure, Role::cell_text))
+        numbers[{static_cast<int>(std::lround((label.at.y - axes.of(0, 7).y) / axes.cell() - 0.1)),
+                 static_cast<int>(std::lround((label.at.x - axes.of(0, 0).x) / axes.cell()))}] =
+            label.text;
+    ASSERT_EQ(numbers.size(), 49U);
+    int expected = 1;
+    for (const auto& [place, number] : numbers)
+        EXPECT_EQ(number, std::to_string(expected++));
+}
+
+TEST(Figures, TwoRoundingsDifferInEightPixels) {
+    // Down against the nearest: y=3 0..2 and 1..3, y=2 -1..3 and 0..3, y=1 -1..3 and -1..4, y=0 -2..3 and -2..4, ...
+    const Trace down = trace_of_scene(first_triangle);
+    Scene nearest = scene_in(first_triangle);
+    nearest.method.rounding = Rounding::nearest;
+    const Trace other = trace_of(nearest);
+    const Drawing figure = whole_figure(down, {.against = &other, .against_name = "nearest"});
+    EXPECT_EQ(picture_of(figure, {{Role::same, '#'},
+                                  {Role::only_here, '!'},
+                                  {Role::only_there, '?'},
+                                  {Role::differs, '~'}}),
+              R"(.................
+.................
+..........#......
+.........##......
+........!##?.....
+.......!####.....
+.......#####?....
+......######?....
+.....!#######....
+....!########?...
+....##########...
+.................
+.................
+.................
+)");
+    EXPECT_THAT(texts_of(figure, Role::cell_text),
+                testing::UnorderedElementsAre("!", "!", "!", "!", "?", "?", "?", "?"));
+}
+
+TEST(Figures, AFaceKeepsItsColorWhateverHidesIt) {
+    const Trace trace = trace_of_scene(R"({"canvas": {"width": 9, "height": 9},
+        "vertices": {"A": [-4, -4, 3], "B": [4, -4, 3], "C": [-4, 4, 3],
+                     "D": [-4, -4, 2], "E": [4, -4, 2], "F": [-4, 4, 2]},
+        "triangles": ["ABC", "DEF"],
+        "method": {"scalar": "exact", "depth": "linear-z"}})");
+    const Drawing first = figure_at(trace, "primitive name=ABC");
+    EXPECT_EQ(shapes_of<Areas>(first, Role::face_1).front().rectangles.size(), 9U);
+    // DEF is nearer and covers all of it.
+    const Drawing last = whole_figure(trace);
+    EXPECT_THAT(shapes_of<Areas>(last, Role::face_1), testing::SizeIs(0));
+    EXPECT_EQ(shapes_of<Areas>(last, Role::face_2).front().rectangles.size(), 9U);
+}
+
+TEST(Figures, WeightsOfASampleAreWritten) {
+    Scene scene = scene_in(first_triangle);
+    scene.method.fill = Fill::barycentric;
+    const Drawing figure = whole_figure(trace_of(scene), {.with = {FigurePart::weights}});
+    const Axes axes(figure);
+    const Place origin = axes.of(0, 0);
+    std::vector<std::string> weights;
+    for (const Label& label : shapes_of<Label>(figure, Role::cell_text))
+        if (std::abs(label.at.x - origin.x) < 1 &&
+            std::abs(label.at.y - origin.y) < axes.cell() / 2)
+            weights.push_back(label.text);
+    // Of (0, 0): 27/72, 31/72, 14/72.
+    EXPECT_THAT(weights, testing::ElementsAre("3/8", "31/72", "7/36"));
+}
+
+TEST(Figures, ASampleIsInTheMiddleOfItsPixel) {
+    for (const bool has_center_samples : {false, true})
+        for (const Origin origin : {Origin::center, Origin::bottom_left, Origin::top_left}) {
+            const Lattice lattice{.canvas = {.width = 5, .height = 4, .origin = origin},
+                                  .region = {.x0 = 0, .y0 = 0, .x1 = 2, .y1 = 1},
+                                  .has_center_samples = has_center_samples,
+                                  .cell = 10,
+                                  .corner = {3, 4}};
+            const double sample = has_center_samples ? 0.5 : 0.0;
+            const Place middle = lattice.middle_of({1, 1});
+            const Place place = lattice.place_of(1 + sample, 1 + sample);
+            EXPECT_EQ(middle, place);
+            EXPECT_EQ(middle.x, 3 + 15);
+            EXPECT_EQ(middle.y, origin == Origin::top_left ? 4 + 15 : 4 + 5);
+        }
+}
+
+TEST(Figures, BarsAreBresenhamsD) {
+    const Trace trace =
+        trace_of_scene(R"({"canvas": {"width": 8, "height": 4, "origin": "bottom-left"},
+        "vertices": {"A": [0, 0], "B": [5, 2]}, "lines": ["AB"]})");
+    Replay replay(trace);
+    replay.go_to(trace.size());
+    const auto decisions = decisions_of(replay);
+    ASSERT_TRUE(decisions);
+    EXPECT_FALSE(decisions->is_steep);
+    std::vector<std::string> ds;
+    for (const Decision& decision : decisions->all)
+        ds.push_back(decision.text);
+    EXPECT_THAT(ds, testing::ElementsAre("-1", "3", "-3", "1", "-5"));
+
+    const Drawing figure = figure_at(trace, "last", {.with = {FigurePart::errors}});
+    std::vector<double> heights;
+    for (const Role role : {Role::bar, Role::bar_below})
+        for (const Areas& areas : shapes_of<Areas>(figure, role))
+            for (const Rectangle& rectangle : areas.rectangles)
+                heights.push_back(rectangle.height);
+    ASSERT_EQ(heights.size(), 5U);
+    // 3, 1 upward, then 1, 3, 5 downward, in one scale.
+    for (std::size_t i = 0; i < 5; ++i)
+        EXPECT_NEAR(heights[i] / heights[1], (std::array<double, 5>{3, 1, 1, 3, 5}[i]), 1e-9);
+}
+
+TEST(Figures, ASteepLineHasItsBarsBesideItsRows) {
+    const Trace trace = trace_of_scene(R"({"canvas": {"width": 17, "height": 14},
+        "vertices": {"A": [2, 5], "C": [5, -3]}, "lines": ["AC"]})");
+    Replay replay(trace);
+    replay.go_to(trace.size());
+    const auto decisions = decisions_of(replay);
+    ASSERT_TRUE(decisions);
+    EXPECT_TRUE(decisions->is_steep);
+    EXPECT_EQ(decisions->all.front().text, "-2");
+    EXPECT_EQ(decisions->all.back().text, "-8");
+}
+
+TEST(Figures, DepthsInARowAreAsDrawnAndTrue) {
+    // An edge from z = 3 at y = -3 to z = 4 at y = 2 (docs/sources.md): true 3, 60/19, 10/3, 60/17, 15/4, 4.
+    for (const std::string depth : {"linear-z", "inverse-z"}) {
+        const Trace trace = trace_of_scene(R"({"canvas": {"width": 10, "height": 10},
+            "vertices": {"A": [-3, 2, 3], "D": [-3, -3, 3], "E": [0, 2, 4]},
+            "triangles": ["ADE"], "keep": ["depth"],
+            "method": {"scalar": "exact", "depth": ")" +
+                                           depth + R"("}})");
+        Replay replay(trace, {.depths = true});
+        replay.go_to(trace.size());
+        const FaceGroups groups;
+        const Panel panel{.replay = replay,
+                          .frame = {.steps = {0, trace.size()}},
+                          .lattice = {},
+                          .parts = {},
+                          .view = View::plotted,
+                          .groups = groups,
+                          .palette = FacePalette::distinct,
+                          .against = nullptr};
+        const std::vector<Plot> plots = depth_plots(panel);
+        ASSERT_EQ(plots.size(), 2U);
+        const PlotCurve& truth = plots[0].curves[0];
+        const PlotCurve& drawn = plots[0].curves[2];
+        const std::array<double, 6> true_z{3, 60.0 / 19, 10.0 / 3, 60.0 / 17, 15.0 / 4, 4};
+        ASSERT_EQ(drawn.marks.size(), 6U);
+        for (std::size_t i = 0; i < 6; ++i) {
+            EXPECT_EQ(drawn.marks[i].x, -3 + static_cast<double>(i));
+            const double linear = 3 + static_cast<double>(i) / 5;
+            EXPECT_NEAR(drawn.marks[i].y, depth == "linear-z" ? linear : true_z[i], 1e-12);
+            const auto at =
+                std::find_if(truth.marks.begin(), truth.marks.end(), [&](const PlotMark& mark) {
+                    return std::abs(mark.x - drawn.marks[i].x) < 1e-9;
+                });
+            ASSERT_NE(at, truth.marks.end());
+            EXPECT_NEAR(at->y, true_z[i], 1e-12);
+        }
+    }
+}
+
+TEST(Figures, SidesOfCulledFacesAreDashed) {
+    // The cube of the first text: two of twelve triangles are drawn, which have five sides.
+    const Trace trace = trace_of_scene(R"({"canvas": {"width": 10, "height": 10},
+        "meshes": [{"vertices": {"A": [-1, 1, 3], "B": [1, 1, 3], "C": [1, -1, 3], "D": [-1, -1, 3],
+                                 "E": [-1, 1, 5], "F": [1, 1, 5], "G": [1, -1, 5], "H": [-1, -1, 5]},
+                    "faces": ["ABC", "ACD", "ADE", "DHE", "BFG", "BGC", "AEF", "AFB", "DCG", "DGH",
+                              "EHG", "EGF"]}],
+        "projection": {"type": "pinhole", "distance": 1}, "viewport": {"pixels_per_unit": 10},
+        "method": {"scalar": "exact", "cull": "back"}})");
+    const auto space = space_of(trace);
+    ASSERT_TRUE(space);
+    EXPECT_EQ(space->seen.size(), 5U);
+    EXPECT_EQ(space->culled.size(), 13U);
+    ASSERT_TRUE(space->viewer);
+    EXPECT_EQ(space->viewer->eye, (Position{0, 0, 0}));
+    // A plane of 1 x 1 at z = 1: ten pixels, from -5.5 to 4.5 of them.
+    EXPECT_EQ(space->viewer->view_plane[0], (Position{-0.55, 0.55, 1}));
+    EXPECT_EQ(space->viewer->view_plane[2], (Position{0.45, -0.45, 1}));
+}
+
+TEST(Figures, AnEyeInTheWorldIsWhereTheCameraStands) {
+    const Trace trace = trace_of_scene(R"({"canvas": {"width": 8, "height": 8},
+        "vertices": {"A": [0, 0, 0], "B": [1, 0, 0], "C": [0, 1, 0]}, "triangles": ["ABC"],
+        "camera": {"position": [3, 4, 12], "look_at": [0, 0, 0], "up": [0, 1, 0]},
+        "projection": {"type": "view-plane", "distance": 2}})");
+    const auto space = space_of(trace);
+    ASSERT_TRUE(space && space->viewer);
+    const std::array<double, 3> position{3, 4, 12};
+    for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_NEAR(space->viewer->eye[i], position[i], 1e-12);
+    // The middle of the plane lies 2 of 13 units on the way to what is looked at.
+    for (std::size_t i = 0; i < 3; ++i) {
+        double middle = 0;
+        for (const Position& corner : space->viewer->view_plane)
+            middle += corner[i] / 4;
+        EXPECT_NEAR(middle, position[i] * 11 / 13, 0.3) << "half a pixel beside the middle";
+    }
+}
+
+TEST(Figures, PartsThatASceneCannotHaveAreRefused) {
+    const Trace trace = trace_of_scene(first_triangle);
+    for (const FigurePart part : {FigurePart::scene, FigurePart::errors, FigurePart::plot})
+        EXPECT_THROW(whole_figure(trace, {.with = {part}}), Problem);
+}
+
+TEST(Figures, EveryPartHasARowInItsOrder) {
+    std::set<std::string_view> names;
+    for (std::size_t i = 0; i < figure_part_count; ++i) {
+        EXPECT_EQ(figure_parts()[i].part, static_cast<FigurePart>(i));
+        EXPECT_TRUE(names.insert(figure_parts()[i].name).second);
+        EXPECT_EQ(figure_part_named(figure_parts()[i].name), figure_parts()[i].part);
+    }
+    EXPECT_EQ(figure_part_named("no such part"), std::nullopt);
+}
+
+} // namespace
+} // namespace rastertrace

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// Drawings as SVG.
+
+#include "figures/hostile_drawing.h"
+#include "xml_fault.h"
+
+#include <rastertrace/figures/bitmap.h>
+#include <rastertrace/figures/svg.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+
+namespace rastertrace {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+TEST(Svg, IsXmlWhateverTheTexts) {
+    for (const Theme theme : {Theme::automatic, Theme::light, Theme::dark, Theme::print}) {
+        const auto svg = svg_of(hostile_drawing(), theme);
+        ASSERT_TRUE(svg);
+        EXPECT_EQ(xml_fault(svg.value()), "");
+        EXPECT_EQ(svg.value(), svg_of(hostile_drawing(), theme).value());
+        EXPECT_THAT(svg.value(), Not(HasSubstr("<script")));
+    }
+    const std::array frames{hostile_drawing(), hostile_drawing(), hostile_drawing()};
+    const auto animated = animated_svg_of(frames, 0.5, Theme::automatic);
+    ASSERT_TRUE(animated);
+    EXPECT_EQ(xml_fault(animated.value()), "");
+}
+
+TEST(Svg, PixelsOfAColorAreRunsByColor) {
+    const auto svg =
+        svg_of({.width = 6,
+                .height = 4,
+                .title = "pixels",
+                .shapes = {Pixels{.corner = {0, 0},
+                                  .side = 2,
+                                  .columns = 3,
+                                  .colors = {Color(9, 0, 0), Color(9, 0, 0), no_color,
+                                             Color(1, 0, 0), no_color, Color(9, 0, 0)}}}},
+               Theme::light);
+    EXPECT_THAT(svg.value(),
+                HasSubstr("<path class=\"area\" style=\"fill:#010000\" d=\"M0 2h2v2h-2z\"/>\n"
+                          "<path class=\"area\" style=\"fill:#090000\" "
+                          "d=\"M0 0h4v2h-4zM4 2h2v2h-2z\"/>\n"));
+}
+
+TEST(Svg, AndBitmapHaveTheHostileDrawing) {
+    const Bitmap bitmap = bitmap_of(hostile_drawing(), Theme::light, 1);
+    EXPECT_EQ(bitmap.width, 400U);
+    EXPECT_EQ(bitmap.title, hostile_drawing().title);
+}
+
+} // namespace
+} // namespace rastertrace
