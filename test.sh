@@ -1,10 +1,28 @@
 #!/bin/sh
-# Builds everything and runs every test. Installs what is missing first, and says so.
+# Builds everything and runs the tests. Installs what is missing first, and says so.
+# usage: test.sh [--all] [OPTIONS OF CTEST]
+# --all: also the tests that need a browser, TeX or other large programs
 set -eu
 cd "$(dirname "$0")"
 
+all=OFF
+if [ "${1:-}" = --all ]; then
+    all=ON
+    shift
+fi
+
 scripts/install-packages.sh g++ clang cmake ninja-build binutils libglm-dev nlohmann-json3-dev \
     libfmt-dev libcli11-dev libgif-dev libgmp-dev libpng-dev libunistring-dev libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev libtinyobjloader-dev python3-jsonschema tmux git
+[ "$all" = OFF ] || scripts/install-packages.sh asciinema chromium fonts-dejavu-core librsvg2-bin poppler-utils \
+    python3-pil texlive-latex-base texlive-pictures
 [ -f build/test/build.ninja ] || cmake --preset test -G Ninja
+cmake -DRASTERTRACE_TEST_ALL="$all" build/test >/dev/null
 cmake --build build/test
-ctest --preset test -j 2 "$@"
+status=0
+ctest --preset test -j 2 "$@" || status=$?
+if [ "$all" = OFF ]; then
+    echo
+    echo "Left out: figures-in-other-programs and figures-in-tex, which need a browser, librsvg, TeX and asciinema."
+    echo "./test.sh --all installs these and runs all tests."
+fi
+exit "$status"

@@ -1724,7 +1724,7 @@ TEST_F(ProgramTest, ReportRefusesBeforeItMeasures) {
     EXPECT_EQ(visible_files(), 1u) << "nothing was written";
     EXPECT_EQ(
         shell("$rastertrace report point.json -o r.pdf").err,
-        "rastertrace: r.pdf: expected a name that ends in .svg, .html, .json, .csv, .txt, found "
+        "rastertrace: r.pdf: expected a name that ends in .svg, .html, .json, .csv or .txt, found "
         ".pdf\n"
         "hint: or say --format\n");
     EXPECT_EQ(shell("$rastertrace report point.json --jobs edges").err,
