@@ -113,7 +113,8 @@ double add_title(const std::string& title, const Panel& panel, const Column& col
                                .anchor = Anchor::end});
     const double room = column.width() - (steps.empty() ? 0 : width_of(steps, step_size) + gap);
     const double top = y;
-    for (const std::string& line : wrapped(printable(title), letters_in(room, title_size))) {
+    for (const std::string& line :
+         wrapped(printable(title), letters_in(room, wideness_of_bold * title_size))) {
         shapes.push_back(Label{.role = Role::strong_text,
                                .at = {column.left, y + title_size - 1},
                                .text = line,
