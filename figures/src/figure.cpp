@@ -75,6 +75,32 @@ void add_raster(const Panel& panel, std::vector<Shape>& shapes) {
         add_border(panel, shapes);
 }
 
+/// Refuses a part that was asked for, whose numbers no step has.
+void check_numbers(const std::vector<FigurePart>& with, const Trace& trace) {
+    struct Needed {
+        FigurePart part;
+        StepKind step;
+        std::string_view message;
+        std::string_view hint;
+    };
+    constexpr std::array all{
+        Needed{FigurePart::depths, StepKind::depth,
+               "--with depths: expected a scene with depth tests, found none",
+               "--depth linear-z --keep depth tests what no other triangle can hide, too"},
+        Needed{FigurePart::weights, StepKind::sample,
+               "--with weights: expected a fill that tests samples by weights, found none",
+               "--fill barycentric"}};
+    for (const Needed& needed : all) {
+        if (std::find(with.begin(), with.end(), needed.part) == with.end())
+            continue;
+        std::size_t n = 1;
+        while (n <= trace.size() && trace.kind_of(n) != needed.step)
+            ++n;
+        if (n > trace.size())
+            throw problem_of("", std::string(needed.message), std::string(needed.hint));
+    }
+}
+
 } // namespace
 
 FigureMaker::FigureMaker(const Trace& trace, std::vector<FigureFrame> frames, FigureOptions options)
@@ -126,16 +152,18 @@ Drawing FigureMaker::figure(std::size_t n) {
 
     // What stands beside the pixels, or below.
     const FigureParts& parts = panel.parts;
+    check_numbers(options_.with, trace_);
     std::optional<Decisions> decisions;
     if (parts.has(FigurePart::errors) && !(decisions = decisions_of(replay_)))
         throw problem_of("", "--with errors: expected a frame of Bresenham's line, found another",
                          "--step last, or another step of such a line");
     std::vector<Plot> plots;
     if (parts.has(FigurePart::plot) && (plots = depth_plots(panel)).empty())
-        throw problem_of("",
-                         "--with plot: expected a triangle with depths of linear-z or inverse-z, "
-                         "found none",
-                         "--keep depth tests a triangle that no other one can hide");
+        throw problem_of(
+            "",
+            "--with plot: expected a triangle with depths of linear-z or inverse-z, "
+            "found none",
+            "--depth linear-z --keep depth tests a triangle that no other one can hide");
     if (parts.has(FigurePart::scene) && !space_)
         throw problem_of("", "--with scene: expected vertices in space, found a scene that is "
                              "typed in pixels");

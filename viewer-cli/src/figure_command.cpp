@@ -8,6 +8,7 @@
 #include "load.h"
 
 #include <rastertrace/figures/figure.h>
+#include <rastertrace/figures/gif.h>
 #include <rastertrace/trace/describe.h>
 #include <rastertrace/trace/output.h>
 #include <rastertrace/trace/selector.h>
@@ -203,6 +204,28 @@ FigureFormat format_of(const FigureCommand& command) {
     refuse_ending(command.output, endings_in<FigureFormat>(figure_endings));
 }
 
+/// Refuses a format that cannot have what was asked for.
+void check_format(const FigureCommand& command, FigureFormat format) {
+    const bool is_text = format == FigureFormat::txt || format == FigureFormat::cast;
+    const bool moves =
+        format == FigureFormat::svg || format == FigureFormat::gif || format == FigureFormat::cast;
+    if (command.sheet && is_text)
+        throw problem_of("",
+                         fmt::format("--sheet: expected a format of drawings (svg, png, tex, gif), "
+                                     "found {}",
+                                     name_of(format)),
+                         "without --sheet, --every writes a .txt for each frame, and a .cast shows "
+                         "one after the other");
+    if (command.sheet && command.is_animated)
+        throw problem_of("", "--animate: expected no --sheet, found both",
+                         "--animate shows frames one after the other, --sheet side by side");
+    if (command.is_animated && !moves)
+        throw problem_of("",
+                         fmt::format("--animate: expected a format that moves (svg, gif, cast), "
+                                     "found {}",
+                                     name_of(format)));
+}
+
 bool is_animation(const FigureCommand& command, FigureFormat format) {
     return command.is_animated || format == FigureFormat::gif || format == FigureFormat::cast;
 }
@@ -217,6 +240,14 @@ public:
             const std::size_t each = command.sheet->columns * command.sheet->rows;
             count_ = (figures.count() + each - 1) / each;
         } else if (is_animation(command, format)) {
+            constexpr std::size_t most = most_gif_frames;
+            if (figures.count() > most)
+                throw problem_of("",
+                                 fmt::format("expected at most {} frames that follow one another, "
+                                             "found {}",
+                                             most, figures.count()),
+                                 "--every with a rarer step, like scanline or \"pixel y=2\", makes "
+                                 "fewer");
             if (format != FigureFormat::cast)
                 frames_ = figures.of_one_size();
             count_ = 1;
@@ -263,6 +294,7 @@ private:
 
 int run(const FigureCommand& command) {
     const FigureFormat format = format_of(command);
+    check_format(command, format);
     InputFrames input(
         command.trace,
         {.method = command.method, .limits = command.input, .frames = command.frames});
@@ -271,8 +303,9 @@ int run(const FigureCommand& command) {
     const std::vector<FileId> inputs = input.files();
     if (command.output == "-") {
         if (files.count() > 1)
-            throw problem_of("", fmt::format("expected one figure for standard output, found {}",
-                                             files.count()));
+            throw problem_of(
+                "", fmt::format("expected one figure for standard output, found {}", files.count()),
+                "--output FILE writes a file for each, --sheet CxR some side by side");
         print(files.content(0));
     } else if (files.count() == 1) {
         FileOutput file(command.output, inputs);

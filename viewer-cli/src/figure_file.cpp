@@ -49,6 +49,11 @@ std::optional<FigureFormat> figure_format_named(std::string_view name) {
     return std::nullopt;
 }
 
+std::string_view name_of(FigureFormat format) {
+    const auto is_it = [format](const auto& ending) { return ending.format == format; };
+    return std::find_if(figure_endings.begin(), figure_endings.end(), is_it)->text.substr(1);
+}
+
 std::string figure_in(FigureFormat format, const Drawing& drawing, const FigureStyle& style) {
     switch (format) {
     case FigureFormat::svg:

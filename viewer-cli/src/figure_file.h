@@ -32,6 +32,7 @@ inline constexpr std::array<Ending<FigureFormat>, 6> figure_endings{{{".svg", Fi
 /// svg, png, ...
 std::vector<std::string_view> figure_format_names();
 std::optional<FigureFormat> figure_format_named(std::string_view name);
+std::string_view name_of(FigureFormat format);
 
 /// How figures are written.
 struct FigureStyle {

@@ -8,9 +8,7 @@ namespace rastertrace {
 void refuse_ending(const std::string& path, const std::vector<std::string_view>& known) {
     const std::string ending = ending_of(path);
     const auto is_it = [&ending](const auto& one) { return one.text == ending; };
-    const bool is_figure =
-        std::any_of(figure_endings.begin(), figure_endings.end(), is_it) &&
-        std::find(known.begin(), known.end(), figure_endings.front().text) == known.end();
+    const bool is_figure = std::any_of(figure_endings.begin(), figure_endings.end(), is_it);
     throw problem_of(path,
                      fmt::format("expected a name that ends in {}, found {}", joined(known, ", "),
                                  ending.empty() ? "none of them" : printable(ending)),
