@@ -1,0 +1,390 @@
+// SPDX-License-Identifier: MIT
+// `rastertrace figure` as a user calls it: what it says to bad input, what it keeps, and what holds for any scene.
+
+#include "program.h"
+#include "random_scene.h"
+#include "traces.h"
+
+#include <rastertrace/trace/frame.h>
+
+#include <gmock/gmock.h>
+#include <png.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <regex>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rastertrace {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+constexpr std::array<std::string_view, 6> endings{".svg", ".png", ".tex", ".txt", ".cast", ".gif"};
+
+class FigureTest : public ProgramTest {
+protected:
+    /// Of the first triangle.
+    Outcome figure(const std::string& arguments) const {
+        return shell("$rastertrace figure $examples/t0-fill/first-triangle.json " + arguments);
+    }
+
+    /// The message of a figure that is refused, and that it left no file.
+    std::string refusal(const std::string& arguments) const {
+        const std::size_t files = visible_files();
+        const Outcome told = figure(arguments);
+        EXPECT_EQ(told.status, 2) << arguments;
+        EXPECT_EQ(told.out, "") << arguments;
+        EXPECT_EQ(visible_files(), files) << arguments;
+        return told.err;
+    }
+};
+
+// --- names of files -----------------------------------------------------------------------------
+
+TEST_F(FigureTest, AnUnknownEndingIsToldWithThoseThatAreKnown) {
+    EXPECT_EQ(refusal("-o x.webp"),
+              "rastertrace: x.webp: expected a name that ends in .svg, .png, .tex, .txt, .cast, "
+              ".gif, found .webp\n"
+              "hint: or say --format\n");
+    EXPECT_EQ(refusal("-o x"),
+              "rastertrace: x: expected a name that ends in .svg, .png, .tex, .txt, .cast, .gif, "
+              "found none of them\n"
+              "hint: or say --format\n");
+}
+
+TEST_F(FigureTest, OtherCommandsTellWhoWritesAFigure) {
+    const std::string scene = " $examples/t0-fill/first-triangle.json -o ";
+    EXPECT_EQ(shell("$rastertrace trace" + scene + "x.svg").err,
+              "rastertrace: x.svg: expected a name that ends in .json, .jsonl, found .svg\n"
+              "hint: rastertrace figure writes .svg\n");
+    EXPECT_EQ(shell("$rastertrace report" + scene + "x.png").err,
+              "rastertrace: x.png: expected a name that ends in .svg, .html, .json, .csv, .txt, "
+              "found .png\n"
+              "hint: rastertrace figure writes .png\n");
+    EXPECT_EQ(shell("$rastertrace report" + scene + "x.webp").err,
+              "rastertrace: x.webp: expected a name that ends in .svg, .html, .json, .csv, .txt, "
+              "found .webp\n"
+              "hint: or say --format\n");
+    EXPECT_EQ(visible_files(), 0U);
+}
+
+TEST_F(FigureTest, WhatIsNoPlaceForAFile) {
+    shell("mkdir folder.svg");
+    EXPECT_EQ(refusal("-o folder.svg"),
+              "rastertrace: folder.svg: expected a file to write, found a folder\n");
+    const Outcome missing = figure("-o none/x.svg");
+    EXPECT_EQ(missing.status, 3);
+    EXPECT_EQ(missing.err,
+              "rastertrace: none/x.svg: could not be created: No such file or directory\n");
+    for (const std::string_view ending : endings) {
+        const std::string format = "--format " + std::string(ending.substr(1));
+        for (const std::string& to :
+             {std::string(" -o /dev/full"), std::string(" -o - >/dev/full")}) {
+            const Outcome full = figure(format + to);
+            EXPECT_EQ(full.status, 3) << format << to;
+            EXPECT_THAT(full.err, HasSubstr("could not be written: No space left on device\n"));
+        }
+    }
+}
+
+TEST_F(FigureTest, AnOlderFileIsKeptUntilTheNewOneIsWhole) {
+    write("x.svg", "older\n");
+    figure("--with scene -o x.svg");
+    figure("--step \"scanline y=99\" -o x.svg");
+    EXPECT_EQ(shell("ulimit -f 1; trap '' XFSZ; $rastertrace figure "
+                    "$examples/t0-fill/first-triangle.json -o x.svg")
+                  .status,
+              3);
+    EXPECT_EQ(content("x.svg"), "older\n");
+    EXPECT_EQ(visible_files(), 1U);
+    EXPECT_EQ(figure("-o x.svg").status, 0);
+    EXPECT_THAT(content("x.svg"), StartsWith("<svg "));
+}
+
+TEST_F(FigureTest, StandardOutputTakesOneFigure) {
+    EXPECT_THAT(figure("--format svg -o -").out, StartsWith("<svg "));
+    EXPECT_EQ(refusal("--every scanline --format svg -o -"),
+              "rastertrace: expected one figure for standard output, found 9\n"
+              "hint: --output FILE writes a file for each, --sheet CxR some side by side\n");
+    EXPECT_EQ(figure("--every scanline --format svg --sheet 3x3 -o -").status, 0);
+}
+
+// --- options ------------------------------------------------------------------------------------
+
+TEST_F(FigureTest, ASelectorThatMatchesNothing) {
+    for (const std::string option : {"--step", "--until", "--every"})
+        EXPECT_EQ(refusal(option + " \"scanline y=99\" -o x.svg"),
+                  "rastertrace: " + option +
+                      ": expected a step of the trace, found none with y=99\n"
+                      "scanline y=99\n"
+                      "         ^\n"
+                      "hint: scanline has y: 5, 4, 3, 2, 1, ...\n");
+    EXPECT_EQ(refusal("--step scanline -o x.svg"),
+              "rastertrace: --step: expected one step, found 9: 5, 7, 10, 14, 20, ...\n"
+              "scanline\n"
+              "^\n"
+              "hint: say which, or use --every\n");
+    EXPECT_EQ(refusal("--until 0 -o x.svg"),
+              "rastertrace: --until: expected a step, from 1, found 0\n");
+}
+
+TEST_F(FigureTest, Parts) {
+    EXPECT_EQ(refusal("--with eges -o x.svg"),
+              "rastertrace: --with: expected parts out of grid,axes,edges,vertices,samples,row,"
+              "pixels,current,rejected,order,depths,writes,weights,patterns,half-planes,errors,"
+              "scene,plot,title,legend,caption,working, found \"eges\"\n"
+              "hint: did you mean edges?\n");
+    EXPECT_EQ(refusal("--with grid,edges --without edges -o x.svg"),
+              "rastertrace: --without: expected parts that are not in --with, found \"edges\"\n");
+}
+
+TEST_F(FigureTest, PartsThatTheSceneCannotHave) {
+    EXPECT_EQ(refusal("--with scene -o x.svg"),
+              "rastertrace: --with scene: expected vertices in space, found a scene that is typed "
+              "in pixels\n");
+    EXPECT_EQ(refusal("--with errors -o x.svg"),
+              "rastertrace: --with errors: expected a frame of Bresenham's line, found another\n"
+              "hint: --step last, or another step of such a line\n");
+    EXPECT_EQ(refusal("--with plot -o x.svg"),
+              "rastertrace: --with plot: expected a triangle with depths of linear-z or inverse-z, "
+              "found none\n"
+              "hint: --depth linear-z --keep depth tests a triangle that no other one can hide\n");
+    EXPECT_EQ(refusal("--with depths -o x.svg"),
+              "rastertrace: --with depths: expected a scene with depth tests, found none\n"
+              "hint: --depth linear-z --keep depth tests what no other triangle can hide, too\n");
+    EXPECT_EQ(refusal("--with weights -o x.svg"),
+              "rastertrace: --with weights: expected a fill that tests samples by weights, found "
+              "none\n"
+              "hint: --fill barycentric\n");
+    // The hints help.
+    EXPECT_EQ(figure("--with plot,depths --depth linear-z --keep depth -o x.svg").status, 0);
+    EXPECT_EQ(figure("--with weights --fill barycentric -o x.svg").status, 0);
+}
+
+TEST_F(FigureTest, WhatAFormatCannotShow) {
+    EXPECT_EQ(refusal("--animate -o x.png"),
+              "rastertrace: --animate: expected a format that moves (svg, gif, cast), found png\n");
+    EXPECT_EQ(refusal("--every scanline --sheet 2x2 -o x.txt"),
+              "rastertrace: --sheet: expected a format of drawings (svg, png, tex, gif), found "
+              "txt\n"
+              "hint: without --sheet, --every writes a .txt for each frame, and a .cast shows one "
+              "after the other\n");
+    EXPECT_THAT(refusal("--every scanline --sheet 2x2 -o x.cast"), HasSubstr("found cast\n"));
+    EXPECT_EQ(refusal("--every scanline --sheet 2x2 --animate -o x.svg"),
+              "rastertrace: --animate: expected no --sheet, found both\n"
+              "hint: --animate shows frames one after the other, --sheet side by side\n");
+}
+
+TEST_F(FigureTest, NumbersAndNames) {
+    const std::string sheet = "expected columns and rows, like 3x4, each from 1 to 100, found ";
+    EXPECT_EQ(refusal("--sheet 0x4 -o x.svg"), "rastertrace: --sheet: " + sheet + "\"0x4\"\n");
+    EXPECT_EQ(refusal("--sheet 4 -o x.svg"), "rastertrace: --sheet: " + sheet + "\"4\"\n");
+    EXPECT_EQ(refusal("--sheet 101x1 -o x.svg"), "rastertrace: --sheet: " + sheet + "\"101x1\"\n");
+    for (const std::string wrong : {"-1", "0", "nan", "1e300", "wide"})
+        EXPECT_EQ(refusal("--cell " + wrong + " -o x.svg"),
+                  "rastertrace: --cell: expected a number above 0, at most 1000, found \"" + wrong +
+                      "\"\n");
+    EXPECT_EQ(refusal("--theme blue -o x.svg"),
+              "rastertrace: --theme: expected one of auto, light, dark, print, found \"blue\"\n");
+    EXPECT_EQ(refusal("--region 100,100,200,200 -o x.svg"),
+              "rastertrace: --region: expected pixels of the canvas (x -8 to 8, y -6 to 7), found "
+              "100,100,200,200\n");
+    EXPECT_EQ(refusal("--against $examples/t0-hidden/two-depths.json -o x.svg"),
+              "rastertrace: --against: expected a trace with the same canvas, found another one\n");
+}
+
+// --- sizes --------------------------------------------------------------------------------------
+
+/// A scene with a small triangle, or a point where there is no room.
+std::string scene_of_size(int side) {
+    const std::string size = std::to_string(side);
+    return R"({"canvas": {"width": )" + size + R"(, "height": )" + size +
+           R"(, "origin": "top-left"}, "vertices": {"A": [0, 0], "B": [300, 20], "C": [40, 300]},)" +
+           (side == 1 ? R"("points": ["A"]})" : R"("triangles": ["ABC"]})");
+}
+
+TEST_F(FigureTest, TheSmallestAndALargeCanvasInEveryFormat) {
+    for (const int side : {1, 4096}) {
+        write("scene.json", scene_of_size(side));
+        for (const std::string_view ending : endings) {
+            const std::string file = "x" + std::string(ending);
+            const Outcome told = shell("$rastertrace figure scene.json -o " + file);
+            EXPECT_EQ(told.status, 0) << side << ending << told.err;
+            EXPECT_GT(content(file).size(), 100U) << side << ending;
+        }
+    }
+}
+
+TEST_F(FigureTest, WhatIsTooMuchForAFormatIsTold) {
+    // Hardly two pixels beside one another have the same color, so each is a rectangle.
+    write("scene.json", R"({"canvas": {"width": 460, "height": 460, "origin": "top-left"},
+"vertices": {"A": [0, 0], "B": [459, 0], "C": [459, 459], "D": [0, 459]},
+"triangles": ["ABC", "ACD"], "colors": {"A": "#ff0000", "B": "#00ff00", "C": "#0000ff", "D": "#ffffff"},
+"method": {"fill": "barycentric", "shade": "interpolate"}})");
+    const std::string draw = "$rastertrace figure scene.json --view shade ";
+    const Outcome svg = shell(draw + "-o x.svg");
+    EXPECT_EQ(svg.status, 2);
+    EXPECT_THAT(svg.err,
+                testing::MatchesRegex("rastertrace: expected at most 200000 rectangles in an "
+                                      "SVG, found [0-9]+\n"
+                                      "hint: a .png holds any picture; --region takes a "
+                                      "part of it\n"));
+    const Outcome tex = shell(draw + "-o x.tex");
+    EXPECT_EQ(tex.status, 2);
+    EXPECT_THAT(tex.err,
+                HasSubstr("hint: a .png holds any picture; --region takes a part of it\n"));
+    EXPECT_EQ(shell(draw + "-o x.png").status, 0);
+    EXPECT_EQ(shell(draw + "--region 0,0,99,99 -o x.svg").status, 0);
+
+    const Outcome png = shell(draw + "--cell 1000 -o x.png");
+    EXPECT_EQ(png.status, 2);
+    EXPECT_THAT(png.err, StartsWith("rastertrace: "));
+    EXPECT_THAT(png.err, HasSubstr("100000000"));
+}
+
+TEST_F(FigureTest, AnAnimationOfTooManyFramesIsRefusedBeforeItIsDrawn) {
+    write("scene.json", R"({"canvas": {"width": 400, "height": 400, "origin": "top-left"},
+"vertices": {"A": [0, 0], "B": [399, 0], "C": [0, 399]}, "triangles": ["ABC"]})");
+    for (const std::string output : {"x.gif", "x.cast", "x.svg --animate"}) {
+        const Outcome told = shell("$rastertrace figure scene.json --every pixel -o " + output);
+        EXPECT_EQ(told.status, 2);
+        EXPECT_EQ(told.err, "rastertrace: expected at most 10000 frames that follow one another, "
+                            "found 80200\n"
+                            "hint: --every with a rarer step, like scanline or \"pixel y=2\", "
+                            "makes fewer\n");
+    }
+    EXPECT_EQ(visible_files(), 1U);
+}
+
+// --- damaged traces -----------------------------------------------------------------------------
+
+TEST_F(FigureTest, OfATraceThatIsCutShortWhatIsThere) {
+    shell("$rastertrace trace $examples/t0-fill/first-triangle.json -o whole.jsonl;"
+          "head -n 19 whole.jsonl > cut.jsonl; head -n 20 whole.jsonl | tail -n 1 | head -c 18 >> "
+          "cut.jsonl");
+    for (const std::string_view ending : endings) {
+        const std::string file = "x" + std::string(ending);
+        const Outcome told = shell("$rastertrace figure cut.jsonl -o " + file);
+        EXPECT_EQ(told.status, 2) << ending;
+        EXPECT_EQ(told.err,
+                  "rastertrace: cut.jsonl:20:1: expected the rest of the trace, found the "
+                  "end of the file: the trace is truncated after 18 whole steps\n"
+                  "{\"step\":\"pixel\",\"x\n"
+                  "^\n")
+            << ending;
+        EXPECT_GT(content(file).size(), 100U) << ending;
+    }
+    EXPECT_THAT(content("x.svg"), HasSubstr("<desc>17 x 14 pixels, 10 drawn.</desc>"));
+}
+
+// --- what holds for any scene -------------------------------------------------------------------
+
+/// Random scenes that can be drawn, and their traces.
+struct DrawnScene {
+    std::string text;
+    Trace trace;
+};
+
+std::vector<DrawnScene> drawn_scenes(int count) {
+    std::vector<DrawnScene> scenes;
+    for (std::uint64_t seed = 1; static_cast<int>(scenes.size()) < count; ++seed) {
+        const std::string text = RandomScene(seed).text();
+        auto scene = read_scene({"scene.json", text});
+        if (!scene)
+            continue;
+        Trace trace = trace_of(scene.value().scene);
+        if (trace.size() > 0)
+            scenes.push_back({text, std::move(trace)});
+    }
+    return scenes;
+}
+
+std::size_t drawn_pixels(const Trace& trace) {
+    const Frame frame = frame_after(trace, trace.size());
+    return static_cast<std::size_t>(std::count_if(frame.drawn_by.begin(), frame.drawn_by.end(),
+                                                  [](std::size_t step) { return step != 0; }));
+}
+
+TEST_F(FigureTest, TheSameSceneGivesTheSameBytes) {
+    for (const DrawnScene& scene : drawn_scenes(5)) {
+        write("scene.json", scene.text);
+        for (const std::string_view ending : endings) {
+            const std::string format = " --format " + std::string(ending.substr(1)) + " -o ";
+            shell("$rastertrace figure scene.json" + format + "a; $rastertrace figure scene.json" +
+                  format + "b");
+            EXPECT_GT(content("a").size(), 0U) << ending << scene.text;
+            EXPECT_EQ(content("a"), content("b")) << ending << scene.text;
+        }
+    }
+}
+
+TEST_F(FigureTest, AnSvgPaintsAsManyPixelsAsTheTraceHas) {
+    const std::regex path(R"re(<path class="area (?:plotted|current)" d="([^"]*)")re");
+    const std::regex rectangle(R"(h([0-9]+)v([0-9]+)h)");
+    std::size_t with_pixels = 0;
+    for (const DrawnScene& scene : drawn_scenes(40)) {
+        write("scene.json", scene.text);
+        const std::string svg =
+            shell("$rastertrace figure scene.json --view plotted --cell 3 --format svg -o -").out;
+        std::size_t area = 0;
+        for (std::sregex_iterator areas(svg.begin(), svg.end(), path), end; areas != end; ++areas) {
+            const std::string data = (*areas)[1];
+            for (std::sregex_iterator one(data.begin(), data.end(), rectangle); one != end; ++one)
+                area += std::stoul((*one)[1]) * std::stoul((*one)[2]);
+        }
+        const std::size_t pixels = drawn_pixels(scene.trace);
+        EXPECT_EQ(area, 9 * pixels) << scene.text;
+        with_pixels += pixels > 0;
+    }
+    EXPECT_GT(with_pixels, 20U);
+}
+
+/// The pixels of a PNG file, as libpng reads them.
+struct PngPixels {
+    std::size_t width = 0;
+    std::size_t height = 0;
+    std::vector<Color> colors;
+};
+
+PngPixels read_png(const std::string& file) {
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    if (png_image_begin_read_from_memory(&image, file.data(), file.size()) == 0)
+        return {};
+    image.format = PNG_FORMAT_RGB;
+    std::vector<std::uint8_t> bytes(PNG_IMAGE_SIZE(image));
+    if (png_image_finish_read(&image, nullptr, bytes.data(), 0, nullptr) == 0)
+        return {};
+    PngPixels pixels{.width = image.width, .height = image.height, .colors = {}};
+    for (std::size_t i = 0; i < bytes.size(); i += 3)
+        pixels.colors.emplace_back(bytes[i], bytes[i + 1], bytes[i + 2]);
+    return pixels;
+}
+
+TEST_F(FigureTest, ABarePngIsThePictureOfTheTrace) {
+    const Color paper{255, 255, 255};
+    for (const DrawnScene& scene : drawn_scenes(40)) {
+        write("scene.json", scene.text);
+        const PngPixels png =
+            read_png(shell("$rastertrace figure scene.json --bare --format png -o -").out);
+        const Canvas& canvas = scene.trace.canvas;
+        ASSERT_EQ(png.width, static_cast<std::size_t>(canvas.width)) << scene.text;
+        ASSERT_EQ(png.height, static_cast<std::size_t>(canvas.height)) << scene.text;
+        const Frame frame = frame_after(scene.trace, scene.trace.size());
+        for (std::size_t i = 0; i < png.colors.size(); ++i) {
+            const Color drawn = frame.image.colors()[i];
+            const Color shown =
+                frame.drawn_by[i] == 0 ? paper : Color{drawn.red(), drawn.green(), drawn.blue()};
+            ASSERT_EQ(png.colors[i], shown) << "pixel " << i << " of " << scene.text;
+        }
+    }
+}
+
+} // namespace
+} // namespace rastertrace
