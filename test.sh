@@ -22,7 +22,7 @@ status=0
 ctest --preset test -j 2 "$@" || status=$?
 if [ "$all" = OFF ]; then
     echo
-    echo "Left out: figures-in-other-programs, which needs a browser, librsvg, TeX and asciinema."
-    echo "./test.sh --all installs them and runs it too."
+    echo "Left out: figures-in-other-programs and figures-in-tex, which need a browser, librsvg, TeX and asciinema."
+    echo "./test.sh --all installs these and runs all tests."
 fi
 exit "$status"
