@@ -119,12 +119,16 @@ try() {
     rm -f output.csv
 }
 
-try yes yes yes trace inputs/mesh.json -o output.csv
-try yes no yes trace inputs/scene.json -o output.csv
+try yes yes yes trace inputs/mesh.json --format json -o output.csv
+try yes no yes trace inputs/scene.json --format json -o output.csv
 try no no yes show inputs/mesh.json
+try no yes yes figure inputs/scene.json --format gif -o output.csv
 if [ $stride = 1 ]; then
-    try no yes yes trace inputs/scene.json -o output.csv
-    try no no yes trace inputs/scene.json -o output.csv
+    try yes no yes figure inputs/scene.json --format svg -o output.csv
+    try no yes yes figure inputs/mesh.json --format png -o output.csv
+    try no yes yes figure inputs/trace.json --format tex -o output.csv
+    try no yes yes trace inputs/scene.json --format json -o output.csv
+    try no no yes trace inputs/scene.json --format json -o output.csv
     try no yes yes trace inputs/scene.json
     try no yes yes show inputs/trace.json --every scanline
     try no yes yes stats inputs/mesh.json

@@ -76,8 +76,8 @@ public:
                 for (int row = y.begin; row < y.end; ++row)
                     paint_span({row, x.begin, x.end, full_coverage}, color);
             else
-                coverage_.add(Box{static_cast<double>(x.begin), static_cast<double>(y.begin),
-                                  static_cast<double>(x.end), static_cast<double>(y.end)});
+                coverage_.add(CoveredBox{static_cast<double>(x.begin), static_cast<double>(y.begin),
+                                         static_cast<double>(x.end), static_cast<double>(y.end)});
         }
         if (!is_opaque)
             paint_covered(color);
@@ -227,8 +227,8 @@ private:
         for (std::size_t i = 0; i < pieces; ++i) {
             const Place a = corner(places[i]);
             const Place b = corner(places[(i + 1) % places.size()]);
-            coverage_.add(Box{std::min(a.x, b.x), std::min(a.y, b.y), std::max(a.x, b.x) + width,
-                              std::max(a.y, b.y) + width});
+            coverage_.add(CoveredBox{std::min(a.x, b.x), std::min(a.y, b.y),
+                                     std::max(a.x, b.x) + width, std::max(a.y, b.y) + width});
         }
     }
 
@@ -237,7 +237,7 @@ private:
     double scale_;
     int width_;
     int height_;
-    Coverage coverage_;
+    PixelCoverage coverage_;
 };
 
 } // namespace

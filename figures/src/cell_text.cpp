@@ -126,8 +126,9 @@ void add_cell_texts(const Panel& panel, std::vector<Shape>& shapes) {
                                    .text = line,
                                    .size = text_size,
                                    .anchor = Anchor::middle,
-                                   .has_rim = !color && (panel.parts.has(FigurePart::patterns) ||
-                                                         panel.parts.has(FigurePart::edges))});
+                                   .has_rim = !color && panel.against == nullptr &&
+                                              (panel.parts.has(FigurePart::patterns) ||
+                                               panel.parts.has(FigurePart::edges))});
             y += line_height;
         }
     });

@@ -35,7 +35,7 @@ double twice_area(std::span<const Place> polygon) {
 
 } // namespace
 
-void Coverage::add_edge(Place from, Place to) {
+void PixelCoverage::add_edge(Place from, Place to) {
     const int winding = from.y < to.y ? 1 : -1;
     if (winding < 0)
         std::swap(from, to);
@@ -45,7 +45,7 @@ void Coverage::add_edge(Place from, Place to) {
         edges_.push_back({from.x, from.y, (to.x - from.x) / (to.y - from.y), first, end, winding});
 }
 
-void Coverage::add(std::span<const Place> polygon) {
+void PixelCoverage::add(std::span<const Place> polygon) {
     // What lies to the right of the bitmap, above or below covers nothing of it; nor does what lies to the left.
     const auto is_all = [polygon](auto is_outside) {
         return std::all_of(polygon.begin(), polygon.end(), is_outside);
@@ -59,21 +59,21 @@ void Coverage::add(std::span<const Place> polygon) {
         add_edge(polygon[i], polygon[(i + 1) % polygon.size()]);
 }
 
-void Coverage::add_positive(std::span<const Place> polygon) {
+void PixelCoverage::add_positive(std::span<const Place> polygon) {
     if (twice_area(polygon) >= 0)
         return add(polygon);
     std::vector<Place> turned(polygon.rbegin(), polygon.rend());
     add(turned);
 }
 
-void Coverage::add(const Box& box) {
+void PixelCoverage::add(const CoveredBox& box) {
     if (box.left >= box.right || box.right <= 0 || box.left >= width_)
         return;
     add_edge({box.right, box.top}, {box.right, box.bottom});
     add_edge({box.left, box.bottom}, {box.left, box.top});
 }
 
-void Coverage::add_line(std::int64_t line, int weight) {
+void PixelCoverage::add_line(std::int64_t line, int weight) {
     crossings_.clear();
     const double y = (static_cast<double>(line) + 0.5) / lines_per_pixel;
     for (const Edge& edge : active_)
@@ -104,7 +104,7 @@ void Coverage::add_line(std::int64_t line, int weight) {
     }
 }
 
-void Coverage::tell_row(int y, const std::function<void(const CoverageRun&)>& tell) {
+void PixelCoverage::tell_row(int y, const std::function<void(const CoverageRun&)>& tell) {
     int covered = 0;
     CoverageRun run{y, 0, 0, 0};
     for (int x = 0; x < width_; ++x) {
@@ -127,7 +127,7 @@ void Coverage::tell_row(int y, const std::function<void(const CoverageRun&)>& te
     std::fill(steps_.begin() + width_, steps_.end(), 0);
 }
 
-void Coverage::for_each_run(const std::function<void(const CoverageRun&)>& tell) {
+void PixelCoverage::for_each_run(const std::function<void(const CoverageRun&)>& tell) {
     // Two more: a step at the right border has its parts behind it.
     steps_.resize(static_cast<std::size_t>(width_) + 2);
     std::stable_sort(edges_.begin(), edges_.end(),

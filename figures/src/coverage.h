@@ -4,7 +4,7 @@
 // How much of each pixel of a bitmap polygons cover, together. All machines find the same: doubles are added,
 // multiplied and compared here, nothing else, and coverage is counted in whole numbers.
 //
-//     Coverage coverage(width, height);
+//     PixelCoverage coverage(width, height);
 //     coverage.add(places);
 //     coverage.for_each_run([&](const CoverageRun& run) { ... });
 
@@ -29,16 +29,16 @@ struct CoverageRun {
 inline constexpr int full_coverage = 8;
 
 /// A rectangle, in pixels.
-struct Box {
+struct CoveredBox {
     double left = 0;
     double top = 0;
     double right = 0;
     double bottom = 0;
 };
 
-class Coverage {
+class PixelCoverage {
 public:
-    Coverage(int width, int height) : width_(width), height_(height) {}
+    PixelCoverage(int width, int height) : width_(width), height_(height) {}
 
     /// A polygon, its places in pixels. Where polygons overlap, what winds around a place counts: two that wind
     /// the same way cover as one.
@@ -48,7 +48,7 @@ public:
     void add_positive(std::span<const Place> polygon);
 
     /// A box winds to the right.
-    void add(const Box& box);
+    void add(const CoveredBox& box);
 
     /// Tells what is covered, row by row from the top, and forgets it.
     void for_each_run(const std::function<void(const CoverageRun&)>& tell);

@@ -18,29 +18,29 @@ std::uint32_t word_of(Color color) {
     return std::uint32_t{color.red()} << 16 | std::uint32_t{color.green()} << 8 | color.blue();
 }
 
-struct Counted {
+struct ColorCount {
     std::uint32_t word;
     std::size_t pixels;
 };
 
 /// The colors, by their words.
-std::vector<Counted> counted(std::span<const Color> pixels) {
+std::vector<ColorCount> color_counts(std::span<const Color> pixels) {
     std::unordered_map<std::uint32_t, std::size_t> counts;
     for (const Color color : pixels)
         ++counts[word_of(color)];
-    std::vector<Counted> colors;
+    std::vector<ColorCount> colors;
     for (const auto& [word, count] : counts)
         colors.push_back({word, count});
     std::sort(colors.begin(), colors.end(),
-              [](const Counted& a, const Counted& b) { return a.word < b.word; });
+              [](const ColorCount& a, const ColorCount& b) { return a.word < b.word; });
     return colors;
 }
 
 /// The most frequent colors of the groups whose members differ in their last `bits` bits, by group.
-std::unordered_map<std::uint32_t, Counted> most_frequent(const std::vector<Counted>& colors,
-                                                         std::uint32_t group_mask) {
-    std::unordered_map<std::uint32_t, Counted> groups;
-    for (const Counted& color : colors) {
+std::unordered_map<std::uint32_t, ColorCount> most_frequent(const std::vector<ColorCount>& colors,
+                                                            std::uint32_t group_mask) {
+    std::unordered_map<std::uint32_t, ColorCount> groups;
+    for (const ColorCount& color : colors) {
         const auto found = groups.try_emplace(color.word & group_mask, color).first;
         if (found->second.pixels < color.pixels)
             found->second = color;
@@ -51,11 +51,11 @@ std::unordered_map<std::uint32_t, Counted> most_frequent(const std::vector<Count
 } // namespace
 
 void reduce_colors(std::span<Color> pixels) {
-    const std::vector<Counted> colors = counted(pixels);
+    const std::vector<ColorCount> colors = color_counts(pixels);
     if (colors.size() <= Palette::most)
         return;
     std::uint32_t mask = 0xFFFFFF;
-    std::unordered_map<std::uint32_t, Counted> groups;
+    std::unordered_map<std::uint32_t, ColorCount> groups;
     do {
         mask = (mask << 1) & 0xFEFEFE & mask; // one more bit of each
         groups = most_frequent(colors, mask);

@@ -134,6 +134,11 @@ public:
         std::array<GifByteType, 4> block{};
         EGifGCBToExtension(&control, block.data());
         const ColorMap map = local == nullptr ? nullptr : color_map_of(*local);
+        if (is_well_ && map == nullptr) {
+            // giflib forgets to free the table of the frame before when this one has none.
+            GifFreeMapObject(gif_->Image.ColorMap);
+            gif_->Image.ColorMap = nullptr;
+        }
         keep(is_well_ &&
              EGifPutExtension(gif_, GRAPHICS_EXT_FUNC_CODE, static_cast<int>(block.size()),
                               block.data()) == GIF_OK &&

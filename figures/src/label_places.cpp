@@ -21,7 +21,7 @@ bool do_cross(Place a, Place b, Place c, Place d) {
 }
 
 /// True if a segment passes through a box: it has an end in it, or crosses a diagonal.
-bool passes(const Path& segment, const Box& box) {
+bool passes(const Path& segment, const SheetBox& box) {
     const auto is_in = [&box](Place p) {
         return box.left < p.x && p.x < box.right && box.top < p.y && p.y < box.bottom;
     };
@@ -31,7 +31,7 @@ bool passes(const Path& segment, const Box& box) {
 }
 
 /// From the rim of a mark to the nearest place of a box.
-Path leader_to(const Box& box, const LabelWish& wish) {
+Path leader_to(const SheetBox& box, const LabelWish& wish) {
     const Place end{std::clamp(wish.mark.x, box.left, box.right),
                     std::clamp(wish.mark.y, box.top, box.bottom)};
     const double x = end.x - wish.mark.x;
@@ -43,18 +43,19 @@ Path leader_to(const Box& box, const LabelWish& wish) {
 
 } // namespace
 
-Box box_around(Place center, double radius) {
+SheetBox box_around(Place center, double radius) {
     return {center.x - radius, center.y - radius, center.x + radius, center.y + radius};
 }
 
-bool LabelPlaces::is_free(const Box& box) const {
-    return area_.has(box) && std::none_of(taken_.begin(), taken_.end(),
-                                          [&box](const Box& other) { return box.meets(other); });
+bool LabelPlaces::is_free(const SheetBox& box) const {
+    return area_.has(box) &&
+           std::none_of(taken_.begin(), taken_.end(),
+                        [&box](const SheetBox& other) { return box.meets(other); });
 }
 
 std::size_t LabelPlaces::crossings(const Path& leader, Place mark) const {
     const auto marks_and_labels =
-        std::count_if(taken_.begin(), taken_.end(), [&](const Box& other) {
+        std::count_if(taken_.begin(), taken_.end(), [&](const SheetBox& other) {
             const bool is_own = other.meets(box_around(mark, 0.1));
             return !is_own && passes(leader, other);
         });
@@ -65,7 +66,7 @@ std::size_t LabelPlaces::crossings(const Path& leader, Place mark) const {
     return static_cast<std::size_t>(marks_and_labels + leaders);
 }
 
-bool LabelPlaces::hides_leader(const Box& box) const {
+bool LabelPlaces::hides_leader(const SheetBox& box) const {
     return std::any_of(leaders_.begin(), leaders_.end(),
                        [&box](const Path& leader) { return passes(leader, box); });
 }
@@ -85,7 +86,7 @@ std::optional<LabelPlace> LabelPlaces::find_beside(const LabelWish& wish) {
          {mark.x - away - width + nearer, mark.y + away - nearer}}};
     for (const bool may_cross : {false, true})
         for (const Place& corner : corners) {
-            const Box box{corner.x, corner.y, corner.x + width, corner.y + height};
+            const SheetBox box{corner.x, corner.y, corner.x + width, corner.y + height};
             if (!is_free(box) || hides_leader(box) || (!may_cross && crosses_border(box)))
                 continue;
             take(box);
@@ -104,7 +105,7 @@ std::optional<LabelPlace> LabelPlaces::find_anywhere(const LabelWish& wish) {
     double least = std::numeric_limits<double>::infinity();
     for (double top = area_.top; top + wish.height <= area_.bottom; top += step)
         for (double left = area_.left; left + wish.width <= area_.right; left += step) {
-            const Box box{left, top, left + wish.width, top + wish.height};
+            const SheetBox box{left, top, left + wish.width, top + wish.height};
             Path leader = leader_to(box, wish);
             const double x = leader[1].x - wish.mark.x;
             const double y = leader[1].y - wish.mark.y;

@@ -17,23 +17,23 @@
 namespace rastertrace {
 
 /// A rectangle on the sheet that something takes.
-struct Box {
+struct SheetBox {
     double left = 0;
     double top = 0;
     double right = 0;
     double bottom = 0;
 
-    bool meets(const Box& other) const {
+    bool meets(const SheetBox& other) const {
         return left < other.right && other.left < right && top < other.bottom && other.top < bottom;
     }
-    bool has(const Box& other) const {
+    bool has(const SheetBox& other) const {
         return left <= other.left && other.right <= right && top <= other.top &&
                other.bottom <= bottom;
     }
 };
 
 /// The square that has a circle.
-Box box_around(Place center, double radius);
+SheetBox box_around(Place center, double radius);
 
 /// A label that looks for its place.
 struct LabelWish {
@@ -45,17 +45,17 @@ struct LabelWish {
 
 /// Where it stands.
 struct LabelPlace {
-    Box box;
+    SheetBox box;
     std::optional<Path> leader = {}; ///< from the mark, if it does not stand beside it
 };
 
 class LabelPlaces {
 public:
     /// Labels stand in `area`, and rather not across the line at x = `border`.
-    LabelPlaces(const Box& area, double border) : area_(area), border_(border) {}
+    LabelPlaces(const SheetBox& area, double border) : area_(area), border_(border) {}
 
     /// No label covers this.
-    void take(const Box& box) { taken_.push_back(box); }
+    void take(const SheetBox& box) { taken_.push_back(box); }
 
     /// A place beside the mark, which is then taken. `nullopt` if there is none.
     std::optional<LabelPlace> find_beside(const LabelWish& wish);
@@ -65,16 +65,18 @@ public:
     std::optional<LabelPlace> find_anywhere(const LabelWish& wish);
 
 private:
-    bool is_free(const Box& box) const;
-    bool crosses_border(const Box& box) const { return box.left < border_ && border_ < box.right; }
+    bool is_free(const SheetBox& box) const;
+    bool crosses_border(const SheetBox& box) const {
+        return box.left < border_ && border_ < box.right;
+    }
     /// How many marks, labels and other leaders a leader from a mark crosses.
     std::size_t crossings(const Path& leader, Place mark) const;
     /// True if a leader to another label passes through a box: it must stay in sight.
-    bool hides_leader(const Box& box) const;
+    bool hides_leader(const SheetBox& box) const;
 
-    Box area_;
+    SheetBox area_;
     double border_;
-    std::vector<Box> taken_;
+    std::vector<SheetBox> taken_;
     std::vector<Path> leaders_;
 };
 

@@ -157,7 +157,7 @@ Line set_line(const Label& label, const DotGrid& grid) {
 /// Puts boxes of letters where the text stands on the sheet.
 class Setter {
 public:
-    Setter(const Label& label, double scale, int rim, const DotGrid& grid, Coverage& coverage)
+    Setter(const Label& label, double scale, int rim, const DotGrid& grid, PixelCoverage& coverage)
         : label_(label), rim_(rim), grid_(grid),
           coverage_(coverage), origin_{grid.rounded(label.at.x * scale),
                                        grid.rounded(label.at.y * scale)} {}
@@ -183,7 +183,7 @@ public:
 
 private:
     /// The box of a dot, measured from the text's beginning.
-    Box box_of(const Letter& letter, int column, int row) const {
+    CoveredBox box_of(const Letter& letter, int column, int row) const {
         const double left = letter.x + grid_.left_of(column);
         const double top = grid_.top_of(row);
         const bool stays_slim = grid_.boldness_closes_gaps() &&
@@ -197,7 +197,7 @@ private:
     void add_row(const Letter& letter, int column, int row) {
         if (letter.glyph.has(column - 1, row))
             return;
-        Box box = box_of(letter, column, row);
+        CoveredBox box = box_of(letter, column, row);
         while (letter.glyph.has(column + 1, row))
             ++column;
         box.right = box_of(letter, column, row).right;
@@ -208,9 +208,9 @@ private:
     void add_column(const Letter& letter, int column, int row) {
         if (letter.glyph.has(column, row - 1) || !letter.glyph.has(column, row + 1))
             return;
-        Box box = box_of(letter, column, row);
+        CoveredBox box = box_of(letter, column, row);
         while (letter.glyph.has(column, row + 1)) {
-            const Box next = box_of(letter, column, ++row);
+            const CoveredBox next = box_of(letter, column, ++row);
             box.right = std::min(box.right, next.right);
             box.bottom = next.bottom;
         }
@@ -220,13 +220,13 @@ private:
     /// Strokes to the dots at the lower right and the lower left, where nothing else leads there.
     void add_slants(const Letter& letter, int column, int row) {
         const Glyph& glyph = letter.glyph;
-        const Box dot = box_of(letter, column, row);
+        const CoveredBox dot = box_of(letter, column, row);
         if (glyph.has(column, row + 1))
             return;
         for (const int side : {-1, 1}) {
             if (!glyph.has(column + side, row + 1) || glyph.has(column + side, row))
                 continue;
-            const Box next = box_of(letter, column + side, row + 1);
+            const CoveredBox next = box_of(letter, column + side, row + 1);
             // Single pixels that meet at their corners are read well, and are sharper.
             const bool meet = next.top <= dot.bottom &&
                               (side > 0 ? next.left <= dot.right : dot.left <= next.right);
@@ -255,10 +255,10 @@ private:
                                 : Place{origin_.x + place.x, origin_.y + place.y};
     }
 
-    void add(const Box& box) {
+    void add(const CoveredBox& box) {
         const Place a = to_sheet({box.left, box.top});
         const Place b = to_sheet({box.right, box.bottom});
-        coverage_.add(Box{a.x, std::min(a.y, b.y), b.x, std::max(a.y, b.y)});
+        coverage_.add(CoveredBox{a.x, std::min(a.y, b.y), b.x, std::max(a.y, b.y)});
     }
 
     void add(std::array<Place, 4> places) {
@@ -270,13 +270,13 @@ private:
     const Label& label_;
     int rim_;
     const DotGrid& grid_;
-    Coverage& coverage_;
+    PixelCoverage& coverage_;
     Place origin_; ///< where the text begins, in pixels
 };
 
 } // namespace
 
-void add_lettering(const Label& label, double scale, int rim, Coverage& coverage) {
+void add_lettering(const Label& label, double scale, int rim, PixelCoverage& coverage) {
     const double pitch = label.size * scale / dots_in_size;
     if (pitch <= 0)
         return;

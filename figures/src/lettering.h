@@ -10,6 +10,6 @@
 namespace rastertrace {
 
 /// Adds a text to what is covered, `scale` pixels per unit, each stroke wider by `rim` pixels on every side.
-void add_lettering(const Label& label, double scale, int rim, Coverage& coverage);
+void add_lettering(const Label& label, double scale, int rim, PixelCoverage& coverage);
 
 } // namespace rastertrace

@@ -23,6 +23,8 @@ class Palette {
 public:
     static constexpr std::size_t most = 256;
 
+    Palette() { numbers_.fill(free_slot); }
+
     /// Adds the colors that are new; false as soon as they are too many.
     bool add(std::span<const Color> colors);
 
@@ -38,14 +40,8 @@ private:
     static constexpr std::size_t slots = 1024; // three quarters stay free
     static constexpr std::uint16_t free_slot = 0xFFFF;
 
-    static constexpr std::array<std::uint16_t, slots> all_free() {
-        std::array<std::uint16_t, slots> numbers{};
-        numbers.fill(free_slot);
-        return numbers;
-    }
-
     std::vector<Color> colors_;
-    std::array<std::uint16_t, slots> numbers_ = all_free();
+    std::array<std::uint16_t, slots> numbers_; ///< of the colors in the slots
 };
 
 } // namespace rastertrace

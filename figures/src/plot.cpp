@@ -263,7 +263,7 @@ private:
     /// Lines across the plot, and their numbers as far as they do not collide.
     void add_ticks() {
         Lines lines{.role = Role::grid};
-        std::vector<Box> numbers;
+        std::vector<SheetBox> numbers;
         for (const Tick& tick : ticks_of(y_)) {
             const double y = y_.at(tick.value);
             lines.paths.push_back({{area_left, y}, {area_right(), y}});
@@ -278,13 +278,13 @@ private:
         add(std::move(lines));
     }
 
-    void add_number(const Tick& tick, Place at, Anchor anchor, std::vector<Box>& numbers) {
+    void add_number(const Tick& tick, Place at, Anchor anchor, std::vector<SheetBox>& numbers) {
         const double text_width = width_of(tick.text, text_size);
         const double width = text_width + width_of(tick.power, power_size);
         const double left = anchor == Anchor::end ? at.x - width : at.x - width / 2;
-        const Box box{left - 2, at.y - text_size, left + width + 2, at.y + 2};
+        const SheetBox box{left - 2, at.y - text_size, left + width + 2, at.y + 2};
         if (std::any_of(numbers.begin(), numbers.end(),
-                        [&box](const Box& other) { return box.meets(other); }))
+                        [&box](const SheetBox& other) { return box.meets(other); }))
             return;
         numbers.push_back(box);
         constexpr double raised = 4;
@@ -346,7 +346,7 @@ private:
     /// Writes the labels; returns those that have no room.
     std::string add_labels() {
         LabelPlaces places({area_left, top_, area_right(), bottom_}, shelf_right_);
-        for (const Box& mark : marks_)
+        for (const SheetBox& mark : marks_)
             places.take(mark);
         const auto wish_of = [](const MarkGroup& group) {
             return LabelWish{.mark = group.at,
@@ -377,7 +377,7 @@ private:
         if (place.leader)
             add(Lines{.role = Role::leader, .paths = {*place.leader}});
         // Its box may be wider than it is: it stands at the side of its mark.
-        const Box& box = place.box;
+        const SheetBox& box = place.box;
         const bool is_left = box.right <= group.at.x;
         const bool is_right = group.at.x <= box.left;
         add(Label{.role = curve_role(group.curve),
@@ -401,7 +401,7 @@ private:
     bool has_values_ = false; ///< off the shelf
     Axis x_;
     Axis y_;
-    std::vector<Box> marks_;
+    std::vector<SheetBox> marks_;
     std::vector<MarkGroup> groups_;
 };
 

@@ -64,7 +64,7 @@ const std::vector<Place>& circle_for(double radius) {
 }
 
 /// The corner between two pieces of a line, each given by its direction.
-void add_corner(Place at, Place before, Place after, double half, Coverage& coverage) {
+void add_corner(Place at, Place before, Place after, double half, PixelCoverage& coverage) {
     constexpr double nearly_straight = 0.98; // the cosine of 11 degrees
     if (dot(before, after) < nearly_straight)
         return add_disc(at, half, coverage);
@@ -74,7 +74,8 @@ void add_corner(Place at, Place before, Place after, double half, Coverage& cove
 }
 
 /// A line without dashes. No place is one with the next.
-void add_solid(const std::vector<Place>& path, double width, bool joins_ends, Coverage& coverage) {
+void add_solid(const std::vector<Place>& path, double width, bool joins_ends,
+               PixelCoverage& coverage) {
     const double half = width / 2;
     const std::size_t pieces = joins_ends ? path.size() : path.size() - 1;
     std::vector<Place> directions;
@@ -100,7 +101,7 @@ struct Stretch {
 
 /// The stretch within the bitmap and `margin` pixels around it; nothing if there is none.
 std::optional<Stretch> visible_stretch(Place a, Place direction, double length, double margin,
-                                       const Coverage& coverage) {
+                                       const PixelCoverage& coverage) {
     Stretch stretch{0, length};
     const auto cut = [&stretch](double at, double step, double low, double high) {
         if (step == 0) {
@@ -123,7 +124,7 @@ std::optional<Stretch> visible_stretch(Place a, Place direction, double length, 
 /// Walks along a line, and adds its dashes.
 class Dasher {
 public:
-    Dasher(const Pen& pen, double period, Coverage& coverage)
+    Dasher(const Pen& pen, double period, PixelCoverage& coverage)
         : pen_(pen), period_(period), coverage_(coverage) {}
 
     void walk(Place a, Place b) {
@@ -180,14 +181,14 @@ private:
 
     Pen pen_;
     double period_;
-    Coverage& coverage_;
+    PixelCoverage& coverage_;
     double phase_ = 0; ///< how far into the dashes and gaps
     std::vector<Place> dash_;
 };
 
 } // namespace
 
-void add_stroke(std::span<const Place> path, const Pen& pen, Coverage& coverage) {
+void add_stroke(std::span<const Place> path, const Pen& pen, PixelCoverage& coverage) {
     std::vector<Place> places;
     for (const Place& place : path)
         if (places.empty() || !are_one(places.back(), place))
@@ -213,7 +214,7 @@ void add_stroke(std::span<const Place> path, const Pen& pen, Coverage& coverage)
     dasher.finish();
 }
 
-void add_disc(Place center, double radius, Coverage& coverage) {
+void add_disc(Place center, double radius, PixelCoverage& coverage) {
     if (radius <= 0)
         return;
     std::vector<Place> places;

@@ -19,9 +19,9 @@ struct Pen {
 };
 
 /// Adds a line to what is covered.
-void add_stroke(std::span<const Place> path, const Pen& pen, Coverage& coverage);
+void add_stroke(std::span<const Place> path, const Pen& pen, PixelCoverage& coverage);
 
 /// Adds a disc.
-void add_disc(Place center, double radius, Coverage& coverage);
+void add_disc(Place center, double radius, PixelCoverage& coverage);
 
 } // namespace rastertrace

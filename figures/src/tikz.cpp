@@ -232,7 +232,7 @@ private:
     }
 
     void write(const Label& label) {
-        places_ += 8;
+        places_ += 20;
         if (!is_visible(label.at, clip_) || label.size <= 0 || label.text.empty() || is_too_much())
             return;
         std::string options =
@@ -300,7 +300,7 @@ Result<std::string> tikz_of(const Drawing& drawing, Theme theme, double width_mm
         return problem_of("",
                           fmt::format("expected a picture that fits into TeX's memory, found more "
                                       "than {} places (a rectangle counts as two, a dot as four, "
-                                      "a label as eight)",
+                                      "a label as twenty)",
                                       most_tikz_places),
                           "a .png holds any picture; --region takes a part of it");
 

@@ -19,6 +19,7 @@ namespace {
 // Sizes of letters and heights of lines, in units.
 constexpr double title_size = 13;
 constexpr double title_line = 17;
+constexpr double wideness_of_bold = 1.17; ///< at most, against the regular letters
 constexpr double step_size = 9;
 constexpr double caption_size = 11;
 constexpr double caption_line = 15;

@@ -3,13 +3,10 @@
 // end and shown; the baseline is the plain view. `frames/overview`: a canvas of 16384 x 4096 in one page, and
 // the memory that this takes.
 
+#include "drawn_trace.h"
+
 #include <frame_text.h>
 #include <rastertrace/figures/view.h>
-
-#include <rastertrace/trace/output.h>
-#include <rastertrace/trace/scene_file.h>
-#include <rastertrace/trace/trace.h>
-#include <rastertrace/trace/write_trace.h>
 
 #include <benchmark/benchmark.h>
 
@@ -25,30 +22,16 @@
 namespace rastertrace {
 namespace {
 
-/// The trace of a scene; the program ends if it is none.
-Trace trace_of_scene(const std::string& json) {
-    const auto scene = read_scene({RASTERTRACE_HEAD ".json", json});
-    if (!scene)
-        std::abort();
-    std::string text;
-    StringOutput output(text);
-    write_trace(scene.value().scene, scene.value().plan, {}, output);
-    auto trace = read_trace({"trace", std::move(text)});
-    if (!trace)
-        std::abort();
-    return std::move(trace).value();
-}
-
 const Trace& head() {
-    static const Trace trace = trace_of_scene(R"({
+    static const Trace trace = drawn_trace({RASTERTRACE_HEAD ".json", R"({
   "canvas": {"width": 512, "height": 512},
   "meshes": [{"obj": ")" + std::filesystem::path(RASTERTRACE_HEAD).filename().string() +
-                                              R"(",
+                                                                          R"(",
     "model": [{"rotate": {"axis": "y", "degrees": -25}}, {"rotate": {"axis": "x", "degrees": 10}}]}],
   "camera": {"position": [0, 0, 6], "look_at": [0, 0, 0], "up": [0, 1, 0]},
   "projection": {"type": "frustum", "fov_y": 32, "near": 1, "far": 10},
   "light": {"direction": [-1, 1, 2]},
-  "method": {"cull": "back", "depth": "inverse-z", "shade": "lambert"}})");
+  "method": {"cull": "back", "depth": "inverse-z", "shade": "lambert"}})"});
     return trace;
 }
 
@@ -79,10 +62,10 @@ double peak_memory() {
 }
 
 void show_overview(benchmark::State& state) {
-    const Trace trace = trace_of_scene(R"({
+    const Trace trace = drawn_trace({RASTERTRACE_HEAD ".json", R"({
   "canvas": {"width": 16384, "height": 4096},
   "vertices": {"A": [-8000, -2000], "B": [8000, -1500], "C": [-8000, -1990]},
-  "triangles": ["ABC"]})");
+  "triangles": ["ABC"]})"});
     for (auto _ : state)
         benchmark::DoNotOptimize(last_frame(trace, default_view(trace), true));
     state.counters["memory"] = peak_memory();

@@ -1,21 +1,18 @@
 // SPDX-License-Identifier: MIT
 // What a drawing is in pixels. White is the paper, black what the shapes are painted in.
 
-#include "effort.h"
-
 #include <rastertrace/figures/bitmap.h>
-
-#include <rapidcheck/gtest.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
-#include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace rastertrace {
 namespace {

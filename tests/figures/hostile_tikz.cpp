@@ -52,7 +52,7 @@ Drawing of_dots() {
 
 Drawing of_labels() {
     Drawing drawing{.width = 400, .height = 400, .title = "Labels"};
-    for (std::size_t i = 0; i < most_tikz_places / 8; ++i)
+    for (std::size_t i = 0; i < most_tikz_places / 20; ++i)
         drawing.shapes.push_back(Label{.at = {static_cast<double>(i % 400), 200},
                                        .text = "Row 12 of a label",
                                        .has_rim = true});

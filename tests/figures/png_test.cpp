@@ -66,8 +66,8 @@ std::vector<std::string> chunk_names(const std::string& file) {
 }
 
 TEST(Png, IsReadBackAsTheBitmap) {
-    for (const std::size_t colors : {1, 2, 3, 4, 5, 16, 17, 255, 256, 257, 3000})
-        for (const std::size_t width : {1, 7, 64}) {
+    for (const std::size_t colors : {1U, 2U, 3U, 4U, 5U, 16U, 17U, 255U, 256U, 257U, 3000U})
+        for (const std::size_t width : {1U, 7U, 64U}) {
             const Bitmap bitmap = bitmap_with(width, 1 + 4000 / width, colors);
             const auto png = png_of(bitmap);
             ASSERT_TRUE(png);

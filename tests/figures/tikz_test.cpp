@@ -128,6 +128,15 @@ TEST(Tikz, LeavesOutWhatIsNotOnTheSheet) {
         "\\fill[rt-vertex] (1,1) circle[radius=240mm];\n");
 }
 
+TEST(Tikz, SlantedLinesGoOnWhereTheyLeave) {
+    EXPECT_EQ(
+        body_of(sheet({Lines{.paths = {{{0, 10}, {240, 50}}, {{-90, 0}, {10, 20}}}},
+                       Polygons{.role = Role::vertex, .paths = {{{0, 0}, {240, 40}, {0, 4}}}}})),
+        "\\draw[rt-line true-edge] (0,10) -- (60,20)\n"
+        "  (-20,14) -- (10,20);\n"
+        "\\fill[rt-vertex] (0,0) -- (60,10) -- (60,13) -- (0,4) -- cycle;\n");
+}
+
 TEST(Tikz, LongLinesAreInPartsThatMeet) {
     Path path;
     for (int i = 0; i < 1500; ++i)
@@ -209,8 +218,19 @@ TEST(Tikz, SaysWhatTexCannotHold) {
     EXPECT_EQ(message_of(tikz_of(sheet({pixels, Areas{.rectangles = {{{0, 0}, 1, 1}}}}),
                                  Theme::light, 80)),
               "expected a picture that fits into TeX's memory, found more than 40000 places (a "
-              "rectangle counts as two, a dot as four, a label as eight)\n"
+              "rectangle counts as two, a dot as four, a label as twenty)\n"
               "hint: a .png holds any picture; --region takes a part of it");
+    const auto fits = [](const Shape& shape, std::size_t count) {
+        return static_cast<bool>(
+            tikz_of(sheet(std::vector<Shape>(count, shape)), Theme::light, 80));
+    };
+    const Path path(40'000, Place{1, 1});
+    EXPECT_TRUE(fits(Lines{.paths = {path}}, 1));
+    EXPECT_FALSE(fits(Lines{.paths = {path, {{0, 0}, {1, 1}}}}, 1));
+    EXPECT_TRUE(fits(Dots{.centers = {{1, 1}}}, 10'000));
+    EXPECT_FALSE(fits(Dots{.centers = {{1, 1}}}, 10'001));
+    EXPECT_TRUE(fits(Label{.at = {1, 1}, .text = "a"}, 2'000));
+    EXPECT_FALSE(fits(Label{.at = {1, 1}, .text = "a"}, 2'001));
     EXPECT_EQ(message_of(tikz_of(sheet({}), Theme::light, 5001)),
               "expected a picture of at most 5000 x 5000 mm for TeX, found 5001 x 2500.5 mm");
     EXPECT_EQ(message_of(tikz_of(sheet({}), Theme::light, 0)),

@@ -49,11 +49,11 @@ protected:
 
 TEST_F(FigureTest, AnUnknownEndingIsToldWithThoseThatAreKnown) {
     EXPECT_EQ(refusal("-o x.webp"),
-              "rastertrace: x.webp: expected a name that ends in .svg, .png, .tex, .txt, .cast, "
-              ".gif, found .webp\n"
+              "rastertrace: x.webp: expected a name that ends in .svg, .png, .tex, .txt, .cast "
+              "or .gif, found .webp\n"
               "hint: or say --format\n");
     EXPECT_EQ(refusal("-o x"),
-              "rastertrace: x: expected a name that ends in .svg, .png, .tex, .txt, .cast, .gif, "
+              "rastertrace: x: expected a name that ends in .svg, .png, .tex, .txt, .cast or .gif, "
               "found none of them\n"
               "hint: or say --format\n");
 }
@@ -61,14 +61,14 @@ TEST_F(FigureTest, AnUnknownEndingIsToldWithThoseThatAreKnown) {
 TEST_F(FigureTest, OtherCommandsTellWhoWritesAFigure) {
     const std::string scene = " $examples/t0-fill/first-triangle.json -o ";
     EXPECT_EQ(shell("$rastertrace trace" + scene + "x.svg").err,
-              "rastertrace: x.svg: expected a name that ends in .json, .jsonl, found .svg\n"
+              "rastertrace: x.svg: expected a name that ends in .json or .jsonl, found .svg\n"
               "hint: rastertrace figure writes .svg\n");
     EXPECT_EQ(shell("$rastertrace report" + scene + "x.png").err,
-              "rastertrace: x.png: expected a name that ends in .svg, .html, .json, .csv, .txt, "
+              "rastertrace: x.png: expected a name that ends in .svg, .html, .json, .csv or .txt, "
               "found .png\n"
               "hint: rastertrace figure writes .png\n");
     EXPECT_EQ(shell("$rastertrace report" + scene + "x.webp").err,
-              "rastertrace: x.webp: expected a name that ends in .svg, .html, .json, .csv, .txt, "
+              "rastertrace: x.webp: expected a name that ends in .svg, .html, .json, .csv or .txt, "
               "found .webp\n"
               "hint: or say --format\n");
     EXPECT_EQ(visible_files(), 0U);

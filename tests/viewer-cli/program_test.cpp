@@ -1151,7 +1151,8 @@ TEST_F(ProgramTest, NothingThatWasReadIsOverwritten) {
     for (const std::string arguments :
          {"trace scene.json -o scene.json", "trace scene.json -o link.json",
           "trace scene.json -o hard.json", "trace link.json -o ./scene.json",
-          "trace scene.json -o models/c.obj", "trace scene.json -o models/../link.obj",
+          "trace scene.json --format json -o models/c.obj",
+          "trace scene.json --format json -o models/../link.obj",
           "trace - -o scene.json <scene.json", "trace scene.json >>scene.json",
           "trace scene.json 1<>models/c.obj", "show scene.json 1<>models/c.obj",
           "show scene.json >>hard.json", "stress scene.json >>scene.json",
@@ -1567,12 +1568,11 @@ TEST_F(ProgramTest, StepsOutOfRangeAndKindsThatAreNotThere) {
 TEST_F(ProgramTest, UsageErrorsNameTheWordAndANearOne) {
     EXPECT_EQ(shell("$rastertrace").status, 2);
     EXPECT_THAT(shell("$rastertrace").err, HasSubstr("rastertrace show examples/"));
-    EXPECT_EQ(
-        shell("$rastertrace shw x").err,
-        "rastertrace: expected a command out of trace, "
-        "show, explain, stats, check, diff, validate, plan, stress, report, renew, help, found "
-        "\"shw\"\n"
-        "hint: did you mean show?\n");
+    EXPECT_EQ(shell("$rastertrace shw x").err, "rastertrace: expected a command out of trace, "
+                                               "show, figure, explain, stats, check, diff, "
+                                               "validate, plan, stress, report, renew, help, found "
+                                               "\"shw\"\n"
+                                               "hint: did you mean show?\n");
     EXPECT_EQ(shell("$rastertrace show x --evry pixel").err,
               "rastertrace show: --evry: no such option\nhint: did you mean --every?\n"
               "see rastertrace show --help\n");

@@ -78,6 +78,44 @@ TEST_F(RenewTest, CheckTellsTheFirstLineThatDiffers) {
     EXPECT_EQ(content("page.md"), stale);
 }
 
+TEST_F(RenewTest, CheckTellsWhichFilesAreStaleAndWritesNone) {
+    write("page.md", "# Dots\n"
+                     "```console\n"
+                     "$ rastertrace figure scene.json -o dots.svg\n"
+                     "```\n");
+    EXPECT_EQ(shell("$rastertrace renew page.md").status, 0);
+    const std::string figure = content("dots.svg");
+    EXPECT_THAT(figure, StartsWith("<svg"));
+    EXPECT_EQ(shell("$rastertrace renew --check page.md").status, 0);
+
+    write("dots.svg", "old");
+    const Outcome old = shell("$rastertrace renew --check page.md");
+    EXPECT_EQ(old.status, 1);
+    EXPECT_EQ(old.out, "page.md:3:1: expected dots.svg as this command writes it, found another "
+                       "file, or none\n"
+                       "$ rastertrace figure scene.json -o dots.svg\n"
+                       "^\n"
+                       "to renew: rastertrace renew page.md\n");
+    EXPECT_EQ(content("dots.svg"), "old");
+
+    shell("rm dots.svg");
+    EXPECT_EQ(shell("$rastertrace renew --check page.md").status, 1);
+    EXPECT_EQ(shell("ls dots.svg").status, 2) << "there still is none";
+    EXPECT_EQ(shell("$rastertrace renew page.md").status, 0);
+    EXPECT_EQ(content("dots.svg"), figure);
+}
+
+TEST_F(RenewTest, EachFileOfASequenceIsChecked) {
+    write("page.md", "```console\n"
+                     "$ rastertrace trace scene.json --vary /vertices/A/0=0:1:2 -o dots.json\n"
+                     "```\n");
+    EXPECT_EQ(shell("$rastertrace renew page.md").status, 0);
+    EXPECT_EQ(shell("$rastertrace renew --check page.md").status, 0);
+    write("dots-2.json", "old");
+    EXPECT_THAT(shell("$rastertrace renew --check page.md").out,
+                HasSubstr("expected dots-2.json as"));
+}
+
 TEST_F(RenewTest, ACommandThatFailsIsAProblem) {
     write("page.md", "```\n$ rastertrace show bad.json\nold\n```\n");
     const Outcome failed = shell("$rastertrace renew page.md");

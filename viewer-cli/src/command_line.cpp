@@ -457,7 +457,7 @@ private:
             ->type_name("TRACE");
         command
             .add_option("-o,--output", figure_.output,
-                        fmt::format("The file; its name ends in {}. - for standard output",
+                        fmt::format("The file; its name ends in one of {}; - for standard output",
                                     joined(endings_in<FigureFormat>(figure_endings), ", ")))
             ->required()
             ->type_name("FILE");
@@ -505,7 +505,7 @@ private:
                 "--view", figure_view_,
                 fmt::format("What the color of a pixel means: {}; if none is given, what the scene "
                             "is about",
-                            joined(view_names(), ", ")))
+                            joined(figure_views(), ", ")))
             ->type_name("NAME");
         command
             .add_option("--against", figure_.against,
@@ -565,6 +565,14 @@ private:
         return value;
     }
 
+    /// The views that have colors.
+    static std::vector<std::string_view> figure_views() {
+        std::vector<std::string_view> names = view_names();
+        std::erase_if(names,
+                      [](std::string_view name) { return view_named(name) == View::coverage; });
+        return names;
+    }
+
     void set_figure() {
         using Which = FigureCommand::Which;
         if (!figure_step_.empty())
@@ -592,7 +600,9 @@ private:
             options.caption.reset();
             options.without.push_back(FigurePart::caption);
         }
-        options.view = one_of("--view", figure_view_, view_names(), view_named);
+        options.view = one_of("--view", figure_view_, figure_views(), view_named);
+        if (options.view == View::coverage) // tells numbers, not colors
+            refuse("--view", fmt::format("one of {}", joined(figure_views(), ", ")), figure_view_);
         if (!figure_region_.empty())
             options.region = region_in(figure_region_);
         options.palette =

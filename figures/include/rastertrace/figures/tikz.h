@@ -18,7 +18,7 @@
 namespace rastertrace {
 
 /// The most places of a picture: TeX has five million words of memory, where some 40,000 places of lines fit
-/// beside a document. A rectangle counts as two places, a dot as four, a label as eight.
+/// beside a document. A rectangle counts as two places, a dot as four, a label as twenty.
 inline constexpr std::size_t most_tikz_places = 40'000;
 
 enum class TexFont : std::uint8_t { proportional, fixed_width };
