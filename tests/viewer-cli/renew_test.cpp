@@ -93,7 +93,7 @@ TEST_F(RenewTest, CheckTellsWhichFilesAreStaleAndWritesNone) {
     EXPECT_EQ(old.status, 1);
     EXPECT_EQ(old.out, "page.md:3:1: expected dots.svg as this command writes it, found another "
                        "file, or none\n"
-                       "$ rastertrace figure scene.json -o dots.svg\n"
+                       "$ rastertrace figure scene.json -o dots....\n"
                        "^\n"
                        "to renew: rastertrace renew page.md\n");
     EXPECT_EQ(content("dots.svg"), "old");

@@ -48,13 +48,13 @@ FileId id_of(const struct stat& status) {
 }
 
 /// A name in an open folder.
-struct Place {
+struct FilePlace {
     Descriptor folder;
     std::string name;
 };
 
 /// Where the symbolic link at a place leads to; nullopt if there is none.
-std::optional<std::string> link_at(const Place& place) {
+std::optional<std::string> link_at(const FilePlace& place) {
     std::array<char, PATH_MAX> text;
     const ssize_t length =
         ::readlinkat(place.folder.number(), place.name.c_str(), text.data(), text.size());
@@ -65,8 +65,8 @@ std::optional<std::string> link_at(const Place& place) {
 
 /// The place that a path names, symbolic links followed, even if there is no file yet. Working in an
 /// open folder, nothing depends on the length of the path.
-Place place_of(const std::string& path) {
-    Place place;
+FilePlace place_of(const std::string& path) {
+    FilePlace place;
     std::string rest = path.find('/') == std::string::npos ? "./" + path : path;
     // As many links as the system follows.
     for (int links = 0; links < 40; ++links) {
@@ -167,7 +167,7 @@ FileOutput::FileOutput(const std::string& path, std::span<const FileId> inputs) 
         if (::access(path_.c_str(), W_OK) != 0)
             fail(path_, not_written, errno);
     }
-    Place place = place_of(path_);
+    FilePlace place = place_of(path_);
     name_ = std::move(place.name);
     folder_ = std::move(place.folder);
     if (::fstat(folder_.number(), &status) != 0)

@@ -13,29 +13,29 @@ namespace {
 
 /// A place for a file. Places are never freed, only used again, so that a handler can follow the
 /// list at any moment.
-struct Place {
+struct ListPlace {
     enum class State { free, being_changed, taken };
 
     std::atomic<State> state = State::being_changed;
     int folder = -1;
     char name[64] = {};
-    Place* next = nullptr;
+    ListPlace* next = nullptr;
 };
 
-static_assert(std::atomic<Place::State>::is_always_lock_free &&
-                  std::atomic<Place*>::is_always_lock_free,
+static_assert(std::atomic<ListPlace::State>::is_always_lock_free &&
+                  std::atomic<ListPlace*>::is_always_lock_free,
               "a signal handler may use them");
 
-std::atomic<Place*> first_place = nullptr;
+std::atomic<ListPlace*> first_place = nullptr;
 
 /// A place that is the caller's alone: a free one, or a new one.
-Place& take_place() {
-    for (Place* place = first_place; place != nullptr; place = place->next) {
-        auto expected = Place::State::free;
-        if (place->state.compare_exchange_strong(expected, Place::State::being_changed))
+ListPlace& take_place() {
+    for (ListPlace* place = first_place; place != nullptr; place = place->next) {
+        auto expected = ListPlace::State::free;
+        if (place->state.compare_exchange_strong(expected, ListPlace::State::being_changed))
             return *place;
     }
-    Place* const place = new Place;
+    ListPlace* const place = new ListPlace;
     place->next = first_place;
     while (!first_place.compare_exchange_weak(place->next, place)) {
     }
@@ -45,21 +45,22 @@ Place& take_place() {
 } // namespace
 
 void note_unfinished(int folder, const std::string& name) {
-    Place& place = take_place();
+    ListPlace& place = take_place();
     place.folder = folder;
     place.name[name.copy(place.name, sizeof place.name - 1)] = '\0';
-    place.state = Place::State::taken;
+    place.state = ListPlace::State::taken;
 }
 
 void forget_unfinished(int folder, const std::string& name) noexcept {
-    for (Place* place = first_place; place != nullptr; place = place->next)
-        if (place->state == Place::State::taken && place->folder == folder && place->name == name)
-            place->state = Place::State::free;
+    for (ListPlace* place = first_place; place != nullptr; place = place->next)
+        if (place->state == ListPlace::State::taken && place->folder == folder &&
+            place->name == name)
+            place->state = ListPlace::State::free;
 }
 
 void remove_unfinished_files() noexcept {
-    for (Place* place = first_place; place != nullptr; place = place->next)
-        if (place->state == Place::State::taken)
+    for (ListPlace* place = first_place; place != nullptr; place = place->next)
+        if (place->state == ListPlace::State::taken)
             ::unlinkat(place->folder, place->name, 0);
 }
 

@@ -28,7 +28,7 @@ struct LineSteps {
 };
 
 /// Where a line is, and how far from the pixel.
-struct Place {
+struct PlaceOnLine {
     std::string text;
     std::optional<Rational> distance = {};
     bool is_known = true; ///< false: it may be in the pixel, as far as the trace goes
@@ -76,7 +76,7 @@ Pixel pixel_at(const Vec2& point) {
 }
 
 /// The line has no pixel in the column, or the row: it ends before, or there its last pixel is left out.
-Place beyond_ends(const Trace& trace, const LineSteps& line, Pixel pixel) {
+PlaceOnLine beyond_ends(const Trace& trace, const LineSteps& line, Pixel pixel) {
     if (!line.ends)
         return {.text = fmt::format("no step says where {} is", line.name), .is_known = false};
     const auto& [from, to] = *line.ends;
@@ -110,7 +110,7 @@ std::string place_in(const Trace& trace, const LineSteps& line, std::size_t n, I
 }
 
 /// Where the line is in the pixel's column, or row.
-Place place_of(const Trace& trace, const LineSteps& line, Pixel pixel) {
+PlaceOnLine place_of(const Trace& trace, const LineSteps& line, Pixel pixel) {
     const std::string_view major = line.is_x_major ? "x" : "y";
     const std::string_view minor = line.is_x_major ? "y" : "x";
     const Index wanted = line.is_x_major ? pixel.x : pixel.y;
@@ -169,7 +169,7 @@ WhyNot why_elsewhere(const Trace& trace, const PrimitiveSteps& steps, Pixel pixe
     bool is_known = true;
     std::vector<std::string> places;
     for (const LineSteps& line : lines_of(trace, steps)) {
-        const Place place = place_of(trace, line, pixel);
+        const PlaceOnLine place = place_of(trace, line, pixel);
         places.push_back(place.text);
         is_known = is_known && place.is_known;
         if (place.distance)
