@@ -75,6 +75,13 @@ void add_raster(const Panel& panel, std::vector<Shape>& shapes) {
         add_border(panel, shapes);
 }
 
+bool has_step(const Trace& trace, StepKind kind) {
+    std::size_t n = 1;
+    while (n <= trace.size() && trace.kind_of(n) != kind)
+        ++n;
+    return n <= trace.size();
+}
+
 /// Refuses a part that was asked for, whose numbers no step has.
 void check_numbers(const std::vector<FigurePart>& with, const Trace& trace) {
     struct Needed {
@@ -90,15 +97,10 @@ void check_numbers(const std::vector<FigurePart>& with, const Trace& trace) {
         Needed{FigurePart::weights, StepKind::sample,
                "--with weights: expected a fill that tests samples by weights, found none",
                "--fill barycentric"}};
-    for (const Needed& needed : all) {
-        if (std::find(with.begin(), with.end(), needed.part) == with.end())
-            continue;
-        std::size_t n = 1;
-        while (n <= trace.size() && trace.kind_of(n) != needed.step)
-            ++n;
-        if (n > trace.size())
+    for (const Needed& needed : all)
+        if (std::find(with.begin(), with.end(), needed.part) != with.end() &&
+            !has_step(trace, needed.step))
             throw problem_of("", std::string(needed.message), std::string(needed.hint));
-    }
 }
 
 } // namespace
@@ -158,12 +160,19 @@ Drawing FigureMaker::figure(std::size_t n) {
         throw problem_of("", "--with errors: expected a frame of Bresenham's line, found another",
                          "--step last, or another step of such a line");
     std::vector<Plot> plots;
-    if (parts.has(FigurePart::plot) && (plots = depth_plots(panel)).empty())
-        throw problem_of(
-            "",
-            "--with plot: expected a triangle with depths of linear-z or inverse-z, "
-            "found none",
-            "--depth linear-z --keep depth tests a triangle that no other one can hide");
+    if (parts.has(FigurePart::plot) && (plots = depth_plots(panel)).empty()) {
+        const std::string depth = trace_.method_value("depth");
+        if ((depth == "linear-z" || depth == "inverse-z") && has_step(trace_, StepKind::depth))
+            throw problem_of("",
+                             "--with plot: expected a frame with two depths along a row or a side, "
+                             "found fewer",
+                             "--step \"scanline ...\" of a longer row");
+        throw problem_of("",
+                         "--with plot: expected a triangle with depths of linear-z or inverse-z, "
+                         "found none",
+                         "--depth linear-z --keep depth tests a triangle that no other one can "
+                         "hide");
+    }
     if (parts.has(FigurePart::scene) && !space_)
         throw problem_of("", "--with scene: expected vertices in space, found a scene that is "
                              "typed in pixels");

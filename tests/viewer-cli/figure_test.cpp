@@ -162,6 +162,12 @@ TEST_F(FigureTest, PartsThatTheSceneCannotHave) {
               "rastertrace: --with weights: expected a fill that tests samples by weights, found "
               "none\n"
               "hint: --fill barycentric\n");
+    EXPECT_EQ(shell("$rastertrace figure $examples/t0-hidden/two-depths.json --with plot --step "
+                    "\"scanline in=DEF y=1\" -o x.svg")
+                  .err,
+              "rastertrace: --with plot: expected a frame with two depths along a row or a side, "
+              "found fewer\n"
+              "hint: --step \"scanline ...\" of a longer row\n");
     // The hints help.
     EXPECT_EQ(figure("--with plot,depths --depth linear-z --keep depth -o x.svg").status, 0);
     EXPECT_EQ(figure("--with weights --fill barycentric -o x.svg").status, 0);
@@ -223,11 +229,12 @@ TEST_F(FigureTest, TheSmallestAndALargeCanvasInEveryFormat) {
 
 TEST_F(FigureTest, WhatIsTooMuchForAFormatIsTold) {
     // Hardly two pixels beside one another have the same color, so each is a rectangle.
-    write("scene.json", R"({"canvas": {"width": 460, "height": 460, "origin": "top-left"},
-"vertices": {"A": [0, 0], "B": [459, 0], "C": [459, 459], "D": [0, 459]},
+    write("scene.json", R"({"canvas": {"width": 600, "height": 600, "origin": "top-left"},
+"vertices": {"A": [0, 0], "B": [599, 0], "C": [599, 599], "D": [0, 599]},
 "triangles": ["ABC", "ACD"], "colors": {"A": "#ff0000", "B": "#00ff00", "C": "#0000ff", "D": "#ffffff"},
-"method": {"fill": "barycentric", "shade": "interpolate"}})");
-    const std::string draw = "$rastertrace figure scene.json --view shade ";
+"method": {"scalar": "double", "fill": "barycentric", "shade": "interpolate"}})");
+    shell("$rastertrace trace scene.json --only primitive,pixel -o trace.jsonl");
+    const std::string draw = "$rastertrace figure trace.jsonl --view shade ";
     const Outcome svg = shell(draw + "-o x.svg");
     EXPECT_EQ(svg.status, 2);
     EXPECT_THAT(svg.err,
@@ -239,13 +246,11 @@ TEST_F(FigureTest, WhatIsTooMuchForAFormatIsTold) {
     EXPECT_EQ(tex.status, 2);
     EXPECT_THAT(tex.err,
                 HasSubstr("hint: a .png holds any picture; --region takes a part of it\n"));
-    EXPECT_EQ(shell(draw + "-o x.png").status, 0);
     EXPECT_EQ(shell(draw + "--region 0,0,99,99 -o x.svg").status, 0);
 
-    const Outcome png = shell(draw + "--cell 1000 -o x.png");
-    EXPECT_EQ(png.status, 2);
-    EXPECT_THAT(png.err, StartsWith("rastertrace: "));
-    EXPECT_THAT(png.err, HasSubstr("100000000"));
+    EXPECT_EQ(refusal("--cell 1000 -o x.png"),
+              "rastertrace: expected at most 100000000 pixels in a picture, found 34072 x 28116\n"
+              "hint: a smaller --scale makes it smaller; --region takes a part of it\n");
 }
 
 TEST_F(FigureTest, AnAnimationOfTooManyFramesIsRefusedBeforeItIsDrawn) {
