@@ -219,14 +219,14 @@ def check_text(name, root, text):
             fail(f"{name}: the character U+{ord(character):04X}")
 
 
-# Two programs smooth letters and slanted lines in their own ways. So pictures are compared out of focus, and with some
-# room for letters of different fonts: those beyond Latin, which every program takes from whatever font it finds.
+# Two programs smooth letters and slanted lines in their own ways. So pictures are compared out of focus. Letters beyond
+# Latin each program takes from whatever font it finds, so with these only the average counts.
 BLUR = 2  # pixels
-MOST_DIFFERENCE = 50  # of 255, anywhere
+MOST_DIFFERENCE = 40  # of 255, anywhere
 MOST_MEAN = 1.5  # of 255, on the average of the picture
 
 
-def check_alike(name, one, other):
+def check_alike(name, one, other, is_latin):
     if one.size != other.size:
         fail(f"{name}: {one.size} by librsvg, {other.size} by Chromium")
         return
@@ -234,11 +234,9 @@ def check_alike(name, one, other):
     largest = difference.getextrema()[1]
     histogram = difference.histogram()
     mean = sum(level * number for level, number in enumerate(histogram)) / (one.width * one.height)
-    count("largest difference", 0)
-    counted["largest difference"] = max(counted["largest difference"], largest)
     if os.environ.get("VERBOSE"):
         print(name, largest, round(mean, 3))
-    if largest > MOST_DIFFERENCE or mean > MOST_MEAN:
+    if is_latin and largest > MOST_DIFFERENCE or mean > MOST_MEAN:
         fail(f"{name}: librsvg and Chromium draw it differently, by {largest} somewhere and {mean:.2f} on the average")
 
 
@@ -319,7 +317,7 @@ def check_svg_and_png(figures, folder):
         librsvg = by_librsvg(path + ".svg")
         check_points(figure.name + ".svg by librsvg", librsvg, points, tolerance=1)
         check_points(figure.name + ".svg by Chromium", pictures[number], points, tolerance=1)
-        check_alike(figure.name, librsvg, pictures[number])
+        check_alike(figure.name, librsvg, pictures[number], figure.is_latin)
         if dark:
             by_night = svg_points.Points(dark[1], dark=True)
             colors = [(x, y, by_night.color_at((x, y))[0]) for x, y, _ in points]

@@ -41,6 +41,11 @@ class Figure:
         self.name, self.scene, self.options = name, scene, list(options)
         self.drawn, self.last_row, self.has_background = drawn, last_row, has_background
 
+    @property
+    def is_latin(self):
+        """False if it has letters that not every font has."""
+        return not self.name.startswith("hostile")
+
     def value_of(self, option, default=None):
         return self.options[self.options.index(option) + 1] if option in self.options else default
 
