@@ -103,6 +103,102 @@ void check_numbers(const std::vector<FigurePart>& with, const Trace& trace) {
             throw problem_of("", std::string(needed.message), std::string(needed.hint));
 }
 
+/// What stands beside the pixels, or below.
+struct Beside {
+    std::optional<Decisions> decisions = {};
+    const SpatialScene* space = nullptr;
+    std::vector<Plot> plots = {};
+
+    bool has_bars_at_right() const { return decisions && decisions->is_steep; }
+    bool has_bars_below() const { return decisions && !decisions->is_steep; }
+
+    /// The scene is as high as the pixels, and as wide.
+    static double side_of_scene(const Lattice& lattice) {
+        return std::max(lattice.height(), smallest_scene);
+    }
+    double width_at_right(const Lattice& lattice) const {
+        return (has_bars_at_right() ? error_bars_size : 0) +
+               (space != nullptr ? side_of_scene(lattice) : 0);
+    }
+    double width_below() const {
+        double width = 0;
+        for (const Plot& plot : plots)
+            width += plot.width;
+        return width;
+    }
+};
+
+/// Why there is no plot.
+Problem problem_of_plot(const Trace& trace) {
+    const std::string depth = trace.method_value("depth");
+    if ((depth == "linear-z" || depth == "inverse-z") && has_step(trace, StepKind::depth))
+        return problem_of("",
+                          "--with plot: expected a frame with two depths along a row or a side, "
+                          "found fewer",
+                          "--step \"scanline ...\" of a longer row");
+    return problem_of("",
+                      "--with plot: expected a triangle with depths of linear-z or inverse-z, "
+                      "found none",
+                      "--depth linear-z --keep depth tests a triangle that no other one can hide");
+}
+
+/// What was asked for. Throws a Problem if the only frame has nothing of it; one of many goes without.
+Beside beside_of(const Panel& panel, const SpatialScene* space, bool is_only) {
+    Beside beside;
+    if (panel.parts.has(FigurePart::errors)) {
+        beside.decisions = decisions_of(panel.replay);
+        if (!beside.decisions && is_only)
+            throw problem_of("",
+                             "--with errors: expected a frame of Bresenham's line, found another",
+                             "--step last, or another step of such a line");
+    }
+    if (panel.parts.has(FigurePart::plot)) {
+        beside.plots = depth_plots(panel);
+        if (beside.plots.empty() && is_only)
+            throw problem_of_plot(panel.trace());
+    }
+    if (panel.parts.has(FigurePart::scene)) {
+        beside.space = space;
+        if (space == nullptr)
+            throw problem_of("", "--with scene: expected vertices in space, found a scene that is "
+                                 "typed in pixels");
+    }
+    return beside;
+}
+
+/// Draws what stands at the right of the pixels; returns how high it is.
+double add_at_right(const Beside& beside, const Lattice& lattice, double left, Drawing& sheet) {
+    if (beside.has_bars_at_right()) {
+        add_error_bars(*beside.decisions, lattice, left, sheet.shapes);
+        left += error_bars_size;
+    }
+    if (beside.space == nullptr)
+        return 0;
+    const double side = Beside::side_of_scene(lattice);
+    place(scene_drawing(*beside.space, side, side), {left, lattice.corner.y}, sheet);
+    return side;
+}
+
+/// Draws what stands below; returns how high it is.
+double add_below(const Beside& beside, const Lattice& lattice, const Column& column, double y,
+                 Drawing& sheet) {
+    if (beside.has_bars_below()) {
+        add_error_bars(*beside.decisions, lattice, y, sheet.shapes);
+        return error_bars_size;
+    }
+    double left = column.left;
+    double height = 0;
+    for (const Plot& plot : beside.plots) {
+        Drawing drawing = plot_drawing(plot);
+        height = std::max(height, drawing.height);
+        place(std::move(drawing), {left, y}, sheet);
+        left += plot.width;
+    }
+    if (!beside.plots.empty())
+        height += add_curve_legend(beside.plots.front(), column, y + height, sheet.shapes);
+    return height;
+}
+
 } // namespace
 
 FigureMaker::FigureMaker(const Trace& trace, std::vector<FigureFrame> frames, FigureOptions options)
@@ -152,30 +248,9 @@ Drawing FigureMaker::figure(std::size_t n) {
     replay_.go_to(panel.frame.is_question ? steps.first - 1 : steps.last);
     set_parts(options_, panel);
 
-    // What stands beside the pixels, or below.
     const FigureParts& parts = panel.parts;
     check_numbers(options_.with, trace_);
-    std::optional<Decisions> decisions;
-    if (parts.has(FigurePart::errors) && !(decisions = decisions_of(replay_)))
-        throw problem_of("", "--with errors: expected a frame of Bresenham's line, found another",
-                         "--step last, or another step of such a line");
-    std::vector<Plot> plots;
-    if (parts.has(FigurePart::plot) && (plots = depth_plots(panel)).empty()) {
-        const std::string depth = trace_.method_value("depth");
-        if ((depth == "linear-z" || depth == "inverse-z") && has_step(trace_, StepKind::depth))
-            throw problem_of("",
-                             "--with plot: expected a frame with two depths along a row or a side, "
-                             "found fewer",
-                             "--step \"scanline ...\" of a longer row");
-        throw problem_of("",
-                         "--with plot: expected a triangle with depths of linear-z or inverse-z, "
-                         "found none",
-                         "--depth linear-z --keep depth tests a triangle that no other one can "
-                         "hide");
-    }
-    if (parts.has(FigurePart::scene) && !space_)
-        throw problem_of("", "--with scene: expected vertices in space, found a scene that is "
-                             "typed in pixels");
+    const Beside beside = beside_of(panel, space_.get(), frames_.size() == 1);
 
     // The width of the sheet is that of the pixels, of the numbers at their left, and of what is beside them.
     Lattice& lattice = panel.lattice;
@@ -183,18 +258,9 @@ Drawing FigureMaker::figure(std::size_t n) {
     const double numbers = parts.has(FigurePart::axes) ? axis_margin(lattice) : 0;
     lattice.corner.x = std::ceil(margin + numbers);
     Drawing sheet{.title = options_.title.value_or(trace_.title)};
-    double right = lattice.corner.x + lattice.width();
-    const double bars_left = right;
-    if (decisions && decisions->is_steep)
-        right += error_bars_size;
-    const double scene_left = right;
-    const double scene_side = std::max(lattice.height(), smallest_scene);
-    if (parts.has(FigurePart::scene))
-        right += scene_side;
-    double plots_width = 0;
-    for (const Plot& plot : plots)
-        plots_width += plot.width;
-    right = std::max(right, margin + plots_width);
+    const double beside_left = lattice.corner.x + lattice.width();
+    const double right =
+        std::max(beside_left + beside.width_at_right(lattice), margin + beside.width_below());
     sheet.width = std::ceil(std::max(right + margin, has_words(parts) ? narrowest_for_words : 0));
     const Column column{margin, sheet.width - margin};
 
@@ -204,29 +270,9 @@ Drawing FigureMaker::figure(std::size_t n) {
         y += add_title(sheet.title, panel, column, y, sheet.shapes);
     lattice.corner.y = std::ceil(y);
     add_raster(panel, sheet.shapes);
-    if (decisions && decisions->is_steep)
-        add_error_bars(*decisions, lattice, bars_left, sheet.shapes);
-    if (parts.has(FigurePart::scene))
-        place(scene_drawing(*space_, scene_side, scene_side), {scene_left, lattice.corner.y},
-              sheet);
     y = lattice.corner.y + lattice.height() + (parts.has(FigurePart::axes) ? axis_height : 0);
-    if (parts.has(FigurePart::scene))
-        y = std::max(y, lattice.corner.y + scene_side);
-    if (decisions && !decisions->is_steep) {
-        add_error_bars(*decisions, lattice, y, sheet.shapes);
-        y += error_bars_size;
-    }
-    double plot_left = margin;
-    double plots_bottom = y;
-    for (const Plot& plot : plots) {
-        Drawing drawing = plot_drawing(plot);
-        plots_bottom = std::max(plots_bottom, y + drawing.height);
-        place(std::move(drawing), {plot_left, y}, sheet);
-        plot_left += plot.width;
-    }
-    y = plots_bottom;
-    if (!plots.empty())
-        y += add_curve_legend(plots.front(), column, y, sheet.shapes);
+    y = std::max(y, lattice.corner.y + add_at_right(beside, lattice, beside_left, sheet));
+    y += add_below(beside, lattice, column, y, sheet);
     if (parts.has(FigurePart::legend))
         y += add_legend(panel, options_.against_name, column, y, sheet.shapes);
     if (parts.has(FigurePart::caption))

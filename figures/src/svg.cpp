@@ -53,7 +53,7 @@ public:
     }
 
     const std::set<Role>& roles_used() const { return roles_used_; }
-    std::size_t rectangles() const { return rectangles_; }
+    std::size_t shapes() const { return shapes_; }
 
 private:
     /// The attributes that all shapes have.
@@ -68,7 +68,7 @@ private:
     std::string written(const Areas& areas) {
         if (areas.rectangles.empty())
             return {};
-        rectangles_ += areas.rectangles.size();
+        shapes_ += areas.rectangles.size();
         std::string data;
         for (const Rectangle& rectangle : areas.rectangles)
             data += path_data(rectangle);
@@ -78,6 +78,7 @@ private:
 
     std::string written(const Lines& lines) {
         std::string data;
+        shapes_ += lines.paths.size();
         for (const Path& path : lines.paths)
             data += path_data(path, lines.are_closed);
         if (data.empty())
@@ -88,6 +89,7 @@ private:
 
     std::string written(const Polygons& polygons) {
         std::string data;
+        shapes_ += polygons.paths.size();
         for (const Path& path : polygons.paths)
             data += path_data(path, true);
         if (data.empty())
@@ -100,6 +102,7 @@ private:
         std::string data;
         const std::string radius = decimal(dots.radius);
         const std::string across = decimal(2 * dots.radius);
+        shapes_ += dots.centers.size();
         for (const Place& center : dots.centers)
             data += fmt::format("M{0} {1}a{2} {2} 0 1 0 {3} 0a{2} {2} 0 1 0 -{3} 0z",
                                 decimal(center.x - dots.radius), decimal(center.y), radius, across);
@@ -111,7 +114,7 @@ private:
     std::string written(const Pixels& pixels) {
         std::string svg;
         for (const PixelRuns& runs : runs_of(pixels)) {
-            rectangles_ += runs.rectangles.size();
+            shapes_ += runs.rectangles.size();
             svg += fmt::format("<path class=\"area\" style=\"{}\" d=\"",
                                paint_css("fill", runs.color));
             for (const Rectangle& rectangle : runs.rectangles)
@@ -122,6 +125,7 @@ private:
     }
 
     std::string written(const Label& label) {
+        ++shapes_;
         std::string more;
         if (label.is_turned)
             more += fmt::format(R"svg( transform="translate({} {}) rotate(-90)")svg",
@@ -146,7 +150,7 @@ private:
     }
 
     std::set<Role> roles_used_;
-    std::size_t rectangles_ = 0;
+    std::size_t shapes_ = 0;
 };
 
 /// The rules for the roles that are used, and for the kinds of shape.
@@ -227,13 +231,12 @@ std::size_t common_shapes(const std::vector<std::vector<std::string>>& frames) {
     return count;
 }
 
-std::optional<Problem> too_many(std::size_t rectangles) {
-    if (rectangles <= most_svg_rectangles)
+std::optional<Problem> too_many(std::size_t shapes) {
+    if (shapes <= most_svg_shapes)
         return std::nullopt;
-    return problem_of("",
-                      fmt::format("expected at most {} rectangles in an SVG, found {}",
-                                  most_svg_rectangles, rectangles),
-                      "a .png holds any picture; --region takes a part of it");
+    return problem_of(
+        "", fmt::format("expected at most {} shapes in an SVG, found {}", most_svg_shapes, shapes),
+        "a .png holds any picture; --region takes a part of it");
 }
 
 } // namespace
@@ -267,7 +270,7 @@ std::string escaped(std::string_view text) {
 Result<std::string> svg_of(const Drawing& drawing, Theme theme) {
     ShapeWriter writer;
     const std::string body = joined_from(written_shapes(drawing, writer), 0);
-    if (auto problem = too_many(writer.rectangles()))
+    if (auto problem = too_many(writer.shapes()))
         return *std::move(problem);
     return document(drawing, style_sheet(writer.roles_used(), theme), body);
 }
@@ -279,7 +282,7 @@ Result<std::string> animated_svg_of(std::span<const Drawing> frames, double seco
     std::vector<std::vector<std::string>> written;
     for (const Drawing& frame : frames)
         written.push_back(written_shapes(frame, writer));
-    if (auto problem = too_many(writer.rectangles()))
+    if (auto problem = too_many(writer.shapes()))
         return *std::move(problem);
 
     // What all begin with is written once. Each frame is shown for its share of the time, from its turn on; a

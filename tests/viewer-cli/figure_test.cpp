@@ -238,7 +238,7 @@ TEST_F(FigureTest, WhatIsTooMuchForAFormatIsTold) {
     const Outcome svg = shell(draw + "-o x.svg");
     EXPECT_EQ(svg.status, 2);
     EXPECT_THAT(svg.err,
-                testing::MatchesRegex("rastertrace: expected at most 200000 rectangles in an "
+                testing::MatchesRegex("rastertrace: expected at most 200000 shapes in an "
                                       "SVG, found [0-9]+\n"
                                       "hint: a .png holds any picture; --region takes a "
                                       "part of it\n"));

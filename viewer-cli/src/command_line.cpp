@@ -532,7 +532,7 @@ private:
             ->type_name("N");
         command.add_option("--width", figure_width_, "Of a .tex: millimeters")->type_name("MM");
         command.add_flag(
-            "--bare", figure_is_bare_,
+            "--bare", figure_.is_bare,
             "Only the pixels in their own colors, one unit each if --cell is not given");
         figure_method_.add_to(command);
         figure_input_.add_to(command);
@@ -621,7 +621,7 @@ private:
         constexpr double longest = 600;
         style.seconds = size_in("--seconds", figure_seconds_, longest);
 
-        if (figure_is_bare_) {
+        if (figure_.is_bare) {
             for (const FigurePartRow& row : figure_parts())
                 if (row.part != FigurePart::pixels)
                     options.without.push_back(row.part);
@@ -1244,7 +1244,6 @@ private:
     std::string figure_scale_;
     std::string figure_width_;
     std::string figure_seconds_;
-    bool figure_is_bare_ = false;
     MethodOptions figure_method_;
     InputOptions figure_input_;
     FrameOptions figure_frames_;

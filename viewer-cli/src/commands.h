@@ -120,6 +120,7 @@ struct FigureCommand {
     FigureStyle style;
     std::optional<Sheet> sheet;
     bool is_animated = false; ///< all frames in one .svg
+    bool is_bare = false;     ///< only the pixels
     std::string against;      ///< METHOD, or a file: see FigureOptions
     MethodOverrides method;
     InputLimits input;

@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string>
@@ -204,6 +205,18 @@ FigureFormat format_of(const FigureCommand& command) {
     refuse_ending(command.output, endings_in<FigureFormat>(figure_endings));
 }
 
+/// Refuses an option that says nothing of a format.
+void check_option(bool is_there, std::string_view option, FigureFormat format,
+                  std::initializer_list<FigureFormat> formats) {
+    if (!is_there || std::find(formats.begin(), formats.end(), format) != formats.end())
+        return;
+    std::vector<std::string> names;
+    for (const FigureFormat one : formats)
+        names.emplace_back(name_of(one));
+    throw problem_of("", fmt::format("{}: expected one of {}, found {}", option,
+                                     joined(names, ", "), name_of(format)));
+}
+
 /// Refuses a format that cannot have what was asked for.
 void check_format(const FigureCommand& command, FigureFormat format) {
     const bool is_text = format == FigureFormat::txt || format == FigureFormat::cast;
@@ -224,6 +237,12 @@ void check_format(const FigureCommand& command, FigureFormat format) {
                          fmt::format("--animate: expected a format that moves (svg, gif, cast), "
                                      "found {}",
                                      name_of(format)));
+    using enum FigureFormat;
+    check_option(command.style.scale.has_value() && !command.is_bare, "--scale", format,
+                 {png, gif});
+    check_option(command.style.width_mm.has_value(), "--width", format, {tex});
+    check_option(command.style.seconds.has_value(), "--seconds", format, {svg, gif, cast});
+    check_option(command.style.theme != Theme::automatic, "--theme", format, {svg, png, tex, gif});
 }
 
 bool is_animation(const FigureCommand& command, FigureFormat format) {

@@ -20,10 +20,10 @@ namespace rastertrace {
 /// A text in an SVG or HTML document, also in attributes. What cannot be seen is shown, as printable() does.
 std::string escaped(std::string_view text);
 
-/// The most rectangles of an SVG: programs that show it get slow beyond.
-inline constexpr std::size_t most_svg_rectangles = 200'000;
+/// The most rectangles, lines, polygons, dots and texts of an SVG: programs that show it get slow beyond.
+inline constexpr std::size_t most_svg_shapes = 200'000;
 
-/// The document; or why there is none: it would have too many rectangles.
+/// The document; or why there is none: it would have too many shapes.
 Result<std::string> svg_of(const Drawing& drawing, Theme theme);
 
 /// Drawings one after the other, each for so many seconds, over and over. A program that does not know
