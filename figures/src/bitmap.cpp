@@ -136,8 +136,14 @@ public:
     }
 
     void paint(const Dots& dots) {
-        for (const Place& center : dots.centers)
+        // Some at a time: what all of them cover may be more than there is memory for.
+        constexpr std::size_t at_a_time = 4096;
+        std::size_t waiting = 0;
+        for (const Place& center : dots.centers) {
             add_disc(to_pixels(center), std::min(dots.radius * scale_, farthest), coverage_);
+            if (++waiting % at_a_time == 0)
+                paint_covered(color_of(dots.role));
+        }
         paint_covered(color_of(dots.role));
     }
 
@@ -149,7 +155,7 @@ public:
             paint_covered(color_of(Role::paper));
         }
         add_lettering(label, scale_, 0, coverage_);
-        paint_covered(color_of(label.role));
+        paint_covered(label.color.value_or(color_of(label.role)));
     }
 
 private:

@@ -5,7 +5,6 @@
 
 #include <rastertrace/trace/color_text.h>
 #include <rastertrace/trace/text.h>
-#include <rastertrace/trace/working.h>
 
 #include <fmt/core.h>
 
@@ -65,7 +64,7 @@ void add_weights(const Replay& replay, CellTexts& texts) {
             continue;
         auto& lines = texts[trace.canvas.offset_of(*pixel)];
         for (const std::string& weight : trace.step(n).texts("weights"))
-            lines.push_back(as_in_working(weight));
+            lines.push_back(short_number(weight));
     }
 }
 

@@ -20,6 +20,7 @@ constexpr double highest_panel = 480;
 constexpr double cell_for_grid = 5;
 constexpr double cell_for_patterns = 3;
 constexpr double cell_for_samples = 14;
+constexpr double room_for_vertices = 150; ///< of all pixels together
 constexpr double cell_for_digits = 9;
 constexpr double cell_for_numbers = 40; ///< numbers of depths may enlarge pixels up to this
 // ... and at most so many things.
@@ -73,6 +74,11 @@ void set_parts(const FigureOptions& options, Panel& panel) {
     }
     make_room();
 
+    // Grays mean nothing without numbers or a legend.
+    const bool has_grays = (panel.view == View::depth && !panel.parts.has(FigurePart::depths)) ||
+                           (panel.view == View::writes && !panel.parts.has(FigurePart::writes));
+    set(FigurePart::legend, panel.view == View::faces || panel.against != nullptr || has_grays);
+
     // What the step is about.
     const bool is_step = panel.is_step();
     set(FigurePart::pixels, true);
@@ -81,7 +87,6 @@ void set_parts(const FigureOptions& options, Panel& panel) {
     set(FigurePart::row, is_step || panel.frame.is_question);
     set(FigurePart::caption, is_step || options.caption.has_value());
     set(FigurePart::title, true);
-    set(FigurePart::legend, panel.view == View::faces || panel.against != nullptr);
     set(FigurePart::axes, true);
 
     // What needs room, and what is too much if there is too much of it.
@@ -92,8 +97,11 @@ void set_parts(const FigureOptions& options, Panel& panel) {
                                  !has_cell_texts(panel.parts));
     panel.has_all_edges = !is_step || wanted(options, FigurePart::edges) == true;
     const std::size_t with_edges = primitives_with_edges(panel).size();
-    set(FigurePart::edges, with_edges <= few_primitives && !has_cell_texts(panel.parts));
-    set(FigurePart::vertices, panel.parts.has(FigurePart::edges) && 3 * with_edges <= few_vertices);
+    set(FigurePart::edges,
+        with_edges <= few_primitives && !has_cell_texts(panel.parts) && panel.view != View::shade);
+    set(FigurePart::vertices, panel.parts.has(FigurePart::edges) &&
+                                  3 * with_edges <= few_vertices &&
+                                  lattice.cell * lattice.columns() >= room_for_vertices);
 
     for (const FigurePart part : {FigurePart::half_planes, FigurePart::errors, FigurePart::scene,
                                   FigurePart::plot, FigurePart::working})

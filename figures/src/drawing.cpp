@@ -91,7 +91,8 @@ void add_arrow(Place from, Place to, Role role, double head_length, std::vector<
     const double length = std::sqrt(dx * dx + dy * dy);
     if (length == 0)
         return;
-    const double head = std::min(head_length, length);
+    constexpr double most = 0.6; // of the arrow, so that a short one has a shaft
+    const double head = std::min(head_length, most * length);
     const double along_x = dx / length * head;
     const double along_y = dy / length * head;
     const Place neck{to.x - along_x, to.y - along_y};

@@ -6,7 +6,6 @@
 
 #include <rastertrace/figures/corners.h>
 #include <rastertrace/trace/text.h>
-#include <rastertrace/trace/working.h>
 
 #include <fmt/core.h>
 
@@ -52,8 +51,11 @@ Place middle_of(const Path& corners) {
 /// A vertex, its words, and from where they should keep away.
 struct NamedVertex {
     Place at;
-    std::string text;
+    std::string names;
+    std::string coordinates;
     Place inside; ///< the middle of its primitive
+
+    std::string text() const { return names + coordinates; }
 };
 
 bool is_inside(const Rectangle& frame, Place place) {
@@ -74,10 +76,17 @@ std::vector<NamedVertex> vertices_of(const Panel& panel) {
             if (!is_inside(panel.lattice.frame(), corners[i]) ||
                 !known.insert({names[i], {corners[i].x, corners[i].y}}).second)
                 continue;
-            vertices.push_back({corners[i],
-                                fmt::format("{}({}, {})", names[i], as_in_working(positions[i][0]),
-                                            as_in_working(positions[i][1])),
-                                middle_of(corners)});
+            // Vertices at one place share their words.
+            const auto same =
+                std::find_if(vertices.begin(), vertices.end(),
+                             [&](const NamedVertex& other) { return other.at == corners[i]; });
+            if (same != vertices.end())
+                same->names += ", " + names[i];
+            else
+                vertices.push_back({corners[i], names[i],
+                                    fmt::format("({}, {})", short_number(positions[i][0]),
+                                                short_number(positions[i][1])),
+                                    middle_of(corners)});
         }
     }
     return vertices;
@@ -91,8 +100,9 @@ bool meet(const Rectangle& a, const Rectangle& b) {
 /// Where the words of a vertex stand: beside it, away from its primitive, and not over other words.
 Rectangle words_beside(const NamedVertex& vertex, double size, const Rectangle& frame,
                        const std::vector<Rectangle>& taken) {
-    const double width = width_of(vertex.text, size);
     constexpr double gap = 5;
+    constexpr double bold = 1.1; // about, against regular letters
+    const double width = bold * width_of(vertex.text(), size);
     struct Candidate {
         Rectangle box;
         double worse;
@@ -169,7 +179,7 @@ void add_vertices(const Panel& panel, std::vector<Shape>& shapes) {
                    : is_right ? box.corner.x
                               : vertex.at.x,
                    box.corner.y + 0.85 * size},
-            .text = vertex.text,
+            .text = vertex.text(),
             .size = size,
             .anchor = is_left    ? Anchor::end
                       : is_right ? Anchor::start

@@ -93,8 +93,9 @@ void add_error_bars(const Decisions& decisions, const Lattice& lattice, double f
     shapes.push_back(std::move(below));
     shapes.insert(shapes.end(), labels.begin(), labels.end());
     shapes.push_back(Label{.role = Role::quiet_text,
-                           .at = is_steep ? Place{zero, frame.corner.y - 4}
-                                          : Place{frame.corner.x - 4, zero + 3},
+                           .at = is_steep
+                                     ? Place{zero, frame.corner.y + frame.height + text_size + 2}
+                                     : Place{frame.corner.x - 4, zero + 3},
                            .text = "d",
                            .size = text_size,
                            .anchor = is_steep ? Anchor::middle : Anchor::end});

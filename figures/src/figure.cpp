@@ -194,8 +194,12 @@ double add_below(const Beside& beside, const Lattice& lattice, const Column& col
         place(std::move(drawing), {left, y}, sheet);
         left += plot.width;
     }
-    if (!beside.plots.empty())
-        height += add_curve_legend(beside.plots.front(), column, y + height, sheet.shapes);
+    if (!beside.plots.empty()) {
+        Drawing legend = legend_drawing(beside.plots.front());
+        const double legend_height = legend.height;
+        place(std::move(legend), {column.left, y + height}, sheet);
+        height += legend_height;
+    }
     return height;
 }
 
@@ -219,6 +223,7 @@ FigureMaker::FigureMaker(const Trace& trace, std::vector<FigureFrame> frames, Fi
     if (std::any_of(options_.with.begin(), options_.with.end(), is_scene))
         if (auto space = space_of(trace))
             space_ = std::make_unique<const SpatialScene>(*std::move(space));
+    check_numbers(options_.with, trace);
     if (options_.against != nullptr)
         against_ = frame_after(*options_.against, options_.against->size());
 }
@@ -249,7 +254,6 @@ Drawing FigureMaker::figure(std::size_t n) {
     set_parts(options_, panel);
 
     const FigureParts& parts = panel.parts;
-    check_numbers(options_.with, trace_);
     const Beside beside = beside_of(panel, space_.get(), frames_.size() == 1);
 
     // The width of the sheet is that of the pixels, of the numbers at their left, and of what is beside them.

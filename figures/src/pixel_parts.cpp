@@ -85,15 +85,6 @@ void add_faces(const Panel& panel, std::vector<Shape>& shapes) {
     std::move(pixels).move_to(shapes);
 }
 
-/// A gray, light enough in any theme that black can be read on it: 0 dark to 1 light.
-Color gray(double share) {
-    constexpr double darkest = 120;
-    constexpr double lightest = 250;
-    const auto level = static_cast<std::uint8_t>(
-        std::lround(darkest + std::clamp(share, 0.0, 1.0) * (lightest - darkest)));
-    return {level, level, level};
-}
-
 PixelColors shades(const Panel& panel) {
     return [&frame = panel.replay.frame(),
             empty = panel.trace().background.value_or(no_color)](Pixel, std::size_t offset) {
@@ -111,9 +102,8 @@ PixelColors depth_shades(const Panel& panel) {
 
 /// The more often a pixel was written, the darker.
 PixelColors write_shades(const Panel& panel) {
-    constexpr double most = 6; // beyond this they all look the same
     return [&writes = panel.replay.frame().writes](Pixel, std::size_t offset) {
-        return writes[offset] == 0 ? no_color : gray(1 - (writes[offset] - 1) / (most - 1));
+        return writes[offset] == 0 ? no_color : gray(share_of_writes(writes[offset]));
     };
 }
 
@@ -196,6 +186,19 @@ const ComparisonMark* comparison_at(const Panel& panel, std::size_t offset) {
         return nullptr;
     const bool is_alike = here.image.colors()[offset] == there.image.colors()[offset];
     return &comparison_marks()[is_here && is_there ? (is_alike ? 0 : 3) : (is_here ? 1 : 2)];
+}
+
+Color gray(double share) {
+    constexpr double darkest = 120;
+    constexpr double lightest = 250;
+    const auto level = static_cast<std::uint8_t>(
+        std::lround(darkest + std::clamp(share, 0.0, 1.0) * (lightest - darkest)));
+    return {level, level, level};
+}
+
+double share_of_writes(std::uint32_t writes) {
+    const std::uint32_t told = std::min(writes, most_writes_told);
+    return 1 - (told - 1) / (most_writes_told - 1.0);
 }
 
 PixelColors own_colors_of(const Panel& panel) {

@@ -277,8 +277,13 @@ std::optional<SpatialScene> space_of(const Trace& trace) {
 }
 
 Drawing scene_drawing(const SpatialScene& space, double width, double height) {
-    constexpr double margin = 18; // for names
     constexpr double text_size = 10;
+    constexpr std::size_t most_names = 24;
+    double margin = 18; // for names
+    if (space.vertices.size() <= most_names)
+        for (const auto& [name, at] : space.vertices)
+            margin = std::max(margin, width_of(printable(name), text_size) + 6);
+    margin = std::min(margin, width / 4);
     Drawing drawing{.width = width, .height = height, .title = "The scene in space"};
     std::vector<Shape>& shapes = drawing.shapes;
 
@@ -334,7 +339,6 @@ Drawing scene_drawing(const SpatialScene& space, double width, double height) {
     if (has_normals)
         add_normals(space, side, tip_of, shapes);
 
-    constexpr std::size_t most_names = 24;
     if (space.vertices.size() <= most_names)
         for (const auto& [name, at] : space.vertices) {
             const Place place = side.at(at);

@@ -236,7 +236,7 @@ private:
         if (!is_visible(label.at, clip_) || label.size <= 0 || label.text.empty() || is_too_much())
             return;
         std::string options =
-            fmt::format("rt-label,text={},scale={}", color_name(label.role, std::nullopt),
+            fmt::format("rt-label,text={},scale={}", color_name(label.role, label.color),
                         number(scale_of(label.size), 4));
         if (label.is_turned)
             options += ",rotate=90";

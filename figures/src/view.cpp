@@ -49,17 +49,6 @@ bool larger_is_nearer(const Trace& trace) {
     return false;
 }
 
-/// A number in a cell: as it was written if that is short.
-std::string short_number(const std::string& text) {
-    constexpr std::size_t longest = 6;
-    constexpr double most_whole_digits = 1e6;
-    const auto number = nearest_double_in(text);
-    if (text.size() <= longest || !number)
-        return text;
-    const bool is_large = 1000 <= std::abs(*number) && std::abs(*number) < most_whole_digits;
-    return is_large ? fmt::format("{:.0f}", *number) : fmt::format("{:.3g}", *number);
-}
-
 /// What an untouched cell of the buffer holds: what the first depth of all is compared with.
 std::string cleared_depth(const Trace& trace) {
     for (std::size_t n = 1; n <= trace.size(); ++n)
@@ -93,6 +82,16 @@ std::optional<View> view_named(std::string_view name) {
     if (found == names.end())
         return std::nullopt;
     return static_cast<View>(found - names.begin());
+}
+
+std::string short_number(const std::string& text) {
+    constexpr std::size_t longest = 6;
+    constexpr double most_whole_digits = 1e6;
+    const auto number = nearest_double_in(text);
+    if (text.size() <= longest || !number)
+        return text;
+    const bool is_large = 1000 <= std::abs(*number) && std::abs(*number) < most_whole_digits;
+    return is_large ? fmt::format("{:.0f}", *number) : fmt::format("{:.3g}", *number);
 }
 
 FrameParts parts_for(View view, const Trace& trace) {

@@ -100,6 +100,24 @@ std::vector<Entry> entries_of_comparison(const Panel& panel, const std::string& 
     return entries;
 }
 
+/// What the grays of depths and of writes say; nothing for other views.
+std::vector<Entry> entries_of_grays(View view) {
+    const auto entry = [](double share, std::string text) {
+        return Entry{
+            .role = Role::plotted, .color = gray(share), .pattern = {}, .text = std::move(text)};
+    };
+    if (view == View::depth)
+        return {entry(0, "farthest"), entry(0.5, ""), entry(1, "nearest")};
+    if (view != View::writes)
+        return {};
+    std::vector<Entry> entries;
+    for (std::uint32_t writes = 1; writes <= most_writes_told; ++writes)
+        entries.push_back(entry(
+            share_of_writes(writes),
+            fmt::format("{}{}", writes, writes == most_writes_told ? " or more writes" : "")));
+    return entries;
+}
+
 } // namespace
 
 double add_title(const std::string& title, const Panel& panel, const Column& column, double y,
@@ -148,37 +166,6 @@ double add_legend(const Panel& panel, const std::string& against, const Column& 
         shapes.push_back(Lines{.role = Role::grid, .paths = {corners_of(box)}, .are_closed = true});
         shapes.push_back(Label{
             .at = {x + swatch + gap, y + 0.85 * swatch}, .text = entry.text, .size = legend_size});
-        x += needed;
-    }
-    return y + legend_line - top;
-}
-
-double add_curve_legend(const Plot& plot, const Column& column, double y,
-                        std::vector<Shape>& shapes) {
-    constexpr double line_length = 24;
-    constexpr double radius = 4;
-    const double top = y;
-    double x = column.left;
-    for (std::size_t i = 0; i < plot.curves.size(); ++i) {
-        const PlotCurve& curve = plot.curves[i];
-        if (curve.marks.empty())
-            continue;
-        const double needed = line_length + gap + width_of(curve.name, legend_size) + 2 * gap;
-        if (x > column.left && x + needed > column.right) {
-            x = column.left;
-            y += legend_line;
-        }
-        const double middle = y + legend_line / 2;
-        if (curve.has_line)
-            shapes.push_back(
-                Lines{.role = curve_role(i), .paths = {{{x, middle}, {x + line_length, middle}}}});
-        if (curve.has_marks)
-            shapes.push_back(Dots{.role = curve_role(i),
-                                  .radius = radius,
-                                  .centers = {{x + line_length / 2, middle}}});
-        shapes.push_back(Label{.at = {x + line_length + gap, middle + 0.35 * legend_size},
-                               .text = curve.name,
-                               .size = legend_size});
         x += needed;
     }
     return y + legend_line - top;

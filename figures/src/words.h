@@ -5,8 +5,6 @@
 
 #include "panel.h"
 
-#include <rastertrace/figures/plot.h>
-
 #include <string>
 #include <vector>
 
@@ -29,10 +27,6 @@ double add_title(const std::string& title, const Panel& panel, const Column& col
 /// What colors and patterns stand for. `against` is the name of the picture that is compared with.
 double add_legend(const Panel& panel, const std::string& against, const Column& column, double y,
                   std::vector<Shape>& shapes);
-
-/// What the curves of plots are.
-double add_curve_legend(const Plot& plot, const Column& column, double y,
-                        std::vector<Shape>& shapes);
 
 /// What the step says.
 double add_caption(const std::string& caption, const Column& column, double y,

@@ -51,11 +51,11 @@ TEST_F(FigureTest, AnUnknownEndingIsToldWithThoseThatAreKnown) {
     EXPECT_EQ(refusal("-o x.webp"),
               "rastertrace: x.webp: expected a name that ends in .svg, .png, .tex, .txt, .cast "
               "or .gif, found .webp\n"
-              "hint: or say --format\n");
+              "hint: --format says what to write\n");
     EXPECT_EQ(refusal("-o x"),
               "rastertrace: x: expected a name that ends in .svg, .png, .tex, .txt, .cast or .gif, "
               "found none of them\n"
-              "hint: or say --format\n");
+              "hint: --format says what to write\n");
 }
 
 TEST_F(FigureTest, OtherCommandsTellWhoWritesAFigure) {
@@ -70,7 +70,7 @@ TEST_F(FigureTest, OtherCommandsTellWhoWritesAFigure) {
     EXPECT_EQ(shell("$rastertrace report" + scene + "x.webp").err,
               "rastertrace: x.webp: expected a name that ends in .svg, .html, .json, .csv or .txt, "
               "found .webp\n"
-              "hint: or say --format\n");
+              "hint: --format says what to write\n");
     EXPECT_EQ(visible_files(), 0U);
 }
 
@@ -237,11 +237,10 @@ TEST_F(FigureTest, WhatIsTooMuchForAFormatIsTold) {
     const std::string draw = "$rastertrace figure trace.jsonl --view shade ";
     const Outcome svg = shell(draw + "-o x.svg");
     EXPECT_EQ(svg.status, 2);
-    EXPECT_THAT(svg.err,
-                testing::MatchesRegex("rastertrace: expected at most 200000 shapes in an "
-                                      "SVG, found [0-9]+\n"
-                                      "hint: a .png holds any picture; --region takes a "
-                                      "part of it\n"));
+    EXPECT_THAT(svg.err, testing::MatchesRegex("rastertrace: expected at most 200000 shapes in an "
+                                               "SVG, found [0-9]+\n"
+                                               "hint: a .png holds any picture; --region takes a "
+                                               "part of it\n"));
     const Outcome tex = shell(draw + "-o x.tex");
     EXPECT_EQ(tex.status, 2);
     EXPECT_THAT(tex.err,

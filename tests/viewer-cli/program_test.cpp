@@ -1726,7 +1726,7 @@ TEST_F(ProgramTest, ReportRefusesBeforeItMeasures) {
         shell("$rastertrace report point.json -o r.pdf").err,
         "rastertrace: r.pdf: expected a name that ends in .svg, .html, .json, .csv or .txt, found "
         ".pdf\n"
-        "hint: or say --format\n");
+        "hint: --format says what to write\n");
     EXPECT_EQ(shell("$rastertrace report point.json --jobs edges").err,
               "rastertrace: --jobs: expected jobs out of edge,coverage,depth,color, found "
               "\"edges\"\nhint: did you mean edge?\n");

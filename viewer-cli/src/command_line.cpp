@@ -620,6 +620,9 @@ private:
         style.width_mm = size_in("--width", figure_width_, largest_width);
         constexpr double longest = 600;
         style.seconds = size_in("--seconds", figure_seconds_, longest);
+        constexpr double shortest = 0.02; // of a GIF, as browsers play it
+        if (style.seconds && *style.seconds < shortest)
+            refuse("--seconds", fmt::format("at least {:g}", shortest), figure_seconds_);
 
         if (figure_.is_bare) {
             for (const FigurePartRow& row : figure_parts())

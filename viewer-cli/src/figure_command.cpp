@@ -88,8 +88,9 @@ public:
             options.against_name =
                 against_->title == trace_.title ? command.against : against_->title;
         }
-        if (input.is_sequence() && !options.caption)
-            options.caption = input.label(frame);
+        if (input.is_sequence())
+            options.title =
+                fmt::format("{}, {}", options.title.value_or(trace_.title), input.label(frame));
         maker_ = std::make_unique<FigureMaker>(trace_, frames_, options);
     }
 
@@ -103,7 +104,7 @@ public:
         const View view = command_.options.view.value_or(default_view(trace_));
         if (!replay_)
             replay_.emplace(trace_, parts_for(view, trace_));
-        FrameText about{.caption = command_.options.caption.value_or(""),
+        FrameText about{.caption = printable(command_.options.caption.value_or("")),
                         .first_step = frame.steps.first,
                         .last_step = frame.steps.last,
                         .view = view,
@@ -242,6 +243,15 @@ void check_format(const FigureCommand& command, FigureFormat format) {
                  {png, gif});
     check_option(command.style.width_mm.has_value(), "--width", format, {tex});
     check_option(command.style.seconds.has_value(), "--seconds", format, {svg, gif, cast});
+    const auto is_drawn = [](FigurePart part) { return part != FigurePart::working; };
+    const FigureOptions& options = command.options;
+    check_option(std::any_of(options.with.begin(), options.with.end(), is_drawn), "--with", format,
+                 {svg, png, tex, gif});
+    check_option(!command.against.empty(), "--against", format, {svg, png, tex, gif});
+    check_option(options.title.has_value(), "--title", format, {svg, png, tex, gif});
+    check_option(options.cell.has_value(), "--cell", format, {svg, png, tex, gif});
+    check_option(options.palette != FacePalette::distinct, "--palette", format,
+                 {svg, png, tex, gif});
     check_option(command.style.theme != Theme::automatic, "--theme", format, {svg, png, tex, gif});
 }
 

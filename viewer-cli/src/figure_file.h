@@ -39,13 +39,13 @@ struct FigureStyle {
     Theme theme = Theme::automatic;
     std::optional<double> scale = {};    ///< of a .png or .gif: pixels of a unit
     std::optional<double> width_mm = {}; ///< of a .tex
-    std::optional<double> seconds = {};  ///< for each frame
+    std::optional<double> seconds = {};  ///< for each frame, at least 0.02
 };
 
 /// The frames of an animation, each made when it is asked for.
 struct FigureFrames {
     std::size_t count = 0;
-    std::function<Drawing(std::size_t)> at; ///< from 0; all of one size
+    std::function<Drawing(std::size_t)> at; ///< from 0; an animation needs all of one size
 };
 
 /// The bytes of a file with one drawing: .svg, .png, .tex, .gif. Throws a Problem.
@@ -58,7 +58,7 @@ std::string animation_in(FigureFormat format, const FigureFrames& frames, const 
 /// at most.
 double seconds_for(std::size_t frames);
 
-/// Drawings on one sheet, in rows of so many columns.
+/// Drawings on one sheet, in rows of so many columns: those from `first` to `last`, both included.
 Drawing contact_sheet(const FigureFrames& frames, std::size_t first, std::size_t last,
                       std::size_t columns, const std::string& title);
 

@@ -46,8 +46,7 @@ FrameFiles::FrameFiles(std::string path, std::size_t count)
     std::error_code error;
     if (std::filesystem::exists(path_, error) && !std::filesystem::is_regular_file(path_, error))
         throw problem_of(
-            path_, fmt::format("expected a name for {} files, found a device or a folder", count_),
-            "--frame 1 writes the first");
+            path_, fmt::format("expected a name for {} files, found a device or a folder", count_));
     allow_open_files(count_);
 }
 

@@ -18,7 +18,7 @@ namespace rastertrace {
 
 class FrameFiles {
 public:
-    /// `count` is the number of the last frame. Throws a Problem if `path` is a device or a folder, or that many files
+    /// `count` is the number of the last file. Throws a Problem if `path` is a device or a folder, or that many files
     /// cannot be open at once.
     FrameFiles(std::string path, std::size_t count);
 

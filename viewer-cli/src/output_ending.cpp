@@ -10,11 +10,12 @@ void refuse_ending(const std::string& path, const std::vector<std::string_view>&
     const auto is_it = [&ending](const auto& one) { return one.text == ending; };
     const bool is_figure = std::any_of(figure_endings.begin(), figure_endings.end(), is_it);
     const std::vector<std::string_view> others(known.begin(), known.end() - 1);
-    throw problem_of(
-        path,
-        fmt::format("expected a name that ends in {} or {}, found {}", joined(others, ", "),
-                    known.back(), ending.empty() ? "none of them" : printable(ending)),
-        is_figure ? fmt::format("rastertrace figure writes {}", ending) : "or say --format");
+    throw problem_of(path,
+                     fmt::format("expected a name that ends in {} or {}, found {}",
+                                 joined(others, ", "), known.back(),
+                                 ending.empty() ? "none of them" : printable(ending)),
+                     is_figure ? fmt::format("rastertrace figure writes {}", ending)
+                               : "--format says what to write");
 }
 
 } // namespace rastertrace

@@ -4,11 +4,11 @@
 #include <rastertrace/trace/problem.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <string_view>
 #include <system_error>
 
@@ -16,13 +16,21 @@ namespace rastertrace {
 
 namespace {
 
-constexpr std::array<std::string_view, 2> output_options{"-o", "--output"};
-
-/// The word behind -o, if there is one.
-auto find_output(auto& words) {
-    const auto option = std::find_first_of(words.begin(), words.end(), output_options.begin(),
-                                           output_options.end());
-    return option == words.end() ? option : std::next(option);
+/// The word that has the name of the output, and where in it: -o FILE, -oFILE, --output FILE, --output=FILE.
+struct OutputWord {
+    std::size_t word;
+    std::size_t begin;
+};
+std::optional<OutputWord> output_in(const std::vector<std::string>& words) {
+    for (std::size_t i = 1; i < words.size(); ++i) {
+        const std::string& word = words[i];
+        if ((word == "-o" || word == "--output") && i + 1 < words.size())
+            return OutputWord{i + 1, 0};
+        for (const std::string_view begin : {std::string_view("--output="), std::string_view("-o")})
+            if (word.starts_with(begin) && word.size() > begin.size())
+                return OutputWord{i, begin.size()};
+    }
+    return std::nullopt;
 }
 
 std::string bytes_of(const std::filesystem::path& path) {
@@ -35,23 +43,30 @@ std::string bytes_of(const std::filesystem::path& path) {
 bool writes_file(const std::vector<std::string>& words) {
     if (words.empty() || (words.front() != "figure" && words.front() != "trace"))
         return false;
-    const auto output = find_output(words);
-    return output != words.end() && *output != "-" && !output->starts_with("/dev/");
+    const auto output = output_in(words);
+    if (!output)
+        return false;
+    const std::string_view path = std::string_view(words[output->word]).substr(output->begin);
+    return path != "-" && !path.starts_with("/dev/");
 }
 
 OutputElsewhere::OutputElsewhere(std::vector<std::string> words) : words_(std::move(words)) {
-    std::string pattern =
-        (std::filesystem::temp_directory_path() / "rastertrace-page-XXXXXX").string();
-    if (::mkdtemp(pattern.data()) == nullptr) {
-        Problem problem = problem_of(pattern, std::generic_category().message(errno));
+    std::error_code error;
+    const std::filesystem::path temporary = std::filesystem::temp_directory_path(error);
+    std::string pattern = (temporary / "rastertrace-page-XXXXXX").string();
+    if (error || ::mkdtemp(pattern.data()) == nullptr) {
+        Problem problem =
+            problem_of(error ? "TMPDIR" : pattern,
+                       error ? error.message() : std::generic_category().message(errno));
         problem.cause = Problem::Cause::system;
         throw problem;
     }
     folder_ = pattern;
-    const auto output = find_output(words_);
-    const std::filesystem::path path(*output);
+    const auto output = output_in(words_);
+    std::string& word = words_[output->word];
+    const std::filesystem::path path(word.substr(output->begin));
     final_folder_ = path.parent_path();
-    *output = (folder_ / path.filename()).string();
+    word.replace(output->begin, std::string::npos, (folder_ / path.filename()).string());
 }
 
 OutputElsewhere::~OutputElsewhere() {

@@ -145,8 +145,8 @@ enum class Anchor : std::uint8_t { start, middle, end };
 /// A line of text.
 struct Label {
     Role role = Role::text;
-    std::optional<Color> color = {};
-    Place at; ///< on the line that the letters stand on
+    std::optional<Color> color = {}; ///< in the place of the role\'s
+    Place at;                        ///< on the line that the letters stand on
     std::string text;
     double size = 10; ///< of the letters, in units, from the top of an A to the bottom of a g
     Anchor anchor = Anchor::start;

@@ -53,7 +53,7 @@ enum class FigurePart : std::uint8_t {
     caption,
     working,
 };
-inline constexpr std::size_t figure_part_count = 22;
+inline constexpr std::size_t figure_part_count = static_cast<std::size_t>(FigurePart::working) + 1;
 
 /// A set of parts.
 class FigureParts {
@@ -107,7 +107,7 @@ struct FigureFrame {
 /// Makes the figures of frames of a trace.
 class FigureMaker {
 public:
-    /// The trace must outlive the maker.
+    /// The trace must outlive the maker. Throws a Problem if a part was asked for that the scene cannot have.
     FigureMaker(const Trace& trace, std::vector<FigureFrame> frames, FigureOptions options);
 
     ~FigureMaker();

@@ -40,6 +40,9 @@ View default_view(const Trace& trace);
 /// What a replay of a trace has to remember for a view, and for what its depth tests say.
 FrameParts parts_for(View view, const Trace& trace);
 
+/// A number of a trace as it was written if that is short, at most six characters; else by its first digits.
+std::string short_number(const std::string& text);
+
 struct Cell {
     std::string text;
     std::optional<Color> color = {};       ///< of the pixel, where the view shows it
