@@ -187,10 +187,14 @@ Scalar depth_at(Depth depth, const Scalar& distance, const Vec<Scalar, 4>& clip)
     case Depth::linear_z:
         return distance;
     case Depth::inverse_z:
-        // Only what is no triangle, and has no use for a depth, lies there (plan.cpp refuses others).
-        if constexpr (std::same_as<Scalar, Rational>)
+        // Only what is no triangle, and has no use for a depth, lies where there is no 1/z (plan.cpp refuses others).
+        if constexpr (std::same_as<Scalar, Rational>) {
             if (distance == 0)
                 return distance;
+        } else if constexpr (std::floating_point<Scalar>) {
+            if (!std::isfinite(1 / distance))
+                return 0;
+        }
         return scalar_from<Scalar>(1) / distance;
     case Depth::ndc_z:
         return clip.z / clip.w;

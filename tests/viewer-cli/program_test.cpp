@@ -1565,6 +1565,20 @@ TEST_F(ProgramTest, StepsOutOfRangeAndKindsThatAreNotThere) {
     EXPECT_EQ(shell(show + "--last --all").status, 2);
 }
 
+TEST_F(ProgramTest, ALineThatMeetsNoBufferNeedsNoDepth) {
+    // z is 0, where 1/z is no number.
+    write("line.json",
+          R"({"canvas": {"width": 5, "height": 5}, "vertices": {"A": [0, 0], "B": [-1e9, 0]},
+                           "lines": ["AB"], "method": {"depth": "inverse-z"}})");
+    for (const std::string line : {"naive", "dda", "bresenham"})
+        for (const std::string scalar : {"float", "double", "fixed", "adaptive", "exact"}) {
+            const Outcome shown =
+                shell("$rastertrace show line.json --bare --line " + line + " --scalar " + scalar);
+            EXPECT_EQ(shown.status, 0) << line << " " << scalar << shown.err;
+            EXPECT_EQ(shown.out, ".....\n.....\n###..\n.....\n.....\n") << line << " " << scalar;
+        }
+}
+
 TEST_F(ProgramTest, UsageErrorsNameTheWordAndANearOne) {
     EXPECT_EQ(shell("$rastertrace").status, 2);
     EXPECT_THAT(shell("$rastertrace").err, HasSubstr("rastertrace show examples/"));
