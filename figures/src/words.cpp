@@ -145,8 +145,10 @@ double add_title(const std::string& title, const Panel& panel, const Column& col
 
 double add_legend(const Panel& panel, const std::string& against, const Column& column, double y,
                   std::vector<Shape>& shapes) {
-    const std::vector<Entry> entries =
-        panel.against != nullptr ? entries_of_comparison(panel, against) : entries_of_faces(panel);
+    const std::vector<Entry> entries = panel.against != nullptr
+                                           ? entries_of_comparison(panel, against)
+                                       : panel.view == View::faces ? entries_of_faces(panel)
+                                                                   : entries_of_grays(panel.view);
     if (entries.empty())
         return 0;
     const double top = y;
