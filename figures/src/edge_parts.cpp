@@ -2,6 +2,7 @@
 // The true geometry over the pixels: edges, vertices with their coordinates, samples, half-planes.
 
 #include "clip.h"
+#include "label_places.h"
 #include "panel.h"
 
 #include <rastertrace/figures/corners.h>
@@ -12,8 +13,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace rastertrace {
@@ -92,51 +95,69 @@ std::vector<NamedVertex> vertices_of(const Panel& panel) {
     return vertices;
 }
 
-bool meet(const Rectangle& a, const Rectangle& b) {
-    return a.corner.x < b.corner.x + b.width && b.corner.x < a.corner.x + a.width &&
-           a.corner.y < b.corner.y + b.height && b.corner.y < a.corner.y + a.height;
+/// Where words of a vertex would stand, and how bad that is: nothing is 0.
+struct PlaceForWords {
+    SheetBox box;
+    double badness = 0;
+
+    /// True if other words are below them.
+    bool is_unreadable() const { return badness >= of_other_words / 2; }
+    static constexpr double of_other_words = 100;
+};
+
+/// What words are better kept away from.
+struct Obstacles {
+    Rectangle frame;             ///< they rather stay within it
+    std::vector<Path> sides;     ///< rather not on these lines
+    std::vector<SheetBox> words; ///< not on other words
+};
+
+double badness_of(const SheetBox& box, const Obstacles& obstacles) {
+    constexpr double of_leaving = 4; // what leaves the pixels may be cut off, or cover the title
+    constexpr double of_axes = 1;    // or numbers
+    constexpr double of_side = 1;
+    const Rectangle& frame = obstacles.frame;
+    const double right = frame.corner.x + frame.width;
+    const double bottom = frame.corner.y + frame.height;
+    const double height = box.bottom - box.top;
+    double badness = 0;
+    if (box.left < 0 || right + height < box.right || box.top < frame.corner.y - height / 2 ||
+        bottom + height / 2 < box.bottom)
+        badness += of_leaving;
+    if (box.left < frame.corner.x || bottom < box.bottom)
+        badness += of_axes;
+    for (const Path& side : obstacles.sides)
+        if (clipped(side[0], side[1], {{box.left, box.top}, box.right - box.left, height}))
+            badness += of_side;
+    for (const SheetBox& other : obstacles.words)
+        if (box.meets(other))
+            badness += PlaceForWords::of_other_words;
+    return badness;
 }
 
-/// Where the words of a vertex stand: beside it, away from its primitive, and not over other words.
-Rectangle words_beside(const NamedVertex& vertex, double size, const Rectangle& frame,
-                       const std::vector<Rectangle>& taken) {
+/// The best place for words beside a vertex: away from its primitive.
+PlaceForWords words_beside(const NamedVertex& vertex, std::string_view words, double size,
+                           const Obstacles& obstacles) {
     constexpr double gap = 5;
     constexpr double bold = 1.1; // about, against regular letters
-    const double width = bold * width_of(vertex.text(), size);
-    struct Candidate {
-        Rectangle box;
-        double worse;
-    };
-    std::vector<Candidate> candidates;
+    const double width = bold * width_of(words, size);
     const double away_x = vertex.at.x - vertex.inside.x;
     const double away_y = vertex.at.y - vertex.inside.y;
     const double away = std::max(1.0, std::sqrt(away_x * away_x + away_y * away_y));
+    std::optional<PlaceForWords> best;
     for (const int right : {1, 0, -1})
         for (const int down : {-1, 0, 1}) {
             if (right == 0 && down == 0)
                 continue;
-            const Rectangle box{{vertex.at.x + right * gap + (right - 1) * width / 2,
-                                 vertex.at.y + down * gap + (down - 1) * size / 2},
-                                width,
-                                size};
-            double worse = -(right * away_x + down * away_y) / away;
-            // What leaves the panel may be cut off; what covers other words cannot be read.
-            if (box.corner.x < 0 || box.corner.y < frame.corner.y - size ||
-                box.corner.x + width > frame.corner.x + frame.width + size ||
-                box.corner.y + size > frame.corner.y + frame.height)
-                worse += 4;
-            if (box.corner.x < frame.corner.x ||
-                box.corner.y + size > frame.corner.y + frame.height)
-                worse += 1;
-            for (const Rectangle& other : taken)
-                if (meet(box, other))
-                    worse += 8;
-            candidates.push_back({box, worse});
+            const double left = vertex.at.x + right * gap + (right - 1) * width / 2;
+            const double top = vertex.at.y + down * gap + (down - 1) * size / 2;
+            const SheetBox box{left, top, left + width, top + size};
+            const double inward = -(right * away_x + down * away_y) / away;
+            const double badness = inward + badness_of(box, obstacles);
+            if (!best || badness < best->badness)
+                best = PlaceForWords{box, badness};
         }
-    return std::min_element(
-               candidates.begin(), candidates.end(),
-               [](const Candidate& a, const Candidate& b) { return a.worse < b.worse; })
-        ->box;
+    return *best;
 }
 
 } // namespace
@@ -164,22 +185,36 @@ void add_vertices(const Panel& panel, std::vector<Shape>& shapes) {
     constexpr double size = 11;
     constexpr double radius = 2.6;
     Dots dots{.role = Role::vertex, .radius = radius};
-    std::vector<Rectangle> taken;
+    Obstacles obstacles{.frame = panel.lattice.frame(), .sides = {}, .words = {}};
+    constexpr std::size_t few_primitives = 50; // among more, there is no way around their sides
+    const auto primitives = primitives_with_edges(panel);
+    for (std::size_t i = 0; primitives.size() <= few_primitives && i < primitives.size(); ++i)
+        for (Path& side : sides_of(panel, primitives[i]))
+            obstacles.sides.push_back(std::move(side));
     std::vector<Shape> labels;
     for (const NamedVertex& vertex : vertices_of(panel)) {
         dots.centers.push_back(vertex.at);
-        const Rectangle box = words_beside(vertex, size, panel.lattice.frame(), taken);
-        taken.push_back(box);
+        // Where there is no room for all of it, the names will do; or the dot alone.
+        std::string words = vertex.text();
+        PlaceForWords place = words_beside(vertex, words, size, obstacles);
+        if (place.is_unreadable()) {
+            words = vertex.names;
+            place = words_beside(vertex, words, size, obstacles);
+        }
+        if (place.is_unreadable())
+            continue;
+        const SheetBox& box = place.box;
+        obstacles.words.push_back(box);
         // Words at the left of their vertex end there.
-        const bool is_left = box.corner.x + box.width < vertex.at.x;
-        const bool is_right = box.corner.x > vertex.at.x;
+        const bool is_left = box.right < vertex.at.x;
+        const bool is_right = vertex.at.x < box.left;
         labels.push_back(Label{
             .role = Role::strong_text,
-            .at = {is_left    ? box.corner.x + box.width
-                   : is_right ? box.corner.x
+            .at = {is_left    ? box.right
+                   : is_right ? box.left
                               : vertex.at.x,
-                   box.corner.y + 0.85 * size},
-            .text = vertex.text(),
+                   box.top + 0.85 * size},
+            .text = words,
             .size = size,
             .anchor = is_left    ? Anchor::end
                       : is_right ? Anchor::start
