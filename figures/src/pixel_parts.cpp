@@ -137,8 +137,8 @@ struct Stroke {
 };
 constexpr Stroke rising{{0, 1}, {1, 0}, 1, 1};
 constexpr Stroke falling{{0, 0}, {1, 1}, 1, -1};
-constexpr Stroke level{{0, 0.5}, {1, 0.5}, 0, 1};
-constexpr Stroke upright{{0.5, 0}, {0.5, 1}, 1, 0};
+constexpr Stroke horizontal{{0, 0.5}, {1, 0.5}, 0, 1};
+constexpr Stroke vertical{{0.5, 0}, {0.5, 1}, 1, 0};
 constexpr Stroke short_rising{{0.25, 0.75}, {0.75, 0.25}, 1, 1};
 
 /// A pattern for each of eight groups. Strokes meet those of the pixels beside them.
@@ -146,10 +146,10 @@ const std::vector<Stroke>& pattern_of(std::size_t group) {
     static const std::array<std::vector<Stroke>, 8> patterns{{{},
                                                               {rising},
                                                               {falling},
-                                                              {level},
-                                                              {upright},
+                                                              {horizontal},
+                                                              {vertical},
                                                               {rising, falling},
-                                                              {level, upright},
+                                                              {horizontal, vertical},
                                                               {short_rising}}};
     // After all colors, each has another pattern.
     return patterns[(group + group / patterns.size()) % patterns.size()];
