@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The grid, its border, and the numbers of its columns and rows.
 
+#include "clip.h"
 #include "panel.h"
 
 #include <array>
@@ -52,15 +53,8 @@ void add_grid(const Panel& panel, std::vector<Shape>& shapes) {
 }
 
 void add_border(const Panel& panel, std::vector<Shape>& shapes) {
-    const Rectangle frame = panel.lattice.frame();
-    const double right = frame.corner.x + frame.width;
-    const double bottom = frame.corner.y + frame.height;
-    shapes.push_back(Lines{.role = Role::border,
-                           .paths = {{frame.corner,
-                                      {right, frame.corner.y},
-                                      {right, bottom},
-                                      {frame.corner.x, bottom}}},
-                           .are_closed = true});
+    shapes.push_back(Lines{
+        .role = Role::border, .paths = {corners_of(panel.lattice.frame())}, .are_closed = true});
 }
 
 void add_axes(const Panel& panel, std::vector<Shape>& shapes) {

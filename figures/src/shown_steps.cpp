@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/figures/shown_steps.h>
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 namespace rastertrace {
@@ -27,6 +29,13 @@ bool ends(StepKind kind, StepKind next) {
 }
 
 } // namespace
+
+std::string steps_text(const Trace& trace, ShownSteps steps) {
+    if (steps.first == steps.last)
+        return fmt::format("step {} of {}", trace.number_of(steps.last), trace.size());
+    return fmt::format("steps {} to {} of {}", trace.number_of(steps.first),
+                       trace.number_of(steps.last), trace.size());
+}
 
 std::size_t end_of(const Trace& trace, std::size_t n) {
     const auto kind = n == 0 ? std::nullopt : trace.kind_of(n);

@@ -40,17 +40,14 @@ std::size_t letters_in(double width, double size) {
 }
 
 /// Which steps are shown; nothing for the whole picture.
-std::string steps_text(const Panel& panel) {
-    const auto [first, last] = panel.frame.steps;
+std::string shown_steps_text(const Panel& panel) {
+    const std::size_t first = panel.frame.steps.first;
     const Trace& trace = panel.trace();
     if (panel.frame.is_question)
         return fmt::format("before step {} of {}", trace.number_of(first), trace.size());
     if (first == 0)
         return {};
-    if (first == last)
-        return fmt::format("step {} of {}", trace.number_of(last), trace.size());
-    return fmt::format("steps {} to {} of {}", trace.number_of(first), trace.number_of(last),
-                       trace.size());
+    return steps_text(trace, panel.frame.steps);
 }
 
 /// A swatch, and what it stands for.
@@ -122,7 +119,7 @@ std::vector<Entry> entries_of_grays(View view) {
 
 double add_title(const std::string& title, const Panel& panel, const Column& column, double y,
                  std::vector<Shape>& shapes) {
-    const std::string steps = steps_text(panel);
+    const std::string steps = shown_steps_text(panel);
     if (!steps.empty())
         shapes.push_back(Label{.role = Role::quiet_text,
                                .at = {column.right, y + title_size - 1},

@@ -257,10 +257,7 @@ std::string part_text(const Canvas& canvas, const FrameText& about, const Window
 
 /// The title, and on the right which steps the frame shows.
 std::string title_line(const Trace& trace, const FrameText& about, std::size_t columns) {
-    const std::string steps =
-        about.first_step == about.last_step
-            ? fmt::format("step {} of {}", about.last_step, trace.size())
-            : fmt::format("steps {} to {} of {}", about.first_step, about.last_step, trace.size());
+    const std::string steps = steps_text(trace, {about.first_step, about.last_step});
     const std::size_t width = std::clamp(columns, steps.size() + 5, page_columns);
     const std::size_t room = width - steps.size() - 2;
     const std::string title = shortened(printable(trace.title), room);

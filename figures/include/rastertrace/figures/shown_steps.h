@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <optional>
 #include <set>
+#include <string>
 
 namespace rastertrace {
 
@@ -20,6 +21,9 @@ struct ShownSteps {
 
     bool has(std::size_t step) const { return first <= step && step <= last; }
 };
+
+/// Which steps of how many a frame shows: "step 14 of 62", "steps 14 to 19 of 62".
+std::string steps_text(const Trace& trace, ShownSteps steps);
 
 /// The last step that belongs to step n: a primitive has all steps up to the next one, a scanline or a decision
 /// its pixels, an edge only itself.
