@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include <rastertrace/figures/player_keys.h>
+
+#include <algorithm>
+#include <array>
+
+namespace rastertrace {
+
+namespace {
+
+using enum PlayerAction;
+
+// clang-format off
+const std::array table = std::to_array<PlayerKey>({
+    {next, "next", {"Right", "l"}, "the next step", true},
+    {previous, "previous", {"Left", "h"}, "the step before", true},
+    {next_row, "next-row", {"Down", "j"}, "the next row that begins: a scanline, an along, decide or ray step", true},
+    {previous_row, "previous-row", {"Up", "k"}, "the row before", true},
+    {next_of_kind, "next-of-kind", {"]"}, "the next step of the same kind", true},
+    {previous_of_kind, "previous-of-kind", {"["}, "the one before", true},
+    {next_of_primitive, "next-of-primitive", {")"}, "the next step about the same primitive", true},
+    {previous_of_primitive, "previous-of-primitive", {"("}, "the one before", true},
+    {next_primitive, "next-primitive", {"}"}, "the next primitive that begins", true},
+    {previous_primitive, "previous-primitive", {"{"}, "the one before", true},
+    {next_at_cursor, "next-at-cursor", {"."}, "the next step that touches the cursor's pixel", true},
+    {previous_at_cursor, "previous-at-cursor", {","}, "the one before", true},
+    {first, "first", {"g", "Home"}, "before the first step", true},
+    {last, "last", {"G", "End"}, "the last step; after a number, as in 14G, the step of that number, as 14 Enter", true},
+    {play, "play", {"Space", "p"}, "play, pause", true},
+    {faster, "faster", {"+", "="}, "play twice as fast", true},
+    {slower, "slower", {"-"}, "play half as fast", true},
+    {search, "search", {"/"}, "search for steps, as in scanline y=2, depth fail, pixel in=ABC", false},
+    {next_match, "next-match", {"n"}, "the next step that was searched for", false},
+    {previous_match, "previous-match", {"N"}, "the one before", false},
+    {breakpoint, "breakpoint", {"b"}, "a breakpoint: playing stops at such steps", false},
+    {no_breakpoints, "no-breakpoints", {"B"}, "no breakpoints", false},
+    {cursor_left, "cursor-left", {"Shift+Left", "H"}, "the cursor to the left", true},
+    {cursor_down, "cursor-down", {"Shift+Down", "J"}, "the cursor down", true},
+    {cursor_up, "cursor-up", {"Shift+Up", "K"}, "the cursor up", true},
+    {cursor_right, "cursor-right", {"Shift+Right", "L"}, "the cursor to the right", true},
+    {cursor_to_step, "cursor-to-step", {"c"}, "the cursor to the step's pixel; no cursor, if it is there", true},
+    {next_view, "next-view", {"v"}, "the next view: plotted, faces, shade, ...", true},
+    {previous_view, "previous-view", {"V"}, "the view before", true},
+    {overview, "overview", {"o"}, "all of the canvas, many pixels to a cell, or a part of it", false},
+    {larger_cells, "larger-cells", {"z"}, "larger cells, for a projector", true},
+    {smaller_cells, "smaller-cells", {"Z"}, "smaller cells", true},
+    {working, "working", {"w"}, "how the numbers come of one another, or only the sentence", true},
+    {next_frame, "next-frame", {"f"}, "the next frame of a scene whose numbers vary", true},
+    {previous_frame, "previous-frame", {"F"}, "the frame before", true},
+    {read_again, "read-again", {"r"}, "read the file again", false},
+    {redraw, "redraw", {"Ctrl+l"}, "draw the screen again", false},
+    {help, "help", {"?", "F1"}, "these keys, or the picture again", true},
+    {quit, "quit", {"q"}, "leave", false},
+});
+// clang-format on
+
+} // namespace
+
+std::span<const PlayerKey> player_keys() {
+    return table;
+}
+
+const PlayerKey& key_of(PlayerAction action) {
+    return *std::find_if(table.begin(), table.end(),
+                         [action](const PlayerKey& row) { return row.action == action; });
+}
+
+std::optional<PlayerAction> player_action_of(std::string_view key) {
+    for (const PlayerKey& row : table)
+        if (std::find(row.keys.begin(), row.keys.end(), key) != row.keys.end())
+            return row.action;
+    return std::nullopt;
+}
+
+} // namespace rastertrace
