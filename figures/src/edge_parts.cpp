@@ -163,10 +163,10 @@ PlaceForWords words_beside(const NamedVertex& vertex, std::string_view words, do
 } // namespace
 
 std::vector<std::size_t> primitives_with_edges(const Panel& panel) {
-    const auto& all = panel.replay.primitives();
+    const auto all = panel.replay.primitives();
     const std::size_t current = panel.replay.primitive();
     if (panel.has_all_edges || current == 0)
-        return all;
+        return {all.begin(), all.end()};
     return {current};
 }
 
