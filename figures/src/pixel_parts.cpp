@@ -296,7 +296,8 @@ void add_rejected(const Panel& panel, std::vector<Shape>& shapes) {
         crosses.paths.push_back({{at.x + near, at.y + near}, {at.x + far, at.y + far}});
         crosses.paths.push_back({{at.x + near, at.y + far}, {at.x + far, at.y + near}});
     });
-    shapes.push_back(std::move(crosses));
+    if (!crosses.paths.empty())
+        shapes.push_back(std::move(crosses));
 }
 
 } // namespace rastertrace

@@ -168,9 +168,41 @@ TEST_F(FigureTest, PartsThatTheSceneCannotHave) {
               "rastertrace: --with plot: expected a frame with two depths along a row or a side, "
               "found fewer\n"
               "hint: --step \"scanline ...\" of a longer row\n");
+    EXPECT_EQ(refusal("--with row -o x.svg"),
+              "rastertrace: --with row: expected a frame with a scanline, found none\n"
+              "hint: --step \"scanline ...\", or another step of its row\n");
+    EXPECT_EQ(refusal("--with row --step \"scanline y=2\" --region -8,-6,8,1 -o x.svg"),
+              "rastertrace: --with row: expected a frame with a scanline, found none\n"
+              "hint: --step \"scanline ...\", or another step of its row\n");
+    EXPECT_EQ(refusal("--with row --fill barycentric -o x.svg"),
+              "rastertrace: --with row: expected a scene with scanlines, found none\n"
+              "hint: --fill scanline draws triangles row by row\n");
+    EXPECT_EQ(refusal("--with half-planes --until 1 -o x.svg"),
+              "rastertrace: --with half-planes: expected a frame of a triangle, found another\n"
+              "hint: --step \"primitive ...\", or another step of a triangle\n");
+    EXPECT_EQ(shell("$rastertrace figure $examples/t2-lines/bresenham.json --every decide --with "
+                    "half-planes -o x.svg")
+                  .err,
+              "rastertrace: --with half-planes: expected a scene with triangles on the screen, "
+              "found none\n");
+    EXPECT_EQ(refusal("--with rejected -o x.svg"),
+              "rastertrace: --with rejected: expected a scene with pixels that are tested and not "
+              "drawn, found none\n"
+              "hint: --fill barycentric tests pixels beside a triangle, too\n");
+    EXPECT_EQ(refusal("--with rejected --fill barycentric --step \"sample inside=true x=0 y=0\" -o "
+                      "x.svg"),
+              "rastertrace: --with rejected: expected a frame with a pixel that was tested and not "
+              "drawn, found none\n"
+              "hint: --step of a sample or of a depth test that fails; without --step, all of "
+              "them\n");
     // The hints help.
+    EXPECT_EQ(figure("--with row --step \"scanline y=2\" -o x.svg").status, 0);
+    EXPECT_EQ(figure("--with half-planes --step \"primitive\" -o x.svg").status, 0);
+    EXPECT_EQ(figure("--with rejected --fill barycentric -o x.svg").status, 0);
     EXPECT_EQ(figure("--with plot,depths --depth linear-z --keep depth -o x.svg").status, 0);
     EXPECT_EQ(figure("--with weights --fill barycentric -o x.svg").status, 0);
+    // Of several frames, those that have none of it go without.
+    EXPECT_EQ(figure("--with row,half-planes --every edge --sheet 3x1 -o x.svg").status, 0);
 }
 
 TEST_F(FigureTest, WhatAFormatCannotShow) {
