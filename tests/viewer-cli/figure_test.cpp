@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // `rastertrace figure` as a user calls it: what it says to bad input, what it keeps, and what holds for any scene.
 
+#include "figure_file.h"
 #include "program.h"
 #include "random_scene.h"
 #include "traces.h"
@@ -282,6 +283,29 @@ TEST_F(FigureTest, WhatIsTooMuchForAFormatIsTold) {
     EXPECT_EQ(refusal("--cell 1000 -o x.png"),
               "rastertrace: expected at most 100000000 pixels in a picture, found 34072 x 28116\n"
               "hint: a smaller --scale makes it smaller; --region takes a part of it\n");
+}
+
+TEST_F(FigureTest, FramesOfOneSizeAreDrawnOnceAsFarAsThereIsRoom) {
+    std::vector<std::size_t> drawn;
+    const auto draw = [&drawn](std::size_t i) {
+        drawn.push_back(i);
+        const auto size = static_cast<double>(i + 1);
+        return Drawing{.width = size, .height = 10 - size, .title = std::to_string(i)};
+    };
+    const auto all_of = [](const FigureFrames& frames) {
+        for (std::size_t i = 0; i < frames.count; ++i) {
+            const Drawing one = frames.at(i);
+            EXPECT_EQ(one.title, std::to_string(i));
+            EXPECT_EQ(one.width, 4);
+            EXPECT_EQ(one.height, 9);
+        }
+    };
+    all_of(of_one_size(4, draw));
+    EXPECT_THAT(drawn, testing::ElementsAre(0, 1, 2, 3));
+    drawn.clear();
+    // Room for two.
+    all_of(of_one_size(4, draw, 2 * memory_of(draw(0)) + 1));
+    EXPECT_THAT(drawn, testing::ElementsAre(0, 0, 1, 2, 3, 2, 3));
 }
 
 TEST_F(FigureTest, AnAnimationOfTooManyFramesIsRefusedBeforeItIsDrawn) {

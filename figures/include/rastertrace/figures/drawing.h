@@ -170,6 +170,9 @@ struct Drawing {
 /// Puts a drawing on another one, its upper left corner at `corner`.
 void place(Drawing&& part, Place corner, Drawing& sheet);
 
+/// About how many bytes a drawing takes in memory.
+std::size_t memory_of(const Drawing& drawing);
+
 /// A number to be read by people, with at most two digits behind the point: "0.25", "3", "-0.5".
 std::string decimal(double value);
 
