@@ -235,12 +235,18 @@ void add_samples(const Panel& panel, std::vector<Shape>& shapes) {
     shapes.push_back(std::move(dots));
 }
 
-void add_half_planes(const Panel& panel, std::vector<Shape>& shapes) {
+bool has_half_planes(const Panel& panel) {
     const std::size_t primitive = panel.replay.primitive();
-    const Path corners = primitive == 0 ? Path() : places_of(panel, primitive);
-    if (corners.size() != 3)
+    return primitive != 0 && corners_of(panel.trace().step(primitive)).size() == 3;
+}
+
+void add_half_planes(const Panel& panel, std::vector<Shape>& shapes) {
+    if (!has_half_planes(panel))
         return;
+    const std::size_t primitive = panel.replay.primitive();
+    const Path corners = places_of(panel, primitive);
     const auto names = panel.trace().step(primitive).texts("vertices");
+    std::vector<Shape> lines; // and their names: no half-plane covers them
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const Place a = corners[i];
         const Place b = corners[(i + 1) % 3];
@@ -262,7 +268,7 @@ void add_half_planes(const Panel& panel, std::vector<Shape>& shapes) {
         const Place beyond{b.x + far * (b.x - a.x), b.y + far * (b.y - a.y)};
         const Place before{a.x - far * (b.x - a.x), a.y - far * (b.y - a.y)};
         if (const auto line = clipped(before, beyond, panel.lattice.frame())) {
-            shapes.push_back(
+            lines.push_back(
                 Lines{.role = Role::other_edge, .paths = {{line->first, line->second}}});
             if (names.size() != 3)
                 continue;
@@ -272,7 +278,7 @@ void add_half_planes(const Panel& panel, std::vector<Shape>& shapes) {
             const double length = std::sqrt(std::pow(b.x - a.x, 2) + std::pow(b.y - a.y, 2));
             constexpr double inward = 16;
             if (length > 0)
-                shapes.push_back(
+                lines.push_back(
                     Label{.role = Role::text,
                           .at = {middle.x - sign * (b.y - a.y) / length * inward,
                                  middle.y + sign * (b.x - a.x) / length * inward + 4},
@@ -282,6 +288,7 @@ void add_half_planes(const Panel& panel, std::vector<Shape>& shapes) {
                           .has_rim = true});
         }
     }
+    shapes.insert(shapes.end(), lines.begin(), lines.end());
 }
 
 } // namespace rastertrace

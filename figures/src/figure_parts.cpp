@@ -55,7 +55,7 @@ constexpr std::array parts{
     FigurePartRow{FigurePart::title, "title", "the title of the scene, and which step it is",
                   "always"},
     FigurePartRow{FigurePart::legend, "legend", "what colors and patterns stand for",
-                  "in the view faces, and for --against"},
+                  "in the view faces, for --against and half-planes"},
     FigurePartRow{FigurePart::caption, "caption", "what the step says, or --caption TEXT",
                   "for a step"},
     FigurePartRow{FigurePart::working, "working", "below it, how its numbers come of one another",

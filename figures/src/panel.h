@@ -119,6 +119,9 @@ void add_vertices(const Panel& panel, std::vector<Shape>& shapes);
 void add_samples(const Panel& panel, std::vector<Shape>& shapes);
 void add_half_planes(const Panel& panel, std::vector<Shape>& shapes);
 
+/// True if the frame is about a triangle.
+bool has_half_planes(const Panel& panel);
+
 // row_part.cpp
 void add_row(const Panel& panel, std::vector<Shape>& shapes);
 

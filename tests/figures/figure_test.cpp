@@ -278,6 +278,45 @@ TEST(Figures, WeightsOfASampleAreWritten) {
     EXPECT_THAT(weights, testing::ElementsAre("3/8", "31/72", "7/36"));
 }
 
+TEST(Figures, TheLegendOfHalfPlanesHasTheLayersOfThePicture) {
+    const Trace trace = trace_of_scene(first_triangle);
+    const Drawing figure = whole_figure(trace, {.with = {FigurePart::half_planes}});
+    // At how many of the three edges a place is inside, by the polygons that have it: of the legend by its swatches.
+    const auto layers_at = [&figure](Place place) {
+        std::string layers;
+        for (const Shape& shape : figure.shapes) {
+            const auto* const areas = std::get_if<Areas>(&shape);
+            if (areas != nullptr && (areas->role == Role::inside || areas->role == Role::outside) &&
+                has(areas->rectangles.front(), place))
+                layers += areas->role == Role::inside ? '+' : '-';
+        }
+        return layers;
+    };
+    std::map<std::string, std::string> legend;
+    for (const Label& label : shapes_of<Label>(figure, Role::text))
+        if (const auto layers = layers_at({label.at.x - 8, label.at.y - 3}); !layers.empty())
+            legend[layers] = label.text;
+    EXPECT_THAT(legend, testing::ElementsAre(testing::Pair("+++", "AB, BC, CA \u2265 0"),
+                                             testing::Pair("++-", "one of them < 0"),
+                                             testing::Pair("+--", "two of them < 0")));
+    // No layer covers a name of an edge.
+    const auto is_layer = [](const Shape& shape) {
+        const auto* const polygons = std::get_if<Polygons>(&shape);
+        return polygons != nullptr;
+    };
+    const auto is_name = [](const Shape& shape) {
+        const auto* const label = std::get_if<Label>(&shape);
+        return label != nullptr && label->role == Role::text;
+    };
+    EXPECT_GT(std::find_if(figure.shapes.begin(), figure.shapes.end(), is_name),
+              std::find_if(figure.shapes.rbegin(), figure.shapes.rend(), is_layer).base() - 1);
+    // A frame without a triangle has no legend of them.
+    const Drawing none = FigureMaker(trace, {{.steps = {0, 0}}, {.steps = {0, 0}}},
+                                     {.with = {FigurePart::half_planes}})
+                             .figure(0);
+    EXPECT_THAT(shapes_of<Areas>(none, Role::inside), testing::IsEmpty());
+}
+
 TEST(Figures, ASampleIsInTheMiddleOfItsPixel) {
     for (const bool has_center_samples : {false, true})
         for (const Origin origin : {Origin::center, Origin::bottom_left, Origin::top_left}) {
