@@ -95,71 +95,6 @@ std::vector<NamedVertex> vertices_of(const Panel& panel) {
     return vertices;
 }
 
-/// Where words of a vertex would stand, and how bad that is: nothing is 0.
-struct PlaceForWords {
-    SheetBox box;
-    double badness = 0;
-
-    /// True if other words are below them.
-    bool is_unreadable() const { return badness >= of_other_words / 2; }
-    static constexpr double of_other_words = 100;
-};
-
-/// What words are better kept away from.
-struct Obstacles {
-    Rectangle frame;             ///< they rather stay within it
-    std::vector<Path> sides;     ///< rather not on these lines
-    std::vector<SheetBox> words; ///< not on other words
-};
-
-double badness_of(const SheetBox& box, const Obstacles& obstacles) {
-    constexpr double of_leaving = 4; // what leaves the pixels may be cut off, or cover the title
-    constexpr double of_axes = 1;    // or numbers
-    constexpr double of_side = 1;
-    const Rectangle& frame = obstacles.frame;
-    const double right = frame.corner.x + frame.width;
-    const double bottom = frame.corner.y + frame.height;
-    const double height = box.bottom - box.top;
-    double badness = 0;
-    if (box.left < 0 || right + height < box.right || box.top < frame.corner.y - height / 2 ||
-        bottom + height / 2 < box.bottom)
-        badness += of_leaving;
-    if (box.left < frame.corner.x || bottom < box.bottom)
-        badness += of_axes;
-    for (const Path& side : obstacles.sides)
-        if (clipped(side[0], side[1], {{box.left, box.top}, box.right - box.left, height}))
-            badness += of_side;
-    for (const SheetBox& other : obstacles.words)
-        if (box.meets(other))
-            badness += PlaceForWords::of_other_words;
-    return badness;
-}
-
-/// The best place for words beside a vertex: away from its primitive.
-PlaceForWords words_beside(const NamedVertex& vertex, std::string_view words, double size,
-                           const Obstacles& obstacles) {
-    constexpr double gap = 5;
-    constexpr double bold = 1.1; // about, against regular letters
-    const double width = bold * width_of(words, size);
-    const double away_x = vertex.at.x - vertex.inside.x;
-    const double away_y = vertex.at.y - vertex.inside.y;
-    const double away = std::max(1.0, std::sqrt(away_x * away_x + away_y * away_y));
-    std::optional<PlaceForWords> best;
-    for (const int right : {1, 0, -1})
-        for (const int down : {-1, 0, 1}) {
-            if (right == 0 && down == 0)
-                continue;
-            const double left = vertex.at.x + right * gap + (right - 1) * width / 2;
-            const double top = vertex.at.y + down * gap + (down - 1) * size / 2;
-            const SheetBox box{left, top, left + width, top + size};
-            const double inward = -(right * away_x + down * away_y) / away;
-            const double badness = inward + badness_of(box, obstacles);
-            if (!best || badness < best->badness)
-                best = PlaceForWords{box, badness};
-        }
-    return *best;
-}
-
 } // namespace
 
 std::vector<std::size_t> primitives_with_edges(const Panel& panel) {
@@ -196,24 +131,23 @@ void add_vertices(const Panel& panel, std::vector<Shape>& shapes) {
         dots.centers.push_back(vertex.at);
         // Where there is no room for all of it, the names will do; or the dot alone.
         std::string words = vertex.text();
-        PlaceForWords place = words_beside(vertex, words, size, obstacles);
-        if (place.is_unreadable()) {
+        auto box = words_beside({vertex.at, vertex.inside, words, size}, obstacles);
+        if (!box) {
             words = vertex.names;
-            place = words_beside(vertex, words, size, obstacles);
+            box = words_beside({vertex.at, vertex.inside, words, size}, obstacles);
         }
-        if (place.is_unreadable())
+        if (!box)
             continue;
-        const SheetBox& box = place.box;
-        obstacles.words.push_back(box);
+        obstacles.words.push_back(*box);
         // Words at the left of their vertex end there.
-        const bool is_left = box.right < vertex.at.x;
-        const bool is_right = vertex.at.x < box.left;
+        const bool is_left = box->right < vertex.at.x;
+        const bool is_right = vertex.at.x < box->left;
         labels.push_back(Label{
             .role = Role::strong_text,
-            .at = {is_left    ? box.right
-                   : is_right ? box.left
+            .at = {is_left    ? box->right
+                   : is_right ? box->left
                               : vertex.at.x,
-                   box.top + 0.85 * size},
+                   box->top + 0.85 * size},
             .text = words,
             .size = size,
             .anchor = is_left    ? Anchor::end

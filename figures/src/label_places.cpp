@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "label_places.h"
 
+#include "clip.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -41,7 +43,61 @@ Path leader_to(const SheetBox& box, const LabelWish& wish) {
     return {{wish.mark.x + begin * x, wish.mark.y + begin * y}, end};
 }
 
+/// To have other words below is as bad as nothing else.
+constexpr double of_other_words = 100;
+
+/// How bad a place for words is: nothing is 0.
+double badness_of(const SheetBox& box, const Obstacles& obstacles) {
+    constexpr double of_leaving = 4; // what leaves the pixels may be cut off, or cover the title
+    constexpr double of_axes = 1;    // or numbers
+    constexpr double of_side = 1;
+    const Rectangle& frame = obstacles.frame;
+    const double right = frame.corner.x + frame.width;
+    const double bottom = frame.corner.y + frame.height;
+    const double height = box.bottom - box.top;
+    double badness = 0;
+    if (box.left < 0 || right + height < box.right || box.top < frame.corner.y - height / 2 ||
+        bottom + height / 2 < box.bottom)
+        badness += of_leaving;
+    if (box.left < frame.corner.x || bottom < box.bottom)
+        badness += of_axes;
+    for (const Path& side : obstacles.sides)
+        if (clipped(side[0], side[1], {{box.left, box.top}, box.right - box.left, height}))
+            badness += of_side;
+    for (const SheetBox& other : obstacles.words)
+        if (box.meets(other))
+            badness += of_other_words;
+    return badness;
+}
+
 } // namespace
+
+std::optional<SheetBox> words_beside(const WordsWish& wish, const Obstacles& obstacles) {
+    constexpr double gap = 5;
+    constexpr double bold = 1.1; // about, against regular letters
+    const auto& [mark, inside, words, size] = wish;
+    const double width = bold * width_of(words, size);
+    const double away_x = mark.x - inside.x;
+    const double away_y = mark.y - inside.y;
+    const double away = std::max(1.0, std::sqrt(away_x * away_x + away_y * away_y));
+    std::optional<SheetBox> best;
+    double least = of_other_words / 2;
+    for (const int right : {1, 0, -1})
+        for (const int down : {-1, 0, 1}) {
+            if (right == 0 && down == 0)
+                continue;
+            const double left = mark.x + right * gap + (right - 1) * width / 2;
+            const double top = mark.y + down * gap + (down - 1) * size / 2;
+            const SheetBox box{left, top, left + width, top + size};
+            const double inward = -(right * away_x + down * away_y) / away;
+            const double badness = inward + badness_of(box, obstacles);
+            if (badness >= least)
+                continue;
+            least = badness;
+            best = box;
+        }
+    return best;
+}
 
 SheetBox box_around(Place center, double radius) {
     return {center.x - radius, center.y - radius, center.x + radius, center.y + radius};

@@ -6,12 +6,15 @@
 //
 //     LabelPlaces places(area);
 //     places.take(box_around(mark, 4));
-//     places.find({.mark = mark, .away = 6, .width = 30, .height = 10});
+//     places.find_beside({.mark = mark, .away = 6, .width = 30, .height = 10});
+//
+// Or, among lines that may be crossed if there is no other way: words_beside().
 
 #include <rastertrace/figures/drawing.h>
 
 #include <cstddef>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 namespace rastertrace {
@@ -48,6 +51,24 @@ struct LabelPlace {
     SheetBox box;
     std::optional<Path> leader = {}; ///< from the mark, if it does not stand beside it
 };
+
+/// Words that look for their place beside a mark.
+struct WordsWish {
+    Place mark;
+    Place inside; ///< the middle of what the mark is a corner of: they rather stand away from it
+    std::string_view words;
+    double size = 10; ///< of bold letters
+};
+
+/// What words keep away from.
+struct Obstacles {
+    Rectangle frame;                  ///< they rather stay within it
+    std::vector<Path> sides = {};     ///< rather not on these lines of two places
+    std::vector<SheetBox> words = {}; ///< not on other words
+};
+
+/// The best box for words, of eight around their mark. `nullopt` if each has other words below it.
+std::optional<SheetBox> words_beside(const WordsWish& wish, const Obstacles& obstacles);
 
 class LabelPlaces {
 public:

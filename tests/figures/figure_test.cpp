@@ -2,6 +2,7 @@
 // What figures show, read back from their shapes. Numbers are those of the texts (docs/sources.md).
 #include "depth_plot.h"
 #include "error_bars.h"
+#include "label_places.h"
 #include "lattice.h"
 #include "scene_panel.h"
 #include "traces.h"
@@ -447,6 +448,42 @@ TEST(Figures, AnEyeInTheWorldIsWhereTheCameraStands) {
         for (const Position& corner : space->viewer->view_plane)
             middle += corner[i] / 4;
         EXPECT_NEAR(middle, position[i] * 11 / 13, 0.3) << "half a pixel beside the middle";
+    }
+}
+
+/// The boxes of bold labels, at least.
+std::vector<SheetBox> boxes_of(const Drawing& drawing, Role role) {
+    std::vector<SheetBox> boxes;
+    for (const Label& label : shapes_of<Label>(drawing, role)) {
+        const double width = width_of(label.text, label.size);
+        const double left = label.at.x - (label.anchor == Anchor::end      ? width
+                                          : label.anchor == Anchor::middle ? width / 2
+                                                                           : 0);
+        boxes.push_back({left, label.at.y - 0.8 * label.size, left + width, label.at.y});
+    }
+    return boxes;
+}
+
+TEST(Figures, NamesInSpaceCoverNoOthers) {
+    // Vertices in the middle that are ever nearer to one another, and four far away.
+    for (const double distance : {2.0, 0.5, 0.1, 0.01, 0.0}) {
+        SpatialScene space;
+        for (int i = 0; i < 20; ++i)
+            space.vertices["V" + std::to_string(i)] = {distance * (i % 5), distance * (i / 5), 0};
+        space.vertices["A"] = {-9, 0, 0};
+        space.vertices["B"] = {9, 0, 0};
+        space.vertices["C"] = {0, -9, 0};
+        space.vertices["D"] = {0, 9, 0};
+        space.viewer = Viewer{.eye = {0, 0, 0}, .view_plane = {}};
+        const Drawing drawing = scene_drawing(space, 300, 300);
+        std::vector<SheetBox> boxes = boxes_of(drawing, Role::strong_text);
+        const auto names = texts_of(drawing, Role::strong_text);
+        EXPECT_THAT(names, testing::IsSupersetOf({"A", "B", "C", "D"})) << "those that have room";
+        EXPECT_EQ(names.size() == 24, distance == 2.0) << distance;
+        boxes.push_back(boxes_of(drawing, Role::eye).front());
+        for (std::size_t i = 0; i < boxes.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j)
+                EXPECT_FALSE(boxes[i].meets(boxes[j])) << distance << " " << i << " " << j;
     }
 }
 
