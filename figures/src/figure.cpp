@@ -114,6 +114,20 @@ bool has_step(const Trace& trace, StepKind kind) {
     return n <= trace.size();
 }
 
+/// True if something in the trace has another color than black, which is that of a scene without colors.
+bool has_colors(const Trace& trace) {
+    if (trace.background)
+        return true;
+    for (std::size_t n = 1; n <= trace.size(); ++n) {
+        const auto kind = trace.kind_of(n);
+        if (kind == StepKind::primitive && !(color_of_primitive(trace.step(n)) == Color{}))
+            return true;
+        if (kind == StepKind::pixel && !trace.step(n).text("color").empty())
+            return true;
+    }
+    return false;
+}
+
 bool has_triangle(const Trace& trace) {
     for (std::size_t n = 1; n <= trace.size(); ++n)
         if (trace.kind_of(n) == StepKind::primitive && corners_of(trace.step(n)).size() == 3)
@@ -258,7 +272,7 @@ double add_below(const Beside& beside, const Lattice& lattice, const Column& col
 
 FigureMaker::FigureMaker(const Trace& trace, std::vector<FigureFrame> frames, FigureOptions options)
     : trace_(trace), frames_(std::move(frames)), options_(std::move(options)),
-      view_(options_.view.value_or(default_view(trace))),
+      view_(options_.view.value_or(default_view(trace))), has_colors_(has_colors(trace)),
       replay_(trace, {.writes = true, .depths = true}) {
     std::vector<std::size_t> painted;
     std::size_t order = 0;
@@ -288,7 +302,8 @@ Drawing FigureMaker::figure(std::size_t n) {
                 .view = view_,
                 .groups = groups_,
                 .palette = options_.palette,
-                .against = against_ ? &*against_ : nullptr};
+                .against = against_ ? &*against_ : nullptr,
+                .has_colors = has_colors_};
     const ShownSteps steps = panel.frame.steps;
 
     // What is said of a step is said at the step; its pixels come after it.

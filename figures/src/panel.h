@@ -30,6 +30,7 @@ struct Panel {
     FacePalette palette;
     const Frame* against;       ///< a picture to compare with; nullptr for none
     bool has_all_edges = false; ///< not only those of the current primitive
+    bool has_colors = true;     ///< some pixel, or the background, has another color than black
 
     const Trace& trace() const { return replay.trace(); }
 

@@ -51,6 +51,7 @@ constexpr std::array all{
     Row{Role::face_7, "face-7", rgb(0xaedcf4), rgb(0x31748f), rgb(0xdcdcdc)},
     Row{Role::face_8, "face-8", rgb(0xbdbdbd), rgb(0x5c6066), rgb(0xc3c3c3)},
     Row{Role::empty, "empty", rgb(0xffffff, 0), rgb(0x15181d, 0), rgb(0xffffff, 0)},
+    Row{Role::ink, "ink", rgb(0x000000), rgb(0xf4f4f4), rgb(0x000000)},
     Row{Role::pattern, "pattern", rgb(0x000000, 110), rgb(0xffffff, 110), rgb(0x000000, 150), 0.8},
     Row{Role::grid, "grid", rgb(0xb9bec5), rgb(0x434a54), rgb(0x9a9a9a), 0.6},
     Row{Role::border, "border", rgb(0x5a616b), rgb(0x98a1ad), rgb(0x000000), 1},

@@ -427,6 +427,34 @@ PngPixels read_png(const std::string& file) {
     return pixels;
 }
 
+TEST_F(FigureTest, ABarePictureWithoutColorsFollowsTheTheme) {
+    // The first pixel of the first triangle is the 11th of the third row, of 17 each.
+    constexpr std::size_t drawn = 2 * 17 + 10;
+    const auto pixel_in = [this](const std::string& options) {
+        return read_png(figure("--bare --format png -o - " + options).out).colors.at(drawn);
+    };
+    EXPECT_EQ(pixel_in("--theme light"), (Color{0, 0, 0}));
+    EXPECT_EQ(pixel_in("--theme print"), (Color{0, 0, 0}));
+    EXPECT_EQ(pixel_in("--theme dark"), (Color{0xf4, 0xf4, 0xf4}));
+    const std::string svg = figure("--bare --format svg -o -").out;
+    EXPECT_THAT(svg, HasSubstr(".ink{fill:#000000;"));
+    EXPECT_THAT(svg, HasSubstr("(prefers-color-scheme:dark){\n.ink{fill:#f4f4f4;"));
+    // What has a color, or is on a background, keeps it.
+    const auto in_dark = [this](const std::string& scene) {
+        write("scene.json", scene);
+        return read_png(
+                   shell("$rastertrace figure scene.json --bare --theme dark --format png -o -")
+                       .out)
+            .colors;
+    };
+    const std::string points = R"("canvas": {"width": 2, "height": 1, "origin": "top-left"},
+                                  "vertices": {"A": [0, 0], "B": [1, 0]}, "points": ["A", )";
+    EXPECT_THAT(in_dark("{" + points + R"({"vertices": "B", "color": "#ff0000"}]})"),
+                testing::ElementsAre(Color{0, 0, 0}, Color{255, 0, 0}));
+    EXPECT_THAT(in_dark(R"({"background": "#ffffff", )" + points + R"("B"]})"),
+                testing::ElementsAre(Color{0, 0, 0}, Color{0, 0, 0}));
+}
+
 TEST_F(FigureTest, ABarePngIsThePictureOfTheTrace) {
     const Color paper{255, 255, 255};
     for (const DrawnScene& scene : drawn_scenes(40)) {
