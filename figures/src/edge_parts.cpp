@@ -139,23 +139,14 @@ void add_vertices(const Panel& panel, std::vector<Shape>& shapes) {
         if (!box)
             continue;
         obstacles.words.push_back(*box);
-        // Words at the left of their vertex end there.
-        const bool is_left = box->right < vertex.at.x;
-        const bool is_right = vertex.at.x < box->left;
-        labels.push_back(Label{
-            .role = Role::strong_text,
-            .at = {is_left    ? box->right
-                   : is_right ? box->left
-                              : vertex.at.x,
-                   box->top + 0.85 * size},
-            .text = words,
-            .size = size,
-            .anchor = is_left    ? Anchor::end
-                      : is_right ? Anchor::start
-                                 : Anchor::middle,
-            .is_bold = true,
-            .has_rim = true,
-        });
+        const auto [x, anchor] = anchor_beside(vertex.at, *box);
+        labels.push_back(Label{.role = Role::strong_text,
+                               .at = {x, box->top + 0.85 * size},
+                               .text = words,
+                               .size = size,
+                               .anchor = anchor,
+                               .is_bold = true,
+                               .has_rim = true});
     }
     shapes.push_back(std::move(dots));
     shapes.insert(shapes.end(), labels.begin(), labels.end());

@@ -103,6 +103,14 @@ SheetBox box_around(Place center, double radius) {
     return {center.x - radius, center.y - radius, center.x + radius, center.y + radius};
 }
 
+LabelAnchor anchor_beside(Place mark, const SheetBox& box) {
+    if (box.right <= mark.x)
+        return {box.right, Anchor::end};
+    if (mark.x <= box.left)
+        return {box.left, Anchor::start};
+    return {(box.left + box.right) / 2, Anchor::middle};
+}
+
 bool LabelPlaces::is_free(const SheetBox& box) const {
     return area_.has(box) &&
            std::none_of(taken_.begin(), taken_.end(),

@@ -38,6 +38,14 @@ struct SheetBox {
 /// The square that has a circle.
 SheetBox box_around(Place center, double radius);
 
+/// Where the letters of a label are anchored that stands in a box: at the side of its mark, for the box may be wider
+/// than they are.
+struct LabelAnchor {
+    double x;
+    Anchor anchor;
+};
+LabelAnchor anchor_beside(Place mark, const SheetBox& box);
+
 /// A label that looks for its place.
 struct LabelWish {
     Place mark;

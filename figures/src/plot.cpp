@@ -376,20 +376,12 @@ private:
     void add_label(const MarkGroup& group, const LabelPlace& place) {
         if (place.leader)
             add(Lines{.role = Role::leader, .paths = {*place.leader}});
-        // Its box may be wider than it is: it stands at the side of its mark.
-        const SheetBox& box = place.box;
-        const bool is_left = box.right <= group.at.x;
-        const bool is_right = group.at.x <= box.left;
+        const auto [x, anchor] = anchor_beside(group.at, place.box);
         add(Label{.role = curve_role(group.curve),
-                  .at = {is_left    ? box.right
-                         : is_right ? box.left
-                                    : (box.left + box.right) / 2,
-                         box.bottom - 2},
+                  .at = {x, place.box.bottom - 2},
                   .text = group.label,
                   .size = label_size,
-                  .anchor = is_left    ? Anchor::end
-                            : is_right ? Anchor::start
-                                       : Anchor::middle,
+                  .anchor = anchor,
                   .has_rim = true});
     }
 

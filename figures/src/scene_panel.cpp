@@ -201,19 +201,12 @@ void add_names(const SpatialScene& space, const SideView& side, double size, Obs
         if (!box)
             continue;
         obstacles.words.push_back(*box);
-        // Words at the left of their vertex end there.
-        const bool is_left = box->right <= place.x;
-        const bool is_right = place.x <= box->left;
+        const auto [x, anchor] = anchor_beside(place, *box);
         shapes.push_back(Label{.role = Role::strong_text,
-                               .at = {is_left    ? box->right
-                                      : is_right ? box->left
-                                                 : place.x,
-                                      box->top + 0.85 * size},
+                               .at = {x, box->top + 0.85 * size},
                                .text = words,
                                .size = size,
-                               .anchor = is_left    ? Anchor::end
-                                         : is_right ? Anchor::start
-                                                    : Anchor::middle,
+                               .anchor = anchor,
                                .is_bold = true,
                                .has_rim = true});
     }
