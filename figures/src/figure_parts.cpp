@@ -3,6 +3,8 @@
 
 #include <rastertrace/figures/figure.h>
 
+#include "named_value.h"
+
 #include <algorithm>
 #include <array>
 
@@ -82,10 +84,7 @@ std::vector<std::string_view> face_palette_names() {
 }
 
 std::optional<FacePalette> face_palette_named(std::string_view name) {
-    const auto found = std::find(palettes.begin(), palettes.end(), name);
-    if (found == palettes.end())
-        return std::nullopt;
-    return static_cast<FacePalette>(found - palettes.begin());
+    return value_named<FacePalette>(palettes, name);
 }
 
 } // namespace rastertrace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/figures/theme.h>
 
+#include "named_value.h"
+
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -117,10 +119,7 @@ std::vector<std::string_view> theme_names() {
 }
 
 std::optional<Theme> theme_named(std::string_view name) {
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end())
-        return std::nullopt;
-    return static_cast<Theme>(found - names.begin());
+    return value_named<Theme>(names, name);
 }
 
 Paint paint_of(Role role, Theme theme) {

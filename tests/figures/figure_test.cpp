@@ -8,6 +8,7 @@
 #include "traces.h"
 
 #include <rastertrace/figures/figure.h>
+#include <rastertrace/figures/theme.h>
 #include <rastertrace/trace/selector.h>
 
 #include <gmock/gmock.h>
@@ -501,6 +502,20 @@ TEST(Figures, EveryPartHasARowInItsOrder) {
         EXPECT_EQ(figure_part_named(figure_parts()[i].name), figure_parts()[i].part);
     }
     EXPECT_EQ(figure_part_named("no such part"), std::nullopt);
+}
+
+TEST(Figures, NamesAreThoseOfTheirValues) {
+    EXPECT_EQ(theme_named("auto"), Theme::automatic);
+    EXPECT_EQ(theme_named("print"), Theme::print);
+    EXPECT_EQ(view_named("plotted"), View::plotted);
+    EXPECT_EQ(view_named("coverage"), View::coverage);
+    EXPECT_EQ(face_palette_named("distinct"), FacePalette::distinct);
+    EXPECT_EQ(face_palette_named("scene"), FacePalette::scene);
+    for (const std::string_view none : {"", "sce", "Print", "no such name"}) {
+        EXPECT_EQ(theme_named(none), std::nullopt);
+        EXPECT_EQ(view_named(none), std::nullopt);
+        EXPECT_EQ(face_palette_named(none), std::nullopt);
+    }
 }
 
 } // namespace
