@@ -49,7 +49,7 @@ void move(Shape& shape, Place by) {
         shape);
 }
 
-std::size_t memory_of(const Shape& shape) {
+std::size_t memory_of_shape(const Shape& shape) {
     return sizeof shape + std::visit(
                               [](const auto& one) {
                                   using One = std::remove_cvref_t<decltype(one)>;
@@ -99,7 +99,7 @@ void place(Drawing&& part, Place corner, Drawing& sheet) {
 std::size_t memory_of(const Drawing& drawing) {
     std::size_t bytes = sizeof drawing + drawing.title.size() + drawing.description.size();
     for (const Shape& shape : drawing.shapes)
-        bytes += memory_of(shape);
+        bytes += memory_of_shape(shape);
     return bytes;
 }
 
