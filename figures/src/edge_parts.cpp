@@ -61,11 +61,6 @@ struct NamedVertex {
     std::string text() const { return names + coordinates; }
 };
 
-bool is_inside(const Rectangle& frame, Place place) {
-    return frame.corner.x <= place.x && place.x <= frame.corner.x + frame.width &&
-           frame.corner.y <= place.y && place.y <= frame.corner.y + frame.height;
-}
-
 /// Those that are inside, each once.
 std::vector<NamedVertex> vertices_of(const Panel& panel) {
     std::vector<NamedVertex> vertices;
@@ -76,7 +71,7 @@ std::vector<NamedVertex> vertices_of(const Panel& panel) {
         const auto positions = step.text_rows("at");
         const Path corners = places_of(panel, primitive);
         for (std::size_t i = 0; i < std::min(names.size(), corners.size()); ++i) {
-            if (!is_inside(panel.lattice.frame(), corners[i]) ||
+            if (!panel.lattice.frame().has(corners[i]) ||
                 !known.insert({names[i], {corners[i].x, corners[i].y}}).second)
                 continue;
             // Vertices at one place share their words.
@@ -141,7 +136,7 @@ void add_vertices(const Panel& panel, std::vector<Shape>& shapes) {
         obstacles.words.push_back(*box);
         const auto [x, anchor] = anchor_beside(vertex.at, *box);
         labels.push_back(Label{.role = Role::strong_text,
-                               .at = {x, box->top + 0.85 * size},
+                               .at = {x, box->top() + 0.85 * size},
                                .text = words,
                                .size = size,
                                .anchor = anchor,

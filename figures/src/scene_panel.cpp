@@ -180,7 +180,7 @@ void add_words(Label label, Obstacles& obstacles, std::vector<Shape>& shapes) {
     const double width = width_of(label.text, label.size);
     const double left = label.anchor == Anchor::middle ? label.at.x - width / 2 : label.at.x;
     const double top = label.at.y - 0.85 * label.size;
-    obstacles.words.push_back({left, top, left + width, top + label.size});
+    obstacles.words.push_back({{left, top}, width, label.size});
     shapes.push_back(std::move(label));
 }
 
@@ -203,7 +203,7 @@ void add_names(const SpatialScene& space, const SideView& side, double size, Obs
         obstacles.words.push_back(*box);
         const auto [x, anchor] = anchor_beside(place, *box);
         shapes.push_back(Label{.role = Role::strong_text,
-                               .at = {x, box->top + 0.85 * size},
+                               .at = {x, box->top() + 0.85 * size},
                                .text = words,
                                .size = size,
                                .anchor = anchor,

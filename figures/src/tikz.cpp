@@ -136,9 +136,8 @@ private:
         std::vector<std::string> written;
         for (const Rectangle& rectangle : rectangles)
             if (const auto part = visible_part(rectangle, clip_))
-                written.push_back(fmt::format(
-                    "{} rectangle {}", text_of(part->corner),
-                    text_of({part->corner.x + part->width, part->corner.y + part->height})));
+                written.push_back(fmt::format("{} rectangle {}", text_of(part->corner),
+                                              text_of({part->right(), part->bottom()})));
         write_in_paths(fmt::format("\\fill[{}] ", options), written);
     }
 

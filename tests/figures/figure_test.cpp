@@ -453,14 +453,14 @@ TEST(Figures, AnEyeInTheWorldIsWhereTheCameraStands) {
 }
 
 /// The boxes of bold labels, at least.
-std::vector<SheetBox> boxes_of(const Drawing& drawing, Role role) {
-    std::vector<SheetBox> boxes;
+std::vector<Rectangle> boxes_of(const Drawing& drawing, Role role) {
+    std::vector<Rectangle> boxes;
     for (const Label& label : shapes_of<Label>(drawing, role)) {
         const double width = width_of(label.text, label.size);
         const double left = label.at.x - (label.anchor == Anchor::end      ? width
                                           : label.anchor == Anchor::middle ? width / 2
                                                                            : 0);
-        boxes.push_back({left, label.at.y - 0.8 * label.size, left + width, label.at.y});
+        boxes.push_back({{left, label.at.y - 0.8 * label.size}, width, 0.8 * label.size});
     }
     return boxes;
 }
@@ -477,7 +477,7 @@ TEST(Figures, NamesInSpaceCoverNoOthers) {
         space.vertices["D"] = {0, 9, 0};
         space.viewer = Viewer{.eye = {0, 0, 0}, .view_plane = {}};
         const Drawing drawing = scene_drawing(space, 300, 300);
-        std::vector<SheetBox> boxes = boxes_of(drawing, Role::strong_text);
+        std::vector<Rectangle> boxes = boxes_of(drawing, Role::strong_text);
         const auto names = texts_of(drawing, Role::strong_text);
         EXPECT_THAT(names, testing::IsSupersetOf({"A", "B", "C", "D"})) << "those that have room";
         EXPECT_EQ(names.size() == 24, distance == 2.0) << distance;

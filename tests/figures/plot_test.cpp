@@ -225,7 +225,7 @@ TEST(Plot, NoLabelCoversAnotherOneOrAMarkAndNoneIsDropped) {
 TEST(Plot, ALabelIsAnchoredAtTheSideOfItsMark) {
     const Place mark{10, 5};
     const auto anchored = [mark](double left, double right) {
-        const LabelAnchor there = anchor_beside(mark, {left, 0, right, 10});
+        const LabelAnchor there = anchor_beside(mark, {{left, 0}, right - left, 10});
         return std::pair(there.x, there.anchor);
     };
     EXPECT_EQ(anchored(2, 8), std::pair(8.0, Anchor::end));

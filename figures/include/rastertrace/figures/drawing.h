@@ -99,6 +99,26 @@ struct Rectangle {
     Place corner;
     double width = 0;
     double height = 0;
+
+    double left() const { return corner.x; }
+    double top() const { return corner.y; }
+    double right() const { return corner.x + width; }
+    double bottom() const { return corner.y + height; }
+
+    /// Borders included.
+    bool has(Place place) const {
+        return left() <= place.x && place.x <= right() && top() <= place.y && place.y <= bottom();
+    }
+    bool has(const Rectangle& other) const {
+        return left() <= other.left() && other.right() <= right() && top() <= other.top() &&
+               other.bottom() <= bottom();
+    }
+
+    /// True if they have more than a border in common.
+    bool meets(const Rectangle& other) const {
+        return left() < other.right() && other.left() < right() && top() < other.bottom() &&
+               other.top() < bottom();
+    }
 };
 
 /// Rectangles without a border.
