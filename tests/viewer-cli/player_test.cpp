@@ -336,7 +336,7 @@ TEST(Player, ShowsTheFrameWithTheWorkingAndTheStepsBesideIt) {
 scanline y=2   left AB: x = 2 + 3/4 (2 - 5) = -1/4 -> floor -> -1   right AC: x = 2 - 3/8 (2 - 5) =
 25/8 -> floor -> 3
 
-     -8-7-6-5-4-3-2-1 0 1 2 3 4 5 6 7 8 | left AB: x = (x2 - x1)/(y2 - y1) (y - y1) + x1 = (-4 -
+     -8-7-6-5-4-3-2-1 0 1 2 3 4 5 6 7 8   left AB: x = (x2 - x1)/(y2 - y1) (y - y1) + x1 = (-4 -
   7   . . . . . . . . . . . . . . . . .   2)/(-3 - 5) (2 - 5) + 2 = 3/4 (-3) + 2 = -1/4 -> floor ->
   6   . . . . . . . . . . . . . . . . .   -1
   5   . . . . . . . . . . A . . . . . .   right AC: x = (x2 - x1)/(y2 - y1) (y - y1) + x1 = (5 -

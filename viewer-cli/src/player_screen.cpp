@@ -246,7 +246,7 @@ std::vector<std::string> player_help(std::size_t columns) {
     }
     append(
         lines,
-        {"", "A number in front of a key: so many times, as in 5 Right. A click sets the cursor."});
+        {"", "A number in front of a key: so many times. A click sets the cursor."});
     return lines;
 }
 
