@@ -151,7 +151,7 @@ TEST(FrameText, OfHalfBlocksHasTwoPixelsInACharacter) {
             "\x1b[38;2;0;0;0;48;2;255;255;0m▀\x1b[0m·  A x=0  B x=3\n" // the cursor below a black one
             "> 2  \x1b[38;2;0;0;0;48;2;255;0;255m▀\x1b[0m" +           // the last step's pixel
             black +
-            "···\n\ndark -~:+=*o%8& light\n");
+            "···  C x=0\n\ndark -~:+=*o%8& light\n");
 }
 
 } // namespace
