@@ -118,11 +118,15 @@ function answerOf(trace, pixel) {
 
 let frames = [], frame = 0, trace, step = 0, view = "plotted";
 let drawnBy, storedBy, writes;         // of each pixel: the step that drew it, that its depth is of, how often
+let seen;                              // how many pixels show each group of faces
 let cursor = -1, hovered = -1;         // pixels
 let zoom = 1, hasWorking = true, typed = "", rate = 4, timer = 0;
 const nameOf = n => n === 0 ? "" : trace.kindNames[trace.kind[n]];
 const xOf = pixel => trace.data.canvas.left + pixel % trace.width;
 const yOf = pixel => trace.data.canvas.top + trace.data.canvas.down * Math.floor(pixel / trace.width);
+
+const groupOf = n => trace.primitive[n] < 0 ? -1 : trace.primitives[trace.primitive[n]].group;
+function see(n, more) { if (n > 0 && groupOf(n) >= 0) seen[groupOf(n)] += more; }
 
 const fileOf = () => frames[frame].file || "FILE";
 
@@ -133,13 +137,13 @@ function play(to) {
   while (step < to) {
     const n = ++step, pixel = at[n];
     if (pixel < 0) continue;
-    if (kind[n] === PIXEL) { drawnBy[pixel] = n; ++writes[pixel]; changed.push(pixel); }
+    if (kind[n] === PIXEL) { see(drawnBy[pixel], -1); see(n, 1); drawnBy[pixel] = n; ++writes[pixel]; changed.push(pixel); }
     else if (kind[n] === DEPTH && data.depths[3 * own[n]] & STORED) { storedBy[pixel] = n; changed.push(pixel); }
   }
   while (step > to) {
     const n = step--, pixel = at[n];
     if (pixel < 0) continue;
-    if (kind[n] === PIXEL) { drawnBy[pixel] = over[n]; --writes[pixel]; changed.push(pixel); }
+    if (kind[n] === PIXEL) { see(over[n], 1); see(n, -1); drawnBy[pixel] = over[n]; --writes[pixel]; changed.push(pixel); }
     else if (kind[n] === DEPTH && data.depths[3 * own[n]] & STORED) { storedBy[pixel] = over[n]; changed.push(pixel); }
   }
   return changed;
@@ -174,12 +178,12 @@ function ownColor(n) {
   return shades.own.get(word);
 }
 
-const groupOf = n => trace.primitive[n] < 0 ? -1 : trace.primitives[trace.primitive[n]].group;
+const emptyColor = () => view === "shade" && trace.data.canvas.background ? wordOf(trace.data.canvas.background) : 0;
 
 function colorOf(pixel) {
   const n = drawnBy[pixel];
   if (view === "depth") return storedBy[pixel] ? gray(trace.data.depths[3 * trace.own[storedBy[pixel]] + 1]) : 0;
-  if (n === 0) return view === "shade" && trace.data.canvas.background ? wordOf(trace.data.canvas.background) : 0;
+  if (n === 0) return emptyColor();
   if (view === "plotted") return n === step ? shades.current : shades.plotted;
   if (view === "faces") return groupOf(n) < 0 ? shades.plotted : shades.faces[groupOf(n) % 8];
   if (view === "shade") return ownColor(n);
@@ -189,9 +193,9 @@ function colorOf(pixel) {
 
 /** Paints pixels, or all of them. */
 function paint(pixels) {
-  const words = new Uint32Array(image.data.buffer);
+  const words = new Uint32Array(image.data.buffer), empty = emptyColor();
   if (!pixels || pixels.length > 4000) {
-    for (let i = 0; i < trace.pixels; ++i) words[i] = colorOf(i);
+    for (let i = 0; i < trace.pixels; ++i) words[i] = drawnBy[i] || storedBy[i] ? colorOf(i) : empty;
     brush.putImageData(image, 0, 0);
     return;
   }
@@ -218,7 +222,7 @@ function lay() {
   const isNarrow = innerWidth < 900;
   const room = {width: scroller.clientWidth - margin.left - margin.right,
                 height: innerHeight * (isNarrow ? 0.58 : 1) - (isNarrow ? 0 : 235) - margin.top - margin.bottom};
-  let cell = Math.min(room.width / width, Math.max(room.height, 160) / height, 44) * zoom;
+  let cell = Math.min(room.width / width, Math.max(room.height, 160) / height, 60) * zoom;
   cell = cell >= 2 ? Math.floor(cell * 2) / 2 : Math.max(cell, 1 / 16);
   layout = {cell, margin, left: margin.left, top: margin.top,
             width: width * cell, height: height * cell};
@@ -343,9 +347,9 @@ function drawMarks() {
       if (i >= 0 && current.points[i] && current.points[j])
         marks.push(...line("this-edge", placeOf(current.points[i]), placeOf(current.points[j])));
     }
-    drawVertices(current, marks, labels);
   }
   drawRow(marks, labels);
+  if (current) drawVertices(current, marks, labels);
   const at = trace.at[step];
   if (at >= 0) {
     const own = trace.own[step], name = nameOf(step);
@@ -357,12 +361,26 @@ function drawMarks() {
     }
     marks.push(shape("rect", {class: "current", ...squareOf(at, layout.cell < 8 ? 2 : 0)}));
   }
-  const pointed = cursor >= 0 ? cursor : hovered;
-  if (pointed >= 0) {
+  for (const [pointed, name] of [[hovered, "hovered"], [cursor, "cursor"]]) {
+    if (pointed < 0) continue;
     const square = squareOf(pointed, layout.cell < 8 ? 3 : 1);
-    marks.push(shape("rect", {class: "cursor-rim", ...square}), shape("rect", {class: "cursor", ...square}));
+    marks.push(shape("rect", {class: "cursor-rim", ...square}), shape("rect", {class: name, ...square}));
   }
-  by("marks").replaceChildren(...marks, ...labels);
+  by("marks").replaceChildren(...marks, ...labels.map(label => label.shape));
+}
+
+/** Puts a label at the first of some places where it lies on no other; nowhere if there is none. */
+function putLabel(labels, name, text, places) {
+  const width = (name === "end" ? 6.5 : 7.2) * text.length, height = 12, right = layout.left + layout.width + layout.margin.right;
+  for (const {x, y, anchor} of places) {
+    const left = anchor === "start" ? x : anchor === "end" ? x - width : x - width / 2;
+    const box = {left, right: left + width, top: y - height, bottom: y + 2};
+    const isFree = box.left >= 0 && box.right <= right && box.top >= -4 && box.bottom <= layout.top + layout.height + 18 &&
+      labels.every(({box: other}) => box.right < other.left || other.right < box.left || box.bottom < other.top || other.bottom < box.top);
+    if (!isFree) continue;
+    labels.push({box, shape: shape("text", {class: `${name} rim`, x, y, "text-anchor": anchor}, text)});
+    return;
+  }
 }
 
 /** Dots and names, away from the middle of their primitive. */
@@ -372,19 +390,17 @@ function drawVertices({points, names}, marks, labels) {
                           y: points.reduce((sum, p) => sum + p.y, 0) / points.length});
   const hasCoordinates = layout.width >= 240;
   points.forEach((point, i) => {
-    const place = placeOf(point);
-    if (!isInside(place)) return;
-    marks.push(shape("circle", {class: "vertex", cx: place.x, cy: place.y, r: 3.5}));
-    const text = (names[2 * i] ?? "") + (hasCoordinates ? " " + (names[2 * i + 1] ?? "") : "");
-    const width = 7 * text.length, isRight = place.x >= middle.x;
-    let x = place.x + (isRight ? 8 : -8), anchor = isRight ? "start" : "end";
-    const right = layout.left + layout.width + layout.margin.right;
-    if (isRight && x + width > right) { x = right - 2; anchor = "end"; }
-    if (!isRight && x - width < 0) { x = 2; anchor = "start"; }
-    const isBeside = anchor === (isRight ? "start" : "end");
-    let y = place.y + (!isBeside ? (place.y <= middle.y ? -9 : 17) : place.y < middle.y - 4 ? -3 : place.y > middle.y + 4 ? 12 : 4);
-    y = Math.min(Math.max(y, 11), layout.top + layout.height + 12);
-    labels.push(shape("text", {class: "name rim", x, y, "text-anchor": anchor}, text.trim()));
+    const {x, y} = placeOf(point);
+    if (!isInside({x, y})) return;
+    marks.push(shape("circle", {class: "vertex", cx: x, cy: y, r: 3.5}));
+    const text = ((names[2 * i] ?? "") + (hasCoordinates ? " " + (names[2 * i + 1] ?? "") : "")).trim();
+    const beside = y < middle.y - 4 ? y - 3 : y > middle.y + 4 ? y + 12 : y + 4;
+    const right = {x: x + 8, y: beside, anchor: "start"}, left = {x: x - 8, y: beside, anchor: "end"};
+    const above = {x, y: y - 9, anchor: "middle"}, below = {x, y: y + 18, anchor: "middle"};
+    putLabel(labels, "name", text, [...(x >= middle.x ? [right, left] : [left, right]),
+                                    ...(y <= middle.y ? [above, below] : [below, above]),
+                                    {x: x + 8, y: y - 9, anchor: "start"}, {x: x - 8, y: y - 9, anchor: "end"},
+                                    {x: x + 8, y: y + 18, anchor: "start"}, {x: x - 8, y: y + 18, anchor: "end"}]);
   });
 }
 
@@ -406,18 +422,23 @@ function drawRow(marks, labels) {
       marks.push(shape("path", {class: "rounding-head", d: `M${target} ${below}l${-sign * head} ${-head / 2}v${head}z`}));
     }
     marks.push(shape("circle", {class: "row-end", cx: x, cy: y, r: 3}));
-    if (layout.cell >= 8)
-      labels.push(shape("text", {class: "end rim", x: x + (isLeft ? -7 : 7), y: y - 6, "text-anchor": isLeft ? "end" : "start"},
-                        trace.words[text]));
+    const side = isLeft ? {x: x - 7, anchor: "end"} : {x: x + 7, anchor: "start"};
+    if (layout.cell >= 8 && (isLeft || left !== right))
+      putLabel(labels, "end", trace.words[text], [{...side, y: y - 6}, {...side, y: y + 16}]);
   });
 }
 
+let legendOf = ""; // what it tells now: it is made again only if that changes
 function drawLegend() {
+  const tells = JSON.stringify([view, frame, view === "faces" ? Array.from(seen, count => count > 0) : 0]);
+  if (tells === legendOf) return;
+  legendOf = tells;
   const entries = [], entry = (color, text) => entries.push({color, text});
   if (view === "plotted") { entry("var(--plotted)", "drawn"); entry("var(--current)", "by this step"); }
   if (view === "faces") {
-    const groups = trace.data.groups;
-    groups.slice(0, 24).forEach((word, i) => entry(`var(--face-${i % 8 + 1})`, trace.words[word]));
+    const groups = [...trace.data.groups.keys()].filter(group => seen[group] > 0);
+    if (trace.data.heading) entry("", trace.data.heading);
+    groups.slice(0, 24).forEach(i => entry(`var(--face-${i % 8 + 1})`, trace.words[trace.data.groups[i]]));
     if (groups.length > 24) entry("", `and ${groups.length - 24} more`);
   }
   if (view === "shade") entry("", "pixels in their own colors");
@@ -495,14 +516,16 @@ function tellSteps() {
   }
 }
 
-/** The steps that have tried to write a pixel. */
-function triesOf(pixel) {
-  const steps = (trace.touches[pixel] ?? []).filter(n => ["pixel", "depth", "reject"].includes(nameOf(n)));
+/** The steps that are about a pixel; none, of no pixel. */
+function stepsAt(pixel) {
+  if (pixel < 0) return [];
   const column = pixel % trace.width, row = Math.floor(pixel / trace.width);
-  for (const {step: n, left, right, top, bottom} of trace.rejects)
-    if (left <= column && column <= right && top <= row && row <= bottom) steps.push(n);
-  return steps.sort((a, b) => a - b);
+  const dropped = trace.rejects.filter(one => one.left <= column && column <= one.right && one.top <= row && row <= one.bottom);
+  return [...trace.touches[pixel] ?? [], ...dropped.map(one => one.step)].sort((a, b) => a - b);
 }
+
+/** Those that have tried to write it. */
+const triesOf = pixel => stepsAt(pixel).filter(n => ["pixel", "depth", "reject"].includes(nameOf(n)));
 
 function tellPixel() {
   const pixel = hovered >= 0 ? hovered : cursor;
@@ -588,6 +611,7 @@ function goTo(n) {
   const changed = [...play(target), ...marked];
   paint(changed);
   if (view === "depth" || view === "writes") drawCells(changed.length > 1000 ? undefined : changed);
+  drawLegend();
   drawMarks();
   tellStep();
   tellSteps();
@@ -627,11 +651,6 @@ function moveCursor(columns, rows) {
   }
   const column = cursor % trace.width + columns, row = Math.floor(cursor / trace.width) + rows;
   if (0 <= column && column < trace.width && 0 <= row && row < trace.height) setCursor(row * trace.width + column);
-}
-
-function touchesCursor(n) {
-  return cursor >= 0 && (trace.at[n] === cursor ||
-    trace.rejects.some(one => one.step === n && triesOf(cursor).includes(n)));
 }
 
 function setView(name) {
@@ -693,8 +712,8 @@ const actions = {
   "previous-of-primitive": () => goToNext(-1, n => trace.primitive[n] === trace.primitive[step]),
   "next-primitive": () => goToNext(1, n => nameOf(n) === "primitive"),
   "previous-primitive": () => goToNext(-1, n => nameOf(n) === "primitive"),
-  "next-at-cursor": () => goToNext(1, touchesCursor),
-  "previous-at-cursor": () => goToNext(-1, touchesCursor),
+  "next-at-cursor": () => goTo(stepsAt(cursor).find(n => n > step) ?? step),
+  "previous-at-cursor": () => goTo(stepsAt(cursor).findLast(n => n < step) ?? step),
   "first": () => goTo(0),
   "last": () => goTo(typed === "" ? trace.count : Number(typed)),
   "play": togglePlay,
@@ -742,7 +761,6 @@ function onKey(event) {
   if (at.closest("select")) return;
   if (at === by("number") && (name !== "Enter")) return;
   if (at.closest("button, summary") && (name === "Space" || name === "Enter")) return;
-  if (at === by("slider") && ["Up", "Down"].includes(name)) { /* rows, as everywhere */ }
   if (at === by("text-picture") && event.key.startsWith("Arrow") && !event.shiftKey) return;
   if (isCharacter && "0" <= event.key && event.key <= "9") { typed = (typed + event.key).slice(0, 9); return; }
   if (name === "Enter") {
@@ -778,6 +796,8 @@ function show(data, atStep) {
   drawnBy = new Int32Array(trace.pixels);
   storedBy = new Int32Array(trace.pixels);
   writes = new Int32Array(trace.pixels);
+  seen = new Int32Array(data.groups.length);
+  legendOf = "";
   step = 0;
   if (cursor >= trace.pixels) cursor = -1;
   hovered = -1;

@@ -28,12 +28,12 @@ inline constexpr std::size_t most_page_steps = 200'000;
 inline constexpr std::size_t most_page_pixels = std::size_t{1024} * 1024;
 
 /// A trace of more steps has no workings on its page.
-inline constexpr std::size_t most_steps_with_working = 20'000;
+inline constexpr std::size_t most_steps_with_working = 50'000;
 
 /// Why pixels are not drawn is on the page of a canvas of at most this width and height, and of at most so many pixels
 /// times primitives.
 inline constexpr int largest_side_with_why_not = 128;
-inline constexpr std::size_t most_why_not_asked = 1'000'000;
+inline constexpr std::size_t most_why_not_asked = 300'000;
 
 /// Why a trace cannot be a page; nullopt if it can.
 std::optional<Problem> too_large_for_page(const Trace& trace);
