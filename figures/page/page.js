@@ -152,7 +152,7 @@ function play(to) {
 // --- the picture -----------------------------------------------------------------------------------------------------
 
 const raster = by("raster"), overlay = by("overlay"), sheet = by("sheet"), scroller = by("scroller");
-const brush = raster.getContext("2d");
+const brush = raster.getContext("2d", {willReadFrequently: true}); // pixels are put one by one
 let image, shades, lastMarked = -1, layout;
 
 /** #rrggbb or #rrggbbaa as a word of an ImageData. */
