@@ -112,7 +112,7 @@ struct Example {
 /// The traces of all examples that have a page; those of more steps take too long here.
 const std::vector<Example>& examples() {
     static const std::vector<Example> all = [] {
-        constexpr std::size_t most_steps = 30'000;
+        constexpr std::size_t most_steps = 8'000;
         std::vector<std::string> files;
         for (const auto& entry :
              std::filesystem::recursive_directory_iterator(RASTERTRACE_EXAMPLES))
@@ -171,7 +171,7 @@ TEST(Page, EverySentenceAndWorkingOfEveryExampleIsTheProgramsOwn) {
 }
 
 TEST(Page, WhyPixelsAreNotDrawnIsWhatExplainSays) {
-    constexpr std::size_t most_work = 3'000'000; // a pixel is asked of the whole trace
+    constexpr std::size_t most_work = 400'000; // a pixel is asked of the whole trace
     std::set<std::string> reasons;
     std::size_t scenes = 0;
     for (const Example& example : examples()) {

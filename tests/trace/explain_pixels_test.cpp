@@ -205,8 +205,8 @@ public:
     }
 
     /// Holds what is said of a pixel against the trace and the rules. Who asks many may ask an excerpt of it.
-    void check(Pixel pixel, const Trace& asked) const {
-        const Explanation answer = about(asked, pixel);
+    void check(Pixel pixel, const Trace& asked) const { check(pixel, about(asked, pixel)); }
+    void check(Pixel pixel, const Explanation& answer) const {
         static const std::vector<std::size_t> none;
         const auto found = tries_.find({pixel.x, pixel.y});
         const auto& tries = found == tries_.end() ? none : found->second;
@@ -347,8 +347,9 @@ bool ask_about_pixels(const Trace& trace) {
         if (!excerpt || row != row_of_excerpt)
             excerpt = excerpt_of_row(trace, pixel.y);
         row_of_excerpt = row;
-        facts.check(pixel, *excerpt);
-        expect_the_same(explainer.explain(pixel), about(*excerpt, pixel));
+        const Explanation answer = about(*excerpt, pixel);
+        facts.check(pixel, answer);
+        expect_the_same(explainer.explain(pixel), answer);
     }
     for (const Pixel& pixel : facts.first_tried(stride == 1 ? 0 : 100))
         facts.check(pixel, trace);
@@ -389,8 +390,9 @@ TEST(ExplainPixel, PixelsOfRandomScenes) {
         for (int k = 0; k < 6; ++k) {
             const Pixel pixel{random.whole(trace.canvas.left(), trace.canvas.right()),
                               trace.canvas.y_of(random.whole(0, trace.canvas.height - 1))};
-            facts.check(pixel, trace);
-            expect_the_same(explainer.explain(pixel), about(trace, pixel));
+            const Explanation answer = about(trace, pixel);
+            facts.check(pixel, answer);
+            expect_the_same(explainer.explain(pixel), answer);
             ASSERT_FALSE(testing::Test::HasFailure()) << text;
         }
     }
