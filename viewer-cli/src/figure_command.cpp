@@ -228,6 +228,7 @@ void check_options_of_page(const FigureCommand& command) {
         check_option(is_there, option, html, {svg, png, tex, txt, cast, gif});
     };
     refuse_if(command.is_bare, "--bare");
+    refuse_if(command.sheet.has_value(), "--sheet");
     refuse_if(command.which == FigureCommand::Which::until, "--until");
     refuse_if(command.which == FigureCommand::Which::every, "--every");
     refuse_if(!options.with.empty(), "--with");
@@ -256,6 +257,8 @@ void check_format(const FigureCommand& command, FigureFormat format) {
                                      "found {}",
                                      name_of(format)));
     using enum FigureFormat;
+    if (format == html)
+        check_options_of_page(command);
     check_option(command.style.scale.has_value() && !command.is_bare, "--scale", format,
                  {png, gif});
     check_option(command.style.width_mm.has_value(), "--width", format, {tex});
@@ -264,8 +267,6 @@ void check_format(const FigureCommand& command, FigureFormat format) {
     const FigureOptions& options = command.options;
     check_option(std::any_of(options.with.begin(), options.with.end(), is_drawn), "--with", format,
                  {svg, png, tex, gif});
-    if (format == html)
-        check_options_of_page(command);
     check_option(!command.against.empty(), "--against", format, {svg, png, tex, gif});
     check_option(options.title.has_value(), "--title", format, {svg, png, tex, gif, html});
     check_option(options.cell.has_value(), "--cell", format, {svg, png, tex, gif});
