@@ -1,6 +1,6 @@
 # Writes text files into a C++ source, so that a program has them without looking for them.
 #
-#   cmake -DOUTPUT=files.cpp -DHEADER=page_files.h -DFILES=page.html,page.css -P embed.cmake
+#   cmake -DOUTPUT=page_parts.cpp -DHEADER=page_parts.h -DFILES=page.html,page.css -P embed.cmake
 #
 # FILES are ASCII, each a function of the header that returns its text: page.html is page_html().
 cmake_minimum_required(VERSION 3.25)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/figures/page.h>
 
-#include "page_files.h"
+#include "page_parts.h"
 
 #include <rastertrace/figures/player_keys.h>
 #include <rastertrace/figures/svg.h>

@@ -24,7 +24,7 @@
 
 #include <rastertrace/figures/page.h>
 
-#include "panel.h"
+#include "grays.h"
 
 #include <rastertrace/figures/corners.h>
 #include <rastertrace/figures/face_groups.h>

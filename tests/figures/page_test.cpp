@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a page holds: the program's own sentences, answers and pixels, and nothing that a browser obeys.
 
-#include "page_files.h"
+#include "page_parts.h"
 #include "traces.h"
 
 #include <rastertrace/figures/page.h>
