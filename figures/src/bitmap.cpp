@@ -68,8 +68,7 @@ public:
         const bool is_opaque = color.alpha() == opaque;
         for (const Rectangle& rectangle : areas.rectangles) {
             const Place a = to_pixels(rectangle.corner);
-            const Place b = to_pixels(
-                {rectangle.corner.x + rectangle.width, rectangle.corner.y + rectangle.height});
+            const Place b = to_pixels({rectangle.right(), rectangle.bottom()});
             const Extent x = extent_of(a.x, b.x, width_);
             const Extent y = extent_of(a.y, b.y, height_);
             if (is_opaque)

@@ -74,10 +74,12 @@ void set_parts(const FigureOptions& options, Panel& panel) {
     }
     make_room();
 
-    // Grays mean nothing without numbers or a legend.
+    // Grays mean nothing without numbers or a legend, half-planes nothing without a legend.
     const bool has_grays = (panel.view == View::depth && !panel.parts.has(FigurePart::depths)) ||
                            (panel.view == View::writes && !panel.parts.has(FigurePart::writes));
-    set(FigurePart::legend, panel.view == View::faces || panel.against != nullptr || has_grays);
+    set(FigurePart::half_planes, false);
+    set(FigurePart::legend, panel.view == View::faces || panel.against != nullptr || has_grays ||
+                                panel.parts.has(FigurePart::half_planes));
 
     // What the step is about.
     const bool is_step = panel.is_step();
@@ -103,8 +105,8 @@ void set_parts(const FigureOptions& options, Panel& panel) {
                                   3 * with_edges <= few_vertices &&
                                   lattice.cell * lattice.columns() >= room_for_vertices);
 
-    for (const FigurePart part : {FigurePart::half_planes, FigurePart::errors, FigurePart::scene,
-                                  FigurePart::plot, FigurePart::working})
+    for (const FigurePart part :
+         {FigurePart::errors, FigurePart::scene, FigurePart::plot, FigurePart::working})
         set(part, false);
 }
 

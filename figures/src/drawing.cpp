@@ -49,6 +49,28 @@ void move(Shape& shape, Place by) {
         shape);
 }
 
+std::size_t memory_of_shape(const Shape& shape) {
+    return sizeof shape + std::visit(
+                              [](const auto& one) {
+                                  using One = std::remove_cvref_t<decltype(one)>;
+                                  if constexpr (std::is_same_v<One, Areas>)
+                                      return one.rectangles.size() * sizeof(Rectangle);
+                                  else if constexpr (std::is_same_v<One, Dots>)
+                                      return one.centers.size() * sizeof(Place);
+                                  else if constexpr (std::is_same_v<One, Pixels>)
+                                      return one.colors.size() * sizeof(Color);
+                                  else if constexpr (std::is_same_v<One, Label>)
+                                      return one.text.size();
+                                  else {
+                                      std::size_t bytes = one.paths.size() * sizeof(Path);
+                                      for (const Path& path : one.paths)
+                                          bytes += path.size() * sizeof(Place);
+                                      return bytes;
+                                  }
+                              },
+                              shape);
+}
+
 } // namespace
 
 Role face_role(std::size_t n) {
@@ -72,6 +94,13 @@ void place(Drawing&& part, Place corner, Drawing& sheet) {
         move(shape, corner);
     sheet.shapes.insert(sheet.shapes.end(), std::make_move_iterator(part.shapes.begin()),
                         std::make_move_iterator(part.shapes.end()));
+}
+
+std::size_t memory_of(const Drawing& drawing) {
+    std::size_t bytes = sizeof drawing + drawing.title.size() + drawing.description.size();
+    for (const Shape& shape : drawing.shapes)
+        bytes += memory_of_shape(shape);
+    return bytes;
 }
 
 std::string decimal(double value) {

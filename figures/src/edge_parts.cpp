@@ -61,11 +61,6 @@ struct NamedVertex {
     std::string text() const { return names + coordinates; }
 };
 
-bool is_inside(const Rectangle& frame, Place place) {
-    return frame.corner.x <= place.x && place.x <= frame.corner.x + frame.width &&
-           frame.corner.y <= place.y && place.y <= frame.corner.y + frame.height;
-}
-
 /// Those that are inside, each once.
 std::vector<NamedVertex> vertices_of(const Panel& panel) {
     std::vector<NamedVertex> vertices;
@@ -76,7 +71,7 @@ std::vector<NamedVertex> vertices_of(const Panel& panel) {
         const auto positions = step.text_rows("at");
         const Path corners = places_of(panel, primitive);
         for (std::size_t i = 0; i < std::min(names.size(), corners.size()); ++i) {
-            if (!is_inside(panel.lattice.frame(), corners[i]) ||
+            if (!panel.lattice.frame().has(corners[i]) ||
                 !known.insert({names[i], {corners[i].x, corners[i].y}}).second)
                 continue;
             // Vertices at one place share their words.
@@ -95,78 +90,13 @@ std::vector<NamedVertex> vertices_of(const Panel& panel) {
     return vertices;
 }
 
-/// Where words of a vertex would stand, and how bad that is: nothing is 0.
-struct PlaceForWords {
-    SheetBox box;
-    double badness = 0;
-
-    /// True if other words are below them.
-    bool is_unreadable() const { return badness >= of_other_words / 2; }
-    static constexpr double of_other_words = 100;
-};
-
-/// What words are better kept away from.
-struct Obstacles {
-    Rectangle frame;             ///< they rather stay within it
-    std::vector<Path> sides;     ///< rather not on these lines
-    std::vector<SheetBox> words; ///< not on other words
-};
-
-double badness_of(const SheetBox& box, const Obstacles& obstacles) {
-    constexpr double of_leaving = 4; // what leaves the pixels may be cut off, or cover the title
-    constexpr double of_axes = 1;    // or numbers
-    constexpr double of_side = 1;
-    const Rectangle& frame = obstacles.frame;
-    const double right = frame.corner.x + frame.width;
-    const double bottom = frame.corner.y + frame.height;
-    const double height = box.bottom - box.top;
-    double badness = 0;
-    if (box.left < 0 || right + height < box.right || box.top < frame.corner.y - height / 2 ||
-        bottom + height / 2 < box.bottom)
-        badness += of_leaving;
-    if (box.left < frame.corner.x || bottom < box.bottom)
-        badness += of_axes;
-    for (const Path& side : obstacles.sides)
-        if (clipped(side[0], side[1], {{box.left, box.top}, box.right - box.left, height}))
-            badness += of_side;
-    for (const SheetBox& other : obstacles.words)
-        if (box.meets(other))
-            badness += PlaceForWords::of_other_words;
-    return badness;
-}
-
-/// The best place for words beside a vertex: away from its primitive.
-PlaceForWords words_beside(const NamedVertex& vertex, std::string_view words, double size,
-                           const Obstacles& obstacles) {
-    constexpr double gap = 5;
-    constexpr double bold = 1.1; // about, against regular letters
-    const double width = bold * width_of(words, size);
-    const double away_x = vertex.at.x - vertex.inside.x;
-    const double away_y = vertex.at.y - vertex.inside.y;
-    const double away = std::max(1.0, std::sqrt(away_x * away_x + away_y * away_y));
-    std::optional<PlaceForWords> best;
-    for (const int right : {1, 0, -1})
-        for (const int down : {-1, 0, 1}) {
-            if (right == 0 && down == 0)
-                continue;
-            const double left = vertex.at.x + right * gap + (right - 1) * width / 2;
-            const double top = vertex.at.y + down * gap + (down - 1) * size / 2;
-            const SheetBox box{left, top, left + width, top + size};
-            const double inward = -(right * away_x + down * away_y) / away;
-            const double badness = inward + badness_of(box, obstacles);
-            if (!best || badness < best->badness)
-                best = PlaceForWords{box, badness};
-        }
-    return *best;
-}
-
 } // namespace
 
 std::vector<std::size_t> primitives_with_edges(const Panel& panel) {
-    const auto& all = panel.replay.primitives();
+    const auto all = panel.replay.primitives();
     const std::size_t current = panel.replay.primitive();
     if (panel.has_all_edges || current == 0)
-        return all;
+        return {all.begin(), all.end()};
     return {current};
 }
 
@@ -196,32 +126,22 @@ void add_vertices(const Panel& panel, std::vector<Shape>& shapes) {
         dots.centers.push_back(vertex.at);
         // Where there is no room for all of it, the names will do; or the dot alone.
         std::string words = vertex.text();
-        PlaceForWords place = words_beside(vertex, words, size, obstacles);
-        if (place.is_unreadable()) {
+        auto box = words_beside({vertex.at, vertex.inside, words, size}, obstacles);
+        if (!box) {
             words = vertex.names;
-            place = words_beside(vertex, words, size, obstacles);
+            box = words_beside({vertex.at, vertex.inside, words, size}, obstacles);
         }
-        if (place.is_unreadable())
+        if (!box)
             continue;
-        const SheetBox& box = place.box;
-        obstacles.words.push_back(box);
-        // Words at the left of their vertex end there.
-        const bool is_left = box.right < vertex.at.x;
-        const bool is_right = vertex.at.x < box.left;
-        labels.push_back(Label{
-            .role = Role::strong_text,
-            .at = {is_left    ? box.right
-                   : is_right ? box.left
-                              : vertex.at.x,
-                   box.top + 0.85 * size},
-            .text = words,
-            .size = size,
-            .anchor = is_left    ? Anchor::end
-                      : is_right ? Anchor::start
-                                 : Anchor::middle,
-            .is_bold = true,
-            .has_rim = true,
-        });
+        obstacles.words.push_back(*box);
+        const auto [x, anchor] = anchor_beside(vertex.at, *box);
+        labels.push_back(Label{.role = Role::strong_text,
+                               .at = {x, box->top() + 0.85 * size},
+                               .text = words,
+                               .size = size,
+                               .anchor = anchor,
+                               .is_bold = true,
+                               .has_rim = true});
     }
     shapes.push_back(std::move(dots));
     shapes.insert(shapes.end(), labels.begin(), labels.end());
@@ -235,12 +155,18 @@ void add_samples(const Panel& panel, std::vector<Shape>& shapes) {
     shapes.push_back(std::move(dots));
 }
 
-void add_half_planes(const Panel& panel, std::vector<Shape>& shapes) {
+bool has_half_planes(const Panel& panel) {
     const std::size_t primitive = panel.replay.primitive();
-    const Path corners = primitive == 0 ? Path() : places_of(panel, primitive);
-    if (corners.size() != 3)
+    return primitive != 0 && corners_of(panel.trace().step(primitive)).size() == 3;
+}
+
+void add_half_planes(const Panel& panel, std::vector<Shape>& shapes) {
+    if (!has_half_planes(panel))
         return;
+    const std::size_t primitive = panel.replay.primitive();
+    const Path corners = places_of(panel, primitive);
     const auto names = panel.trace().step(primitive).texts("vertices");
+    std::vector<Shape> lines; // and their names: no half-plane covers them
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const Place a = corners[i];
         const Place b = corners[(i + 1) % 3];
@@ -262,7 +188,7 @@ void add_half_planes(const Panel& panel, std::vector<Shape>& shapes) {
         const Place beyond{b.x + far * (b.x - a.x), b.y + far * (b.y - a.y)};
         const Place before{a.x - far * (b.x - a.x), a.y - far * (b.y - a.y)};
         if (const auto line = clipped(before, beyond, panel.lattice.frame())) {
-            shapes.push_back(
+            lines.push_back(
                 Lines{.role = Role::other_edge, .paths = {{line->first, line->second}}});
             if (names.size() != 3)
                 continue;
@@ -272,7 +198,7 @@ void add_half_planes(const Panel& panel, std::vector<Shape>& shapes) {
             const double length = std::sqrt(std::pow(b.x - a.x, 2) + std::pow(b.y - a.y, 2));
             constexpr double inward = 16;
             if (length > 0)
-                shapes.push_back(
+                lines.push_back(
                     Label{.role = Role::text,
                           .at = {middle.x - sign * (b.y - a.y) / length * inward,
                                  middle.y + sign * (b.x - a.x) / length * inward + 4},
@@ -282,6 +208,7 @@ void add_half_planes(const Panel& panel, std::vector<Shape>& shapes) {
                           .has_rim = true});
         }
     }
+    shapes.insert(shapes.end(), lines.begin(), lines.end());
 }
 
 } // namespace rastertrace

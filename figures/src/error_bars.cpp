@@ -57,11 +57,9 @@ void add_error_bars(const Decisions& decisions, const Lattice& lattice, double f
         return is_steep ? Place{across, along} : Place{along, across};
     };
     const Rectangle frame = lattice.frame();
-    shapes.push_back(Lines{
-        .role = Role::axis,
-        .paths = {{place(is_steep ? frame.corner.y : frame.corner.x, zero),
-                   place(is_steep ? frame.corner.y + frame.height : frame.corner.x + frame.width,
-                         zero)}}});
+    shapes.push_back(Lines{.role = Role::axis,
+                           .paths = {{place(is_steep ? frame.corner.y : frame.corner.x, zero),
+                                      place(is_steep ? frame.bottom() : frame.right(), zero)}}});
     Areas above{.role = Role::bar};
     Areas below{.role = Role::bar_below};
     std::vector<Shape> labels;
@@ -93,9 +91,8 @@ void add_error_bars(const Decisions& decisions, const Lattice& lattice, double f
     shapes.push_back(std::move(below));
     shapes.insert(shapes.end(), labels.begin(), labels.end());
     shapes.push_back(Label{.role = Role::quiet_text,
-                           .at = is_steep
-                                     ? Place{zero, frame.corner.y + frame.height + text_size + 2}
-                                     : Place{frame.corner.x - 4, zero + 3},
+                           .at = is_steep ? Place{zero, frame.bottom() + text_size + 2}
+                                          : Place{frame.corner.x - 4, zero + 3},
                            .text = "d",
                            .size = text_size,
                            .anchor = is_steep ? Anchor::middle : Anchor::end});

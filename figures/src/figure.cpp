@@ -7,6 +7,7 @@
 #include "scene_panel.h"
 #include "words.h"
 
+#include <rastertrace/figures/corners.h>
 #include <rastertrace/trace/describe.h>
 #include <rastertrace/trace/working.h>
 
@@ -52,8 +53,33 @@ bool is_bare(const FigureParts& parts) {
            !parts.has(FigurePart::vertices);
 }
 
-/// What is drawn on the pixels, in this order.
-void add_raster(const Panel& panel, std::vector<Shape>& shapes) {
+bool is_in(const std::vector<FigurePart>& list, FigurePart part) {
+    return std::find(list.begin(), list.end(), part) != list.end();
+}
+
+/// Why a frame is refused that has nothing of a part which was asked for; nothing if the part may be empty.
+std::optional<Problem> problem_of_nothing(FigurePart part) {
+    switch (part) {
+    case FigurePart::half_planes:
+        return problem_of("", "--with half-planes: expected a frame of a triangle, found another",
+                          "--step \"primitive ...\", or another step of a triangle");
+    case FigurePart::row:
+        return problem_of("", "--with row: expected a frame with a scanline, found none",
+                          "--step \"scanline ...\", or another step of its row");
+    case FigurePart::rejected:
+        return problem_of("",
+                          "--with rejected: expected a frame with a pixel that was tested and not "
+                          "drawn, found none",
+                          "--step of a sample or of a depth test that fails; without --step, all "
+                          "of them");
+    default:
+        return std::nullopt;
+    }
+}
+
+/// What is drawn on the pixels, in this order. Throws a Problem if there is nothing of a part that is `needed`.
+void add_raster(const Panel& panel, const std::vector<FigurePart>& needed,
+                std::vector<Shape>& shapes) {
     using AddPart = void (*)(const Panel&, std::vector<Shape>&);
     constexpr std::array<std::pair<FigurePart, AddPart>, 11> on_pixels{
         {{FigurePart::pixels, add_pixels},
@@ -67,9 +93,15 @@ void add_raster(const Panel& panel, std::vector<Shape>& shapes) {
          {FigurePart::rejected, add_rejected},
          {FigurePart::row, add_row},
          {FigurePart::vertices, add_vertices}}};
-    for (const auto& [part, add] : on_pixels)
-        if (panel.parts.has(part))
-            add(panel, shapes);
+    for (const auto& [part, add] : on_pixels) {
+        if (!panel.parts.has(part))
+            continue;
+        const std::size_t before = shapes.size();
+        add(panel, shapes);
+        if (shapes.size() == before && is_in(needed, part))
+            if (auto problem = problem_of_nothing(part))
+                throw *std::move(problem);
+    }
     add_cell_texts(panel, shapes);
     if (panel.parts.has(FigurePart::grid) || panel.parts.has(FigurePart::axes))
         add_border(panel, shapes);
@@ -82,24 +114,57 @@ bool has_step(const Trace& trace, StepKind kind) {
     return n <= trace.size();
 }
 
-/// Refuses a part that was asked for, whose numbers no step has.
-void check_numbers(const std::vector<FigurePart>& with, const Trace& trace) {
+/// True if something in the trace has another color than black, which is that of a scene without colors.
+bool has_colors(const Trace& trace) {
+    if (trace.background)
+        return true;
+    for (std::size_t n = 1; n <= trace.size(); ++n) {
+        const auto kind = trace.kind_of(n);
+        if (kind == StepKind::primitive && !(color_of_primitive(trace.step(n)) == Color{}))
+            return true;
+        if (kind == StepKind::pixel && !trace.step(n).text("color").empty())
+            return true;
+    }
+    return false;
+}
+
+bool has_triangle(const Trace& trace) {
+    for (std::size_t n = 1; n <= trace.size(); ++n)
+        if (trace.kind_of(n) == StepKind::primitive && corners_of(trace.step(n)).size() == 3)
+            return true;
+    return false;
+}
+
+/// Refuses a part that was asked for, and that no frame of the trace can have.
+void check_parts(const std::vector<FigurePart>& with, const Trace& trace) {
     struct Needed {
         FigurePart part;
-        StepKind step;
+        bool (*is_there)(const Trace& trace);
         std::string_view message;
         std::string_view hint;
     };
     constexpr std::array all{
-        Needed{FigurePart::depths, StepKind::depth,
+        Needed{FigurePart::depths, [](const Trace& one) { return has_step(one, StepKind::depth); },
                "--with depths: expected a scene with depth tests, found none",
                "--depth linear-z --keep depth tests what no other triangle can hide, too"},
-        Needed{FigurePart::weights, StepKind::sample,
+        Needed{FigurePart::weights,
+               [](const Trace& one) { return has_step(one, StepKind::sample); },
                "--with weights: expected a fill that tests samples by weights, found none",
-               "--fill barycentric"}};
+               "--fill barycentric"},
+        Needed{FigurePart::half_planes, has_triangle,
+               "--with half-planes: expected a scene with triangles on the screen, found none", ""},
+        Needed{FigurePart::row, [](const Trace& one) { return has_step(one, StepKind::scanline); },
+               "--with row: expected a scene with scanlines, found none",
+               "--fill scanline draws triangles row by row"},
+        Needed{FigurePart::rejected,
+               [](const Trace& one) {
+                   return !pixels_not_drawn(one, {0, one.size()}).empty();
+               },
+               "--with rejected: expected a scene with pixels that are tested and not drawn, "
+               "found none",
+               "--fill barycentric tests pixels beside a triangle, too"}};
     for (const Needed& needed : all)
-        if (std::find(with.begin(), with.end(), needed.part) != with.end() &&
-            !has_step(trace, needed.step))
+        if (is_in(with, needed.part) && !needed.is_there(trace))
             throw problem_of("", std::string(needed.message), std::string(needed.hint));
 }
 
@@ -207,7 +272,7 @@ double add_below(const Beside& beside, const Lattice& lattice, const Column& col
 
 FigureMaker::FigureMaker(const Trace& trace, std::vector<FigureFrame> frames, FigureOptions options)
     : trace_(trace), frames_(std::move(frames)), options_(std::move(options)),
-      view_(options_.view.value_or(default_view(trace))),
+      view_(options_.view.value_or(default_view(trace))), has_colors_(has_colors(trace)),
       replay_(trace, {.writes = true, .depths = true}) {
     std::vector<std::size_t> painted;
     std::size_t order = 0;
@@ -219,11 +284,10 @@ FigureMaker::FigureMaker(const Trace& trace, std::vector<FigureFrame> frames, Fi
             painted.push_back(n);
     }
     groups_ = face_groups(trace, std::move(painted), order, most_groups);
-    const auto is_scene = [](FigurePart part) { return part == FigurePart::scene; };
-    if (std::any_of(options_.with.begin(), options_.with.end(), is_scene))
+    if (is_in(options_.with, FigurePart::scene))
         if (auto space = space_of(trace))
             space_ = std::make_unique<const SpatialScene>(*std::move(space));
-    check_numbers(options_.with, trace);
+    check_parts(options_.with, trace);
     if (options_.against != nullptr)
         against_ = frame_after(*options_.against, options_.against->size());
 }
@@ -238,7 +302,8 @@ Drawing FigureMaker::figure(std::size_t n) {
                 .view = view_,
                 .groups = groups_,
                 .palette = options_.palette,
-                .against = against_ ? &*against_ : nullptr};
+                .against = against_ ? &*against_ : nullptr,
+                .has_colors = has_colors_};
     const ShownSteps steps = panel.frame.steps;
 
     // What is said of a step is said at the step; its pixels come after it.
@@ -254,7 +319,9 @@ Drawing FigureMaker::figure(std::size_t n) {
     set_parts(options_, panel);
 
     const FigureParts& parts = panel.parts;
-    const Beside beside = beside_of(panel, space_.get(), frames_.size() == 1);
+    // One of many frames may have nothing of what was asked for.
+    const bool is_only = frames_.size() == 1;
+    const Beside beside = beside_of(panel, space_.get(), is_only);
 
     // The width of the sheet is that of the pixels, of the numbers at their left, and of what is beside them.
     Lattice& lattice = panel.lattice;
@@ -273,7 +340,7 @@ Drawing FigureMaker::figure(std::size_t n) {
     if (parts.has(FigurePart::title))
         y += add_title(sheet.title, panel, column, y, sheet.shapes);
     lattice.corner.y = std::ceil(y);
-    add_raster(panel, sheet.shapes);
+    add_raster(panel, is_only ? options_.with : std::vector<FigurePart>(), sheet.shapes);
     y = lattice.corner.y + lattice.height() + (parts.has(FigurePart::axes) ? axis_height : 0);
     y = std::max(y, lattice.corner.y + add_at_right(beside, lattice, beside_left, sheet));
     y += add_below(beside, lattice, column, y, sheet);

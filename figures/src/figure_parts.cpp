@@ -3,6 +3,8 @@
 
 #include <rastertrace/figures/figure.h>
 
+#include "named_value.h"
+
 #include <algorithm>
 #include <array>
 
@@ -55,7 +57,7 @@ constexpr std::array parts{
     FigurePartRow{FigurePart::title, "title", "the title of the scene, and which step it is",
                   "always"},
     FigurePartRow{FigurePart::legend, "legend", "what colors and patterns stand for",
-                  "in the view faces, and for --against"},
+                  "in the view faces, for --against and half-planes"},
     FigurePartRow{FigurePart::caption, "caption", "what the step says, or --caption TEXT",
                   "for a step"},
     FigurePartRow{FigurePart::working, "working", "below it, how its numbers come of one another",
@@ -82,10 +84,7 @@ std::vector<std::string_view> face_palette_names() {
 }
 
 std::optional<FacePalette> face_palette_named(std::string_view name) {
-    const auto found = std::find(palettes.begin(), palettes.end(), name);
-    if (found == palettes.end())
-        return std::nullopt;
-    return static_cast<FacePalette>(found - palettes.begin());
+    return value_named<FacePalette>(palettes, name);
 }
 
 } // namespace rastertrace

@@ -38,16 +38,14 @@ double axis_margin(const Lattice& lattice) {
 void add_grid(const Panel& panel, std::vector<Shape>& shapes) {
     const Lattice& lattice = panel.lattice;
     const Rectangle frame = lattice.frame();
-    const double right = frame.corner.x + frame.width;
-    const double bottom = frame.corner.y + frame.height;
     Lines lines{.role = Role::grid};
     for (int column = 1; column < lattice.columns(); ++column) {
         const double x = frame.corner.x + column * lattice.cell;
-        lines.paths.push_back({{x, frame.corner.y}, {x, bottom}});
+        lines.paths.push_back({{x, frame.corner.y}, {x, frame.bottom()}});
     }
     for (int row = 1; row < lattice.rows(); ++row) {
         const double y = frame.corner.y + row * lattice.cell;
-        lines.paths.push_back({{frame.corner.x, y}, {right, y}});
+        lines.paths.push_back({{frame.corner.x, y}, {frame.right(), y}});
     }
     shapes.push_back(std::move(lines));
 }
@@ -64,10 +62,10 @@ void add_axes(const Panel& panel, std::vector<Shape>& shapes) {
 
     // Where x or y is 0, if that is inside.
     Lines axes{.role = Role::axis};
-    if (frame.corner.x < zero.x && zero.x < frame.corner.x + frame.width)
-        axes.paths.push_back({{zero.x, frame.corner.y}, {zero.x, frame.corner.y + frame.height}});
-    if (frame.corner.y < zero.y && zero.y < frame.corner.y + frame.height)
-        axes.paths.push_back({{frame.corner.x, zero.y}, {frame.corner.x + frame.width, zero.y}});
+    if (frame.corner.x < zero.x && zero.x < frame.right())
+        axes.paths.push_back({{zero.x, frame.corner.y}, {zero.x, frame.bottom()}});
+    if (frame.corner.y < zero.y && zero.y < frame.bottom())
+        axes.paths.push_back({{frame.corner.x, zero.y}, {frame.right(), zero.y}});
     if (panel.parts.has(FigurePart::grid) && !has_cell_texts(panel.parts))
         shapes.push_back(std::move(axes));
 
@@ -78,12 +76,12 @@ void add_axes(const Panel& panel, std::vector<Shape>& shapes) {
     const int every_row = stride_of(lattice.cell, number_size + 1);
     for (int x = lattice.region.x0; x <= lattice.region.x1; ++x)
         if (x % every_column == 0)
-            shapes.push_back(Label{.role = Role::quiet_text,
-                                   .at = {lattice.middle_of({x, lattice.top()}).x,
-                                          frame.corner.y + frame.height + axis_height - 4},
-                                   .text = std::to_string(x),
-                                   .size = number_size,
-                                   .anchor = Anchor::middle});
+            shapes.push_back(Label{
+                .role = Role::quiet_text,
+                .at = {lattice.middle_of({x, lattice.top()}).x, frame.bottom() + axis_height - 4},
+                .text = std::to_string(x),
+                .size = number_size,
+                .anchor = Anchor::middle});
     for (int y = lattice.region.y0; y <= lattice.region.y1; ++y)
         if (y % every_row == 0)
             shapes.push_back(

@@ -6,34 +6,29 @@
 //
 //     LabelPlaces places(area);
 //     places.take(box_around(mark, 4));
-//     places.find({.mark = mark, .away = 6, .width = 30, .height = 10});
+//     places.find_beside({.mark = mark, .away = 6, .width = 30, .height = 10});
+//
+// Or, among lines that may be crossed if there is no other way: words_beside().
 
 #include <rastertrace/figures/drawing.h>
 
 #include <cstddef>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 namespace rastertrace {
 
-/// A rectangle on the sheet that something takes.
-struct SheetBox {
-    double left = 0;
-    double top = 0;
-    double right = 0;
-    double bottom = 0;
-
-    bool meets(const SheetBox& other) const {
-        return left < other.right && other.left < right && top < other.bottom && other.top < bottom;
-    }
-    bool has(const SheetBox& other) const {
-        return left <= other.left && other.right <= right && top <= other.top &&
-               other.bottom <= bottom;
-    }
-};
-
 /// The square that has a circle.
-SheetBox box_around(Place center, double radius);
+Rectangle box_around(Place center, double radius);
+
+/// Where the letters of a label are anchored that stands in a box: at the side of its mark, for the box may be wider
+/// than they are.
+struct LabelAnchor {
+    double x;
+    Anchor anchor;
+};
+LabelAnchor anchor_beside(Place mark, const Rectangle& box);
 
 /// A label that looks for its place.
 struct LabelWish {
@@ -45,17 +40,35 @@ struct LabelWish {
 
 /// Where it stands.
 struct LabelPlace {
-    SheetBox box;
+    Rectangle box;
     std::optional<Path> leader = {}; ///< from the mark, if it does not stand beside it
 };
+
+/// Words that look for their place beside a mark.
+struct WordsWish {
+    Place mark;
+    Place inside; ///< the middle of what the mark is a corner of: they rather stand away from it
+    std::string_view words;
+    double size = 10; ///< of bold letters
+};
+
+/// What words keep away from.
+struct Obstacles {
+    Rectangle frame;                   ///< they rather stay within it
+    std::vector<Path> sides = {};      ///< rather not on these lines of two places
+    std::vector<Rectangle> words = {}; ///< not on other words
+};
+
+/// The best box for words, of eight around their mark. `nullopt` if each has other words below it.
+std::optional<Rectangle> words_beside(const WordsWish& wish, const Obstacles& obstacles);
 
 class LabelPlaces {
 public:
     /// Labels stand in `area`, and rather not across the line at x = `border`.
-    LabelPlaces(const SheetBox& area, double border) : area_(area), border_(border) {}
+    LabelPlaces(const Rectangle& area, double border) : area_(area), border_(border) {}
 
     /// No label covers this.
-    void take(const SheetBox& box) { taken_.push_back(box); }
+    void take(const Rectangle& box) { taken_.push_back(box); }
 
     /// A place beside the mark, which is then taken. `nullopt` if there is none.
     std::optional<LabelPlace> find_beside(const LabelWish& wish);
@@ -65,18 +78,18 @@ public:
     std::optional<LabelPlace> find_anywhere(const LabelWish& wish);
 
 private:
-    bool is_free(const SheetBox& box) const;
-    bool crosses_border(const SheetBox& box) const {
-        return box.left < border_ && border_ < box.right;
+    bool is_free(const Rectangle& box) const;
+    bool crosses_border(const Rectangle& box) const {
+        return box.left() < border_ && border_ < box.right();
     }
     /// How many marks, labels and other leaders a leader from a mark crosses.
     std::size_t crossings(const Path& leader, Place mark) const;
     /// True if a leader to another label passes through a box: it must stay in sight.
-    bool hides_leader(const SheetBox& box) const;
+    bool hides_leader(const Rectangle& box) const;
 
-    SheetBox area_;
+    Rectangle area_;
     double border_;
-    std::vector<SheetBox> taken_;
+    std::vector<Rectangle> taken_;
     std::vector<Path> leaders_;
 };
 

@@ -31,6 +31,7 @@ struct Panel {
     FacePalette palette;
     const Frame* against;       ///< a picture to compare with; nullptr for none
     bool has_all_edges = false; ///< not only those of the current primitive
+    bool has_colors = true;     ///< some pixel, or the background, has another color than black
 
     const Trace& trace() const { return replay.trace(); }
 
@@ -112,6 +113,9 @@ void add_edges(const Panel& panel, std::vector<Shape>& shapes);
 void add_vertices(const Panel& panel, std::vector<Shape>& shapes);
 void add_samples(const Panel& panel, std::vector<Shape>& shapes);
 void add_half_planes(const Panel& panel, std::vector<Shape>& shapes);
+
+/// True if the frame is about a triangle.
+bool has_half_planes(const Panel& panel);
 
 // row_part.cpp
 void add_row(const Panel& panel, std::vector<Shape>& shapes);

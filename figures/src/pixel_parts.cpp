@@ -76,6 +76,15 @@ void add_plotted(const Panel& panel, std::vector<Shape>& shapes) {
     std::move(pixels).move_to(shapes);
 }
 
+void add_in_ink(const Panel& panel, std::vector<Shape>& shapes) {
+    RoleCollector pixels(panel.lattice);
+    panel.for_each_pixel([&](Pixel pixel, std::size_t offset) {
+        if (panel.replay.frame().drawn_by[offset] != 0)
+            pixels.add(Role::ink, pixel);
+    });
+    std::move(pixels).move_to(shapes);
+}
+
 void add_faces(const Panel& panel, std::vector<Shape>& shapes) {
     RoleCollector pixels(panel.lattice);
     panel.for_each_pixel([&](Pixel pixel, std::size_t offset) {
@@ -198,7 +207,7 @@ PixelColors own_colors_of(const Panel& panel) {
     case View::faces:
         return panel.palette == FacePalette::scene ? shades(panel) : PixelColors();
     case View::shade:
-        return shades(panel);
+        return panel.has_colors ? shades(panel) : PixelColors();
     case View::depth:
         return depth_shades(panel);
     case View::writes:
@@ -222,6 +231,8 @@ void add_pixels(const Panel& panel, std::vector<Shape>& shapes) {
         add_colored(panel, own, shapes);
     else if (panel.view == View::faces)
         add_faces(panel, shapes);
+    else if (panel.view == View::shade)
+        add_in_ink(panel, shapes);
     else
         add_plotted(panel, shapes);
 }
@@ -283,7 +294,8 @@ void add_rejected(const Panel& panel, std::vector<Shape>& shapes) {
         crosses.paths.push_back({{at.x + near, at.y + near}, {at.x + far, at.y + far}});
         crosses.paths.push_back({{at.x + near, at.y + far}, {at.x + far, at.y + near}});
     });
-    shapes.push_back(std::move(crosses));
+    if (!crosses.paths.empty())
+        shapes.push_back(std::move(crosses));
 }
 
 } // namespace rastertrace

@@ -263,7 +263,7 @@ private:
     /// Lines across the plot, and their numbers as far as they do not collide.
     void add_ticks() {
         Lines lines{.role = Role::grid};
-        std::vector<SheetBox> numbers;
+        std::vector<Rectangle> numbers;
         for (const Tick& tick : ticks_of(y_)) {
             const double y = y_.at(tick.value);
             lines.paths.push_back({{area_left, y}, {area_right(), y}});
@@ -278,13 +278,13 @@ private:
         add(std::move(lines));
     }
 
-    void add_number(const Tick& tick, Place at, Anchor anchor, std::vector<SheetBox>& numbers) {
+    void add_number(const Tick& tick, Place at, Anchor anchor, std::vector<Rectangle>& numbers) {
         const double text_width = width_of(tick.text, text_size);
         const double width = text_width + width_of(tick.power, power_size);
         const double left = anchor == Anchor::end ? at.x - width : at.x - width / 2;
-        const SheetBox box{left - 2, at.y - text_size, left + width + 2, at.y + 2};
+        const Rectangle box{{left - 2, at.y - text_size}, width + 4, text_size + 2};
         if (std::any_of(numbers.begin(), numbers.end(),
-                        [&box](const SheetBox& other) { return box.meets(other); }))
+                        [&box](const Rectangle& other) { return box.meets(other); }))
             return;
         numbers.push_back(box);
         constexpr double raised = 4;
@@ -345,8 +345,9 @@ private:
 
     /// Writes the labels; returns those that have no room.
     std::string add_labels() {
-        LabelPlaces places({area_left, top_, area_right(), bottom_}, shelf_right_);
-        for (const SheetBox& mark : marks_)
+        LabelPlaces places({{area_left, top_}, area_right() - area_left, plot_.area_height},
+                           shelf_right_);
+        for (const Rectangle& mark : marks_)
             places.take(mark);
         const auto wish_of = [](const MarkGroup& group) {
             return LabelWish{.mark = group.at,
@@ -376,20 +377,12 @@ private:
     void add_label(const MarkGroup& group, const LabelPlace& place) {
         if (place.leader)
             add(Lines{.role = Role::leader, .paths = {*place.leader}});
-        // Its box may be wider than it is: it stands at the side of its mark.
-        const SheetBox& box = place.box;
-        const bool is_left = box.right <= group.at.x;
-        const bool is_right = group.at.x <= box.left;
+        const auto [x, anchor] = anchor_beside(group.at, place.box);
         add(Label{.role = curve_role(group.curve),
-                  .at = {is_left    ? box.right
-                         : is_right ? box.left
-                                    : (box.left + box.right) / 2,
-                         box.bottom - 2},
+                  .at = {x, place.box.bottom() - 2},
                   .text = group.label,
                   .size = label_size,
-                  .anchor = is_left    ? Anchor::end
-                            : is_right ? Anchor::start
-                                       : Anchor::middle,
+                  .anchor = anchor,
                   .has_rim = true});
     }
 
@@ -401,7 +394,7 @@ private:
     bool has_values_ = false; ///< off the shelf
     Axis x_;
     Axis y_;
-    std::vector<SheetBox> marks_;
+    std::vector<Rectangle> marks_;
     std::vector<MarkGroup> groups_;
 };
 

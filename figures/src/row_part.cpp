@@ -47,7 +47,7 @@ void add_row(const Panel& panel, std::vector<Shape>& shapes) {
         return;
     const double y = lattice.place_of(0, static_cast<double>(*row)).y;
     const Rectangle frame = lattice.frame();
-    const double right = frame.corner.x + frame.width;
+    const double right = frame.right();
     shapes.push_back(Lines{.role = Role::row, .paths = {{{frame.corner.x, y}, {right, y}}}});
     if (panel.frame.is_question)
         return;

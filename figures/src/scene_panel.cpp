@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "scene_panel.h"
 
+#include "label_places.h"
+
 #include <rastertrace/trace/text.h>
 
 #include <fmt/core.h>
@@ -173,14 +175,51 @@ double length_of_normals(const SpatialScene& space) {
     return part * length_of(sum(most, least, -1));
 }
 
+/// A label, which other words keep away from.
+void add_words(Label label, Obstacles& obstacles, std::vector<Shape>& shapes) {
+    const double width = width_of(label.text, label.size);
+    const double left = label.anchor == Anchor::middle ? label.at.x - width / 2 : label.at.x;
+    const double top = label.at.y - 0.85 * label.size;
+    obstacles.words.push_back({{left, top}, width, label.size});
+    shapes.push_back(std::move(label));
+}
+
+/// The names of vertices, each away from the middle of all and from other words; those without room are left out.
+void add_names(const SpatialScene& space, const SideView& side, double size, Obstacles& obstacles,
+               std::vector<Shape>& shapes) {
+    Place sum;
+    for (const auto& [name, at] : space.vertices) {
+        const Place place = side.at(at);
+        sum = {sum.x + place.x, sum.y + place.y};
+    }
+    const auto count = static_cast<double>(space.vertices.size());
+    const Place middle{sum.x / count, sum.y / count};
+    for (const auto& [name, at] : space.vertices) {
+        const Place place = side.at(at);
+        const std::string words = printable(name);
+        const auto box = words_beside({place, middle, words, size}, obstacles);
+        if (!box)
+            continue;
+        obstacles.words.push_back(*box);
+        const auto [x, anchor] = anchor_beside(place, *box);
+        shapes.push_back(Label{.role = Role::strong_text,
+                               .at = {x, box->top() + 0.85 * size},
+                               .text = words,
+                               .size = size,
+                               .anchor = anchor,
+                               .is_bold = true,
+                               .has_rim = true});
+    }
+}
+
 /// More normals than this are a hedgehog, and of more than a few nobody reads the angles.
 constexpr std::size_t most_normals = 30;
 constexpr std::size_t most_angles = 4;
 
-/// The normals; and of a few faces the line of sight, and the angle between both.
+/// The normals; and of a few faces the line of sight, and the angle between both, whose words become obstacles.
 template <typename TipOf>
 void add_normals(const SpatialScene& space, const SideView& side, const TipOf& tip_of,
-                 std::vector<Shape>& shapes) {
+                 Obstacles& obstacles, std::vector<Shape>& shapes) {
     constexpr double head = 6;
     constexpr double text_size = 9;
     const bool has_angles = space.faces.size() <= most_angles;
@@ -194,14 +233,14 @@ void add_normals(const SpatialScene& space, const SideView& side, const TipOf& t
         if (!has_angles || !face.cosine)
             continue;
         constexpr double degrees = 180 / std::numbers::pi;
-        shapes.push_back(
-            Label{.role = Role::normal,
-                  .at = {tip.x + 4, tip.y - 3},
-                  .text = fmt::format("{:.1f}\u00b0",
-                                      std::acos(std::clamp(*face.cosine, -1.0, 1.0)) * degrees),
-                  .size = text_size,
-                  .is_bold = true,
-                  .has_rim = true});
+        add_words({.role = Role::normal,
+                   .at = {tip.x + 4, tip.y - 3},
+                   .text = fmt::format("{:.1f}\u00b0",
+                                       std::acos(std::clamp(*face.cosine, -1.0, 1.0)) * degrees),
+                   .size = text_size,
+                   .is_bold = true,
+                   .has_rim = true},
+                  obstacles, shapes);
     }
 }
 
@@ -306,10 +345,12 @@ Drawing scene_drawing(const SpatialScene& space, double width, double height) {
             side.include(tip_of(face));
     side.fit({{margin, margin}, width - 2 * margin, height - 2 * margin});
 
+    Obstacles obstacles{.frame = {{}, width, height}};
     const auto lines_of = [&](const auto& sides, Role role) {
         Lines lines{.role = role};
         for (const auto& [a, b] : sides)
             lines.paths.push_back({side.at(space.vertices.at(a)), side.at(space.vertices.at(b))});
+        obstacles.sides.insert(obstacles.sides.end(), lines.paths.begin(), lines.paths.end());
         shapes.push_back(std::move(lines));
     };
     lines_of(space.culled, Role::other_edge);
@@ -329,26 +370,19 @@ Drawing scene_drawing(const SpatialScene& space, double width, double height) {
         shapes.push_back(Lines{.role = Role::view_plane, .paths = {plane}, .are_closed = true});
         constexpr double radius = 4;
         shapes.push_back(Dots{.role = Role::eye, .radius = radius, .centers = {eye}});
-        shapes.push_back(Label{.role = Role::eye,
-                               .at = {eye.x, eye.y + text_size + radius},
-                               .text = "eye",
-                               .size = text_size,
-                               .anchor = Anchor::middle,
-                               .has_rim = true});
+        obstacles.words.push_back(box_around(eye, radius));
+        add_words({.role = Role::eye,
+                   .at = {eye.x, eye.y + text_size + radius},
+                   .text = "eye",
+                   .size = text_size,
+                   .anchor = Anchor::middle,
+                   .has_rim = true},
+                  obstacles, shapes);
     }
     if (has_normals)
-        add_normals(space, side, tip_of, shapes);
-
+        add_normals(space, side, tip_of, obstacles, shapes);
     if (space.vertices.size() <= most_names)
-        for (const auto& [name, at] : space.vertices) {
-            const Place place = side.at(at);
-            shapes.push_back(Label{.role = Role::strong_text,
-                                   .at = {place.x + 3, place.y - 4},
-                                   .text = printable(name),
-                                   .size = text_size,
-                                   .is_bold = true,
-                                   .has_rim = true});
-        }
+        add_names(space, side, text_size, obstacles, shapes);
     return drawing;
 }
 

@@ -45,6 +45,12 @@ std::string path_data(const Rectangle& rectangle) {
                        decimal(rectangle.corner.y), width, decimal(rectangle.height), width);
 }
 
+/// True if a text has blanks that SVG leaves out unless it is told not to: at an end, or beside another one.
+bool would_lose_blanks(std::string_view text) {
+    return text.starts_with(' ') || text.ends_with(' ') ||
+           text.find("  ") != std::string_view::npos;
+}
+
 /// Writes shapes, and remembers what they take.
 class ShapeWriter {
 public:
@@ -139,10 +145,10 @@ private:
         if (label.is_bold)
             more += R"( font-weight="bold")";
         std::string kind = "label";
-        if (label.is_fixed_width) {
+        if (label.is_fixed_width)
             kind += " fixed";
+        if (would_lose_blanks(label.text))
             more += R"( xml:space="preserve")";
-        }
         if (label.has_rim)
             kind += " rim";
         return fmt::format("<text {}{}>{}</text>\n", attributes(kind, label.role, label.color),

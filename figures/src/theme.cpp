@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/figures/theme.h>
 
+#include "named_value.h"
+
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -51,6 +53,7 @@ constexpr std::array all{
     Row{Role::face_7, "face-7", rgb(0xaedcf4), rgb(0x31748f), rgb(0xdcdcdc)},
     Row{Role::face_8, "face-8", rgb(0xbdbdbd), rgb(0x5c6066), rgb(0xc3c3c3)},
     Row{Role::empty, "empty", rgb(0xffffff, 0), rgb(0x15181d, 0), rgb(0xffffff, 0)},
+    Row{Role::ink, "ink", rgb(0x000000), rgb(0xf4f4f4), rgb(0x000000)},
     Row{Role::pattern, "pattern", rgb(0x000000, 110), rgb(0xffffff, 110), rgb(0x000000, 150), 0.8},
     Row{Role::grid, "grid", rgb(0xb9bec5), rgb(0x434a54), rgb(0x9a9a9a), 0.6},
     Row{Role::border, "border", rgb(0x5a616b), rgb(0x98a1ad), rgb(0x000000), 1},
@@ -116,10 +119,7 @@ std::vector<std::string_view> theme_names() {
 }
 
 std::optional<Theme> theme_named(std::string_view name) {
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end())
-        return std::nullopt;
-    return static_cast<Theme>(found - names.begin());
+    return value_named<Theme>(names, name);
 }
 
 Paint paint_of(Role role, Theme theme) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/figures/tikz.h>
 
+#include "clip.h"
 #include "pixel_runs.h"
-#include "sheet_clip.h"
 
 #include <rastertrace/trace/text.h>
 
@@ -57,9 +57,10 @@ std::string comment(std::string_view text) {
 class TikzWriter {
 public:
     TikzWriter(const Drawing& sheet, Theme theme, double mm_per_unit)
-        : theme_(theme), mm_per_unit_(mm_per_unit), clip_{.width = sheet.width,
-                                                          .height = sheet.height,
-                                                          .margin = widest_line} {}
+        : theme_(theme), mm_per_unit_(mm_per_unit), clip_{{-widest_line, -widest_line},
+                                                          sheet.width + 2 * widest_line,
+                                                          sheet.height + 2 * widest_line},
+          largest_radius_(2 * (sheet.width + sheet.height)) {}
 
     void write(const Shape& shape) {
         std::visit([this](const auto& one) { write(one); }, shape);
@@ -135,10 +136,9 @@ private:
             return;
         std::vector<std::string> written;
         for (const Rectangle& rectangle : rectangles)
-            if (const auto part = visible_part(rectangle, clip_))
-                written.push_back(fmt::format(
-                    "{} rectangle {}", text_of(part->corner),
-                    text_of({part->corner.x + part->width, part->corner.y + part->height})));
+            if (const auto part = clipped(rectangle, clip_))
+                written.push_back(fmt::format("{} rectangle {}", text_of(part->corner),
+                                              text_of({part->right(), part->bottom()})));
         write_in_paths(fmt::format("\\fill[{}] ", options), written);
     }
 
@@ -175,9 +175,8 @@ private:
             if (is_too_much())
                 return;
             const bool is_whole = path.size() <= places_per_line &&
-                                  std::all_of(path.begin(), path.end(), [this](Place place) {
-                                      return is_visible(place, clip_);
-                                  });
+                                  std::all_of(path.begin(), path.end(),
+                                              [this](Place place) { return clip_.has(place); });
             if (is_whole && path.size() > 1) {
                 places_ += path.size();
                 written.push_back(joined_places(path) + (lines.are_closed ? " -- cycle" : ""));
@@ -185,7 +184,7 @@ private:
             }
             if (lines.are_closed && !path.empty())
                 path.push_back(path.front());
-            for (const Path& piece : visible_pieces(path, clip_)) {
+            for (const Path& piece : clipped_pieces(path, clip_)) {
                 places_ += piece.size();
                 for (const Path& part : parts_of(piece))
                     written.push_back(joined_places(part));
@@ -207,7 +206,7 @@ private:
     void write(const Polygons& polygons) {
         std::string written;
         for (const Path& path : polygons.paths) {
-            const Path part = visible_polygon(path, clip_);
+            const Path part = clipped(path, clip_);
             places_ += part.size();
             if (part.size() > 2 && !is_too_much())
                 written += (written.empty() ? "" : "\n  ") + joined_places(part) + " -- cycle";
@@ -219,13 +218,13 @@ private:
 
     void write(const Dots& dots) {
         // A dot that is larger than the sheet is drawn as large as that: TeX has no larger lengths.
-        const double radius = std::min(dots.radius, 2 * (clip_.width + clip_.height));
+        const double radius = std::min(dots.radius, largest_radius_);
         places_ += 4 * dots.centers.size();
         if (radius <= 0 || is_too_much())
             return;
         std::vector<std::string> written;
         for (const Place& center : dots.centers)
-            if (is_visible(center, clip_))
+            if (clip_.has(center))
                 written.push_back(
                     fmt::format("{} circle[radius={}]", text_of(center), in_mm(radius)));
         write_in_paths(fmt::format("\\fill[{}] ", fill_options(dots.role, std::nullopt)), written);
@@ -233,7 +232,7 @@ private:
 
     void write(const Label& label) {
         places_ += 20;
-        if (!is_visible(label.at, clip_) || label.size <= 0 || label.text.empty() || is_too_much())
+        if (!clip_.has(label.at) || label.size <= 0 || label.text.empty() || is_too_much())
             return;
         std::string options =
             fmt::format("rt-label,text={},scale={}", color_name(label.role, label.color),
@@ -269,7 +268,8 @@ private:
 
     Theme theme_;
     double mm_per_unit_;
-    SheetClip clip_;
+    Rectangle clip_; ///< the sheet and what of a line may be around it
+    double largest_radius_;
     std::string body_;
     std::size_t places_ = 0; ///< see most_tikz_places
     std::set<Role> roles_used_{Role::paper};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/figures/view.h>
 
+#include "named_value.h"
+
 #include <rastertrace/figures/corners.h>
 #include <rastertrace/figures/face_groups.h>
 #include <rastertrace/trace/color_text.h>
@@ -78,10 +80,7 @@ std::vector<std::string_view> view_names() {
 }
 
 std::optional<View> view_named(std::string_view name) {
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end())
-        return std::nullopt;
-    return static_cast<View>(found - names.begin());
+    return value_named<View>(names, name);
 }
 
 std::string short_number(const std::string& text) {

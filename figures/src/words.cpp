@@ -52,7 +52,7 @@ std::string shown_steps_text(const Panel& panel) {
 
 /// A swatch, and what it stands for.
 struct Entry {
-    Role role;
+    std::vector<Role> layers; ///< one over the other
     std::optional<Color> color;
     std::optional<std::size_t> pattern;
     std::string text;
@@ -69,7 +69,7 @@ std::vector<Entry> entries_of_faces(const Panel& panel) {
     if (seen.size() > most_entries)
         return entries;
     for (const std::size_t group : seen) {
-        Entry& entry = entries.emplace_back(Entry{.role = face_role(group),
+        Entry& entry = entries.emplace_back(Entry{.layers = {face_role(group)},
                                                   .color = {},
                                                   .pattern = {},
                                                   .text = printable(panel.groups.names[group])});
@@ -93,15 +93,17 @@ std::vector<Entry> entries_of_comparison(const Panel& panel, const std::string& 
     std::vector<Entry> entries;
     for (std::size_t i = 0; i < words.size(); ++i)
         if (const Role role = comparison_marks()[i].role; seen.contains(role))
-            entries.push_back({.role = role, .color = {}, .pattern = {}, .text = words[i]});
+            entries.push_back({.layers = {role}, .color = {}, .pattern = {}, .text = words[i]});
     return entries;
 }
 
 /// What the grays of depths and of writes say; nothing for other views.
 std::vector<Entry> entries_of_grays(View view) {
     const auto entry = [](double share, std::string text) {
-        return Entry{
-            .role = Role::plotted, .color = gray(share), .pattern = {}, .text = std::move(text)};
+        return Entry{.layers = {Role::plotted},
+                     .color = gray(share),
+                     .pattern = {},
+                     .text = std::move(text)};
     };
     if (view == View::depth)
         return {entry(0, "farthest"), entry(0.5, ""), entry(1, "nearest")};
@@ -113,6 +115,44 @@ std::vector<Entry> entries_of_grays(View view) {
             share_of_writes(writes),
             fmt::format("{}{}", writes, writes == most_writes_told ? " or more writes" : "")));
     return entries;
+}
+
+/// What the layers of half-planes add up to; nothing for a frame that has none.
+std::vector<Entry> entries_of_half_planes(const Panel& panel) {
+    if (!has_half_planes(panel))
+        return {};
+    const auto entry = [](std::size_t negative, std::string text) {
+        Entry one{.layers = {}, .color = {}, .pattern = {}, .text = std::move(text)};
+        one.layers.assign(3 - negative, Role::inside);
+        one.layers.insert(one.layers.end(), negative, Role::outside);
+        return one;
+    };
+    const auto names = panel.trace().step(panel.replay.primitive()).texts("vertices");
+    const std::string all =
+        names.size() == 3
+            ? printable(fmt::format("{0}{1}, {1}{2}, {2}{0}", names[0], names[1], names[2]))
+            : "all three";
+    return {entry(0, all + " \u2265 0"), entry(1, "one of them < 0"), entry(2, "two of them < 0")};
+}
+
+/// What colors and patterns stand for.
+std::vector<Entry> entries_of(const Panel& panel, const std::string& against) {
+    std::vector<Entry> entries = panel.against != nullptr    ? entries_of_comparison(panel, against)
+                                 : panel.view == View::faces ? entries_of_faces(panel)
+                                                             : entries_of_grays(panel.view);
+    if (panel.parts.has(FigurePart::half_planes))
+        for (Entry& entry : entries_of_half_planes(panel))
+            entries.push_back(std::move(entry));
+    return entries;
+}
+
+void add_swatch(const Entry& entry, const Rectangle& box, std::vector<Shape>& shapes) {
+    for (const Role role : entry.layers)
+        shapes.emplace_back(Areas{.role = role, .color = entry.color, .rectangles = {box}});
+    if (entry.pattern)
+        shapes.emplace_back(
+            Lines{.role = Role::pattern, .paths = pattern_strokes(*entry.pattern, box)});
+    shapes.emplace_back(Lines{.role = Role::grid, .paths = {corners_of(box)}, .are_closed = true});
 }
 
 } // namespace
@@ -142,10 +182,7 @@ double add_title(const std::string& title, const Panel& panel, const Column& col
 
 double add_legend(const Panel& panel, const std::string& against, const Column& column, double y,
                   std::vector<Shape>& shapes) {
-    const std::vector<Entry> entries = panel.against != nullptr
-                                           ? entries_of_comparison(panel, against)
-                                       : panel.view == View::faces ? entries_of_faces(panel)
-                                                                   : entries_of_grays(panel.view);
+    const std::vector<Entry> entries = entries_of(panel, against);
     if (entries.empty())
         return 0;
     const double top = y;
@@ -158,11 +195,7 @@ double add_legend(const Panel& panel, const std::string& against, const Column& 
             y += legend_line;
         }
         const Rectangle box{{x, y}, swatch, swatch};
-        shapes.push_back(Areas{.role = entry.role, .color = entry.color, .rectangles = {box}});
-        if (entry.pattern)
-            shapes.push_back(
-                Lines{.role = Role::pattern, .paths = pattern_strokes(*entry.pattern, box)});
-        shapes.push_back(Lines{.role = Role::grid, .paths = {corners_of(box)}, .are_closed = true});
+        add_swatch(entry, box, shapes);
         shapes.push_back(Label{
             .at = {x + swatch + gap, y + 0.85 * swatch}, .text = entry.text, .size = legend_size});
         x += needed;

@@ -110,7 +110,7 @@ class Expected:
             return {"same"} if square in self.raster.colors else {"only-there"}
         if self.figure.last_row is not None:
             return {"current"} if square in self.raster.current else {"plotted"}
-        return {"own", "plotted", "current"} | {f"face-{number}" for number in range(1, 9)}
+        return {"own", "ink", "plotted", "current"} | {f"face-{number}" for number in range(1, 9)}
 
     def color(self, square):
         """None: whatever the style sheet has for it."""

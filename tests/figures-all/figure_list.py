@@ -100,4 +100,5 @@ def figures(source, folder):
         Figure("large-cells", own("large"), ["--region", "100,50,119,61", "--view", "shade"]),
         Figure("region", triangle, ["--region", "-2,-1,3,4"]),
         Figure("bare", triangle, ["--bare", "--cell", "7"]),
+        Figure("bare-and-dark", triangle, ["--bare", "--cell", "7", "--theme", "dark"]),
     ]

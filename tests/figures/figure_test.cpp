@@ -2,11 +2,13 @@
 // What figures show, read back from their shapes. Numbers are those of the texts (docs/sources.md).
 #include "depth_plot.h"
 #include "error_bars.h"
+#include "label_places.h"
 #include "lattice.h"
 #include "scene_panel.h"
 #include "traces.h"
 
 #include <rastertrace/figures/figure.h>
+#include <rastertrace/figures/theme.h>
 #include <rastertrace/trace/selector.h>
 
 #include <gmock/gmock.h>
@@ -278,6 +280,45 @@ TEST(Figures, WeightsOfASampleAreWritten) {
     EXPECT_THAT(weights, testing::ElementsAre("3/8", "31/72", "7/36"));
 }
 
+TEST(Figures, TheLegendOfHalfPlanesHasTheLayersOfThePicture) {
+    const Trace trace = trace_of_scene(first_triangle);
+    const Drawing figure = whole_figure(trace, {.with = {FigurePart::half_planes}});
+    // At how many of the three edges a place is inside, by the polygons that have it: of the legend by its swatches.
+    const auto layers_at = [&figure](Place place) {
+        std::string layers;
+        for (const Shape& shape : figure.shapes) {
+            const auto* const areas = std::get_if<Areas>(&shape);
+            if (areas != nullptr && (areas->role == Role::inside || areas->role == Role::outside) &&
+                has(areas->rectangles.front(), place))
+                layers += areas->role == Role::inside ? '+' : '-';
+        }
+        return layers;
+    };
+    std::map<std::string, std::string> legend;
+    for (const Label& label : shapes_of<Label>(figure, Role::text))
+        if (const auto layers = layers_at({label.at.x - 8, label.at.y - 3}); !layers.empty())
+            legend[layers] = label.text;
+    EXPECT_THAT(legend, testing::ElementsAre(testing::Pair("+++", "AB, BC, CA \u2265 0"),
+                                             testing::Pair("++-", "one of them < 0"),
+                                             testing::Pair("+--", "two of them < 0")));
+    // No layer covers a name of an edge.
+    const auto is_layer = [](const Shape& shape) {
+        const auto* const polygons = std::get_if<Polygons>(&shape);
+        return polygons != nullptr;
+    };
+    const auto is_name = [](const Shape& shape) {
+        const auto* const label = std::get_if<Label>(&shape);
+        return label != nullptr && label->role == Role::text;
+    };
+    EXPECT_GT(std::find_if(figure.shapes.begin(), figure.shapes.end(), is_name),
+              std::find_if(figure.shapes.rbegin(), figure.shapes.rend(), is_layer).base() - 1);
+    // A frame without a triangle has no legend of them.
+    const Drawing none = FigureMaker(trace, {{.steps = {0, 0}}, {.steps = {0, 0}}},
+                                     {.with = {FigurePart::half_planes}})
+                             .figure(0);
+    EXPECT_THAT(shapes_of<Areas>(none, Role::inside), testing::IsEmpty());
+}
+
 TEST(Figures, ASampleIsInTheMiddleOfItsPixel) {
     for (const bool has_center_samples : {false, true})
         for (const Origin origin : {Origin::center, Origin::bottom_left, Origin::top_left}) {
@@ -411,6 +452,42 @@ TEST(Figures, AnEyeInTheWorldIsWhereTheCameraStands) {
     }
 }
 
+/// The boxes of bold labels, at least.
+std::vector<Rectangle> boxes_of(const Drawing& drawing, Role role) {
+    std::vector<Rectangle> boxes;
+    for (const Label& label : shapes_of<Label>(drawing, role)) {
+        const double width = width_of(label.text, label.size);
+        const double left = label.at.x - (label.anchor == Anchor::end      ? width
+                                          : label.anchor == Anchor::middle ? width / 2
+                                                                           : 0);
+        boxes.push_back({{left, label.at.y - 0.8 * label.size}, width, 0.8 * label.size});
+    }
+    return boxes;
+}
+
+TEST(Figures, NamesInSpaceCoverNoOthers) {
+    // Vertices in the middle that are ever nearer to one another, and four far away.
+    for (const double distance : {2.0, 0.5, 0.1, 0.01, 0.0}) {
+        SpatialScene space;
+        for (int i = 0; i < 20; ++i)
+            space.vertices["V" + std::to_string(i)] = {distance * (i % 5), distance * (i / 5), 0};
+        space.vertices["A"] = {-9, 0, 0};
+        space.vertices["B"] = {9, 0, 0};
+        space.vertices["C"] = {0, -9, 0};
+        space.vertices["D"] = {0, 9, 0};
+        space.viewer = Viewer{.eye = {0, 0, 0}, .view_plane = {}};
+        const Drawing drawing = scene_drawing(space, 300, 300);
+        std::vector<Rectangle> boxes = boxes_of(drawing, Role::strong_text);
+        const auto names = texts_of(drawing, Role::strong_text);
+        EXPECT_THAT(names, testing::IsSupersetOf({"A", "B", "C", "D"})) << "those that have room";
+        EXPECT_EQ(names.size() == 24, distance == 2.0) << distance;
+        boxes.push_back(boxes_of(drawing, Role::eye).front());
+        for (std::size_t i = 0; i < boxes.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j)
+                EXPECT_FALSE(boxes[i].meets(boxes[j])) << distance << " " << i << " " << j;
+    }
+}
+
 TEST(Figures, PartsThatASceneCannotHaveAreRefused) {
     const Trace trace = trace_of_scene(first_triangle);
     for (const FigurePart part : {FigurePart::scene, FigurePart::errors, FigurePart::plot})
@@ -425,6 +502,20 @@ TEST(Figures, EveryPartHasARowInItsOrder) {
         EXPECT_EQ(figure_part_named(figure_parts()[i].name), figure_parts()[i].part);
     }
     EXPECT_EQ(figure_part_named("no such part"), std::nullopt);
+}
+
+TEST(Figures, NamesAreThoseOfTheirValues) {
+    EXPECT_EQ(theme_named("auto"), Theme::automatic);
+    EXPECT_EQ(theme_named("print"), Theme::print);
+    EXPECT_EQ(view_named("plotted"), View::plotted);
+    EXPECT_EQ(view_named("coverage"), View::coverage);
+    EXPECT_EQ(face_palette_named("distinct"), FacePalette::distinct);
+    EXPECT_EQ(face_palette_named("scene"), FacePalette::scene);
+    for (const std::string_view none : {"", "sce", "Print", "no such name"}) {
+        EXPECT_EQ(theme_named(none), std::nullopt);
+        EXPECT_EQ(view_named(none), std::nullopt);
+        EXPECT_EQ(face_palette_named(none), std::nullopt);
+    }
 }
 
 } // namespace

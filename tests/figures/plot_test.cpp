@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Plots, from data made by hand.
 
+#include "label_places.h"
 #include "xml_fault.h"
 
 #include <rastertrace/figures/plot.h>
@@ -219,6 +220,19 @@ TEST(Plot, NoLabelCoversAnotherOneOrAMarkAndNoneIsDropped) {
     for (const PlotCurve& curve : plot.curves)
         for (const PlotMark& mark : curve.marks)
             EXPECT_THAT(all, HasSubstr(" " + mark.label + (mark.label.empty() ? "" : ",")));
+}
+
+TEST(Plot, ALabelIsAnchoredAtTheSideOfItsMark) {
+    const Place mark{10, 5};
+    const auto anchored = [mark](double left, double right) {
+        const LabelAnchor there = anchor_beside(mark, {{left, 0}, right - left, 10});
+        return std::pair(there.x, there.anchor);
+    };
+    EXPECT_EQ(anchored(2, 8), std::pair(8.0, Anchor::end));
+    EXPECT_EQ(anchored(2, 10), std::pair(10.0, Anchor::end));
+    EXPECT_EQ(anchored(10, 16), std::pair(10.0, Anchor::start));
+    EXPECT_EQ(anchored(12, 16), std::pair(12.0, Anchor::start));
+    EXPECT_EQ(anchored(6, 16), std::pair(11.0, Anchor::middle));
 }
 
 TEST(Plot, ALabelWithoutRoomBesideItsMarkIsLedToByALine) {

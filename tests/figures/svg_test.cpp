@@ -50,6 +50,21 @@ TEST(Svg, PixelsOfAColorAreRunsByColor) {
                           "d=\"M0 0h4v2h-4zM4 2h2v2h-2z\"/>\n"));
 }
 
+TEST(Svg, KeepsBlanks) {
+    const auto text_of = [](const std::string& text) {
+        Label label;
+        label.text = text;
+        const Drawing drawing{.width = 10, .height = 10, .title = "", .shapes = {label}};
+        const std::string svg = svg_of(drawing, Theme::light).value();
+        const std::size_t begin = svg.find("<text");
+        return svg.substr(begin, svg.find('\n', begin) - begin);
+    };
+    for (const std::string text : {"A  B", " A", "A "})
+        EXPECT_THAT(text_of(text),
+                    testing::EndsWith(R"( xml:space="preserve">)" + text + "</text>"));
+    EXPECT_THAT(text_of("A B C"), testing::EndsWith(R"(font-size="10">A B C</text>)"));
+}
+
 TEST(Svg, AndBitmapHaveTheHostileDrawing) {
     const Bitmap bitmap = bitmap_of(hostile_drawing(), Theme::light, 1);
     EXPECT_EQ(bitmap.width, 400U);

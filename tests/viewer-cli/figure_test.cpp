@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // `rastertrace figure` as a user calls it: what it says to bad input, what it keeps, and what holds for any scene.
 
+#include "figure_file.h"
 #include "program.h"
 #include "random_scene.h"
 #include "traces.h"
@@ -169,9 +170,41 @@ TEST_F(FigureTest, PartsThatTheSceneCannotHave) {
               "rastertrace: --with plot: expected a frame with two depths along a row or a side, "
               "found fewer\n"
               "hint: --step \"scanline ...\" of a longer row\n");
+    EXPECT_EQ(refusal("--with row -o x.svg"),
+              "rastertrace: --with row: expected a frame with a scanline, found none\n"
+              "hint: --step \"scanline ...\", or another step of its row\n");
+    EXPECT_EQ(refusal("--with row --step \"scanline y=2\" --region -8,-6,8,1 -o x.svg"),
+              "rastertrace: --with row: expected a frame with a scanline, found none\n"
+              "hint: --step \"scanline ...\", or another step of its row\n");
+    EXPECT_EQ(refusal("--with row --fill barycentric -o x.svg"),
+              "rastertrace: --with row: expected a scene with scanlines, found none\n"
+              "hint: --fill scanline draws triangles row by row\n");
+    EXPECT_EQ(refusal("--with half-planes --until 1 -o x.svg"),
+              "rastertrace: --with half-planes: expected a frame of a triangle, found another\n"
+              "hint: --step \"primitive ...\", or another step of a triangle\n");
+    EXPECT_EQ(shell("$rastertrace figure $examples/t2-lines/bresenham.json --every decide --with "
+                    "half-planes -o x.svg")
+                  .err,
+              "rastertrace: --with half-planes: expected a scene with triangles on the screen, "
+              "found none\n");
+    EXPECT_EQ(refusal("--with rejected -o x.svg"),
+              "rastertrace: --with rejected: expected a scene with pixels that are tested and not "
+              "drawn, found none\n"
+              "hint: --fill barycentric tests pixels beside a triangle, too\n");
+    EXPECT_EQ(refusal("--with rejected --fill barycentric --step \"sample inside=true x=0 y=0\" -o "
+                      "x.svg"),
+              "rastertrace: --with rejected: expected a frame with a pixel that was tested and not "
+              "drawn, found none\n"
+              "hint: --step of a sample or of a depth test that fails; without --step, all of "
+              "them\n");
     // The hints help.
+    EXPECT_EQ(figure("--with row --step \"scanline y=2\" -o x.svg").status, 0);
+    EXPECT_EQ(figure("--with half-planes --step \"primitive\" -o x.svg").status, 0);
+    EXPECT_EQ(figure("--with rejected --fill barycentric -o x.svg").status, 0);
     EXPECT_EQ(figure("--with plot,depths --depth linear-z --keep depth -o x.svg").status, 0);
     EXPECT_EQ(figure("--with weights --fill barycentric -o x.svg").status, 0);
+    // Of several frames, those that have none of it go without.
+    EXPECT_EQ(figure("--with row,half-planes --every edge --sheet 3x1 -o x.svg").status, 0);
 }
 
 TEST_F(FigureTest, WhatAFormatCannotShow) {
@@ -253,6 +286,29 @@ TEST_F(FigureTest, WhatIsTooMuchForAFormatIsTold) {
     EXPECT_EQ(refusal("--cell 1000 -o x.png"),
               "rastertrace: expected at most 100000000 pixels in a picture, found 34072 x 28116\n"
               "hint: a smaller --scale makes it smaller; --region takes a part of it\n");
+}
+
+TEST_F(FigureTest, FramesOfOneSizeAreDrawnOnceAsFarAsThereIsRoom) {
+    std::vector<std::size_t> drawn;
+    const auto draw = [&drawn](std::size_t i) {
+        drawn.push_back(i);
+        const auto size = static_cast<double>(i + 1);
+        return Drawing{.width = size, .height = 10 - size, .title = std::to_string(i)};
+    };
+    const auto all_of = [](const FigureFrames& frames) {
+        for (std::size_t i = 0; i < frames.count; ++i) {
+            const Drawing one = frames.at(i);
+            EXPECT_EQ(one.title, std::to_string(i));
+            EXPECT_EQ(one.width, 4);
+            EXPECT_EQ(one.height, 9);
+        }
+    };
+    all_of(of_one_size(4, draw));
+    EXPECT_THAT(drawn, testing::ElementsAre(0, 1, 2, 3));
+    drawn.clear();
+    // Room for two.
+    all_of(of_one_size(4, draw, 2 * memory_of(draw(0)) + 1));
+    EXPECT_THAT(drawn, testing::ElementsAre(0, 0, 1, 2, 3, 2, 3));
 }
 
 TEST_F(FigureTest, AnAnimationOfTooManyFramesIsRefusedBeforeItIsDrawn) {
@@ -414,6 +470,34 @@ PngPixels read_png(const std::string& file) {
     for (std::size_t i = 0; i < bytes.size(); i += 3)
         pixels.colors.emplace_back(bytes[i], bytes[i + 1], bytes[i + 2]);
     return pixels;
+}
+
+TEST_F(FigureTest, ABarePictureWithoutColorsFollowsTheTheme) {
+    // The first pixel of the first triangle is the 11th of the third row, of 17 each.
+    constexpr std::size_t drawn = 2 * 17 + 10;
+    const auto pixel_in = [this](const std::string& options) {
+        return read_png(figure("--bare --format png -o - " + options).out).colors.at(drawn);
+    };
+    EXPECT_EQ(pixel_in("--theme light"), (Color{0, 0, 0}));
+    EXPECT_EQ(pixel_in("--theme print"), (Color{0, 0, 0}));
+    EXPECT_EQ(pixel_in("--theme dark"), (Color{0xf4, 0xf4, 0xf4}));
+    const std::string svg = figure("--bare --format svg -o -").out;
+    EXPECT_THAT(svg, HasSubstr(".ink{fill:#000000;"));
+    EXPECT_THAT(svg, HasSubstr("(prefers-color-scheme:dark){\n.ink{fill:#f4f4f4;"));
+    // What has a color, or is on a background, keeps it.
+    const auto in_dark = [this](const std::string& scene) {
+        write("scene.json", scene);
+        return read_png(
+                   shell("$rastertrace figure scene.json --bare --theme dark --format png -o -")
+                       .out)
+            .colors;
+    };
+    const std::string points = R"("canvas": {"width": 2, "height": 1, "origin": "top-left"},
+                                  "vertices": {"A": [0, 0], "B": [1, 0]}, "points": ["A", )";
+    EXPECT_THAT(in_dark("{" + points + R"({"vertices": "B", "color": "#ff0000"}]})"),
+                testing::ElementsAre(Color{0, 0, 0}, Color{255, 0, 0}));
+    EXPECT_THAT(in_dark(R"({"background": "#ffffff", )" + points + R"("B"]})"),
+                testing::ElementsAre(Color{0, 0, 0}, Color{0, 0, 0}));
 }
 
 TEST_F(FigureTest, ABarePngIsThePictureOfTheTrace) {

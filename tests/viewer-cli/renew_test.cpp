@@ -116,6 +116,52 @@ TEST_F(RenewTest, EachFileOfASequenceIsChecked) {
                 HasSubstr("expected dots-2.json as"));
 }
 
+TEST_F(RenewTest, CheckTellsFilesThatAreNoLongerWritten) {
+    const auto page_with = [this](const std::string& options) {
+        write("page.md", "```console\n$ rastertrace trace scene.json " + options + "\n```\n");
+        EXPECT_EQ(shell("$rastertrace renew page.md").status, 0);
+    };
+    const auto checked = [this] { return shell("$rastertrace renew --check page.md"); };
+    const auto told = [](const std::string& file) {
+        return "page.md:2:1: expected no " + file +
+               ", which this command no longer writes, found it\n"
+               "$ rastertrace trace scene.json --vary /v...\n"
+               "^\n"
+               "hint: renew leaves it; remove it if nothing else needs it\n";
+    };
+    // From one file to ten, from ten to eight.
+    page_with("-o dots.json");
+    page_with("--vary /vertices/A/0=0:1:10 -o dots.json");
+    EXPECT_EQ(checked().out, told("dots.json"));
+    EXPECT_EQ(checked().status, 1);
+    shell("rm dots.json");
+    EXPECT_EQ(checked().out, "");
+    EXPECT_EQ(checked().status, 0);
+    page_with("--vary /vertices/A/0=0:1:8 -o dots.json");
+    std::string all;
+    for (const std::string number : {"01", "02", "03", "04", "05", "06", "07", "08", "09", "10"})
+        all += told("dots-" + number + ".json");
+    EXPECT_EQ(checked().out, all);
+    shell("rm dots-0*.json dots-10.json");
+    EXPECT_EQ(checked().status, 0);
+    // From eight to six; and what is no whole sequence is something else.
+    page_with("--vary /vertices/A/0=0:1:6 -o dots.json");
+    write("dots-12.json", "mine");
+    EXPECT_EQ(checked().out, told("dots-7.json") + told("dots-8.json"));
+    EXPECT_EQ(content("dots-12.json"), "mine");
+    shell("rm dots-7.json dots-8.json");
+    EXPECT_EQ(checked().status, 0);
+    // Another command may write them, and the scene is no output.
+    write("page.md", "```console\n"
+                     "$ rastertrace trace scene.json -o dots.json\n"
+                     "$ rastertrace trace scene.json --vary /vertices/A/0=0:1:6 -o ./dots.json\n"
+                     "$ rastertrace trace scene.json --vary /vertices/A/0=0:1:2 -o scene.json\n"
+                     "```\n");
+    EXPECT_EQ(shell("$rastertrace renew page.md").status, 0);
+    EXPECT_EQ(checked().out, "");
+    EXPECT_EQ(checked().status, 0);
+}
+
 TEST_F(RenewTest, ACommandThatFailsIsAProblem) {
     write("page.md", "```\n$ rastertrace show bad.json\nold\n```\n");
     const Outcome failed = shell("$rastertrace renew page.md");

@@ -9,99 +9,115 @@
 namespace rastertrace {
 
 void Replay::go_to(std::size_t n) {
-    if (n < step_) {
+    if (n < place_.step) {
         frame_ = Frame(trace_.canvas, parts_);
-        step_ = primitive_ = scanline_ = scanline_before_ = drew_over_ = stored_before_ = 0;
-        order_ = ray_ = vertex_ = vertex_before_ = 0;
-        edges_.clear();
-        primitives_.clear();
-        matrices_.clear();
+        has_changed_.assign(has_changed_.size(), 0);
+        place_ = {};
     }
-    while (step_ < n)
+    while (place_.step < n)
         apply_next();
 }
 
+namespace {
+
+/// Adds a step to the list of its kind, of which `count` come before it. A replay that went back has it already.
+void add_to(std::vector<std::size_t>& list, std::size_t& count, std::size_t step) {
+    if (count == list.size())
+        list.push_back(step);
+    ++count;
+}
+
+} // namespace
+
 void Replay::apply_next() {
-    ++step_;
-    drew_over_ = stored_before_ = 0;
-    const auto kind = trace_.kind_of(step_);
+    ++place_.step;
+    place_.drew_over = place_.stored_before = 0;
+    const auto kind = trace_.kind_of(place_.step);
     if (!kind)
         return;
-    const StepView step = trace_.step(step_);
+    const StepView step = trace_.step(place_.step);
     switch (*kind) {
     case StepKind::primitive:
-        primitive_ = step_;
-        primitives_.push_back(step_);
-        ray_ = scanline_ = scanline_before_ = 0;
-        edges_.clear();
-        color_ = color_of_primitive(step);
+        place_.primitive = place_.step;
+        add_to(primitives_, place_.primitives, place_.step);
+        place_.ray = place_.scanline = place_.scanline_before = 0;
+        place_.edges.clear();
+        place_.color = color_of_primitive(step);
         break;
     case StepKind::matrix:
-        matrices_.push_back(step_);
+        add_to(matrices_, place_.matrices, place_.step);
         break;
     case StepKind::order:
-        order_ = step_;
+        place_.order = place_.step;
         break;
     case StepKind::vertex:
-        vertex_before_ = vertex_;
-        vertex_ = step_;
+        place_.vertex_before = place_.vertex;
+        place_.vertex = place_.step;
         break;
     case StepKind::edge:
-        edges_.push_back(step_);
-        ray_ = 0;
+        place_.edges.push_back(place_.step);
+        place_.ray = 0;
         break;
     case StepKind::ray:
-        ray_ = step_;
+        place_.ray = place_.step;
         break;
     case StepKind::scanline:
-        scanline_before_ = scanline_;
-        scanline_ = step_;
+        place_.scanline_before = place_.scanline;
+        place_.scanline = place_.step;
         break;
-    case StepKind::pixel: {
-        const auto plotted = plotted_by(step, trace_.canvas, color_);
-        if (!plotted)
-            break;
-        frame_.image.at(plotted->pixel) = plotted->color;
-        std::size_t& drawn_by = frame_.drawn_by[trace_.canvas.offset_of(plotted->pixel)];
-        drew_over_ = drawn_by;
-        drawn_by = step_;
-        if (parts_.writes)
-            ++frame_.writes[trace_.canvas.offset_of(plotted->pixel)];
+    case StepKind::pixel:
+        plot(step);
         break;
-    }
-    case StepKind::depth: {
-        const Index x = *step.whole("x");
-        const Index y = *step.whole("y");
-        if (!parts_.depths || !trace_.canvas.contains(x, y))
-            break;
-        std::size_t& stored_by =
-            frame_.stored_by[trace_.canvas.offset_of({static_cast<int>(x), static_cast<int>(y)})];
-        stored_before_ = stored_by;
-        // What passes a nearer depth leaves it stored.
-        if (step.text("pass") == "true" && !step.field("side_of") && !step.field("beside"))
-            stored_by = step_;
+    case StepKind::depth:
+        if (parts_.depths)
+            test_depth(step);
         break;
-    }
     default:
         break;
     }
 }
 
+void Replay::plot(const StepView& step) {
+    const auto plotted = plotted_by(step, trace_.canvas, place_.color);
+    if (!plotted)
+        return;
+    const std::size_t offset = trace_.canvas.offset_of(plotted->pixel);
+    frame_.image.at(plotted->pixel) = plotted->color;
+    place_.drew_over = std::exchange(frame_.drawn_by[offset], place_.step);
+    if (parts_.writes)
+        ++frame_.writes[offset];
+    has_changed_[offset / tile_size] = 1;
+}
+
+void Replay::test_depth(const StepView& step) {
+    const Index x = *step.whole("x");
+    const Index y = *step.whole("y");
+    if (!trace_.canvas.contains(x, y))
+        return;
+    const std::size_t offset = trace_.canvas.offset_of({static_cast<int>(x), static_cast<int>(y)});
+    place_.stored_before = frame_.stored_by[offset];
+    // What passes a nearer depth leaves it stored.
+    if (step.text("pass") != "true" || step.field("side_of") || step.field("beside"))
+        return;
+    frame_.stored_by[offset] = place_.step;
+    has_changed_[offset / tile_size] = 1;
+}
+
 std::size_t Replay::primitive_of(std::size_t step) const {
-    const auto next = std::upper_bound(primitives_.begin(), primitives_.end(), step);
-    return next == primitives_.begin() ? 0 : *(next - 1);
+    const auto so_far = primitives();
+    const auto next = std::upper_bound(so_far.begin(), so_far.end(), step);
+    return next == so_far.begin() ? 0 : *(next - 1);
 }
 
 const std::vector<std::size_t>& Replay::places_of(const std::string& vertex) const {
-    if (!places_) {
-        places_.emplace();
-        for (std::size_t n = 1; n <= trace_.size(); ++n)
-            if (trace_.kind_of(n) == StepKind::vertex)
-                (*places_)[trace_.step(n).text("name")].push_back(n);
+    for (; steps_with_places_ < trace_.size(); ++steps_with_places_) {
+        const std::size_t n = steps_with_places_ + 1;
+        if (trace_.kind_of(n) == StepKind::vertex)
+            places_[trace_.step(n).text("name")].push_back(n);
     }
     static const std::vector<std::size_t> none;
-    const auto found = places_->find(vertex);
-    return found == places_->end() ? none : found->second;
+    const auto found = places_.find(vertex);
+    return found == places_.end() ? none : found->second;
 }
 
 std::optional<PlottedPixel> plotted_by(const StepView& step, const Canvas& canvas,

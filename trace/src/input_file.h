@@ -25,6 +25,10 @@ public:
     /// Opens a file. That it is not there, or a folder, is a problem.
     static Result<InputFile> open(const std::string& path, Kind kind = Kind::any);
 
+    /// A file that is open already, from where it is read next.
+    InputFile(std::string name, Descriptor file)
+        : name_(std::move(name)), file_(std::move(file)), descriptor_(file_.number()) {}
+
     /// What messages call it.
     const std::string& name() const { return name_; }
 

@@ -41,7 +41,10 @@ struct StepStream::State {
     LineLayout layout = LineLayout::other;
     std::string header_line;
     std::string text; ///< what has been read and is in no block yet, from the beginning of a line
-    bool has_all = false;         ///< the file has come to its end
+    bool has_all = false;       ///< the file has come to its end
+    bool follows = false;       ///< the end of the file is not the end: more may be added
+    std::size_t text_begin = 0; ///< of `text` in the file
+    std::size_t block_begin = 0;
     std::size_t lines_before = 1; ///< lines of the file in front of `text`
     std::size_t lines_before_block = 1;
 
@@ -64,7 +67,14 @@ struct StepStream::State {
 
     explicit State(InputFile opened) : file(std::move(opened)) {}
 
-    void read_more() { has_all = !file.read_into(text); }
+    /// False if there is no more, or not yet.
+    bool read_more() {
+        if (has_all)
+            return false;
+        const bool has_read = file.read_into(text);
+        has_all = !has_read && !follows;
+        return has_read;
+    }
 
     /// A problem of what stands in `text`, with the line that it has in the file.
     Problem moved(Problem problem) const { return moved(std::move(problem), lines_before); }
@@ -120,20 +130,24 @@ struct StepStream::State {
     bool next_block() {
         if (is_behind)
             return false;
-        before += block.size();
-        while (!has_all && text.size() < block_size)
-            read_more();
+        before += std::exchange(block, {}).size();
+        place = 0;
+        while (text.size() < block_size && read_more()) {
+        }
         auto [size, is_last] = end_of_steps();
         while (size == 0 && !is_last && !has_all) { // a line longer than a block
             if (text.size() > longest_line)
                 throw moved(line_too_long({file.name(), header_line + "\n" + text, {}},
                                           header_line.size() + 1));
-            read_more();
+            if (!read_more() && follows)
+                return false; // not a whole line yet
             std::tie(size, is_last) = end_of_steps();
         }
         const std::string_view lines = std::string_view(text).substr(0, size);
         const bool is_cut_off = !is_last && has_all;
         block = trace_of(lines, is_cut_off);
+        block_begin = text_begin;
+        text_begin += size;
         place = 0;
         if (is_cut_off && !block.end && !damage.empty())
             damage.back().message = truncation_after(before + block.size());
@@ -172,8 +186,8 @@ struct StepStream::State {
 
     /// What is left is the end record, and nothing behind it.
     void read_end() {
-        while (!has_all && text.size() < 16 * block_size)
-            read_more();
+        while (text.size() < 16 * block_size && read_more()) {
+        }
         Source source{file.name(), header_line + "\n" + text, {}};
         const Trace rest = value_of(read_end_of(std::move(source)));
         end = rest.end;
@@ -242,8 +256,8 @@ const std::vector<Problem>& StepStream::passed_over() const {
     return state_->passed_over;
 }
 
-StepStream::StepStream(std::unique_ptr<State> state) : state_(std::move(state)) {}
 StepStream::StepStream(StepStream&&) noexcept = default;
+StepStream& StepStream::operator=(StepStream&&) noexcept = default;
 StepStream::~StepStream() = default;
 
 const Trace& StepStream::header() const {
@@ -285,19 +299,43 @@ const std::vector<Problem>& StepStream::damage() const {
     return state_->damage;
 }
 
+std::size_t StepStream::offset() const {
+    const std::size_t lines = state_->header_line.size() + 1;
+    return state_->block_begin + state_->block.offset_of(state_->place) - lines;
+}
+
+int StepStream::descriptor() const {
+    return state_->file.descriptor();
+}
+
+bool StepStream::is_behind_end() const {
+    return state_->is_behind && state_->place == state_->block.size();
+}
+
+void StepStream::follow(bool more_may_come) {
+    state_->follows = more_may_come;
+}
+
 std::variant<StepStream, Source> StepStream::open(const std::string& path, InputCheck& fault_of) {
-    auto state = std::make_unique<StepStream::State>(value_of(InputFile::open(path)));
-    Source source{.name = state->file.name(), .text = {}, .file = state->file.id()};
-    state->layout = read_first_line(state->file, source, fault_of);
-    if (state->layout == LineLayout::other)
+    InputFile file = value_of(InputFile::open(path));
+    Source source{.name = file.name(), .text = {}, .file = file.id()};
+    const LineLayout layout = read_first_line(file, source, fault_of);
+    if (layout == LineLayout::other)
         return source;
-    const std::size_t newline = source.text.find('\n');
-    state->header_line = without_blanks(source.text.substr(0, newline));
-    state->text = source.text.substr(newline + 1);
+    return StepStream(std::move(file), layout, source.text);
+}
+
+StepStream::StepStream(InputFile file, LineLayout layout, const std::string& first)
+    : state_(std::make_unique<State>(std::move(file))) {
+    State* const state = state_.get();
+    state->layout = layout;
+    const std::size_t newline = first.find('\n');
+    state->header_line = without_blanks(first.substr(0, newline));
+    state->text = first.substr(newline + 1);
+    state->text_begin = newline + 1;
     state->header = state->trace_of("", false);
     state->damage.clear();
     state->passed_over = state->header.passed_over;
-    return StepStream(std::move(state));
 }
 
 std::variant<StepStream, Source> open_steps(const std::string& path, const InputLimits& limits) {

@@ -4,6 +4,7 @@
 #include "first_line.h"
 #include "input_file.h"
 #include "json_scanner.h"
+#include "nameless_file.h"
 #include "trace_lines.h"
 
 #include <rastertrace/trace/output.h>
@@ -14,7 +15,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <system_error>
 #include <utility>
@@ -73,17 +73,6 @@ std::string one_step_a_line(std::string_view document) {
     return header + "}\n" + steps + end;
 }
 
-/// A file that has no name, to write to and to read from. It is gone when it is closed.
-Descriptor nameless_file(const std::string& for_name) {
-    const char* const folder = std::getenv("TMPDIR");
-    std::string path =
-        std::string(folder == nullptr || *folder == '\0' ? "/tmp" : folder) + "/rastertrace-XXXXXX";
-    Descriptor file(::mkstemp(path.data()));
-    if (!file.is_open() || ::unlink(path.c_str()) != 0)
-        throw system_problem(for_name, "could not be kept in a temporary file");
-    return file;
-}
-
 } // namespace
 
 struct TraceText::State {
@@ -97,7 +86,7 @@ struct TraceText::State {
 
     std::string text;               ///< in memory ...
     std::optional<InputFile> input; ///< ... or in a file ...
-    Descriptor temporary;           ///< ... or in one without a name
+    NamelessFile temporary;         ///< ... or in one without a name
     int descriptor = -1;
 
     /// Reads the header from the first line.
@@ -212,8 +201,9 @@ std::variant<TraceText, Source> open_trace_text(const std::string& path,
         return TraceText(std::move(state));
     }
     state->temporary = nameless_file(source.name);
-    state->descriptor = state->temporary.number();
-    DescriptorOutput output(state->descriptor, "a temporary file for " + source.name);
+    state->descriptor = state->temporary.to_read.number();
+    DescriptorOutput output(state->temporary.to_write.number(),
+                            "a temporary file for " + source.name);
     do {
         output.write(source.text);
         source.text.clear();

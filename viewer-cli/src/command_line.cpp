@@ -5,6 +5,7 @@
 
 #include "commands.h"
 #include "load.h"
+#include "player_screen.h"
 
 #include <rastertrace/trace/method_names.h>
 #include <rastertrace/trace/problem.h>
@@ -237,6 +238,13 @@ private:
 
 constexpr std::string_view first_frame = "1 if not given";
 
+/// The keys of the player, as the help of its command has them.
+std::string keys_of_player() {
+    constexpr std::size_t columns = 79;
+    const std::vector<std::string> lines = player_help(columns);
+    return joined(lines, "\n");
+}
+
 constexpr std::string_view trace_input =
     "A trace, or a scene, which is drawn first; - for standard input";
 
@@ -251,6 +259,7 @@ public:
                     std::string(exit_statuses));
         add_trace();
         add_show();
+        add_play();
         add_figure();
         add_explain();
         add_stats();
@@ -396,12 +405,7 @@ private:
             show_.selector = step_ + every_; // one of them, at most
             if (all_)
                 show_.which = ShowCommand::Which::all;
-            if (!view_.empty()) {
-                show_.view = view_named(view_);
-                if (!show_.view)
-                    refuse("--view", fmt::format("one of {}", joined(view_names(), ", ")), view_,
-                           did_you_mean(view_, view_names()));
-            }
+            show_.view = one_of("--view", view_, view_names(), view_named);
             if (!show_region_.empty())
                 show_.region = region_in(show_region_);
             if (show_.bare && show_.is_overview)
@@ -439,6 +443,54 @@ private:
             show_.input = show_input_.limits();
             show_.frames = show_frames_.choice();
             action_ = [this] { return rastertrace::run(show_); };
+        });
+    }
+
+    void add_play() {
+        CLI::App& command = add_command(
+            "play", "Go through a trace step by step, forward and back, in the terminal",
+            "rastertrace play examples/t0-fill/first-triangle.json --step \"scanline y=2\"\n\n" +
+                keys_of_player());
+        command.add_option("trace", play_.trace, std::string(trace_input))
+            ->required()
+            ->type_name("TRACE");
+        command
+            .add_option("--step", play_.step,
+                        "Begin at the first such step; before the first if not given")
+            ->type_name("STEP");
+        command
+            .add_option(
+                "--view", view_,
+                fmt::format("What a cell shows: {}; if none is given, what the scene is about",
+                            joined(view_names(), ", ")))
+            ->type_name("NAME");
+        command.add_flag("--follow", play_.follow,
+                         "The trace is still being written: show new steps, too");
+        command
+            .add_option(
+                "--memory", memory_,
+                fmt::format("Megabytes for pictures that are kept for going back, {} if not given",
+                            Snapshots::usual_bytes / 1'000'000))
+            ->type_name("N");
+        command.add_option("--color", color_, "auto, always or never: colors")->type_name("WHEN");
+        play_method_.add_to(command);
+        play_input_.add_to(command);
+        play_frames_.add_to(command, "all if not given");
+        command.callback([this] {
+            play_.view = one_of("--view", view_, view_names(), view_named);
+            if (!memory_.empty()) {
+                constexpr std::size_t most_megabytes = 1'000'000;
+                const auto megabytes = whole_in<std::size_t>(memory_);
+                if (megabytes.value_or(0) < 1 || *megabytes > most_megabytes)
+                    refuse("--memory", "a number of megabytes from 1 to 1000000", memory_);
+                play_.bytes = *megabytes * 1'000'000;
+            }
+            if (!color_.empty())
+                play_.color = color_choice_in(color_);
+            play_.method = play_method_.overrides();
+            play_.input = play_input_.limits();
+            play_.frames = play_frames_.choice();
+            action_ = [this] { return rastertrace::run(play_); };
         });
     }
 
@@ -1253,6 +1305,12 @@ private:
     MethodOptions figure_method_;
     InputOptions figure_input_;
     FrameOptions figure_frames_;
+
+    PlayCommand play_;
+    std::string memory_;
+    MethodOptions play_method_;
+    InputOptions play_input_;
+    FrameOptions play_frames_;
 
     ShowCommand show_;
     std::string step_;

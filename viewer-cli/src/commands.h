@@ -16,6 +16,7 @@
 #include <rastertrace/trace/input.h>
 #include <rastertrace/trace/method_names.h>
 #include <rastertrace/trace/schema.h>
+#include <rastertrace/trace/snapshots.h>
 #include <rastertrace/trace/vary.h>
 #include <rastertrace/trace/write_trace.h>
 
@@ -101,6 +102,19 @@ struct ShowCommand {
     bool asks_for_frames() const { return has_frames || view || region || is_overview; }
 };
 int run(const ShowCommand& command);
+
+struct PlayCommand {
+    std::string trace;
+    std::string step; ///< to begin with, see selector.h; empty: before the first
+    std::optional<View> view;
+    bool follow = false;                        ///< the file may grow
+    std::size_t bytes = Snapshots::usual_bytes; ///< for pictures that are kept for going back
+    ColorChoice color = ColorChoice::automatic;
+    MethodOverrides method;
+    InputLimits input;
+    FrameChoice frames;
+};
+int run(const PlayCommand& command);
 
 struct FigureCommand {
     enum class Which { last, step, until, every };

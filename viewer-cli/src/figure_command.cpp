@@ -24,6 +24,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <initializer_list>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -98,6 +99,17 @@ public:
 
     std::size_t count() const { return frames_.size(); }
     const Trace& trace() const { return trace_; }
+
+    /// About how many bytes it takes: of a step its text, of a pixel what replays remember.
+    std::size_t memory() const {
+        constexpr std::size_t of_step = 150;
+        constexpr std::size_t of_pixel = 100;
+        const std::size_t steps = trace_.size() + (against_ ? against_->size() : 0);
+        const auto pixels = static_cast<std::size_t>(trace_.canvas.width) *
+                            static_cast<std::size_t>(trace_.canvas.height);
+        return of_step * steps + of_pixel * pixels;
+    }
+
     Drawing drawing(std::size_t n) { return maker_->figure(n); }
 
     /// The same frame as `show` prints it.
@@ -162,21 +174,8 @@ public:
         return of(places_[i].scene).text(places_[i].frame, colors);
     }
 
-    /// Drawings that are all as large as the largest.
-    FigureFrames of_one_size() {
-        double width = 0;
-        double height = 0;
-        for (std::size_t i = 0; i < count(); ++i) {
-            const Drawing one = drawing(i);
-            width = std::max(width, one.width);
-            height = std::max(height, one.height);
-        }
-        return {count(), [this, width, height](std::size_t i) {
-                    Drawing one = drawing(i);
-                    one.width = width;
-                    one.height = height;
-                    return one;
-                }};
+    FigureFrames frames_of_one_size() {
+        return of_one_size(count(), [this](std::size_t i) { return drawing(i); });
     }
 
 private:
@@ -186,16 +185,26 @@ private:
     };
 
     TraceFigures& of(std::size_t scene) {
-        if (!figures_ || scene_ != scene)
+        if (const auto kept = kept_.find(scene); kept != kept_.end())
+            return *kept->second;
+        if (!figures_ || scene_ != scene) {
+            figures_.reset(); // two at a time are not needed
             figures_ = std::make_unique<TraceFigures>(command_, input_, scene);
-        scene_ = scene;
-        return *figures_;
+            scene_ = scene;
+        }
+        const std::size_t taken = figures_->memory();
+        if (taken > room_)
+            return *figures_;
+        room_ -= taken;
+        return *(kept_[scene] = std::move(figures_));
     }
 
     const FigureCommand& command_;
     InputFrames& input_;
     std::size_t scene_ = 0; ///< that figures_ are of
     std::unique_ptr<TraceFigures> figures_;
+    std::map<std::size_t, std::unique_ptr<TraceFigures>> kept_; ///< so that no scene is drawn twice
+    std::size_t room_ = 200'000'000;                            ///< for more of them, in bytes
     std::vector<PlaceInSequence> places_;
     ExitStatus status_ = exit_fine;
 };
@@ -286,7 +295,7 @@ public:
     FigureFiles(const FigureCommand& command, FigureFormat format, AllFigures& figures)
         : command_(command), format_(format), figures_(figures) {
         if (command.sheet) {
-            frames_ = figures.of_one_size();
+            frames_ = figures.frames_of_one_size();
             const std::size_t each = command.sheet->columns * command.sheet->rows;
             count_ = (figures.count() + each - 1) / each;
         } else if (is_animation(command, format)) {
@@ -299,7 +308,7 @@ public:
                                  "--every with a rarer step, like scanline or \"pixel y=2\", makes "
                                  "fewer");
             if (format != FigureFormat::cast)
-                frames_ = figures.of_one_size();
+                frames_ = figures.frames_of_one_size();
             count_ = 1;
         } else {
             count_ = figures.count();

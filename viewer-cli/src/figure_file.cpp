@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 namespace rastertrace {
@@ -52,6 +53,33 @@ std::optional<FigureFormat> figure_format_named(std::string_view name) {
 std::string_view name_of(FigureFormat format) {
     const auto is_it = [format](const auto& ending) { return ending.format == format; };
     return std::find_if(figure_endings.begin(), figure_endings.end(), is_it)->text.substr(1);
+}
+
+FigureFrames of_one_size(std::size_t count, std::function<Drawing(std::size_t)> draw,
+                         std::size_t room) {
+    double width = 0;
+    double height = 0;
+    // Those that have room, from the first one on, until they are asked for.
+    const auto kept = std::make_shared<std::vector<std::optional<Drawing>>>(count);
+    bool has_room = true;
+    for (std::size_t i = 0; i < count; ++i) {
+        Drawing one = draw(i);
+        width = std::max(width, one.width);
+        height = std::max(height, one.height);
+        const std::size_t taken = memory_of(one);
+        has_room = has_room && taken <= room;
+        if (!has_room)
+            continue;
+        room -= taken;
+        (*kept)[i] = std::move(one);
+    }
+    return {count, [=](std::size_t i) {
+                Drawing one = (*kept)[i] ? *std::move((*kept)[i]) : draw(i);
+                (*kept)[i].reset();
+                one.width = width;
+                one.height = height;
+                return one;
+            }};
 }
 
 std::string figure_in(FigureFormat format, const Drawing& drawing, const FigureStyle& style) {

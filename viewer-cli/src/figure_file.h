@@ -50,6 +50,11 @@ struct FigureFrames {
     std::function<Drawing(std::size_t)> at; ///< from 0; an animation needs all of one size
 };
 
+/// Drawings that are all as large as the largest of them. Each is drawn right away, to find out how large it is, and kept
+/// until it is asked for; those that have no room any more, in bytes, are drawn again.
+FigureFrames of_one_size(std::size_t count, std::function<Drawing(std::size_t)> draw,
+                         std::size_t room = 200'000'000);
+
 /// The bytes of a file with one drawing: .svg, .png, .tex, .gif. Throws a Problem.
 std::string figure_in(FigureFormat format, const Drawing& drawing, const FigureStyle& style);
 

@@ -13,14 +13,6 @@ namespace rastertrace {
 
 namespace {
 
-std::string path_of_frame(const std::string& path, std::size_t frame, std::size_t frames) {
-    const std::filesystem::path whole(path);
-    const std::size_t digits = std::to_string(frames).size();
-    return (whole.parent_path() / fmt::format("{}-{:0{}}{}", whole.stem().string(), frame, digits,
-                                              whole.extension().string()))
-        .string();
-}
-
 /// Lets the program have this many files open, or says that it cannot.
 void allow_open_files(std::size_t frames) {
     constexpr rlim_t of_frame = 2; // the file and its folder
@@ -41,6 +33,13 @@ void allow_open_files(std::size_t frames) {
 
 } // namespace
 
+std::string path_of_frame(const std::string& path, std::size_t frame, std::size_t digits) {
+    const std::filesystem::path whole(path);
+    return (whole.parent_path() / fmt::format("{}-{:0{}}{}", whole.stem().string(), frame, digits,
+                                              whole.extension().string()))
+        .string();
+}
+
 FrameFiles::FrameFiles(std::string path, std::size_t count)
     : path_(std::move(path)), count_(count) {
     std::error_code error;
@@ -51,7 +50,7 @@ FrameFiles::FrameFiles(std::string path, std::size_t count)
 }
 
 FileOutput& FrameFiles::open(std::size_t frame, std::span<const FileId> inputs) {
-    return files_.emplace_back(path_of_frame(path_, frame, count_), inputs);
+    return files_.emplace_back(path_of_frame(path_, frame, std::to_string(count_).size()), inputs);
 }
 
 void FrameFiles::commit() {

@@ -16,14 +16,16 @@
 
 namespace rastertrace {
 
+/// The name of a frame's file: its number, with so many digits, stands in front of the ending.
+std::string path_of_frame(const std::string& path, std::size_t frame, std::size_t digits);
+
 class FrameFiles {
 public:
     /// `count` is the number of the last file. Throws a Problem if `path` is a device or a folder, or that many files
     /// cannot be open at once.
     FrameFiles(std::string path, std::size_t count);
 
-    /// The file of a frame, from 1: its number, with as many digits as the last one has, stands in front of the
-    /// ending. Throws a Problem, as FileOutput does.
+    /// The file of a frame, from 1, with as many digits as the last one has. Throws a Problem, as FileOutput does.
     FileOutput& open(std::size_t frame, std::span<const FileId> inputs);
 
     /// Gives all of them their names.

@@ -25,15 +25,13 @@ constexpr std::size_t page_columns = 79;
 /// Lines around the grid beside title, caption and legend: a blank one, the coordinates, and the prompt below.
 constexpr std::size_t lines_around_grid = 3;
 
-/// Columns and rows of the canvas, counted from its left and top. A cell is a block of pixels.
-struct Window {
-    int first_column = 0;
-    int columns = 0; ///< of cells
-    int first_row = 0;
-    int rows = 0;
-    int block_width = 1;
-    int block_height = 1;
+/// What a cell takes, with the gap beside it.
+struct CellSize {
+    std::size_t columns;
+    std::size_t lines;
 };
+
+using Window = FrameWindow;
 
 std::size_t length_of(int number) {
     return std::to_string(number).size();
@@ -50,17 +48,35 @@ int fitting(std::size_t room, std::size_t taken, std::size_t each, int all) {
     return static_cast<int>(std::clamp<std::size_t>(count, 1, static_cast<std::size_t>(all)));
 }
 
+/// Columns in front of the cells: a mark and the longest y, and two blanks.
+std::size_t margin_of(const Canvas& canvas) {
+    return 2 +
+           std::max<std::size_t>({3, 1 + length_of(canvas.top()), 1 + length_of(canvas.bottom())});
+}
+
 /// What fits, around the pixel that is looked at. `taken` are the lines around the grid.
-Window window_around(const Canvas& canvas, TextSize size, std::size_t margin, std::size_t cell,
+Window window_around(const Canvas& canvas, TextSize size, std::size_t margin, CellSize cell,
                      std::size_t taken, std::optional<Pixel> center) {
     Window window;
-    window.columns = fitting(size.columns, margin, cell, canvas.width);
-    window.rows = fitting(size.lines, taken, 1, canvas.height);
+    window.columns = fitting(size.columns, margin, cell.columns, canvas.width);
+    window.rows = fitting(size.lines, taken, cell.lines, canvas.height);
     const Pixel middle{canvas.left() + canvas.width / 2, canvas.y_of(canvas.height / 2)};
     const Pixel pixel = center.value_or(middle);
     window.first_column = window_start(canvas.width, window.columns, pixel.x - canvas.left());
     window.first_row =
         window_start(canvas.height, window.rows, static_cast<int>(canvas.row_of(pixel.y)));
+    return window;
+}
+
+/// The same where a character has two pixels, one above the other.
+Window window_of_half_blocks(const Canvas& canvas, TextSize size, std::size_t margin,
+                             std::size_t taken, std::optional<Pixel> center) {
+    const Canvas half{canvas.width, (canvas.height + 1) / 2, Origin::top_left};
+    if (center)
+        center = Pixel{center->x - canvas.left(), static_cast<int>(canvas.row_of(center->y)) / 2};
+    Window window = window_around(half, size, margin, {1, 1}, taken, center);
+    window.first_row *= 2;
+    window.block_height = 2;
     return window;
 }
 
@@ -185,28 +201,6 @@ std::optional<Pixel> newest_pixel(const Frame& frame) {
     return Pixel{canvas.left() + offset % canvas.width, canvas.y_of(offset / canvas.width)};
 }
 
-/// The pixel that a step is about: its own, the middle of its row, or the newest one.
-std::optional<Pixel> center_of(const Replay& replay, std::size_t n) {
-    const Trace& trace = replay.trace();
-    if (const auto own = pixel_of(trace, n))
-        return own;
-    const Canvas& canvas = trace.canvas;
-    if (n != 0 && trace.kind_of(n) == StepKind::vertex && trace.step(n).text("space") == "screen")
-        return pixel_at(trace, trace.step(n).texts("at"));
-    if (n != 0) {
-        const StepView step = trace.step(n);
-        const auto y = step.whole("y");
-        const auto from = step.whole("from");
-        const auto to = step.whole("to");
-        if (y && from && to && canvas.contains(canvas.left(), *y)) {
-            const Index left = std::clamp<Index>(*from, canvas.left(), canvas.right());
-            const Index right = std::clamp<Index>(*to, canvas.left(), canvas.right());
-            return Pixel{static_cast<int>((left + right) / 2), static_cast<int>(*y)};
-        }
-    }
-    return newest_pixel(replay.frame());
-}
-
 /// The row that a step is about, if it is about one.
 std::optional<Index> row_of_step(const Trace& trace, std::size_t n) {
     return n == 0 ? std::nullopt : trace.step(n).whole("y");
@@ -247,12 +241,14 @@ std::string part_text(const Canvas& canvas, const FrameText& about, const Window
     if (about.is_overview)
         return fmt::format("(1 cell = {}x{} pixels, the most frequent of those drawn)\n",
                            window.block_width, window.block_height);
-    if (window.columns == canvas.width && window.rows == canvas.height)
+    if (window.columns == canvas.width && window.rows * window.block_height >= canvas.height)
         return {};
     return fmt::format(
         "(x {} to {}, y {} to {} of a canvas of {} x {})\n", canvas.left() + window.first_column,
         canvas.left() + window.first_column + window.columns - 1, canvas.y_of(window.first_row),
-        canvas.y_of(window.first_row + window.rows - 1), canvas.width, canvas.height);
+        canvas.y_of(std::min(window.first_row + window.rows * window.block_height, canvas.height) -
+                    1),
+        canvas.width, canvas.height);
 }
 
 /// The title, and on the right which steps the frame shows.
@@ -272,7 +268,8 @@ bool has(const Region& region, Pixel pixel) {
 struct MarkedCell {
     std::string text;
     Style style = {};
-    bool is_new = false; ///< between brackets
+    bool is_new = false;    ///< between brackets
+    bool is_cursor = false; ///< between parentheses
 };
 
 /// The cells of a frame with their marks.
@@ -314,7 +311,7 @@ public:
         const int left = canvas.left() + window.first_column + column * window.block_width;
         const int top = window.first_row + row * window.block_height;
         if (window.block_width == 1 && window.block_height == 1)
-            return at({left, canvas.y_of(top)});
+            return with_cursor(at({left, canvas.y_of(top)}), {left, canvas.y_of(top)});
         const int right = std::min(left + window.block_width - 1, canvas.right());
         const int end_row = std::min(top + window.block_height, canvas.height);
         std::map<std::string, int> counts;
@@ -335,7 +332,22 @@ public:
         return most;
     }
 
+    /// The cell of a single pixel, in a row of the canvas, which need not have it.
+    MarkedCell in_row(const Window& window, int row, int column) const {
+        const Canvas& canvas = replay_.trace().canvas;
+        if (row >= canvas.height)
+            return {"."};
+        const Pixel pixel{canvas.left() + window.first_column + column, canvas.y_of(row)};
+        return with_cursor(at(pixel), pixel);
+    }
+
 private:
+    MarkedCell with_cursor(MarkedCell cell, Pixel pixel) const {
+        cell.is_cursor = about_.cursor == pixel;
+        cell.style.is_cursor = cell.is_cursor;
+        return cell;
+    }
+
     /// The cell of a pixel.
     MarkedCell at(Pixel pixel) const {
         const std::size_t offset = replay_.trace().canvas.offset_of(pixel);
@@ -359,62 +371,148 @@ private:
     std::vector<VertexMark> long_names_;          ///< those that do not fit a cell
 };
 
-/// A row of cells. New ones stand between brackets where there are gaps, and no colors.
-std::string row_of_cells(const MarkedCells& cells, const Window& window, int row, bool has_gaps,
-                         ColorDepth colors) {
-    std::string line;
-    bool was_new = false;
-    const auto add_gap = [&](bool is_new) {
-        const bool has_bracket = colors == ColorDepth::none && is_new != was_new;
-        if (has_gaps)
-            line += !has_bracket ? ' ' : is_new ? '[' : ']';
-        was_new = is_new;
+/// A character for a pixel and the one below it, each in the color that the view shows, or none.
+std::string half_block(const MarkedCell& upper, const MarkedCell& lower, ColorDepth colors) {
+    const auto color = [](const MarkedCell& cell) -> std::optional<Color> {
+        constexpr Color cursor{255, 255, 0};
+        constexpr Color marked{255, 0, 255};
+        constexpr Color drawn{200, 200, 200};
+        return cell.is_cursor           ? std::optional(cursor)
+               : cell.style.is_reversed ? std::optional(marked)
+               : cell.style.background  ? cell.style.background
+               : cell.text == "."       ? std::nullopt
+                                        : std::optional(drawn);
     };
-    for (int column = 0; column < window.columns; ++column) {
-        const MarkedCell cell = cells.at(window, row, column);
-        add_gap(cell.is_new);
-        line.append(cells.width() - columns_in(cell.text), ' ');
-        line += styled(cell.text, cell.style, colors);
+    const auto above = color(upper);
+    const auto below = color(lower);
+    if (!above)
+        return below ? styled("▄", {.foreground = below}, colors) : "·";
+    return styled("▀", {.background = below, .foreground = above}, colors);
+}
+
+/// The brackets that stand in front of a cell, in the gap that has one character.
+char bracket_between(const MarkedCell& before, const MarkedCell& after) {
+    if (after.is_cursor)
+        return '(';
+    if (before.is_cursor)
+        return ')';
+    if (before.is_new != after.is_new)
+        return after.is_new ? '[' : ']';
+    return ' ';
+}
+
+/// A line of a cell that takes several lines and columns. A sign fills it, `.` and words stand in its middle.
+std::string line_of_cell(const MarkedCell& cell, std::size_t line, std::size_t width,
+                         std::size_t lines) {
+    const std::size_t columns = columns_in(cell.text);
+    const bool is_middle = line == lines / 2;
+    if (lines > 1 && columns == 1 && cell.text != ".")
+        return std::string(width, cell.text.front());
+    if (lines > 1 && (!is_middle || columns > width))
+        return std::string(width, ' ');
+    const std::size_t behind = lines > 1 ? (width - columns) / 2 : 0;
+    return std::string(width - behind - columns, ' ') + cell.text + std::string(behind, ' ');
+}
+
+/// A line of a row of cells. Where there are gaps and no colors, new ones stand between brackets and the cursor's
+/// between parentheses; without gaps it is `+`.
+std::string line_of_cells(const std::vector<MarkedCell>& cells, std::size_t width, bool has_gaps,
+                          std::size_t line, std::size_t lines, ColorDepth colors) {
+    std::string text;
+    const bool has_brackets = colors == ColorDepth::none;
+    MarkedCell before;
+    for (const MarkedCell& cell : cells) {
+        if (has_gaps)
+            text += has_brackets ? bracket_between(before, cell) : ' ';
+        if (lines == 1 && !cell.style.is_cursor)
+            text.append(width - columns_in(cell.text), ' ');
+        std::string written = lines == 1 && !cell.style.is_cursor
+                                  ? cell.text
+                                  : line_of_cell(cell, line, width, lines);
+        if (cell.is_cursor && has_brackets && !has_gaps)
+            written.assign(width, '+');
+        text += styled(written, cell.style, colors);
+        before = cell;
     }
-    if (was_new && has_gaps && colors == ColorDepth::none)
-        line += ']';
-    return line;
+    const char last = bracket_between(before, {});
+    return has_gaps && has_brackets && last != ' ' ? text + last : text;
 }
 
 } // namespace
 
-std::string frame_text(const Replay& replay, const FrameText& about, TextSize size) {
+std::optional<Pixel> pixel_looked_at(const Replay& replay, std::size_t n) {
+    const Trace& trace = replay.trace();
+    if (const auto own = pixel_of(trace, n))
+        return own;
+    const Canvas& canvas = trace.canvas;
+    if (n != 0 && trace.kind_of(n) == StepKind::vertex && trace.step(n).text("space") == "screen")
+        return pixel_at(trace, trace.step(n).texts("at"));
+    if (n != 0) {
+        const StepView step = trace.step(n);
+        const auto y = step.whole("y");
+        const auto from = step.whole("from");
+        const auto to = step.whole("to");
+        if (y && from && to && canvas.contains(canvas.left(), *y)) {
+            const Index left = std::clamp<Index>(*from, canvas.left(), canvas.right());
+            const Index right = std::clamp<Index>(*to, canvas.left(), canvas.right());
+            return Pixel{static_cast<int>((left + right) / 2), static_cast<int>(*y)};
+        }
+    }
+    return newest_pixel(replay.frame());
+}
+
+std::vector<std::string> frame_heading(const Trace& trace, const FrameText& about,
+                                       std::size_t columns) {
+    std::vector<std::string> lines{title_line(trace, about, columns)};
+    for (std::string& line : caption_lines(about.caption, columns))
+        lines.push_back(std::move(line));
+    return lines;
+}
+
+std::size_t grid_columns(const Canvas& canvas, const FrameText& about) {
+    const auto columns = static_cast<std::size_t>(canvas.width);
+    return margin_of(canvas) + (about.has_half_blocks ? columns : 2 * about.scale * columns + 1);
+}
+
+LaidOutFrame laid_out_frame(const Replay& replay, const FrameText& about, TextSize size) {
     const Canvas& canvas = replay.trace().canvas;
 
     // How wide: a mark and the longest y in front of each row, then the cells, with gaps if they fit.
-    const std::size_t label_width =
-        std::max<std::size_t>({3, 1 + length_of(canvas.top()), 1 + length_of(canvas.bottom())});
-    const std::size_t margin = label_width + 2;
+    const std::size_t margin = margin_of(canvas);
+    const std::size_t label_width = margin - 2;
     const std::size_t page = size.columns == TextSize().columns ? page_columns + 1 : size.columns;
     const auto columns = static_cast<std::size_t>(
         about.region ? about.region->x1 - about.region->x0 + 1 : canvas.width);
     const std::size_t room = page > margin ? (page - margin) / columns : 0;
     const MarkedCells cells(replay, about, about.is_overview || room == 0 ? 0 : room - 1);
-    const bool has_gaps = !about.is_overview && cells.width() < room;
-    const std::size_t cell = cells.width() + (has_gaps ? 1 : 0);
+    const bool is_large = about.scale > 1 && !about.is_overview;
+    const bool has_gaps = is_large || (!about.is_overview && cells.width() < room);
+    const std::size_t scale = is_large ? about.scale : 1;
+    const std::size_t width = is_large ? std::max(cells.width(), 2 * scale - 1) : cells.width();
+    const bool has_half_blocks = about.has_half_blocks && !about.is_overview && !about.region;
+    const CellSize cell{has_half_blocks ? 1 : width + (has_gaps ? 1 : 0), scale};
 
     std::string legend = legend_lines(cells.legend(), std::min(page, page_columns));
     if (!legend.empty())
         legend.insert(0, "\n");
 
-    std::string text = title_line(replay.trace(), about, size.columns) + "\n";
-    for (const std::string& line : caption_lines(about.caption, size.columns))
-        text += line + "\n";
-    for (const std::string& line : about.working)
-        text += fmt::format("    {}\n", line);
+    std::string text;
+    if (about.has_heading) {
+        for (const std::string& line : frame_heading(replay.trace(), about, size.columns))
+            text += line + "\n";
+        for (const std::string& line : about.working)
+            text += fmt::format("    {}\n", line);
+    }
     // Which row is meant, and which part of the canvas is looked at.
     const std::optional<Index> current_row = row_of_step(replay.trace(), about.first_step);
     const bool is_around_step = !about.is_overview && !about.region;
-    const auto center =
-        is_around_step ? center_of(replay, about.first_step) : std::optional<Pixel>();
+    const auto center = about.center     ? about.center
+                        : is_around_step ? pixel_looked_at(replay, about.first_step)
+                                         : std::optional<Pixel>();
     const auto window_below = [&](std::size_t lines) {
         return about.is_overview ? overview_of(canvas, size, margin, lines)
                : about.region    ? window_of(canvas, *about.region)
+               : has_half_blocks ? window_of_half_blocks(canvas, size, margin, lines, center)
                                  : window_around(canvas, size, margin, cell, lines, center);
     };
     // The line that tells the part takes a row itself. Where not even one row fits, the legend has to go.
@@ -428,14 +526,20 @@ std::string frame_text(const Replay& replay, const FrameText& about, TextSize si
         Window window = window_below(taken);
         if (const std::size_t lines = lines_of_part(window); lines > 0)
             window = window_below(taken + lines);
-        const auto rows = static_cast<std::size_t>(window.rows);
+        const std::size_t rows = static_cast<std::size_t>(window.rows) * cell.lines;
         return std::pair(window, taken + lines_of_part(window) + rows <= size.lines);
     };
     if (!window_beside(legend).second && !about.region)
         legend.clear();
     const Window window = window_beside(legend).first;
     text += part_text(canvas, about, window);
-    text += "\n" + column_labels(canvas, window, margin, cell) + "\n";
+    text += "\n" + column_labels(canvas, window, margin, cell.columns) + "\n";
+    const FrameGrid grid{.window = window,
+                         .first_line =
+                             static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')),
+                         .first_column = margin,
+                         .cell_columns = cell.columns,
+                         .cell_lines = cell.lines};
 
     // Where cells cannot show vertices, their names stand behind their rows.
     std::map<Index, std::string> names_in_row;
@@ -455,13 +559,41 @@ std::string frame_text(const Replay& replay, const FrameText& about, TextSize si
         };
         if (current_row && has(canvas.row_of(*current_row)))
             line[0] = '>';
-        line += row_of_cells(cells, window, row, has_gaps, about.colors);
+        std::vector<MarkedCell> in_row;
+        for (int column = 0; column < window.columns; ++column)
+            if (has_half_blocks)
+                line += half_block(cells.in_row(window, first, column),
+                                   cells.in_row(window, first + 1, column), about.colors);
+            else
+                in_row.push_back(cells.at(window, row, column));
+        line += line_of_cells(in_row, width, has_gaps, 0, scale, about.colors);
         for (const auto& [named, names] : names_in_row)
             if (has(named))
                 line += names;
         text += line + "\n";
+        for (std::size_t more = 1; more < scale; ++more)
+            text += std::string(margin, ' ') +
+                    line_of_cells(in_row, width, has_gaps, more, scale, about.colors) + "\n";
     }
-    return text + legend;
+    return {text + legend, grid};
+}
+
+std::string frame_text(const Replay& replay, const FrameText& about, TextSize size) {
+    return laid_out_frame(replay, about, size).text;
+}
+
+std::optional<Pixel> FrameGrid::pixel_at(std::size_t line, std::size_t column,
+                                         const Canvas& canvas) const {
+    if (line < first_line || column < first_column)
+        return std::nullopt;
+    const auto row = static_cast<int>((line - first_line) / cell_lines);
+    const auto in_row = static_cast<int>((column - first_column) / cell_columns);
+    if (row >= window.rows || in_row >= window.columns)
+        return std::nullopt;
+    const int x = canvas.left() + window.first_column + in_row * window.block_width;
+    const int y =
+        canvas.y_of(std::min(window.first_row + row * window.block_height, canvas.height - 1));
+    return Pixel{std::min(x, canvas.right()), y};
 }
 
 std::string bare_frame_text(const Frame& frame) {

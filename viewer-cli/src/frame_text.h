@@ -34,7 +34,41 @@ struct FrameText {
     std::optional<Region> region = {};     ///< show this part, whatever the terminal's size
     bool is_overview = false;              ///< show all of the canvas, many pixels to a cell
     std::vector<std::string> working = {}; ///< lines below the caption, see working_of
+    bool has_heading = true;               ///< title, caption and working
     std::string below = {}; ///< what will be printed below the frame, for which it leaves room
+    std::optional<Pixel> center =
+        {}; ///< what a cut canvas is shown around; none: what the step is about
+    std::optional<Pixel> cursor = {}; ///< a pixel that is marked
+    std::size_t scale = 1; ///< lines of a cell; if it is more than one, twice as many columns
+    bool has_half_blocks = false; ///< two pixels above each other to a character, in their colors
+};
+
+/// What of a canvas a frame shows: columns and rows of cells, counted from its left and top. A cell is a block of
+/// pixels.
+struct FrameWindow {
+    int first_column = 0;
+    int columns = 0; ///< of cells
+    int first_row = 0;
+    int rows = 0;
+    int block_width = 1;
+    int block_height = 1;
+};
+
+/// Where in a frame's text its cells stand.
+struct FrameGrid {
+    FrameWindow window;
+    std::size_t first_line = 0; ///< of the text, from 0
+    std::size_t first_column = 0;
+    std::size_t cell_columns = 1;
+    std::size_t cell_lines = 1;
+
+    /// The pixel at a place of the text, from 0: the first of its block.
+    std::optional<Pixel> pixel_at(std::size_t line, std::size_t column, const Canvas& canvas) const;
+};
+
+struct LaidOutFrame {
+    std::string text;
+    FrameGrid grid;
 };
 
 /// The frame that a replay has reached, with title, caption, coordinates along the borders, and a legend.
@@ -47,7 +81,20 @@ struct FrameText {
 ///
 /// A canvas too wide for `size` loses the gaps between its columns; one that still does not fit is cut to a
 /// window around the pixels that the step is about, and a line says so.
+LaidOutFrame laid_out_frame(const Replay& replay, const FrameText& about, TextSize size);
+
+/// Title and caption alone, in lines of so many columns.
+std::vector<std::string> frame_heading(const Trace& trace, const FrameText& about,
+                                       std::size_t columns);
+
+/// Columns that the grid of a canvas takes with gaps, and its coordinates.
+std::size_t grid_columns(const Canvas& canvas, const FrameText& about);
+
+/// Its text.
 std::string frame_text(const Replay& replay, const FrameText& about, TextSize size);
+
+/// The pixel of a frame that step n is about: its own, the middle of its row, or the newest one.
+std::optional<Pixel> pixel_looked_at(const Replay& replay, std::size_t n);
 
 /// Only the grid, or a part of it, top row first: `.` empty, `#` plotted; or the cells of another view.
 std::string bare_frame_text(const Frame& frame);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "page_files.h"
 
+#include "frame_files.h"
+
 #include <rastertrace/trace/problem.h>
 
 #include <algorithm>
@@ -32,6 +34,9 @@ std::optional<OutputWord> output_in(const std::vector<std::string>& words) {
     }
     return std::nullopt;
 }
+
+/// Of the numbers of a sequence: no system lets more files be open at once.
+constexpr std::size_t most_digits = 6;
 
 std::string bytes_of(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);
@@ -66,12 +71,55 @@ OutputElsewhere::OutputElsewhere(std::vector<std::string> words) : words_(std::m
     std::string& word = words_[output->word];
     const std::filesystem::path path(word.substr(output->begin));
     final_folder_ = path.parent_path();
+    name_ = path.filename();
     word.replace(output->begin, std::string::npos, (folder_ / path.filename()).string());
 }
 
 OutputElsewhere::~OutputElsewhere() {
     std::error_code ignored;
     std::filesystem::remove_all(folder_, ignored);
+}
+
+std::vector<std::string> OutputElsewhere::written_files() const {
+    std::vector<std::string> written;
+    for (const auto& file : std::filesystem::directory_iterator(folder_))
+        written.push_back((final_folder_ / file.path().filename()).string());
+    std::sort(written.begin(), written.end());
+    return written;
+}
+
+std::vector<std::string> OutputElsewhere::left_over_files() const {
+    std::error_code error;
+    const auto is_written = [&](const std::string& path) {
+        return std::filesystem::exists(folder_ / std::filesystem::path(path).filename(), error);
+    };
+    // A sequence may have the name of the scene that it is of.
+    const auto is_input = [&](const std::string& path) {
+        return std::any_of(words_.begin(), words_.end(), [&](const std::string& word) {
+            return std::filesystem::equivalent(word, path, error);
+        });
+    };
+    std::vector<std::string> found;
+    const std::string single = (final_folder_ / name_).string();
+    if (std::filesystem::is_regular_file(single, error) && !is_written(single) && !is_input(single))
+        found.push_back(single);
+    // Sequences have as many digits as their last number.
+    std::size_t first = 1; // of so many digits
+    for (std::size_t digits = 1; digits <= most_digits; ++digits, first *= 10) {
+        std::vector<std::string> old;
+        std::size_t n = 1;
+        for (; n < 10 * first; ++n) {
+            std::string path = path_of_frame(single, n, digits);
+            const bool is_new = is_written(path);
+            if (!is_new && !std::filesystem::is_regular_file(path, error))
+                break;
+            if (!is_new)
+                old.push_back(std::move(path));
+        }
+        if (n > first)
+            found.insert(found.end(), old.begin(), old.end());
+    }
+    return found;
 }
 
 std::vector<std::string> OutputElsewhere::stale_files() const {

@@ -24,6 +24,13 @@ public:
 
     const std::vector<std::string>& words() const { return words_; }
 
+    /// The files that the command would have written, in the order of their names.
+    std::vector<std::string> written_files() const;
+
+    /// Those of an earlier run that it writes no more: the one file where it now writes a sequence, and what is left of a
+    /// whole sequence, from number 1 on.
+    std::vector<std::string> left_over_files() const;
+
     /// The files that the command would have written, and that have other bytes or are not there, in the order of their
     /// names.
     std::vector<std::string> stale_files() const;
@@ -32,6 +39,7 @@ private:
     std::vector<std::string> words_;
     std::filesystem::path folder_;
     std::filesystem::path final_folder_;
+    std::filesystem::path name_; ///< of the output
 };
 
 /// True if a command writes a file that is the same each time: a figure or a trace with -o.

@@ -15,7 +15,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -25,12 +27,20 @@ namespace rastertrace {
 
 namespace {
 
+/// A file of an earlier run that a command writes no more.
+struct LeftOverFile {
+    std::string path;
+    Problem problem;
+};
+
 /// A page, and what its commands print now.
 struct RenewedPage {
     Source page;
     std::vector<PageCommand> commands;
-    std::vector<std::string> outputs; ///< one for each command
-    std::vector<Problem> stale_files; ///< that its commands would write otherwise
+    std::vector<std::string> outputs;       ///< one for each command
+    std::vector<Problem> stale_files;       ///< that its commands would write otherwise
+    std::vector<std::string> written_files; ///< by its commands, if it is only checked
+    std::vector<LeftOverFile> left_over;
 };
 
 std::string_view first_line_of(std::string_view text) {
@@ -79,7 +89,12 @@ std::string output_of(const Source& page, const PageCommand& command,
 
 /// Runs the commands of a page. One that is only checked leaves the files that they write as they are.
 RenewedPage renew_page(const std::string& path, bool is_checked) {
-    RenewedPage renewed{.page = load_page(path), .commands = {}, .outputs = {}, .stale_files = {}};
+    RenewedPage renewed{.page = load_page(path),
+                        .commands = {},
+                        .outputs = {},
+                        .stale_files = {},
+                        .written_files = {},
+                        .left_over = {}};
     renewed.commands = commands_on(renewed.page);
     for (const PageCommand& command : renewed.commands) {
         if (!is_checked || command.exit_status != 0 || !writes_file(command.words)) {
@@ -93,6 +108,15 @@ RenewedPage renew_page(const std::string& path, bool is_checked) {
                 renewed.page, command.begin,
                 fmt::format("expected {} as this command writes it, found another file, or none",
                             printable(file))));
+        for (const std::string& file : elsewhere.left_over_files())
+            renewed.left_over.push_back(
+                {file, problem_at(renewed.page, command.begin,
+                                  fmt::format("expected no {}, which this command no longer "
+                                              "writes, found it",
+                                              printable(file)),
+                                  "renew leaves it; remove it if nothing else needs it")});
+        for (std::string& file : elsewhere.written_files())
+            renewed.written_files.push_back(std::move(file));
     }
     return renewed;
 }
@@ -134,6 +158,12 @@ std::vector<Problem> differences_in(const RenewedPage& renewed) {
 
 /// Tells what is stale on the pages, and how to renew it.
 ExitStatus check(const std::vector<RenewedPage>& pages) {
+    // What one command writes no more another one may write.
+    std::set<std::filesystem::path> written;
+    for (const RenewedPage& page : pages)
+        for (const std::string& file : page.written_files)
+            written.insert(std::filesystem::path(file).lexically_normal());
+    bool has_left_over = false;
     std::string stale;
     for (const RenewedPage& page : pages) {
         std::vector<Problem> differences = differences_in(page);
@@ -142,11 +172,15 @@ ExitStatus check(const std::vector<RenewedPage>& pages) {
             print(to_text(difference) + "\n");
         if (!differences.empty())
             stale += " " + printable(page.page.name);
+        for (const LeftOverFile& file : page.left_over)
+            if (!written.contains(std::filesystem::path(file.path).lexically_normal())) {
+                print(to_text(file.problem) + "\n");
+                has_left_over = true;
+            }
     }
-    if (stale.empty())
-        return exit_fine;
-    print("to renew: rastertrace renew" + stale + "\n");
-    return exit_difference;
+    if (!stale.empty())
+        print("to renew: rastertrace renew" + stale + "\n");
+    return stale.empty() && !has_left_over ? exit_fine : exit_difference;
 }
 
 /// Writes the page if it is stale, and tells how much of it was.

@@ -66,7 +66,8 @@ std::string indented(const std::vector<std::string>& lines) {
 }
 
 /// The steps of one kind, one line for each.
-void print_table(const Trace& trace, const std::vector<ShownSteps>& shown, const ShowCommand& command) {
+void print_table(const Trace& trace, const std::vector<ShownSteps>& shown,
+                 const ShowCommand& command) {
     const TableFormat format = command.format.value_or(TableFormat::table);
     StepTable table(format, *trace.kind_of(shown.front().first));
     if (format == TableFormat::table)
@@ -83,7 +84,8 @@ void print_table(const Trace& trace, const std::vector<ShownSteps>& shown, const
 }
 
 /// True if steps are to be told as a table: asked for, or of a kind that there are many of.
-bool is_table(const ShowCommand& command, const Trace& trace, const std::vector<ShownSteps>& shown) {
+bool is_table(const ShowCommand& command, const Trace& trace,
+              const std::vector<ShownSteps>& shown) {
     if (command.which != ShowCommand::Which::every || command.bare || command.asks_for_frames())
         return false;
     const std::size_t first = shown.front().first;

@@ -2,6 +2,7 @@
 #include "terminal_text.h"
 
 #include <rastertrace/trace/color_text.h>
+#include <rastertrace/trace/text.h>
 
 #include <fmt/core.h>
 
@@ -11,6 +12,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <limits>
+#include <vector>
 
 namespace rastertrace {
 
@@ -62,16 +64,23 @@ int cube_level(std::uint8_t level) {
     return level < 48 ? 0 : level < 115 ? 1 : (level - 35) / 40;
 }
 
-std::string background(Color color, ColorDepth colors) {
+constexpr int foreground = 38; ///< Select Graphic Rendition (ECMA-48 8.3.117): the color of signs
+constexpr int background = 48; ///< ... and of what is behind them
+
+/// The codes of a color.
+std::string code_of(Color color, int ground, ColorDepth colors) {
     switch (colors) {
     case ColorDepth::truecolor:
-        return fmt::format("48;2;{};{};{}", color.red(), color.green(), color.blue());
+        return fmt::format("{};2;{};{};{}", ground, color.red(), color.green(), color.blue());
     case ColorDepth::palette256:
-        return fmt::format("48;5;{}", 16 + 36 * cube_level(color.red()) +
-                                          6 * cube_level(color.green()) + cube_level(color.blue()));
+        return fmt::format("{};5;{}", ground,
+                           16 + 36 * cube_level(color.red()) + 6 * cube_level(color.green()) +
+                               cube_level(color.blue()));
     case ColorDepth::ansi16: {
         const std::size_t nearest = nearest_color(color, ansi_palette);
-        return std::to_string(nearest < 8 ? 40 + nearest : 92 + nearest);
+        const auto first =
+            static_cast<std::size_t>(ground - 8); // 30 or 40; the light ones begin 60 later
+        return std::to_string(nearest < 8 ? first + nearest : first + 60 + nearest - 8);
     }
     case ColorDepth::none:
         break;
@@ -97,15 +106,21 @@ ColorDepth output_colors(ColorChoice choice) {
 }
 
 std::string styled(std::string_view text, const Style& style, ColorDepth colors) {
-    if (colors == ColorDepth::none || (!style.background && !style.is_reversed))
+    if (colors == ColorDepth::none)
         return std::string(text);
-    std::string codes;
-    if (style.background) {
-        codes = fmt::format("{};{}", is_light(*style.background) ? 30 : 97, background(*style.background, colors));
-    }
+    if (style.is_cursor)
+        return fmt::format("\x1b[30;103m{}\x1b[0m", text);
+    std::vector<std::string> codes;
+    if (style.foreground)
+        codes.push_back(code_of(*style.foreground, foreground, colors));
+    else if (style.background)
+        codes.emplace_back(is_light(*style.background) ? "30" : "97");
+    if (style.background)
+        codes.push_back(code_of(*style.background, background, colors));
     if (style.is_reversed)
-        codes += codes.empty() ? "7" : ";7";
-    return fmt::format("\x1b[{}m{}\x1b[0m", codes, text);
+        codes.emplace_back("7");
+    return codes.empty() ? std::string(text)
+                         : fmt::format("\x1b[{}m{}\x1b[0m", joined(codes, ";"), text);
 }
 
 } // namespace rastertrace

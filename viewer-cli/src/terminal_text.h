@@ -33,6 +33,8 @@ ColorDepth output_colors(ColorChoice choice);
 struct Style {
     std::optional<Color> background = {}; ///< the text in front of it is black or white
     bool is_reversed = false;
+    std::optional<Color> foreground = {}; ///< where that is meant to be seen, too
+    bool is_cursor = false;               ///< black on yellow, whatever else it is
 };
 
 /// The text with the escape sequences for its style; the text alone if there is none, or no color.

@@ -46,6 +46,7 @@ enum class Role : std::uint8_t {
     face_7,
     face_8,
     empty,      ///< pixels of a canvas that nothing has drawn
+    ink,        ///< pixels that are drawn, where none has a color: black on light paper
     pattern,    ///< strokes over the pixels of a face
     grid,       ///< between pixels
     border,     ///< of the canvas, of a panel
@@ -98,6 +99,26 @@ struct Rectangle {
     Place corner;
     double width = 0;
     double height = 0;
+
+    double left() const { return corner.x; }
+    double top() const { return corner.y; }
+    double right() const { return corner.x + width; }
+    double bottom() const { return corner.y + height; }
+
+    /// Borders included.
+    bool has(Place place) const {
+        return left() <= place.x && place.x <= right() && top() <= place.y && place.y <= bottom();
+    }
+    bool has(const Rectangle& other) const {
+        return left() <= other.left() && other.right() <= right() && top() <= other.top() &&
+               other.bottom() <= bottom();
+    }
+
+    /// True if they have more than a border in common.
+    bool meets(const Rectangle& other) const {
+        return left() < other.right() && other.left() < right() && top() < other.bottom() &&
+               other.top() < bottom();
+    }
 };
 
 /// Rectangles without a border.
@@ -169,6 +190,9 @@ struct Drawing {
 
 /// Puts a drawing on another one, its upper left corner at `corner`.
 void place(Drawing&& part, Place corner, Drawing& sheet);
+
+/// About how many bytes a drawing takes in memory.
+std::size_t memory_of(const Drawing& drawing);
 
 /// A number to be read by people, with at most two digits behind the point: "0.25", "3", "-0.5".
 std::string decimal(double value);

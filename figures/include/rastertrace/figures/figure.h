@@ -122,6 +122,7 @@ private:
     std::vector<FigureFrame> frames_;
     FigureOptions options_;
     View view_;
+    bool has_colors_; ///< of the trace's own, see Role::ink
     Replay replay_;
     FaceGroups groups_;
     std::optional<Frame> against_;

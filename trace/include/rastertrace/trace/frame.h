@@ -6,6 +6,8 @@
 //     Replay replay(trace);
 //     replay.go_to(31);
 //     replay.frame().image.at({-1, 2});
+//
+// Going back starts over; snapshots.h goes back as fast as forward.
 
 #include <rastertrace/core/raster/image.h>
 #include <rastertrace/trace/trace.h>
@@ -13,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -44,7 +47,8 @@ struct Frame {
 class Replay {
 public:
     explicit Replay(const Trace& trace, FrameParts parts = {})
-        : trace_(trace), parts_(parts), frame_(trace.canvas, parts) {}
+        : trace_(trace), parts_(parts), frame_(trace.canvas, parts),
+          has_changed_(frame_.drawn_by.size() / tile_size + 1) {}
 
     const Trace& trace() const { return trace_; }
 
@@ -53,73 +57,97 @@ public:
     Frame frame() && { return std::move(frame_); }
 
     /// The number of the current step; 0 before the first.
-    std::size_t step() const { return step_; }
+    std::size_t step() const { return place_.step; }
 
     /// Goes to step n, 0 to trace().size(). Going back starts over from the first step.
     void go_to(std::size_t n);
 
     /// The steps that the current one refers to, by number; 0 if there is none. The primitive it
     /// belongs to, the last scanline, and the one before that of the same primitive.
-    std::size_t primitive() const { return primitive_; }
-    std::size_t scanline() const { return scanline_; }
-    std::size_t scanline_before() const { return scanline_before_; }
+    std::size_t primitive() const { return place_.primitive; }
+    std::size_t scanline() const { return place_.scanline; }
+    std::size_t scanline_before() const { return place_.scanline_before; }
 
     /// All primitives so far, by number of their step.
-    const std::vector<std::size_t>& primitives() const { return primitives_; }
+    std::span<const std::size_t> primitives() const {
+        return std::span(primitives_).first(place_.primitives);
+    }
 
     /// The primitive that a step so far belongs to; 0 if there is none.
     std::size_t primitive_of(std::size_t step) const;
 
     /// The color of the current primitive.
-    Color color() const { return color_; }
+    Color color() const { return place_.color; }
 
     /// The last place of a vertex before the current step.
-    std::size_t vertex_before() const { return vertex_before_; }
+    std::size_t vertex_before() const { return place_.vertex_before; }
 
     /// The `matrix` steps so far, by number.
-    const std::vector<std::size_t>& matrices() const { return matrices_; }
+    std::span<const std::size_t> matrices() const {
+        return std::span(matrices_).first(place_.matrices);
+    }
 
     /// All steps of the trace that tell where a vertex is on its way to the screen, by number.
     const std::vector<std::size_t>& places_of(const std::string& vertex) const;
 
     /// The step that told how the painter sorts the triangles; 0 if there was none.
-    std::size_t order() const { return order_; }
+    std::size_t order() const { return place_.order; }
 
     /// The edges of the current primitive that have been set up, by number of their step.
-    const std::vector<std::size_t>& edges() const { return edges_; }
+    const std::vector<std::size_t>& edges() const { return place_.edges; }
 
     /// Where the current line of a `fan` began, by number of its step; 0 if none did.
-    std::size_t ray() const { return ray_; }
+    std::size_t ray() const { return place_.ray; }
 
     /// If the current step is a depth test: the one that the buffer had its depth from, if depths are
     /// remembered (FrameParts); 0 for none.
-    std::size_t stored_before() const { return stored_before_; }
+    std::size_t stored_before() const { return place_.stored_before; }
 
     /// If the current step plotted a pixel that had been drawn already: the step that had.
-    std::size_t drew_over() const { return drew_over_; }
+    std::size_t drew_over() const { return place_.drew_over; }
 
 private:
+    friend class Snapshots;
+
+    /// The current step and what it refers to: all but the frame.
+    struct Place {
+        std::size_t step = 0;
+        std::size_t primitive = 0;
+        std::size_t scanline = 0;
+        std::size_t scanline_before = 0;
+        std::size_t drew_over = 0;
+        std::size_t stored_before = 0;
+        std::size_t order = 0;
+        std::size_t ray = 0;
+        std::size_t vertex = 0;
+        std::size_t vertex_before = 0;
+        std::size_t primitives = 0; ///< how many there are so far
+        std::size_t matrices = 0;
+        Color color = {}; ///< of the current primitive
+        std::vector<std::size_t> edges = {};
+    };
+
     void apply_next();
+    void plot(const StepView& step);
+    void test_depth(const StepView& step);
 
     const Trace& trace_;
     FrameParts parts_;
     Frame frame_;
-    std::size_t step_ = 0;
-    std::size_t primitive_ = 0;
-    std::size_t scanline_ = 0;
-    std::size_t scanline_before_ = 0;
-    std::size_t drew_over_ = 0;
-    std::size_t stored_before_ = 0;
-    std::size_t order_ = 0;
-    std::size_t ray_ = 0;
-    std::size_t vertex_ = 0;
-    std::size_t vertex_before_ = 0;
-    std::vector<std::size_t> edges_;
+    Place place_;
+
+    /// Whether pixels of a tile, so many in a row of the whole canvas, are others than in a blank frame, or than
+    /// they were when somebody last asked.
+    static constexpr std::size_t tile_size = 1024;
+    std::vector<std::uint8_t> has_changed_;
+
+    /// Up to the farthest step that this replay has been at.
     std::vector<std::size_t> primitives_;
     std::vector<std::size_t> matrices_;
-    /// By name, once someone has asked.
-    mutable std::optional<std::unordered_map<std::string, std::vector<std::size_t>>> places_;
-    Color color_; ///< of the current primitive
+
+    /// By name, once someone has asked, of so many steps of the trace.
+    mutable std::unordered_map<std::string, std::vector<std::size_t>> places_;
+    mutable std::size_t steps_with_places_ = 0;
 };
 
 /// A pixel that a step plots.

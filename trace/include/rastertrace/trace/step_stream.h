@@ -17,6 +17,7 @@
 #include <rastertrace/trace/trace.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -25,11 +26,15 @@
 
 namespace rastertrace {
 
+class GrowingTrace;
 class InputCheck;
+class InputFile;
+enum class LineLayout : std::uint8_t;
 
 class StepStream {
 public:
     StepStream(StepStream&&) noexcept;
+    StepStream& operator=(StepStream&&) noexcept;
     ~StepStream();
 
     /// What stands in front of the steps: a trace without any.
@@ -41,10 +46,17 @@ public:
     /// Goes to the next step; false behind the last. Throws a Problem.
     bool next();
 
+    /// Whether more may be added to the file: then next() is false where it ends now, and may be true later. Only what
+    /// ends with a newline is a step then.
+    void follow(bool more_may_come);
+
     /// The current step, valid until the next one is asked for.
     StepView step() const;
     std::optional<StepKind> kind() const;
     std::size_t number() const; ///< from 1
+
+    /// Where the step begins in the file, in bytes.
+    std::size_t offset() const;
 
     /// Behind the last step: what the end record says, if there is one.
     const std::optional<EndRecord>& end() const;
@@ -69,9 +81,12 @@ private:
                                                        const InputLimits& limits);
     friend std::variant<StepStream, Source> open_steps_or_claims(const std::string& path,
                                                                  const InputLimits& limits);
+    int descriptor() const;
+    bool is_behind_end() const; ///< an end record, or the end of a file that does not grow
     struct State;
     static std::variant<StepStream, Source> open(const std::string& path, InputCheck& fault_of);
-    explicit StepStream(std::unique_ptr<State> state);
+    friend class GrowingTrace;
+    StepStream(InputFile file, LineLayout layout, const std::string& first);
 
     std::unique_ptr<State> state_;
 };

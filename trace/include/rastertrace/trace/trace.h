@@ -20,6 +20,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -110,6 +111,9 @@ public:
         return StepView(text_of(steps_[n - 1]));
     }
 
+    /// Where step n begins in the text that it was read from, in bytes.
+    std::size_t offset_of(std::size_t n) const { return steps_[n - 1].offset; }
+
     /// The kind of step n, if we know it.
     std::optional<StepKind> kind_of(std::size_t n) const { return steps_[n - 1].kind; }
 
@@ -135,6 +139,7 @@ public:
 
 private:
     friend class TraceReader;
+    friend class GrowingTrace;
 
     struct StepPlace {
         std::size_t offset;
@@ -142,10 +147,12 @@ private:
         std::optional<StepKind> kind;
     };
     std::string_view text_of(const StepPlace& place) const {
-        return std::string_view(source_.text).substr(place.offset, place.length);
+        return mapped_ ? std::string_view(mapped_.get() + place.offset, place.length)
+                       : std::string_view(source_.text).substr(place.offset, place.length);
     }
 
     Source source_;
+    std::shared_ptr<const char> mapped_; ///< the file, if it is not in `source_`
     std::vector<StepPlace> steps_;
     std::vector<std::size_t> numbers_; ///< of an excerpt: those of its steps in the whole trace
 };

@@ -1,0 +1,383 @@
+// SPDX-License-Identifier: MIT
+// The player without a terminal: what keys do, and what the screen says.
+
+#include "player.h"
+
+#include "effort.h"
+#include "picture.h"
+#include "player_screen.h"
+#include "random_choice.h"
+#include "random_scene.h"
+#include "traces.h"
+
+#include <rastertrace/trace/describe.h>
+#include <rastertrace/trace/text.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+#include <vector>
+
+namespace rastertrace {
+namespace {
+
+using ::testing::HasSubstr;
+
+Player player_of(const Scene& scene, const PlayerOptions& options = {}) {
+    return Player({.open = [scene](std::size_t) { return GrowingTrace(trace_of(scene)); }},
+                  options);
+}
+
+Scene titled_triangle() {
+    Scene scene = first_triangle();
+    scene.title = "First triangle";
+    return scene;
+}
+
+void press(Player& player, const std::vector<std::string>& keys) {
+    for (const std::string& key : keys)
+        player.press({key});
+    while (player.work()) {
+    }
+}
+
+void type(Player& player, const std::string& text) {
+    for (const char c : text)
+        player.press({c == ' ' ? "Space" : std::string(1, c)});
+    press(player, {"Enter"});
+}
+
+std::size_t step_after(Player& player, const std::vector<std::string>& keys) {
+    press(player, keys);
+    return player.playback().step();
+}
+
+std::string screen_text(const Player& player, TextSize size = {80, 24}) {
+    std::string text;
+    for (const std::string& line : player_screen(player, size, {}).lines)
+        text += line + "\n";
+    return text;
+}
+
+StepView step_of(const Player& player) {
+    return player.playback().trace().step(player.playback().step());
+}
+
+TEST(Player, GoesForwardAndBack) {
+    Player player = player_of(first_triangle());
+    EXPECT_EQ(player.playback().step(), 0U);
+    EXPECT_EQ(step_after(player, {"Right"}), 1U);
+    EXPECT_EQ(step_after(player, {"l", "l"}), 3U);
+    EXPECT_EQ(step_after(player, {"h"}), 2U);
+    EXPECT_EQ(step_after(player, {"1", "0", "Right"}), 12U);
+    EXPECT_EQ(step_after(player, {"5", "Left"}), 7U);
+    EXPECT_EQ(step_after(player, {"1", "4", "G"}), 14U);
+    EXPECT_EQ(step_after(player, {"3", "1", "Enter"}), 31U);
+    EXPECT_EQ(step_after(player, {"End"}), 62U);
+    EXPECT_EQ(step_after(player, {"Right"}), 62U);
+    EXPECT_EQ(player.message(), "this is the last step");
+    EXPECT_EQ(step_after(player, {"g"}), 0U);
+    EXPECT_EQ(step_after(player, {"Left"}), 0U);
+    EXPECT_EQ(player.message(), "nothing is before the first step");
+    EXPECT_EQ(step_after(player, {"9", "9", "G"}), 62U);
+    EXPECT_EQ(player.message(), "expected a step up to 62, found 99");
+}
+
+TEST(Player, FindsRowsKindsAndPrimitives) {
+    Player player = player_of(first_triangle());
+    press(player, {"Down", "Down"});
+    EXPECT_EQ(step_of(player).text("step"), "scanline");
+    EXPECT_EQ(step_of(player).text("y"), "4");
+    press(player, {"Up"});
+    EXPECT_EQ(step_of(player).text("y"), "5");
+    press(player, {"3", "j"});
+    EXPECT_EQ(step_of(player).text("y"), "2");
+    const std::size_t row = player.playback().step();
+    press(player, {"Right", "]"});
+    EXPECT_EQ(player.playback().step(), row + 2); // its second pixel
+    press(player, {"["});
+    EXPECT_EQ(player.playback().step(), row + 1);
+    press(player, {"{"});
+    EXPECT_EQ(step_of(player).text("step"), "primitive");
+    press(player, {"{"});
+    EXPECT_EQ(player.message(), "no primitive begins that way");
+    EXPECT_EQ(step_of(player).text("step"), "primitive");
+}
+
+TEST(Player, GoesToTheStepsOfTheSamePrimitive) {
+    const Scene scene = scene_in(R"({"canvas":{"width":9,"height":9},
+        "vertices":{"A":[0,3],"B":[-3,-2],"C":[3,-2],"D":[4,3]},"triangles":["ABC","ACD"]})");
+    Player player = player_of(scene);
+    press(player, {"}", "}"});
+    EXPECT_EQ(step_of(player).text("name"), "ACD");
+    const std::size_t second = player.playback().step();
+    EXPECT_EQ(step_after(player, {")"}), second + 1);
+    EXPECT_EQ(step_after(player, {"("}), second);
+    EXPECT_EQ(step_after(player, {"("}), second);
+    EXPECT_EQ(player.message(), "no other step is about ACD that way");
+}
+
+TEST(Player, FindsTheStepsOfThePixelUnderTheCursor) {
+    Player player =
+        player_of(scene_in(R"({"canvas":{"width":9,"height":9},"method":{"depth":"linear-z"},
+        "vertices":{"A":[0,3,5],"B":[-3,-2,5],"C":[3,-2,5],"D":[0,3,2],"E":[-3,-2,2],"F":[3,-2,2]},
+        "triangles":["ABC","DEF"]})"));
+    press(player, {"."});
+    EXPECT_EQ(player.message(), "there is no cursor: c sets it, or a click");
+    press(player, {"c"}); // the middle: nothing is drawn yet
+    EXPECT_EQ(player.cursor(), (Pixel{0, 0}));
+    std::vector<std::string> kinds;
+    for (int i = 0; i < 5; ++i) {
+        press(player, {"."});
+        if (player.message().empty())
+            kinds.push_back(step_of(player).text("step") + " " + step_of(player).text("x"));
+    }
+    EXPECT_EQ(kinds, (std::vector<std::string>{"depth 0", "pixel 0", "depth 0", "pixel 0"}));
+    press(player, {"2", ","});
+    EXPECT_EQ(step_of(player).text("step"), "pixel");
+    press(player, {"L", "J"});
+    EXPECT_EQ(player.cursor(), (Pixel{1, -1}));
+    press(player, {"c"}); // from elsewhere to the step's pixel
+    EXPECT_EQ(player.cursor(), (Pixel{0, 0}));
+    press(player, {"c"});
+    EXPECT_EQ(player.cursor(), std::nullopt);
+}
+
+TEST(Player, AsksWhoDrewThePixel) {
+    Player player = player_of(first_triangle());
+    press(player, {"1", "4", "G", "Right", "c"});
+    ASSERT_NE(player.question(), nullptr);
+    ASSERT_TRUE(player.question()->answer());
+    const Trace trace = trace_of(first_triangle());
+    EXPECT_EQ(player.question()->answer()->value().answer,
+              explain(trace, {.about = Topic::pixel, .pixel = {-1, 2}}).value().answer);
+    EXPECT_THAT(screen_text(player), HasSubstr("pixel (-1, 2): drawn by ABC at step 15"));
+    press(player, {"H"});
+    EXPECT_THAT(screen_text(player, {200, 50}), HasSubstr("not ABC: AB begins row y=2"));
+}
+
+TEST(Player, SearchesForSteps) {
+    Player player = player_of(first_triangle());
+    press(player, {"/"});
+    EXPECT_EQ(player.prompt(), "/");
+    type(player, "scanline y=2");
+    EXPECT_EQ(player.playback().step(), 14U);
+    EXPECT_EQ(step_after(player, {"n"}), 14U);
+    EXPECT_EQ(player.message(), "no other step is scanline y=2");
+    press(player, {"/"});
+    type(player, "scanline");
+    EXPECT_EQ(step_of(player).text("y"), "1");
+    press(player, {"N", "N"});
+    EXPECT_EQ(step_of(player).text("y"), "3");
+    press(player, {"/"});
+    type(player, "scanline y=200");
+    EXPECT_EQ(player.message(),
+              "expected a step of the trace, found none with y=200; scanline has y: 5, "
+              "4, 3, 2, 1, ...");
+    press(player, {"/"});
+    type(player, "scanlines");
+    EXPECT_THAT(player.message(), HasSubstr("found scanlines; did you mean scanline?"));
+    press(player, {"/"});
+    type(player, "31");
+    EXPECT_EQ(player.playback().step(), 31U);
+    press(player, {"/", "x", "Backspace", "Backspace"});
+    EXPECT_EQ(player.prompt(), std::nullopt);
+}
+
+TEST(Player, PlaysAndStopsAtBreakpoints) {
+    Player player = player_of(first_triangle());
+    press(player, {"b"});
+    type(player, "scanline y=3");
+    press(player, {"Space"});
+    EXPECT_TRUE(player.is_playing());
+    player.pass(0.5); // 4 steps a second
+    EXPECT_EQ(player.playback().step(), 2U);
+    player.pass(100);
+    EXPECT_FALSE(player.is_playing());
+    EXPECT_EQ(step_of(player).text("y"), "3");
+    EXPECT_EQ(player.message(), "breakpoint");
+    press(player, {"B", "+", "Space"});
+    EXPECT_EQ(player.steps_per_second(), 8);
+    player.pass(100);
+    EXPECT_EQ(player.playback().step(), 62U);
+    EXPECT_FALSE(player.is_playing());
+    press(player, {"Space"});
+    EXPECT_FALSE(player.is_playing()); // there is nothing to play
+}
+
+TEST(Player, ShowsEveryFrameOfASequence) {
+    const Scene scene = first_triangle();
+    std::vector<std::size_t> opened;
+    Player player({.first_frame = 1,
+                   .last_frame = 3,
+                   .open =
+                       [&](std::size_t frame) {
+                           opened.push_back(frame);
+                           return GrowingTrace(trace_of(scene));
+                       },
+                   .label = [](std::size_t frame) { return std::to_string(frame) + " of 3"; }},
+                  {});
+    press(player, {"1", "4", "G", "f"});
+    EXPECT_EQ(player.playback().step(), 14U);
+    EXPECT_THAT(screen_text(player), HasSubstr("frame 2 of 3"));
+    press(player, {"f", "f"});
+    EXPECT_EQ(player.message(), "this is the last frame");
+    press(player, {"F", "F", "F"});
+    EXPECT_EQ(player.message(), "this is the first frame");
+    EXPECT_EQ(opened, (std::vector<std::size_t>{1, 2, 3, 2, 1}));
+}
+
+TEST(Player, ChangesWhatIsLookedAt) {
+    Player player = player_of(first_triangle());
+    std::set<View> views;
+    for (std::size_t i = 0; i < view_names().size(); ++i) {
+        views.insert(player.view());
+        screen_text(player);
+        press(player, {"v"});
+    }
+    EXPECT_EQ(views.size(), view_names().size() - 1); // no depth: there is no buffer
+    press(player, {"V", "V"});
+    EXPECT_EQ(player.view(), View::coverage); // from the second one back
+    press(player, {"z", "z"});
+    EXPECT_EQ(player.scale(), 3U);
+    press(player, {"Z", "Z", "Z", "Z", "Z"});
+    EXPECT_EQ(player.scale(), 0U);
+    press(player, {"o", "w"});
+    EXPECT_TRUE(player.is_overview());
+    EXPECT_FALSE(player.has_working());
+    press(player, {"x"});
+    EXPECT_EQ(player.message(), "x does nothing; ? lists the keys");
+}
+
+TEST(Player, IsAtTheFrameOfItsStepAfterAnyMoves) {
+    const Trace trace = trace_of(first_triangle());
+    Player player = player_of(first_triangle());
+    std::vector<std::string> keys;
+    for (const PlayerKey& row : player_keys())
+        if (row.action != PlayerAction::quit && row.action != PlayerAction::search &&
+            row.action != PlayerAction::breakpoint)
+            keys.insert(keys.end(), row.keys.begin(), row.keys.end());
+    for (const char* const more : {"1", "2", "7", "Enter", "Escape", "Click", "", "PageUp"})
+        keys.emplace_back(more);
+    Random random(11);
+    for (int move = 0; move < random_cases(10'000); ++move) {
+        const auto key =
+            static_cast<std::size_t>(random.whole(0, static_cast<int>(keys.size()) - 1));
+        player.press({keys[key]});
+        player.work();
+        const Replay& replay = player.playback().replay();
+        const Frame frame = frame_after(trace, replay.step());
+        ASSERT_TRUE(replay.frame().image.colors() == frame.image.colors()) << keys[key];
+        ASSERT_TRUE(replay.frame().drawn_by == frame.drawn_by) << keys[key];
+    }
+}
+
+TEST(Player, HasAScreenOfEverySizeThatFits) {
+    std::vector<Scene> scenes{first_triangle()};
+    for (std::uint64_t seed = 0; seed < 30; ++seed)
+        if (const auto scene = read_scene({"scene.json", RandomScene(seed).text()}))
+            scenes.push_back(scene.value().scene);
+    Random random(3);
+    for (const Scene& scene : scenes) {
+        Player player = player_of(scene);
+        for (int i = 0; i < 40; ++i) {
+            press(player,
+                  {random.pick<std::string>({"j", "]", "l", "c", "v", "z", "Z", "o", "L", "}"})});
+            const TextSize size{
+                static_cast<std::size_t>(random.pick({1, 10, 24, 40, 80, 130, 300})),
+                static_cast<std::size_t>(random.pick({1, 3, 7, 12, 24, 50, 100}))};
+            const auto screen = player_screen(player, size, {});
+            ASSERT_LE(screen.lines.size(), size.lines);
+            for (const std::string& line : screen.lines)
+                if (line.find('\x1b') == std::string::npos) {
+                    ASSERT_LE(columns_in(line), std::max<std::size_t>(size.columns, 5)) << line;
+                }
+        }
+    }
+}
+
+TEST(Player, ClicksOnThePixelThatTheScreenShowsThere) {
+    Player player = player_of(first_triangle());
+    for (const std::vector<std::string>& keys :
+         {std::vector<std::string>{"2", "3", "G"}, {"z"}, {"z"}, {"Z", "Z"}}) {
+        press(player, keys);
+        const TextSize size{80, 24};
+        const PlayerScreen screen = player_screen(player, size, {});
+        int found = 0;
+        for (std::size_t line = 0; line < size.lines; ++line)
+            for (std::size_t column = 0; column < size.columns; ++column) {
+                const auto pixel =
+                    screen.grid.pixel_at(line, column, player.playback().trace().canvas);
+                if (!pixel)
+                    continue;
+                ++found;
+                player.press({"Click", column, line}, screen.grid);
+                ASSERT_EQ(player.cursor(), pixel);
+                ASSERT_LT(line, screen.lines.size());
+                // What stands in the row in front of its cells is its y.
+                std::size_t label = line;
+                while (screen.lines[label].substr(0, 4).find_first_not_of(" >") ==
+                       std::string::npos)
+                    ++label; // the first line of a large cell has it
+                if (screen.grid.cell_lines == 1) {
+                    ASSERT_EQ(std::stoi(screen.lines[label].substr(1, 3)), pixel->y);
+                }
+            }
+        EXPECT_GT(found, 0);
+    }
+}
+
+TEST(Player, ShowsTheFrameWithTheWorkingAndTheStepsBesideIt) {
+    Player player = player_of(titled_triangle(), {.step = "scanline y=2"});
+    std::string text = screen_text(player, {100, 24});
+    for (std::size_t begin;
+         (begin = text.find('\x1b')) != std::string::npos;) // to a column: the panels
+        text.replace(begin, text.find('G', begin) - begin + 1, " | ");
+    EXPECT_EQ(text,
+              R"(First triangle                                                    step 14 of 62
+scanline y=2   left AB: x = 2 + 3/4 (2 - 5) = -1/4 -> floor -> -1   right AC: x = 2 - 3/8 (2 - 5) =
+25/8 -> floor -> 3
+
+     -8-7-6-5-4-3-2-1 0 1 2 3 4 5 6 7 8 | left AB: x = (x2 - x1)/(y2 - y1) (y - y1) + x1 = (-4 -
+  7   . . . . . . . . . . . . . . . . . | 2)/(-3 - 5) (2 - 5) + 2 = 3/4 (-3) + 2 = -1/4 -> floor ->
+  6   . . . . . . . . . . . . . . . . . | -1
+  5   . . . . . . . . . . A . . . . . . | right AC: x = (x2 - x1)/(y2 - y1) (y - y1) + x1 = (5 -
+  4   . . . . . . . . . # # . . . . . . | 2)/(-3 - 5) (2 - 5) + 2 = (-3/8) (-3) + 2 = 25/8 -> floor
+  3   . . . . . . . . # # # . . . . . . | -> 3
+> 2   . . . . . . . . . . . . . . . . . | -1/4 < 25/8: AB is left, AC is right
+  1   . . . . . . . . . . . . . . . . . | x = -1 to 3: 3 - (-1) + 1 = 5 pixels
+  0   . . . . . . . . . . . . . . . . .
+ -1   . . . . . . . . . . . . . . . . . |   11  pixel (0, 3)   row y=3: 0 to 2
+ -2   . . . . . . . . . . . . . . . . . |   12  pixel (1, 3)   row y=3: 0 to 2
+ -3   . . . . b . . . . . . . . c . . . |   13  pixel (2, 3)   row y=3: 0 to 2
+ -4   . . . . . . . . . . . . . . . . . | > 14  scanline y=2   left AB: x = 2 + 3/4 (2 - 5) = -1/...
+ -5   . . . . . . . . . . . . . . . . . |   15  pixel (-1, 2)   row y=2: -1 to 3
+ -6   . . . . . . . . . . . . . . . . . |   16  pixel (0, 2)   row y=2: -1 to 3
+ |   17  pixel (1, 2)   row y=2: -1 to 3
+
+scalar exact, fill scanline, rounding floor, lerp direct
+step 14 of 62 [=========>                              ] 22 %  plotted
+? keys   q leave   Right next   Left back   Space play   / search   c cursor
+)");
+}
+
+TEST(PlayerKeys, EachDoesOneThingAndIsInTheHelp) {
+    std::set<std::string_view> seen;
+    const std::vector<std::string> help = player_help(80);
+    for (const PlayerKey& row : player_keys()) {
+        EXPECT_EQ(key_of(row.action).name, row.name);
+        ASSERT_FALSE(row.keys.empty());
+        for (const std::string_view key : row.keys) {
+            EXPECT_TRUE(seen.insert(key).second) << key;
+            EXPECT_EQ(player_action_of(key), row.action);
+        }
+        EXPECT_THAT(joined(help, "\n"), HasSubstr(std::string(row.does.substr(0, 30))));
+    }
+    for (const std::string& line : help)
+        EXPECT_LE(line.size(), 80U);
+}
+
+} // namespace
+} // namespace rastertrace

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+// `rastertrace play`: a trace step by step, forward and back, in a terminal.
+
+#include "commands.h"
+#include "load.h"
+#include "player.h"
+#include "player_screen.h"
+#include "terminal_session.h"
+
+#include <rastertrace/trace/growing_trace.h>
+#include <rastertrace/trace/selector.h>
+
+#include <fmt/core.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <memory>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+namespace rastertrace {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// A screen is drawn so often while nothing is pressed.
+constexpr std::chrono::milliseconds between_screens{50};
+
+/// How long to wait for a key before a growing file is looked at again, in milliseconds.
+constexpr int between_looks = 200;
+
+/// While it plays.
+constexpr int between_steps = 15;
+
+/// True if the terminal is said to show UTF-8 (setlocale(3): LC_ALL, LC_CTYPE, LANG, the first that is set).
+bool has_unicode() {
+    for (const char* const name : {"LC_ALL", "LC_CTYPE", "LANG"}) {
+        const char* const value = std::getenv(name);
+        if (value == nullptr || *value == '\0')
+            continue;
+        const std::string_view locale = value;
+        return locale.find("UTF-8") != std::string_view::npos ||
+               locale.find("utf8") != std::string_view::npos;
+    }
+    return false;
+}
+
+SceneOptions scene_options(const PlayCommand& command) {
+    return {.method = command.method, .limits = command.input, .frames = command.frames};
+}
+
+/// The frames of a scene, or a trace that has not one step a line.
+PlayerInput input_from(std::shared_ptr<InputFrames> frames) {
+    return {.first_frame = frames->first(),
+            .last_frame = frames->last(),
+            .open = [frames](std::size_t frame) { return GrowingTrace(frames->trace(frame)); },
+            .label = [frames](std::size_t frame) { return frames->label(frame); }};
+}
+
+/// A file that is read step by step. It is opened once for the first frame, and again to be read again.
+PlayerInput input_from(const PlayCommand& command, GrowingTrace opened) {
+    auto first = std::make_shared<std::optional<GrowingTrace>>(std::move(opened));
+    return {.open = [command, first](std::size_t) {
+        if (*first) {
+            GrowingTrace trace = *std::exchange(*first, std::nullopt);
+            return trace;
+        }
+        if (command.trace == "-")
+            throw problem_of("standard input",
+                             "expected a file to be read again, found what can be read once");
+        auto again = GrowingTrace::open(command.trace, command.input, command.follow);
+        auto* const trace = std::get_if<GrowingTrace>(&again);
+        if (trace == nullptr)
+            throw problem_of(command.trace,
+                             "expected a trace of one step a line, found something else");
+        trace->name_untitled(shown_title("", command.trace));
+        return std::move(*trace);
+    }};
+}
+
+PlayerInput open_input_of(const PlayCommand& command) {
+    auto opened = GrowingTrace::open(command.trace, command.input, command.follow);
+    if (auto* const trace = std::get_if<GrowingTrace>(&opened)) {
+        refuse_scene_options({.name = command.trace, .text = {}}, scene_options(command));
+        trace->name_untitled(shown_title("", command.trace));
+        return input_from(command, std::move(*trace));
+    }
+    if (command.follow)
+        throw problem_of(command.trace,
+                         "--follow: expected a trace of one step a line, found something else");
+    return input_from(std::make_shared<InputFrames>(
+        command.trace, std::move(std::get<Source>(opened)), scene_options(command)));
+}
+
+/// Where nothing can be taken over, the frame is printed.
+int show_instead(const PlayCommand& command) {
+    print_error("rastertrace: standard output is no terminal that can be played on: this is what "
+                "`show` prints\n");
+    ShowCommand show;
+    show.trace = command.trace;
+    show.which = command.step.empty() ? ShowCommand::Which::last : ShowCommand::Which::step;
+    show.selector = command.step;
+    show.view = command.view;
+    show.color = command.color;
+    show.method = command.method;
+    show.input = command.input;
+    show.frames = command.frames;
+    show.has_working = true;
+    return run(show);
+}
+
+/// Keys, time and screens, until somebody leaves.
+void play(Player& player, const ScreenAbility& ability) {
+    TerminalSession terminal;
+    PlayerScreen screen;
+    auto drawn = Clock::now() - between_screens;
+    auto before = Clock::now();
+    bool has_news = true;
+    while (!player.wants_to_leave() && terminal.is_open()) {
+        const bool is_anew = terminal.needs_redraw();
+        if (is_anew || has_news || Clock::now() - drawn >= between_screens) {
+            screen = player_screen(player, terminal.size(), ability);
+            terminal.show(screen.lines);
+            drawn = Clock::now();
+        }
+        const bool has_worked = player.work();
+        const GrowingTrace& growing = player.playback().growing();
+        terminal.wait(has_worked            ? 0
+                      : player.is_playing() ? between_steps
+                      : growing.is_whole()  ? -1
+                                            : between_looks,
+                      growing.pipe());
+        has_news = false;
+        while (const auto key = terminal.key()) {
+            player.press(*key, screen.grid);
+            has_news = true;
+        }
+        const auto now = Clock::now();
+        player.pass(std::chrono::duration<double>(now - before).count());
+        before = now;
+    }
+}
+
+} // namespace
+
+int run(const PlayCommand& command) {
+    if (!TerminalSession::is_possible())
+        return show_instead(command);
+    if (command.trace == "-")
+        print_error("rastertrace: standard input is kept in a temporary file\n");
+    Player player(open_input_of(command),
+                  {.view = command.view, .step = command.step, .bytes = command.bytes});
+    play(player, {.colors = output_colors(command.color), .has_unicode = has_unicode()});
+    return report_damage(player.playback().trace());
+}
+
+} // namespace rastertrace

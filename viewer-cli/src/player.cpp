@@ -1,0 +1,586 @@
+// SPDX-License-Identifier: MIT
+#include "player.h"
+
+#include <rastertrace/figures/shown_steps.h>
+#include <rastertrace/trace/text.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <charconv>
+#include <utility>
+
+namespace rastertrace {
+
+namespace {
+
+/// Steps that are looked at before keys are asked for again: a few milliseconds.
+constexpr std::size_t steps_at_once = 50'000;
+
+constexpr std::size_t largest_scale = 6;
+constexpr double slowest = 0.25; ///< steps in a second
+constexpr double fastest = 1024;
+
+/// A trace of more steps is not searched once more for what is near to what was not found.
+constexpr std::size_t most_steps_for_hints = 200'000;
+
+/// True where a row begins: a scanline, what a line does on its way, a sample in another row than the one before.
+bool begins_row(const Trace& trace, std::size_t n) {
+    const auto kind = trace.kind_of(n);
+    if (kind == StepKind::scanline || kind == StepKind::along || kind == StepKind::decide ||
+        kind == StepKind::ray)
+        return true;
+    if (kind != StepKind::sample)
+        return false;
+    for (std::size_t before = n - 1; before > 0; --before) {
+        const auto kind_before = trace.kind_of(before);
+        if (kind_before == StepKind::sample)
+            return trace.step(before).whole("y") != trace.step(n).whole("y");
+        if (kind_before == StepKind::primitive)
+            break;
+    }
+    return true;
+}
+
+/// True if a step decides something about a pixel.
+bool touches(const Trace& trace, std::size_t n, Pixel pixel) {
+    switch (trace.kind_of(n).value_or(StepKind::primitive)) {
+    case StepKind::pixel:
+    case StepKind::depth:
+    case StepKind::sample:
+    case StepKind::decide:
+        break;
+    default:
+        return false;
+    }
+    const StepView step = trace.step(n);
+    return step.whole("x") == pixel.x && step.whole("y") == pixel.y;
+}
+
+} // namespace
+
+Player::Player(PlayerInput input, const PlayerOptions& options)
+    : input_(std::move(input)), options_(options), has_own_view_(options.view.has_value()) {
+    open(input_.first_frame);
+    if (!options.step.empty())
+        begin_at(options.step);
+}
+
+/// Of a long trace so much is read that the step is there; its steps cannot be counted before all are.
+void Player::begin_at(const std::string& text) {
+    while (playback_->read_on()) {
+    }
+    const auto selector = parse_selector({"--step", text, {}}, trace());
+    if (!selector)
+        throw selector.problem();
+    const auto steps = matching_steps(selector.value(), trace());
+    if (!steps)
+        throw steps.problem();
+    move_to(steps.value().front());
+    searched_for_ = selector.value();
+}
+
+/// Where what was open cannot be opened again, it stays.
+void Player::open_or_tell(std::size_t frame) {
+    try {
+        open(frame);
+    } catch (const Problem& problem) {
+        message_ = problem.message;
+    }
+}
+
+/// Nothing of a file that was changed may be looked at, see GrowingTrace::change.
+bool Player::look_for_change() {
+    if (!lost_)
+        lost_ = playback_->growing().change();
+    return lost_.has_value();
+}
+
+/// The trace of a frame, as far as it can be read at once. The step stays the same, if there is one.
+void Player::open(std::size_t frame) {
+    const std::size_t before = playback_ ? step() : 0;
+    auto opened = std::make_unique<Playback>(input_.open(frame), options_.bytes);
+    opened->read_on();
+    search_.reset();
+    searched_for_.reset();
+    breakpoints_.clear();
+    elsewhere_ = std::make_unique<Replay>(opened->trace(), opened->parts());
+    playback_ = std::move(opened);
+    lost_.reset();
+    frame_ = frame;
+    if (!has_own_view_)
+        view_ = options_.view.value_or(default_view(trace()));
+    if (cursor_ && !trace().canvas.contains(cursor_->x, cursor_->y))
+        cursor_.reset();
+    set_cursor(cursor_);
+    move_to(std::min(before, trace().size()));
+}
+
+std::string Player::frame_label() const {
+    return input_.first_frame == input_.last_frame || !input_.label ? "" : input_.label(frame_);
+}
+
+std::optional<std::string> Player::prompt() const {
+    switch (asked_) {
+    case Asked::search:
+        return "/" + typed_;
+    case Asked::breakpoint:
+        return "break at: " + typed_;
+    case Asked::nothing:
+        break;
+    }
+    return count_.empty() ? std::nullopt : std::optional(count_);
+}
+
+void Player::press(const KeyPress& key, const FrameGrid& grid) {
+    message_.clear();
+    if (look_for_change()) {
+        const auto action = player_action_of(key.key);
+        if (action == PlayerAction::read_again || action == PlayerAction::quit)
+            act(*action);
+        return;
+    }
+    if (asked_ != Asked::nothing)
+        return type(key.key);
+    if (key.key == "Click") {
+        if (const auto pixel = grid.pixel_at(key.line, key.column, trace().canvas))
+            set_cursor(pixel);
+        return;
+    }
+    if (search_) // any key ends it
+        search_.reset();
+    if (take_digit(key.key))
+        return;
+    if (key.key == "Escape") {
+        is_playing_ = false;
+        help_page_ = 0;
+        count_.clear();
+        return;
+    }
+    if (key.key == "Enter") {
+        if (!count_.empty())
+            move_to(take_count());
+        count_.clear();
+        return;
+    }
+    if (const auto action = player_action_of(key.key))
+        act(*action);
+    else if (!key.key.empty())
+        message_ = fmt::format("{} does nothing; ? lists the keys", printable(key.key));
+    count_.clear();
+}
+
+bool Player::take_digit(const std::string& key) {
+    constexpr std::size_t most_digits = 12;
+    const bool is_digit = key.size() == 1 && '0' <= key[0] && key[0] <= '9';
+    if (is_digit && count_.size() < most_digits)
+        count_ += key;
+    return is_digit;
+}
+
+/// The number that was typed before the key; 1 if none was.
+std::size_t Player::take_count() {
+    std::size_t count = 1;
+    std::from_chars(count_.data(), count_.data() + count_.size(), count);
+    return count;
+}
+
+void Player::act(PlayerAction action) {
+    using enum PlayerAction;
+    using enum Direction;
+    const bool has_count = !count_.empty();
+    if (action != help)
+        help_page_ = 0;
+    switch (action) {
+    case next:
+        return move_by(take_count(), forward);
+    case previous:
+        return move_by(take_count(), back);
+    case next_row:
+        return find_row(forward);
+    case previous_row:
+        return find_row(back);
+    case next_of_kind:
+        return find_kind(forward);
+    case previous_of_kind:
+        return find_kind(back);
+    case next_of_primitive:
+        return find_of_primitive(forward);
+    case previous_of_primitive:
+        return find_of_primitive(back);
+    case next_primitive:
+        return find_primitive(forward);
+    case previous_primitive:
+        return find_primitive(back);
+    case next_at_cursor:
+        return find_at_cursor(forward);
+    case previous_at_cursor:
+        return find_at_cursor(back);
+    case first:
+        return move_to(has_count ? take_count() : 0);
+    case last:
+        return move_to(has_count ? take_count() : trace().size());
+    case play:
+        is_playing_ = !is_playing_ && step() < trace().size();
+        due_ = 0;
+        return;
+    case faster:
+        speed_ = std::min(speed_ * 2, fastest);
+        return;
+    case slower:
+        speed_ = std::max(speed_ / 2, slowest);
+        return;
+    case search:
+        asked_ = Asked::search;
+        typed_.clear();
+        return;
+    case breakpoint:
+        asked_ = Asked::breakpoint;
+        typed_.clear();
+        return;
+    case next_match:
+        return find_match(forward);
+    case previous_match:
+        return find_match(back);
+    case no_breakpoints:
+        message_ = breakpoints_.empty() ? "there are no breakpoints" : "breakpoints removed";
+        breakpoints_.clear();
+        return;
+    case cursor_left:
+        return move_cursor(-1, 0);
+    case cursor_right:
+        return move_cursor(1, 0);
+    case cursor_up:
+        return move_cursor(0, -1);
+    case cursor_down:
+        return move_cursor(0, 1);
+    case cursor_to_step:
+        return toggle_cursor();
+    case next_view:
+        return change_view(1);
+    case previous_view:
+        return change_view(-1);
+    case overview:
+        is_overview_ = !is_overview_;
+        return;
+    case larger_cells:
+        scale_ = std::min(scale_ + 1, largest_scale);
+        return;
+    case smaller_cells:
+        scale_ -= std::min<std::size_t>(scale_, 1);
+        return;
+    case working:
+        has_working_ = !has_working_;
+        return;
+    case next_frame:
+        return change_frame(forward);
+    case previous_frame:
+        return change_frame(back);
+    case read_again:
+        return open_or_tell(frame_);
+    case redraw:
+        return;
+    case help:
+        ++help_page_;
+        return;
+    case quit:
+        wants_to_leave_ = true;
+        return;
+    }
+}
+
+void Player::move_to(std::size_t step) {
+    const std::size_t last = trace().size();
+    if (step > last)
+        message_ = fmt::format("expected a step up to {}, found {}", last, step);
+    playback_->go_to(std::min(step, last));
+}
+
+void Player::move_by(std::size_t count, Direction direction) {
+    const std::size_t last = trace().size();
+    if (direction == Direction::forward && step() == last)
+        message_ = playback_->growing().is_whole() ? "this is the last step" : "more is being read";
+    if (direction == Direction::back && step() == 0)
+        message_ = "nothing is before the first step";
+    playback_->go_to(direction == Direction::forward ? std::min(last - step(), count) + step()
+                                                     : step() - std::min(step(), count));
+}
+
+// --- Searching
+
+/// Begins to search, as often as a number in front of the key says.
+void Player::find(Direction direction, std::function<bool(std::size_t)> is_meant,
+                  std::string missing) {
+    search_ = Search{.is_meant = std::move(is_meant),
+                     .direction = direction,
+                     .place = step(),
+                     .remaining = take_count(),
+                     .missing = std::move(missing)};
+    search_on();
+}
+
+/// Looks at some steps more; goes to the one that was searched for.
+bool Player::search_on() {
+    if (!search_)
+        return false;
+    Search& search = *search_;
+    const bool is_forward = search.direction == Direction::forward;
+    for (std::size_t looked_at = 0; looked_at < steps_at_once; ++looked_at) {
+        const bool is_behind = is_forward ? search.place >= trace().size() : search.place <= 1;
+        if (is_behind && is_forward && !playback_->growing().is_whole() && looked_at == 0)
+            return false; // until more has been read
+        if (is_behind) {
+            message_ = search.missing;
+            search_.reset();
+            return true;
+        }
+        search.place += is_forward ? 1 : std::size_t(-1);
+        if (!search.is_meant(search.place))
+            continue;
+        playback_->go_to(search.place);
+        if (--search.remaining == 0) {
+            search_.reset();
+            return true;
+        }
+    }
+    return true;
+}
+
+void Player::find_kind(Direction direction) {
+    if (step() == 0)
+        return move_by(1, direction);
+    const auto kind = trace().kind_of(step());
+    const std::string name = trace().step(step()).kind_name();
+    find(
+        direction,
+        [this, kind, name](std::size_t n) {
+            return trace().kind_of(n) == kind && (kind || trace().step(n).kind_name() == name);
+        },
+        fmt::format("there is no other {} step that way", printable(name)));
+}
+
+void Player::find_row(Direction direction) {
+    find(
+        direction, [this](std::size_t n) { return begins_row(trace(), n); },
+        "no row begins that way");
+}
+
+void Player::find_primitive(Direction direction) {
+    find(
+        direction, [this](std::size_t n) { return trace().kind_of(n) == StepKind::primitive; },
+        "no primitive begins that way");
+}
+
+/// Steps that belong to the current step's primitive, or that name it.
+void Player::find_of_primitive(Direction direction) {
+    if (step() == 0)
+        return move_by(1, direction);
+    const std::size_t primitive = playback_->snapshots().primitive_of(step());
+    const std::string own = trace().step(step()).text("name");
+    const std::string name = !own.empty()     ? own
+                             : primitive == 0 ? std::string()
+                                              : trace().step(primitive).text("name");
+    if (name.empty()) {
+        message_ = "the step is about no primitive";
+        return;
+    }
+    find(
+        direction,
+        [this, name](std::size_t n) {
+            const std::size_t of = playback_->snapshots().primitive_of(n);
+            return (of != 0 && trace().step(of).text("name") == name) ||
+                   trace().step(n).text("name") == name;
+        },
+        fmt::format("no other step is about {} that way", printable(name)));
+}
+
+void Player::find_at_cursor(Direction direction) {
+    if (!cursor_) {
+        message_ = "there is no cursor: c sets it, or a click";
+        return;
+    }
+    const Pixel pixel = *cursor_;
+    find(
+        direction, [this, pixel](std::size_t n) { return touches(trace(), n, pixel); },
+        fmt::format("no step touches pixel ({}, {}) that way", pixel.x, pixel.y));
+}
+
+void Player::find_match(Direction direction) {
+    if (!searched_for_) {
+        message_ = "nothing was searched for: / does";
+        return;
+    }
+    const Selector selector = *searched_for_;
+    std::string missing = fmt::format("no other step is {}", printable(selector.source.text));
+    find(
+        direction,
+        [this, selector](std::size_t n) {
+            return matches(selector, trace(), n, playback_->snapshots().primitive_of(n));
+        },
+        std::move(missing));
+}
+
+// --- What is typed
+
+void Player::type(const std::string& key) {
+    if (key == "Enter")
+        return finish_typing();
+    if (key == "Escape" || key == "Ctrl+c") {
+        asked_ = Asked::nothing;
+        return;
+    }
+    if (key == "Backspace") {
+        if (typed_.empty())
+            asked_ = Asked::nothing;
+        else
+            typed_ = first_characters(typed_, characters_in(typed_) - 1);
+        return;
+    }
+    if (key == "Ctrl+u")
+        typed_.clear();
+    else if (key == "Space")
+        typed_ += ' ';
+    else if (characters_in(key) == 1)
+        typed_ += printable(key);
+}
+
+void Player::finish_typing() {
+    const Asked asked = std::exchange(asked_, Asked::nothing);
+    if (asked == Asked::search)
+        start_search(typed_);
+    else
+        add_breakpoint(typed_);
+}
+
+/// What a text means; nothing, and a message, if it means no step.
+std::optional<Selector> Player::selector_of(const std::string& text) {
+    auto parsed = parse_selector({"", text, {}}, trace());
+    if (parsed)
+        return std::move(parsed.value());
+    const Problem& problem = parsed.problem();
+    message_ = problem.message + (problem.hint.empty() ? "" : "; " + problem.hint);
+    return std::nullopt;
+}
+
+/// An empty text searches for the same again.
+void Player::start_search(const std::string& text) {
+    if (!text.empty()) {
+        auto selector = selector_of(text);
+        if (!selector)
+            return;
+        if (selector->number)
+            return move_to(*selector->number);
+        searched_for_ = std::move(selector);
+    }
+    find_match(Direction::forward);
+    if (search_ || message_.empty() || trace().size() > most_steps_for_hints)
+        return;
+    // Perhaps it is behind us, or there is none at all.
+    const auto all = matching_steps(*searched_for_, trace());
+    if (!all)
+        message_ =
+            all.problem().message + (all.problem().hint.empty() ? "" : "; " + all.problem().hint);
+    else
+        message_ = fmt::format("none of the {} such steps is ahead; N goes to the one before",
+                               all.value().size());
+}
+
+void Player::add_breakpoint(const std::string& text) {
+    if (text.empty())
+        return;
+    if (auto selector = selector_of(text)) {
+        breakpoints_.push_back(std::move(*selector));
+        message_ = fmt::format("playing stops at {}; B removes all {}", printable(text),
+                               breakpoints_.size());
+    }
+}
+
+bool Player::is_at_breakpoint() const {
+    return step() != 0 &&
+           std::any_of(breakpoints_.begin(), breakpoints_.end(), [this](const Selector& selector) {
+               return matches(selector, trace(), step(), playback_->replay().primitive());
+           });
+}
+
+// --- Time
+
+bool Player::work() {
+    if (look_for_change())
+        return false;
+    const bool has_searched = search_on();
+    const bool has_read = playback_->read_on();
+    const bool has_asked =
+        question_ && question_->look_on(steps_at_once, playback_->growing().is_whole());
+    return has_searched || has_read || has_asked;
+}
+
+void Player::pass(double seconds) {
+    if (!is_playing_ || look_for_change())
+        return;
+    due_ += seconds * speed_;
+    for (; due_ >= 1 && is_playing_; due_ -= 1) {
+        if (step() == trace().size()) {
+            is_playing_ = !playback_->growing().is_whole();
+            due_ = 0;
+            return;
+        }
+        playback_->go_to(step() + 1);
+        if (is_at_breakpoint()) {
+            is_playing_ = false;
+            message_ = "breakpoint";
+        }
+    }
+}
+
+// --- What is looked at
+
+void Player::change_view(int by) {
+    const auto count = static_cast<int>(view_names().size());
+    auto view = static_cast<int>(view_);
+    do
+        view = (view + by + count) % count;
+    while (static_cast<View>(view) == View::depth && !playback_->has_depths());
+    view_ = static_cast<View>(view);
+    has_own_view_ = true;
+}
+
+void Player::change_frame(Direction direction) {
+    const bool is_forward = direction == Direction::forward;
+    if (input_.first_frame == input_.last_frame)
+        message_ = "there is one frame: no number of the scene varies";
+    else if (frame_ == (is_forward ? input_.last_frame : input_.first_frame))
+        message_ = is_forward ? "this is the last frame" : "this is the first frame";
+    else
+        open_or_tell(is_forward ? frame_ + 1 : frame_ - 1);
+}
+
+void Player::set_cursor(std::optional<Pixel> pixel) {
+    cursor_ = pixel;
+    question_.reset();
+    if (cursor_) {
+        question_.emplace(trace(), *cursor_);
+        question_->look_on(steps_at_once, playback_->growing().is_whole());
+    }
+}
+
+void Player::toggle_cursor() {
+    const auto pixel = pixel_looked_at(playback_->replay(), step());
+    const Canvas& canvas = trace().canvas;
+    const Pixel middle{canvas.left() + canvas.width / 2, canvas.y_of(canvas.height / 2)};
+    if (cursor_ && (!pixel || *pixel == *cursor_))
+        set_cursor(std::nullopt);
+    else
+        set_cursor(pixel.value_or(middle));
+}
+
+void Player::move_cursor(int columns, int rows) {
+    if (!cursor_)
+        return toggle_cursor();
+    const Canvas& canvas = trace().canvas;
+    const int row =
+        std::clamp(static_cast<int>(canvas.row_of(cursor_->y)) + rows, 0, canvas.height - 1);
+    const int x = std::clamp(cursor_->x + columns, canvas.left(), canvas.right());
+    set_cursor(Pixel{x, canvas.y_of(row)});
+}
+
+} // namespace rastertrace

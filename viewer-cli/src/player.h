@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What the player shows, and what its keys do: all but the terminal.
+//
+//     Player player(input, {});
+//     player.press({"Right"});
+//     player.playback().step();  // 1
+//
+// Searching a long trace, reading it and asking about a pixel are done in pieces, by work(), so that a key is heard at
+// once.
+
+#include "frame_text.h"
+#include "key_reader.h"
+#include "pixel_question.h"
+#include "playback.h"
+
+#include <rastertrace/figures/player_keys.h>
+#include <rastertrace/figures/view.h>
+#include <rastertrace/trace/selector.h>
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rastertrace {
+
+/// The traces to be played: one, or that of each frame of a scene whose numbers vary.
+struct PlayerInput {
+    std::size_t first_frame = 1;
+    std::size_t last_frame = 1;
+    std::function<GrowingTrace(std::size_t frame)> open;
+    std::function<std::string(std::size_t frame)> label = {}; ///< of a frame of several
+};
+
+struct PlayerOptions {
+    std::optional<View> view = {}; ///< none: the trace's default
+    std::string step = {};         ///< to begin with, see selector.h; empty: before the first
+    std::size_t bytes = Snapshots::usual_bytes;
+};
+
+class Player {
+public:
+    /// Opens the first frame, and reads as far as the step to begin with. Throws a Problem.
+    Player(PlayerInput input, const PlayerOptions& options);
+
+    /// Does what a key says; a Click is about a place of the picture that `grid` tells.
+    void press(const KeyPress& key, const FrameGrid& grid = {});
+
+    /// Does a piece of what is to be done beside keys; false if there is nothing now.
+    bool work();
+
+    /// Goes on by what is due after some time, while it plays.
+    void pass(double seconds);
+
+    bool is_playing() const { return is_playing_; }
+    bool wants_to_leave() const { return wants_to_leave_; }
+
+    const Playback& playback() const { return *playback_; }
+
+    /// A second replay of the trace, for the steps around the current one.
+    Replay& elsewhere() const { return *elsewhere_; }
+    View view() const { return view_; }
+    bool is_overview() const { return is_overview_; }
+    std::size_t scale() const { return scale_; }
+    bool has_working() const { return has_working_; }
+    std::optional<Pixel> cursor() const { return cursor_; }
+    const PixelQuestion* question() const { return question_ ? &*question_ : nullptr; }
+    double steps_per_second() const { return speed_; }
+    bool is_searching() const { return search_.has_value(); }
+
+    /// The page of the help that is shown, from 1; 0: none.
+    std::size_t help_page() const { return help_page_; }
+    void end_help() { help_page_ = 0; }
+
+    /// What was typed behind `/` or `b` so far, with that; nothing if nothing is being typed.
+    std::optional<std::string> prompt() const;
+
+    /// Why the trace cannot be looked at any more: its file has been changed. It can be read again.
+    const std::optional<std::string>& lost() const { return lost_; }
+
+    /// What is to be said of the last key; "" for nothing.
+    const std::string& message() const { return message_; }
+
+    /// `frame 3 of 24: degrees 30`; "" if there is one frame.
+    std::string frame_label() const;
+
+private:
+    enum class Asked { nothing, search, breakpoint };
+    enum class Direction { forward, back };
+
+    /// A search for a step, done in pieces.
+    struct Search {
+        std::function<bool(std::size_t step)> is_meant;
+        Direction direction = Direction::forward;
+        std::size_t place = 0;     ///< the last step that was looked at
+        std::size_t remaining = 1; ///< so many are passed
+        std::string missing = {};  ///< what is said if there is none
+    };
+
+    void open(std::size_t frame);
+    void open_or_tell(std::size_t frame);
+    void begin_at(const std::string& text);
+    bool look_for_change();
+    void act(PlayerAction action);
+    void type(const std::string& key);
+    void finish_typing();
+    bool take_digit(const std::string& key);
+    std::size_t take_count();
+    void move_to(std::size_t step);
+    void move_by(std::size_t count, Direction direction);
+    void find(Direction direction, std::function<bool(std::size_t)> is_meant, std::string missing);
+    void find_kind(Direction direction);
+    void find_row(Direction direction);
+    void find_primitive(Direction direction);
+    void find_of_primitive(Direction direction);
+    void find_at_cursor(Direction direction);
+    void find_match(Direction direction);
+    bool search_on();
+    void change_view(int by);
+    void change_frame(Direction direction);
+    void move_cursor(int columns, int rows);
+    void set_cursor(std::optional<Pixel> pixel);
+    void toggle_cursor();
+    void start_search(const std::string& text);
+    void add_breakpoint(const std::string& text);
+    bool is_at_breakpoint() const;
+    std::optional<Selector> selector_of(const std::string& text);
+
+    const Trace& trace() const { return playback_->trace(); }
+    std::size_t step() const { return playback_->step(); }
+
+    PlayerInput input_;
+    PlayerOptions options_;
+    std::size_t frame_ = 0;
+    std::unique_ptr<Playback> playback_;
+    std::unique_ptr<Replay> elsewhere_;
+
+    View view_ = View::plotted;
+    bool has_own_view_ = false; ///< somebody has chosen it
+    bool is_overview_ = false;
+    std::size_t scale_ = 1;
+    bool has_working_ = true;
+    std::size_t help_page_ = 0;
+
+    std::optional<std::string> lost_;
+    std::optional<Pixel> cursor_;
+    std::optional<PixelQuestion> question_;
+
+    std::string count_; ///< digits typed so far
+    Asked asked_ = Asked::nothing;
+    std::string typed_;
+    std::string message_;
+
+    std::optional<Search> search_;
+    std::optional<Selector> searched_for_;
+    std::vector<Selector> breakpoints_;
+
+    bool is_playing_ = false;
+    double speed_ = 4;
+    double due_ = 0; ///< steps, of which less than one is due
+    bool wants_to_leave_ = false;
+};
+
+} // namespace rastertrace

@@ -1,0 +1,351 @@
+// SPDX-License-Identifier: MIT
+#include "player_screen.h"
+
+#include <rastertrace/trace/describe.h>
+#include <rastertrace/trace/text.h>
+#include <rastertrace/trace/working.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+namespace rastertrace {
+
+namespace {
+
+using Lines = std::vector<std::string>;
+
+/// Panels stand beside the picture where so many columns are left for them, or on a terminal as wide as that, which
+/// then cuts the picture.
+constexpr std::size_t least_side = 36;
+constexpr std::size_t most_side = 76;
+constexpr std::size_t wide = 120;
+constexpr std::size_t side_of_wide = 56;
+
+/// A frame with fewer columns or lines cannot be read.
+constexpr std::size_t least_columns = 24;
+constexpr std::size_t least_lines = 7;
+
+Lines lines_in(std::string_view text) {
+    Lines lines;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        lines.emplace_back(text.substr(0, end));
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return lines;
+}
+
+void append(Lines& lines, Lines more) {
+    lines.insert(lines.end(), std::make_move_iterator(more.begin()),
+                 std::make_move_iterator(more.end()));
+}
+
+/// The sentence of a step that the replay is not at.
+std::string sentence_of(const Player& player, std::size_t n) {
+    Replay& elsewhere = player.elsewhere();
+    player.playback().snapshots().go_to(elsewhere, n);
+    return describe_step(elsewhere);
+}
+
+/// The steps around the current one, a line each.
+Lines steps_around(const Player& player, std::size_t columns, std::size_t count) {
+    const Trace& trace = player.playback().trace();
+    const std::size_t here = player.playback().step();
+    const std::size_t last = trace.size();
+    const std::size_t before = std::min(here, count / 2);
+    const std::size_t first = std::min(here - before, last + 1 - std::min(last + 1, count));
+    const std::size_t digits = std::to_string(last).size();
+    Lines lines;
+    for (std::size_t n = first; n < first + count && n <= last; ++n) {
+        const bool is_here = n == here;
+        const std::string sentence =
+            is_here ? describe_step(player.playback().replay()) : sentence_of(player, n);
+        lines.push_back(shortened(
+            fmt::format("{} {:>{}}  {}", is_here ? '>' : ' ', trace.number_of(n), digits, sentence),
+            columns));
+    }
+    return lines;
+}
+
+/// How the numbers of the step come of one another, as far as there is room.
+Lines working_panel(const Player& player, std::size_t columns, std::size_t count) {
+    if (!player.has_working() || count == 0)
+        return {};
+    Lines lines;
+    for (const std::string& line : working_of(player.playback().replay()))
+        append(lines, wrapped(line, columns));
+    if (lines.size() > count) {
+        lines.resize(count);
+        lines.back() = shortened("... (a larger terminal shows all)", columns);
+    }
+    return lines;
+}
+
+/// The choices of the trace's header: `fill scanline, rounding floor, ...`.
+std::string conventions(const Trace& trace, std::size_t columns) {
+    std::vector<std::string> words;
+    for (const auto& [key, value] : trace.method)
+        words.push_back(printable(key + " " + value));
+    return shortened(joined(words, ", "), columns);
+}
+
+/// What has become of the pixel under the cursor.
+Lines pixel_panel(const Player& player, std::size_t columns, std::size_t count) {
+    const PixelQuestion* const question = player.question();
+    if (question == nullptr || count == 0)
+        return {};
+    const std::string name =
+        fmt::format("pixel ({}, {})", question->pixel().x, question->pixel().y);
+    if (!question->answer())
+        return {fmt::format("{}: looked at {:.0f} % of the steps", name, 100 * question->share())};
+    if (!*question->answer())
+        return {shortened(question->answer()->problem().message, columns)};
+    const Explanation& answer = question->answer()->value();
+    Lines lines = wrapped(name + ": " + answer.answer, columns);
+    for (const std::string& lack : answer.lacks)
+        append(lines, wrapped(lack, columns));
+    for (const Try& one : answer.tries)
+        lines.push_back(
+            shortened(fmt::format("{} {}  {}", one.number == player.playback().step() ? '>' : ' ',
+                                  one.number, one.sentence),
+                      columns));
+    for (const WhyNot& why : answer.why_not)
+        append(lines, wrapped(fmt::format("  not {}: {}", printable(why.primitive), why.sentence),
+                              columns));
+    if (lines.size() > count) {
+        lines.resize(count);
+        lines.back() = shortened("  ... (`explain --pixel` tells all)", columns);
+    }
+    return lines;
+}
+
+/// `[=====>      ]`, with so many columns between the brackets.
+std::string bar(double share, std::size_t columns) {
+    const auto done = static_cast<std::size_t>(std::lround(share * static_cast<double>(columns)));
+    std::string text(columns, ' ');
+    std::fill_n(text.begin(), std::min(done, columns), '=');
+    if (done > 0 && done < columns)
+        text[done] = '>';
+    return "[" + text + "]";
+}
+
+/// How far one has come, the view, and what goes on.
+std::string progress(const Player& player, std::size_t columns) {
+    const Playback& playback = player.playback();
+    const std::size_t last = playback.trace().size();
+    const double share =
+        last == 0 ? 1 : static_cast<double>(playback.step()) / static_cast<double>(last);
+    std::string right = fmt::format("{:.0f} %  {}", std::floor(100 * share),
+                                    view_names()[static_cast<std::size_t>(player.view())]);
+    if (player.is_playing())
+        right += fmt::format("  playing, {:g} steps a second", player.steps_per_second());
+    if (player.is_searching())
+        right += "  searching";
+    if (!playback.growing().is_whole())
+        right +=
+            playback.growing().share() > 0
+                ? fmt::format("  reading, {:.0f} %", std::floor(100 * playback.growing().share()))
+                : "  reading";
+    if (!player.frame_label().empty())
+        right += "  frame " + printable(player.frame_label());
+    const std::string left = fmt::format("step {} of {} ", playback.step(), last);
+    constexpr std::size_t most_bar = 40;
+    constexpr std::size_t least_bar = 6;
+    const std::size_t taken = left.size() + columns_in(right) + 3;
+    const std::size_t room = columns > taken ? std::min(columns - taken, most_bar) : 0;
+    return shortened(left + (room >= least_bar ? bar(share, room) + " " : "") + right, columns);
+}
+
+/// What is typed, what is to be said, or what is wrong with the trace.
+std::string last_line(const Player& player, std::size_t columns) {
+    if (const auto prompt = player.prompt())
+        return shortened(printable(*prompt) + "_", columns);
+    if (!player.message().empty())
+        return shortened(player.message(), columns);
+    const Playback& playback = player.playback();
+    if (!playback.trace().damage.empty())
+        return shortened(playback.trace().damage.front().message, columns);
+    return shortened("? keys   q leave   Right next   Left back   Space play   / search   c cursor",
+                     columns);
+}
+
+/// The frame as `show` prints it; heading and working stand elsewhere.
+FrameText frame_options(const Player& player, const ScreenAbility& ability) {
+    const Replay& replay = player.playback().replay();
+    const bool has_half_blocks =
+        player.scale() == 0 && ability.has_unicode && ability.colors >= ColorDepth::palette256;
+    return {.caption = describe_step(replay),
+            .first_step = replay.step(),
+            .last_step = replay.step(),
+            .view = player.view(),
+            .colors = ability.colors,
+            .is_overview = player.is_overview(),
+            .has_heading = false,
+            .center = player.cursor(),
+            .cursor = player.cursor(),
+            .scale = std::max<std::size_t>(player.scale(), 1),
+            .has_half_blocks = has_half_blocks};
+}
+
+/// A line, and from a column on another one beside it.
+std::string beside(const std::string& left, const std::string& right, std::size_t column) {
+    return right.empty() ? left : fmt::format("{}\x1b[{}G{}", left, column + 1, right);
+}
+
+PlayerScreen help_screen(const Player& player, TextSize size) {
+    const Lines all = player_help(size.columns);
+    const std::size_t room = std::max<std::size_t>(size.lines, 2) - 1;
+    const std::size_t pages = (all.size() + room - 1) / room;
+    const std::size_t page = (player.help_page() - 1) % (pages + 1);
+    if (page == pages) // behind the last page is the picture
+        return {};
+    PlayerScreen screen;
+    const std::size_t first = page * room;
+    screen.lines.assign(all.begin() + static_cast<std::ptrdiff_t>(first),
+                        all.begin() +
+                            static_cast<std::ptrdiff_t>(std::min(first + room, all.size())));
+    screen.lines.push_back(shortened(
+        fmt::format("page {} of {}   ? goes on   Escape closes", page + 1, pages), size.columns));
+    return screen;
+}
+
+/// Of a trace that cannot be looked at any more.
+PlayerScreen lost_screen(const std::string& why, TextSize size) {
+    Lines lines = wrapped(printable(why) + ".", std::max<std::size_t>(size.columns, 1));
+    lines.emplace_back("r reads it again, q leaves");
+    for (std::string& line : lines)
+        line = shortened(line, size.columns);
+    lines.resize(std::min(lines.size(), size.lines));
+    return {std::move(lines), {}};
+}
+
+} // namespace
+
+std::vector<std::string> player_help(std::size_t columns) {
+    std::size_t width = 0;
+    std::vector<std::pair<std::string, std::string_view>> rows;
+    for (const PlayerKey& row : player_keys()) {
+        rows.emplace_back(joined(row.keys, " "), row.does);
+        width = std::max(width, rows.back().first.size());
+    }
+    Lines lines{"Keys of the player", ""};
+    for (const auto& [keys, does] : rows) {
+        const std::size_t room = std::max<std::size_t>(columns, width + 12) - width - 2;
+        std::string front = padded(keys, width) + "  ";
+        for (const std::string& line : wrapped(does, room)) {
+            lines.push_back(shortened(front + line, columns));
+            front.assign(front.size(), ' ');
+        }
+    }
+    append(lines, {"", "A number in front of a key: so many times. A click sets the cursor."});
+    return lines;
+}
+
+namespace {
+
+/// The step and its sentence, where nothing else has room.
+PlayerScreen small_screen(const Player& player, TextSize size) {
+    const Playback& playback = player.playback();
+    Lines lines{fmt::format("{} of {}", playback.step(), playback.trace().size())};
+    append(lines, wrapped(describe_step(player.playback().replay()),
+                          std::max<std::size_t>(size.columns, 1)));
+    for (std::string& line : lines)
+        line = shortened(line, size.columns);
+    lines.resize(std::min(lines.size(), std::max<std::size_t>(size.lines, 2) - 1));
+    lines.push_back(last_line(player, size.columns));
+    lines.resize(std::min(lines.size(), size.lines));
+    return {std::move(lines), {}};
+}
+
+/// Columns beside the picture for panels; 0: they stand below it.
+std::size_t side_columns(const Canvas& canvas, const FrameText& about, std::size_t columns) {
+    const std::size_t taken = grid_columns(canvas, about) + 2;
+    const std::size_t left = columns - std::min(columns, taken);
+    if (left >= least_side && !about.is_overview)
+        return std::min(left, most_side);
+    return columns >= wide ? side_of_wide : 0;
+}
+
+/// The panels, each as long as `lines` allows: the working gives way to the steps, these to the pixel.
+Lines panels_of(const Player& player, std::size_t columns, std::size_t lines) {
+    constexpr std::size_t few_steps = 3;
+    constexpr std::size_t more_steps = 7;
+    const Lines pixel = pixel_panel(player, columns, std::min(lines, lines / 3 + 2));
+    std::size_t left = lines - pixel.size();
+    const std::size_t gaps = lines >= 10 ? 1 : 0; // a blank line between two panels
+    left -= std::min(left, gaps * 2);
+    const Lines working = working_panel(player, columns, left > few_steps ? left - few_steps : 0);
+    left -= working.size();
+    const Lines steps = steps_around(player, columns, std::min(left, more_steps));
+    Lines panels;
+    for (const Lines& panel : {working, steps, pixel}) {
+        if (!panels.empty() && !panel.empty() && gaps > 0)
+            panels.emplace_back();
+        append(panels, panel);
+    }
+    return panels;
+}
+
+/// How many lines below the picture are for panels: what it does not need, and a few at least.
+std::size_t lines_below(const Canvas& canvas, const FrameText& about, std::size_t lines) {
+    constexpr std::size_t around_grid = 4; // blank, coordinates, a legend
+    constexpr std::size_t few_lines = 5;
+    const std::size_t rows = static_cast<std::size_t>(canvas.height) * about.scale;
+    const std::size_t taken = around_grid + (about.has_half_blocks ? rows / 2 : rows);
+    const std::size_t least = lines >= 20 ? few_lines : lines >= 10 ? 3 : lines >= 6 ? 1 : 0;
+    return std::max(least, lines - std::min(lines, taken));
+}
+
+} // namespace
+
+PlayerScreen player_screen(const Player& player, TextSize size, const ScreenAbility& ability) {
+    if (player.lost())
+        return lost_screen(*player.lost(), size);
+    if (player.help_page() > 0)
+        if (PlayerScreen help = help_screen(player, size); !help.lines.empty())
+            return help;
+    if (size.columns < least_columns || size.lines < least_lines)
+        return small_screen(player, size);
+
+    const Trace& trace = player.playback().trace();
+    const FrameText about = frame_options(player, ability);
+    Lines lines = frame_heading(trace, about, size.columns);
+    lines.resize(std::min(lines.size(), size.lines / 3));
+    Lines bottom;
+    constexpr std::size_t lines_for_conventions = 16;
+    if (size.lines >= lines_for_conventions)
+        bottom.push_back(conventions(trace, size.columns));
+    bottom.push_back(progress(player, size.columns));
+    bottom.push_back(last_line(player, size.columns));
+
+    const std::size_t body = size.lines - lines.size() - bottom.size();
+    const std::size_t side = side_columns(trace.canvas, about, size.columns);
+    const std::size_t below = side > 0 ? 0 : lines_below(trace.canvas, about, body);
+    const Lines panels =
+        panels_of(player, side > 0 ? side : size.columns, side > 0 ? body - 1 : below);
+    const std::size_t frame_lines = side > 0 ? body : body - panels.size();
+    const std::size_t frame_columns = side > 0 ? size.columns - side - 2 : size.columns;
+    // A frame leaves a line for the prompt of a shell, which is not there.
+    LaidOutFrame frame =
+        laid_out_frame(player.playback().replay(), about, {frame_columns, frame_lines + 1});
+    frame.grid.first_line += lines.size();
+    Lines grid = lines_in(frame.text);
+    grid.resize(frame_lines);
+    for (std::string& line : grid)
+        if (line.find('\x1b') == std::string::npos) // cells with colors fit
+            line = shortened(line, frame_columns);
+    if (side > 0)
+        for (std::size_t i = 0; i < panels.size(); ++i)
+            grid[i + 1] = beside(grid[i + 1], panels[i], frame_columns + 2);
+    append(lines, std::move(grid));
+    if (side == 0)
+        append(lines, panels);
+    append(lines, std::move(bottom));
+    return {std::move(lines), frame.grid};
+}
+
+} // namespace rastertrace

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+#include "terminal_session.h"
+
+#include "load.h"
+
+#include <rastertrace/trace/problem.h>
+
+#include <fmt/core.h>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/ioctl.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <string_view>
+
+namespace rastertrace {
+
+namespace {
+
+// Another screen without a cursor, lines that are cut instead of wrapped, clicks of the mouse with decimal places.
+constexpr std::string_view take_over = "\x1b[?1049h\x1b[?25l\x1b[?7l\x1b[?1000h\x1b[?1006h\x1b[2J";
+constexpr std::string_view give_back = "\x1b[?1006l\x1b[?1000l\x1b[?7h\x1b[?25h\x1b[?1049l";
+
+/// What handlers of signals need; they must not take memory. There is one session.
+struct Shared {
+    int input = -1;
+    termios before{};
+    termios during{};
+    volatile std::sig_atomic_t needs_redraw = 0;
+};
+Shared shared;
+
+constexpr std::array ending_signals{SIGINT,  SIGTERM, SIGHUP, SIGQUIT, SIGXCPU,
+                                    SIGABRT, SIGSEGV, SIGBUS, SIGFPE,  SIGILL};
+std::array<struct sigaction, ending_signals.size()> before_session;
+
+/// Safe to call in a handler. What the terminal does not take cannot be helped.
+void write_to_terminal(std::string_view text) {
+    while (!text.empty()) {
+        const ssize_t count = ::write(STDOUT_FILENO, text.data(), text.size());
+        if (count < 0 && errno != EINTR && errno != EAGAIN)
+            return;
+        text.remove_prefix(count > 0 ? static_cast<std::size_t>(count) : 0);
+    }
+}
+
+void take_terminal() {
+    ::tcsetattr(shared.input, TCSADRAIN, &shared.during);
+    write_to_terminal(take_over);
+}
+
+void return_terminal() {
+    write_to_terminal(give_back);
+    ::tcsetattr(shared.input, TCSADRAIN, &shared.before);
+}
+
+/// The terminal is given back; then the signal does what it would have done.
+extern "C" void end_session_by_signal(int signal) {
+    return_terminal();
+    if (signal == SIGBUS) {
+        // The bytes of a file are looked at in their place, see growing_trace.h.
+        constexpr std::string_view text = "rastertrace: a file was cut short while it was played\n";
+        [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text.data(), text.size());
+        ::_exit(3);
+    }
+    for (std::size_t i = 0; i < ending_signals.size(); ++i)
+        if (ending_signals[i] == signal)
+            ::sigaction(signal, &before_session[i], nullptr);
+    ::raise(signal);
+}
+
+extern "C" void stop_session(int) {
+    const int error = errno;
+    return_terminal();
+    struct sigaction usual {};
+    usual.sa_handler = SIG_DFL;
+    struct sigaction own {};
+    ::sigaction(SIGTSTP, &usual, &own);
+    sigset_t stop{};
+    ::sigemptyset(&stop);
+    ::sigaddset(&stop, SIGTSTP);
+    ::raise(SIGTSTP);
+    ::sigprocmask(SIG_UNBLOCK, &stop, nullptr); // stops here, until somebody goes on
+    ::sigaction(SIGTSTP, &own, nullptr);
+    take_terminal();
+    shared.needs_redraw = 1;
+    errno = error;
+}
+
+extern "C" void note_size(int) {
+    shared.needs_redraw = 1;
+}
+
+/// Both are only let through where the session waits, so that nothing is lost between looking and waiting.
+sigset_t waited_for() {
+    sigset_t signals{};
+    ::sigemptyset(&signals);
+    ::sigaddset(&signals, SIGWINCH);
+    ::sigaddset(&signals, SIGTSTP);
+    return signals;
+}
+
+void handle(int signal, void (*handler)(int), struct sigaction* before) {
+    struct sigaction action {};
+    action.sa_handler = handler;
+    ::sigaction(signal, &action, before);
+}
+
+} // namespace
+
+bool TerminalSession::is_possible() {
+    const char* const kind = std::getenv("TERM");
+    if (::isatty(STDOUT_FILENO) == 0 || kind == nullptr || std::string_view(kind) == "dumb" ||
+        *kind == '\0')
+        return false;
+    return ::isatty(STDIN_FILENO) != 0 ||
+           Descriptor(::open("/dev/tty", O_RDONLY | O_CLOEXEC)).is_open();
+}
+
+TerminalSession::TerminalSession()
+    : own_input_(::isatty(STDIN_FILENO) != 0 ? -1 : ::open("/dev/tty", O_RDONLY | O_CLOEXEC)),
+      input_(own_input_.is_open() ? own_input_.number() : STDIN_FILENO) {
+    if (::tcgetattr(input_, &shared.before) != 0)
+        throw problem_of("", "expected a terminal, found none");
+    shared.input = input_;
+    shared.during = shared.before;
+    shared.during.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO | IEXTEN);
+    shared.during.c_iflag &= ~static_cast<tcflag_t>(IXON | ICRNL);
+    shared.during.c_cc[VMIN] = 1;
+    shared.during.c_cc[VTIME] = 0;
+    for (std::size_t i = 0; i < ending_signals.size(); ++i) {
+        ::sigaction(ending_signals[i], nullptr, &before_session[i]);
+        if (before_session[i].sa_handler != SIG_IGN) // as by nohup
+            handle(ending_signals[i], end_session_by_signal, nullptr);
+    }
+    const sigset_t signals = waited_for();
+    ::sigprocmask(SIG_BLOCK, &signals, nullptr);
+    handle(SIGTSTP, stop_session, nullptr);
+    handle(SIGWINCH, note_size, nullptr);
+    take_terminal();
+}
+
+TerminalSession::~TerminalSession() {
+    return_terminal();
+    const sigset_t signals = waited_for();
+    handle(SIGTSTP, SIG_DFL, nullptr);
+    handle(SIGWINCH, SIG_DFL, nullptr);
+    ::sigprocmask(SIG_UNBLOCK, &signals, nullptr);
+    for (std::size_t i = 0; i < ending_signals.size(); ++i)
+        ::sigaction(ending_signals[i], &before_session[i], nullptr);
+}
+
+TextSize TerminalSession::size() const {
+    winsize window{};
+    if (::ioctl(STDOUT_FILENO, TIOCGWINSZ, &window) != 0 || window.ws_col == 0 ||
+        window.ws_row == 0)
+        return {80, 24};
+    return {window.ws_col, window.ws_row};
+}
+
+void TerminalSession::wait(int milliseconds, int other) {
+    if (shared.needs_redraw != 0)
+        return;
+    std::array<pollfd, 2> sources{{{input_, POLLIN, 0}, {other, POLLIN, 0}}};
+    const timespec limit{milliseconds / 1000, milliseconds % 1000 * 1'000'000L};
+    sigset_t signals{};
+    ::sigprocmask(SIG_BLOCK, nullptr, &signals);
+    ::sigdelset(&signals, SIGWINCH);
+    ::sigdelset(&signals, SIGTSTP);
+    if (::ppoll(sources.data(), sources.size(), milliseconds < 0 ? nullptr : &limit, &signals) >
+            0 &&
+        sources[0].revents != 0)
+        read_keys();
+}
+
+void TerminalSession::read_keys() {
+    std::array<char, 4096> bytes;
+    const ssize_t count = ::read(input_, bytes.data(), bytes.size());
+    if (count > 0)
+        keys_.take({bytes.data(), static_cast<std::size_t>(count)});
+    else if (count == 0 || (errno != EINTR && errno != EAGAIN))
+        is_open_ = false;
+}
+
+std::optional<KeyPress> TerminalSession::key() {
+    if (auto key = keys_.next())
+        return key;
+    if (!keys_.has_part())
+        return std::nullopt;
+    constexpr int moment = 50; // the bytes of one key come together
+    pollfd source{input_, POLLIN, 0};
+    if (::poll(&source, 1, moment) > 0) {
+        read_keys();
+        return keys_.next();
+    }
+    return keys_.next_of_rest();
+}
+
+bool TerminalSession::needs_redraw() {
+    if (shared.needs_redraw == 0)
+        return false;
+    shared.needs_redraw = 0;
+    shown_.clear();
+    return true;
+}
+
+void TerminalSession::show(const std::vector<std::string>& lines) {
+    std::string text;
+    if (shown_.empty())
+        text = "\x1b[2J";
+    shown_.resize(std::max(shown_.size(), lines.size()));
+    for (std::size_t i = 0; i < shown_.size(); ++i) {
+        const std::string line = i < lines.size() ? lines[i] : std::string();
+        if (line != shown_[i])
+            text += fmt::format("\x1b[{};1H\x1b[K{}", i + 1, line);
+        shown_[i] = line;
+    }
+    write_to_terminal(text);
+}
+
+} // namespace rastertrace

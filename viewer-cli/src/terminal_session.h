@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A terminal taken over by the program: no echo, keys as they are pressed, the mouse, a screen of its own. It is given
+// back as it was on every way out: the end of the session, a signal, a crash, and while the program is stopped.
+//
+//     TerminalSession terminal;
+//     terminal.show({"first line", "second line"});
+//     terminal.wait(100);
+//     while (auto key = terminal.key()) ...
+
+#include "key_reader.h"
+#include "terminal.h"
+
+#include <rastertrace/trace/descriptor.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rastertrace {
+
+class TerminalSession {
+public:
+    /// True if standard output is a terminal that can be taken over, and keys can be read from it.
+    static bool is_possible();
+
+    /// Takes the terminal over. There is one session at a time. Throws a Problem.
+    TerminalSession();
+    TerminalSession(const TerminalSession&) = delete;
+    TerminalSession& operator=(const TerminalSession&) = delete;
+    ~TerminalSession();
+
+    TextSize size() const;
+
+    /// Waits for a key, another size, or something to read at `other` (-1: nothing), so many milliseconds at most; for
+    /// ever if that is negative.
+    void wait(int milliseconds, int other = -1);
+
+    /// The next key that was pressed. What may be the beginning of one is waited for a moment.
+    std::optional<KeyPress> key();
+
+    /// True once after the size has changed, or the screen has to be drawn anew for another reason.
+    bool needs_redraw();
+
+    /// False if nobody can press keys any more.
+    bool is_open() const { return is_open_; }
+
+    /// Shows these lines, from the top. Lines that have not changed are not written again.
+    void show(const std::vector<std::string>& lines);
+
+private:
+    void read_keys();
+
+    Descriptor own_input_; ///< if standard input is something else
+    int input_;
+    KeyReader keys_;
+    std::vector<std::string> shown_;
+    bool is_open_ = true;
+};
+
+} // namespace rastertrace
