@@ -128,7 +128,8 @@ const yOf = pixel => trace.data.canvas.top + trace.data.canvas.down * Math.floor
 const groupOf = n => trace.primitive[n] < 0 ? -1 : trace.primitives[trace.primitive[n]].group;
 function see(n, more) { if (n > 0 && groupOf(n) >= 0) seen[groupOf(n)] += more; }
 
-const fileOf = () => frames[frame].file || "FILE";
+/** What commands call the input. A scene whose vertices were moved has no file. */
+const fileOf = () => hasMoved ? null : frames[frame].file || "FILE";
 
 /** Plays the steps between here and there, forward or back, and returns the pixels that have changed. */
 function play(to) {
@@ -237,6 +238,7 @@ function lay() {
   paint();
   drawCells();
   drawMarks();
+  if (scene) placeHandles();
 }
 
 /** The middle of a pixel, and a place of the scene, on the sheet. A pixel is a square around its sample. */
@@ -481,7 +483,8 @@ function tellStep() {
   const lines = by("working"), {working} = trace.data;
   if (!hasWorking || step === 0) lines.replaceChildren();
   else if (working) lines.replaceChildren(...working[step - 1].map(word => element("li", "", trace.words[word])));
-  else lines.replaceChildren(element("li", "", `rastertrace explain ${fileOf()} --step ${step}`));
+  else if (fileOf()) lines.replaceChildren(element("li", "", `rastertrace explain ${fileOf()} --step ${step}`));
+  else lines.replaceChildren();
   const slider = by("slider");
   slider.value = step;
   slider.setAttribute("aria-valuetext", `step ${step} of ${trace.count}${step ? ": " + nameOf(step) : ""}`);
@@ -554,9 +557,11 @@ function tellPixel() {
     lines.push(list);
     if (all.count > all.whyNot.length) lines.push(element("p", "", `and ${all.count - all.whyNot.length} more`));
   }
-  const more = element("p", "", all ? "The working: " : "Who did not draw it, and why: ");
-  more.append(element("code", "", `rastertrace explain ${fileOf()} --pixel ${xOf(pixel)},${yOf(pixel)}`));
-  lines.push(more);
+  if (fileOf()) {
+    const more = element("p", "", all ? "The working: " : "Who did not draw it, and why: ");
+    more.append(element("code", "", `rastertrace explain ${fileOf()} --pixel ${xOf(pixel)},${yOf(pixel)}`));
+    lines.push(more);
+  }
   told.replaceChildren(...lines);
 }
 
@@ -675,6 +680,7 @@ function setZoom(factor) {
 function stop() {
   clearTimeout(timer);
   timer = 0;
+  by("sentence").setAttribute("aria-live", "polite");
   by("play").setAttribute("aria-pressed", "false");
   by("play").setAttribute("aria-label", "Play");
 }
@@ -690,6 +696,7 @@ function tick() {
 function togglePlay() {
   if (timer) return stop();
   if (step >= trace.count) goTo(0);
+  by("sentence").setAttribute("aria-live", "off"); // nobody can listen that fast
   by("play").setAttribute("aria-pressed", "true");
   by("play").setAttribute("aria-label", "Pause");
   timer = setTimeout(tick, 1000 / rate);
@@ -788,6 +795,110 @@ function hover(pixel) {
   tellPixel();
 }
 
+// --- vertices that can be moved --------------------------------------------------------------------------------------
+
+// The program itself, compiled for browsers, draws a changed scene: `program.page_data(scene)` is what it would have
+// written into the page, `page_data_in_motion` the same with less told, while a vertex is moved.
+let program, scene, hasMoved = false, wanted = "", isDrawing = false;
+const grain = 4; // vertices go to quarters of a pixel
+
+async function prepareMoving() {
+  if (!options.scene || typeof rastertrace !== "function") return;
+  program = await rastertrace();
+  scene = JSON.parse(options.scene);
+  for (const name of Object.keys(scene.vertices)) {
+    const handle = element("button", "handle");
+    handle.type = "button";
+    handle.dataset.vertex = name;
+    handle.addEventListener("pointerdown", event => { handle.setPointerCapture(event.pointerId); handle.dataset.held = "true"; });
+    handle.addEventListener("pointermove", event => { if (handle.dataset.held) moveTo(name, placeUnder(event), "in motion"); });
+    for (const end of ["pointerup", "pointercancel"])
+      handle.addEventListener(end, () => { if (handle.dataset.held) { delete handle.dataset.held; drawAgain("all"); } });
+    handle.addEventListener("keydown", event => {
+      const way = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1]}[event.key];
+      if (!way || event.ctrlKey || event.metaKey || event.altKey) return;
+      event.preventDefault();
+      event.stopPropagation();
+      const {x, y} = vertexAt(name), far = event.shiftKey ? 1 : 1 / grain;
+      moveTo(name, {x: x + far * way[0], y: y + far * way[1] * trace.data.canvas.down}, "all");
+    });
+    by("handles").append(handle);
+  }
+  by("back").addEventListener("click", () => { scene = JSON.parse(options.scene); placeHandles(); drawAgain("all"); });
+  placeHandles();
+}
+
+const numberIn = text => { const [above, below = 1] = String(text).split("/").map(Number); return above / below; };
+const vertexAt = name => ({x: numberIn(scene.vertices[name][0]), y: numberIn(scene.vertices[name][1])});
+
+/** The place of the scene below a pointer. */
+function placeUnder(event) {
+  const box = raster.getBoundingClientRect(), {left, top, down, sample} = trace.data.canvas;
+  return {x: (event.clientX - box.left) / layout.cell - 0.5 + left + sample,
+          y: ((event.clientY - box.top) / layout.cell - 0.5) * down + top + sample};
+}
+
+function placeHandles() {
+  for (const handle of by("handles").children) {
+    const {x, y} = vertexAt(handle.dataset.vertex), place = placeOf({x, y});
+    handle.style.left = `${place.x}px`;
+    handle.style.top = `${place.y}px`;
+    handle.hidden = !isInside(place);
+    handle.setAttribute("aria-label", `Vertex ${handle.dataset.vertex} at (${x}, ${y}): arrow keys move it`);
+  }
+}
+
+function moveTo(name, {x, y}, detail) {
+  const {left, top, down} = trace.data.canvas, ends = [top, top + down * (trace.height - 1)];
+  const held = (value, low, high) => Math.round(Math.max(low, Math.min(value, high)) * grain) / grain;
+  const place = [held(x, left, left + trace.width - 1), held(y, Math.min(...ends), Math.max(...ends))];
+  const old = vertexAt(name);
+  if (place[0] === old.x && place[1] === old.y) return;
+  scene.vertices[name] = place;
+  placeHandles();
+  drawAgain(detail);
+}
+
+/** Has the scene drawn; what has changed meanwhile is drawn next. */
+async function drawAgain(detail) {
+  stop();
+  wanted = detail;
+  if (isDrawing) return;
+  isDrawing = true;
+  while (wanted) {
+    const draw = wanted === "all" ? program.page_data : program.page_data_in_motion ?? program.page_data;
+    wanted = "";
+    await new Promise(done => requestAnimationFrame(done));
+    try {
+      const text = JSON.stringify(scene);
+      const data = JSON.parse(await draw(text));
+      hasMoved = text !== JSON.stringify(JSON.parse(options.scene));
+      by("back").hidden = !hasMoved;
+      by("problem").hidden = true;
+      show(data, stepLike(data));
+    } catch (problem) {
+      by("problem").textContent = problem.message;
+      by("problem").hidden = false;
+    }
+  }
+  isDrawing = false;
+}
+
+/** The step of other data that is most like this one: of the same kind and primitive, in the same row or pixel. */
+function stepLike(data) {
+  if (step === trace.count) return Infinity;
+  if (step === 0) return 0;
+  const other = readTrace(data), kind = trace.kind[step], primitive = trace.primitive[step];
+  const rowOf = (one, n) => one.kindNames[one.kind[n]] === "scanline" ? one.data.rows[7 * one.own[n]] : one.at[n];
+  let alike = 0;
+  for (let n = 1; n <= other.count; ++n) {
+    if (other.kind[n] !== kind || other.primitive[n] !== primitive) continue;
+    if (rowOf(other, n) === rowOf(trace, step)) return n;
+    if (alike === 0 || Math.abs(n - step) < Math.abs(alike - step)) alike = n;
+  }
+  return alike || Math.min(step, other.count);
+}
+
 // --- the page --------------------------------------------------------------------------------------------------------
 
 /** Shows a trace: that of a frame, or of a scene that was changed. */
@@ -845,7 +956,7 @@ function listen() {
   });
   sheet.addEventListener("pointermove", event => { if (event.pointerType === "mouse") hover(pixelAt(event)); });
   sheet.addEventListener("pointerleave", () => hover(-1));
-  sheet.addEventListener("click", event => { const pixel = pixelAt(event); setCursor(pixel === cursor ? -1 : pixel); });
+  sheet.addEventListener("click", event => { if (event.target.closest(".handle")) return; const pixel = pixelAt(event); setCursor(pixel === cursor ? -1 : pixel); });
   addEventListener("resize", lay);
   addEventListener("hashchange", () => { const asked = stepOfAddress(); if (asked !== null) goTo(asked); });
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => { readColors(); paint(); });
@@ -871,8 +982,10 @@ readData().then(data => {
   tellKeys();
   show(frames[0].data, stepOfAddress() ?? options.step ?? Infinity);
   listen();
+  return prepareMoving();
+}).then(() => {
   document.documentElement.dataset.ready = "true";
-}, problem => {
+}).catch(problem => {
   by("notes").textContent = `This browser cannot read the page: ${problem.message}`;
   by("notes").hidden = false;
 });

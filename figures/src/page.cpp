@@ -13,7 +13,8 @@
 #include <zlib.h>
 
 #include <array>
-#include <cassert>
+#include <cstdint>
+#include <new>
 #include <utility>
 
 namespace rastertrace {
@@ -35,10 +36,10 @@ std::string in_script(std::string_view json) {
 std::string compressed(std::string_view text) {
     uLongf size = compressBound(text.size());
     std::string bytes(size, '\0');
-    [[maybe_unused]] const int status =
-        compress2(reinterpret_cast<Bytef*>(bytes.data()), &size,
-                  reinterpret_cast<const Bytef*>(text.data()), text.size(), Z_BEST_COMPRESSION);
-    assert(status == Z_OK); // there is room for whatever it makes
+    if (compress2(reinterpret_cast<Bytef*>(bytes.data()), &size,
+                  reinterpret_cast<const Bytef*>(text.data()), text.size(),
+                  Z_BEST_COMPRESSION) != Z_OK)
+        throw std::bad_alloc(); // it has no other reason: there is room for whatever it makes
     bytes.resize(size);
 
     constexpr std::string_view digits =
@@ -97,7 +98,7 @@ std::string options_text(const PageOptions& options) {
                             json_quoted(view_names()[static_cast<std::size_t>(*options.view)]));
     if (options.step)
         text += fmt::format(",\"step\":{}", *options.step);
-    if (!options.module.empty())
+    if (!options.module.empty() && !options.scene.empty())
         text += fmt::format(",\"scene\":{}", json_quoted(options.scene));
     return text + "}";
 }
@@ -121,7 +122,7 @@ std::string page_of(std::span<const PageFrame> frames, const PageOptions& option
          {"style", page_css()},
          {"options", in_script(options_text(options))},
          {"data", compressed(data_text(frames))},
-         {"module", options.module.empty()
+         {"module", options.module.empty() || options.scene.empty()
                         ? std::string()
                         : fmt::format("<script>\n{}\n</script>\n", options.module)},
          {"script", page_js()}}};

@@ -145,9 +145,13 @@ private:
 /// Puts the data of a page together.
 class PageData {
 public:
-    explicit PageData(const Trace& trace)
+    PageData(const Trace& trace, PageDetail detail)
         : trace_(trace), grays_(trace), replay_(trace, {.writes = false, .depths = true}),
-          has_working_(trace.size() <= most_steps_with_working) {}
+          most_why_not_(detail == PageDetail::all ? most_why_not_asked
+                                                  : most_why_not_asked_in_motion),
+          has_working_(trace.size() <= (detail == PageDetail::all
+                                            ? most_steps_with_working
+                                            : most_steps_with_working_in_motion)) {}
 
     std::string text() {
         add_groups();
@@ -453,7 +457,7 @@ private:
         const auto pixels =
             static_cast<std::size_t>(canvas.width) * static_cast<std::size_t>(canvas.height);
         if (std::max(canvas.width, canvas.height) > largest_side_with_why_not ||
-            pixels * primitive_count_ > most_why_not_asked)
+            pixels * primitive_count_ > most_why_not_)
             return "null";
         JsonList answers;
         PixelExplainer explainer(trace_);
@@ -498,6 +502,7 @@ private:
     const Trace& trace_;
     DepthGrays grays_;
     Replay replay_;
+    std::size_t most_why_not_;
     bool has_working_;
     Words words_;
     std::size_t primitive_count_ = 0;
@@ -528,8 +533,8 @@ std::optional<Problem> too_large_for_page(const Trace& trace) {
     return std::nullopt;
 }
 
-std::string page_data(const Trace& trace) {
-    return PageData(trace).text();
+std::string page_data(const Trace& trace, PageDetail detail) {
+    return PageData(trace, detail).text();
 }
 
 } // namespace rastertrace

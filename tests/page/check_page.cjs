@@ -8,7 +8,7 @@
 const {chromium} = require("playwright-core");
 const axe = require("fs").readFileSync(require.resolve("axe-core/axe.min.js"), "utf8");
 const {execFileSync} = require("child_process");
-const fs = require("fs"), os = require("os"), path = require("path");
+const fs = require("fs"), os = require("os"), path = require("path"), zlib = require("zlib");
 
 const [program, source] = process.argv.slice(2).map(name => path.resolve(name));
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), "page-"));
@@ -326,6 +326,73 @@ async function checkFrames() {
   await page.close();
 }
 
+/** What the program puts into a page, as the page reads it. */
+const dataIn = file => JSON.parse(zlib.inflateSync(Buffer.from(/id="data">([^<]*)</.exec(fs.readFileSync(file, "utf8"))[1], "base64")));
+
+/** Vertices that are moved. A program that was built without its module is asked in the place of it. */
+async function checkMoving() {
+  const name = example("t0-fill/first-triangle"), file = pageOf(name), moved = path.join(folder, "moved.json");
+  const scene = JSON.parse(fs.readFileSync(name, "utf8"));
+  let html = fs.readFileSync(file, "utf8");
+  const hasModule = html.includes("WebAssembly");
+  if (!hasModule) {
+    html = html.replace("{\"keys\":", () => `{"scene":${JSON.stringify(JSON.stringify(scene))},"keys":`)
+      .replace("<script>\n\"use strict\"", "<script>globalThis.rastertrace = async () => ({page_data: askProgram});</script>\n<script>\n\"use strict\"");
+    fs.writeFileSync(file, html);
+  }
+  const context = await browser.newContext({viewport: {width: 1280, height: 800}});
+  await context.exposeFunction("askProgram", text => {
+    fs.writeFileSync(moved, text);
+    const told = pageOf(moved);
+    if (!fs.existsSync(told)) throw new Error("expected a scene, found none");
+    return JSON.stringify(dataIn(told)[0].data);
+  });
+  const page = await context.newPage();
+  page.on("pageerror", error => fail(`an error: ${error.message}`));
+  await page.goto("file://" + file + "#14");
+  await page.waitForSelector("html[data-ready]");
+  const labelOf = vertex => page.getAttribute(`[data-vertex=${vertex}]`, "aria-label");
+  const settle = async label => {
+    for (let i = 0; i < 100 && !((await labelOf("A")).includes(label) && await page.$eval("#back", back => !back.hidden) === (label !== "(2, 5)")); ++i)
+      await page.waitForTimeout(50);
+    await page.waitForTimeout(500);
+  };
+  expectSame(await page.$$eval(".handle", all => all.map(one => one.dataset.vertex)), ["A", "B", "C"], "the vertices");
+  const expectScene = async (vertices, what) => {
+    fs.writeFileSync(moved, JSON.stringify({...scene, vertices}));
+    const sentences = sentencesOf(moved), step = await stepOf(page);
+    expectSame(await page.textContent("#last"), String(sentences.length - 1), `${what}: how many steps`);
+    expectSame(await sentenceOf(page), sentences[step], what);
+    expectThat(sentences[step].startsWith("scanline y=2"), `${what}: it stays in its row`);
+    await page.keyboard.press("G");
+    expectSame(await bareOf(page), rastertrace("show", moved, "--last", "--bare").replace(/[@#]/g, "#"), `${what}: the pixels`);
+    await page.keyboard.type(`${step}G`);
+  };
+  // By mouse: two pixels to the left, one down.
+  const box = await page.locator("#raster").boundingBox(), cell = box.width / 17;
+  const handle = await page.locator("[data-vertex=A]").boundingBox();
+  const [x, y] = [handle.x + handle.width / 2, handle.y + handle.height / 2];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  for (let i = 1; i <= 8; ++i) await page.mouse.move(x - 2 * cell * i / 8, y + cell * i / 8);
+  await page.mouse.up();
+  await settle("(0, 4)");
+  await expectScene({...scene.vertices, A: [0, 4]}, "dragged");
+  expectThat(!(await page.textContent("#told")).includes("rastertrace explain"), "no command about a file that is another scene");
+  // By keyboard: a quarter to the right, a whole pixel up.
+  await page.focus("[data-vertex=A]");
+  await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("Shift+ArrowUp");
+  await settle("(0.25, 5)");
+  expectSame(await labelOf("A"), "Vertex A at (0.25, 5): arrow keys move it", "by keyboard");
+  await expectScene({...scene.vertices, A: [0.25, 5]}, "by keyboard");
+  await page.click("#back");
+  await settle("(2, 5)");
+  await expectScene(scene.vertices, "back");
+  count("pages");
+  await context.close();
+}
+
 /** A hundred thousand steps on 512 x 512 pixels: how large, how fast. */
 async function checkLarge() {
   const vertices = {}, triangles = [];
@@ -374,7 +441,7 @@ async function main() {
   const checks = [
     ...["t0-fill/first-triangle", "t0-hidden/two-depths", "t2-lines/bresenham", "t3-sweep-and-box/barycentric", "t3-sweep-and-box/top-left", "t4-fan/fan", "t0-hidden/cube-culled"].map(name => [name, () => checkSteps(name)]),
     ...[["t0-fill/first-triangle", 1], ["t2-lines/bresenham", 1], ["t2-lines/octants", 7], ["t3-sweep-and-box/barycentric", 5], ["t3-sweep-and-box/top-left", 2], ["t0-hidden/two-depths", 2], ["t0-hidden/cube-inverse-z", 3]].map(([name, every]) => [`pixels of ${name}`, () => checkPixels(name, every)]),
-    ["keys", checkKeys], ["hostile", checkHostile], ["damaged", checkDamaged], ["frames", checkFrames], ["large", checkLarge],
+    ["keys", checkKeys], ["hostile", checkHostile], ["damaged", checkDamaged], ["frames", checkFrames], ["moving", checkMoving], ["large", checkLarge],
     ["access", () => checkAccess("t0-fill/first-triangle")], ["access of a cube", () => checkAccess("t0-hidden/cube-inverse-z")],
   ];
   const wanted = process.argv[4] ?? ""; // a part of a name

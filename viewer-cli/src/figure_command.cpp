@@ -3,13 +3,13 @@
 
 #include "commands.h"
 #include "figure_file.h"
+#include "figure_page.h"
 #include "frame_files.h"
 #include "frame_text.h"
 #include "load.h"
 
 #include <rastertrace/figures/figure.h>
 #include <rastertrace/figures/gif.h>
-#include <rastertrace/figures/page.h>
 #include <rastertrace/trace/describe.h>
 #include <rastertrace/trace/output.h>
 #include <rastertrace/trace/selector.h>
@@ -22,7 +22,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <filesystem>
 #include <initializer_list>
 #include <map>
 #include <memory>
@@ -348,78 +347,6 @@ private:
     FigureFrames frames_;
     std::size_t count_ = 0;
 };
-
-/// A word as a shell takes it.
-std::string shell_word(const std::string& word) {
-    constexpr std::string_view plain =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._+-";
-    if (!word.empty() && word.find_first_not_of(plain) == std::string::npos)
-        return word;
-    std::string quoted = "'";
-    for (const char c : word)
-        if (c == '\'')
-            quoted += "'\\''";
-        else
-            quoted += c;
-    return quoted + "'";
-}
-
-/// What a command that is typed beside the input calls it, with the options that it was drawn with. "" for a pipe.
-std::string input_of_page(const FigureCommand& command, const InputFrames& input,
-                          std::size_t frame) {
-    if (command.trace == "-")
-        return {};
-    std::string text = shell_word(std::filesystem::path(command.trace).filename().string());
-    for (const auto& [key, value] : command.method)
-        text += fmt::format(" --{} {}", key, value);
-    if (input.is_sequence())
-        text += fmt::format(" --frame {}", frame);
-    return text;
-}
-
-/// A page of all frames of the input.
-ExitStatus write_page(const FigureCommand& command) {
-    InputFrames input(
-        command.trace,
-        {.method = command.method, .limits = command.input, .frames = command.frames});
-    ExitStatus status = exit_fine;
-    PageOptions options{.theme = command.style.theme, .view = command.options.view};
-    std::vector<PageFrame> frames;
-    std::size_t steps = 0;
-    for (std::size_t frame = input.first(); frame <= input.last(); ++frame) {
-        const Trace trace = input.trace(frame);
-        status = std::max(status, report_damage(trace));
-        if (const auto problem = too_large_for_page(trace))
-            throw *problem;
-        steps += trace.size();
-        if (steps > most_page_steps)
-            throw problem_of("",
-                             fmt::format("expected at most {} steps for a page, found more in the "
-                                         "first {} frames",
-                                         most_page_steps, frames.size() + 1),
-                             "--frame N makes a page of one frame");
-        if (frames.empty()) {
-            options.title = command.options.title.value_or(trace.title);
-            if (command.which == FigureCommand::Which::step) {
-                const Selector selector =
-                    value_or_throw(parse_selector({"--step", command.selector}, trace));
-                options.step = value_or_throw(matching_step(selector, trace, "say which"));
-            }
-        }
-        frames.push_back({.label = input.is_sequence() ? input.label(frame) : std::string(),
-                          .data = page_data(trace),
-                          .file = input_of_page(command, input, frame)});
-    }
-    const std::string page = page_of(frames, options);
-    if (command.output == "-") {
-        print(page);
-    } else {
-        FileOutput file(command.output, input.files());
-        file.write(page);
-        file.commit();
-    }
-    return status;
-}
 
 } // namespace
 

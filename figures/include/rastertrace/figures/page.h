@@ -15,6 +15,7 @@
 #include <rastertrace/trace/trace.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -35,12 +36,25 @@ inline constexpr std::size_t most_steps_with_working = 50'000;
 inline constexpr int largest_side_with_why_not = 128;
 inline constexpr std::size_t most_why_not_asked = 300'000;
 
+/// While a vertex is moved, a page has to be there at once: more steps have no workings then, and more questions why
+/// a pixel is not drawn are not answered.
+inline constexpr std::size_t most_steps_with_working_in_motion = 1'000;
+inline constexpr std::size_t most_why_not_asked_in_motion = 5'000;
+
+/// A scene with more primitives than this has no vertices that can be moved.
+inline constexpr std::size_t most_primitives_to_move = 10;
+
 /// Why a trace cannot be a page; nullopt if it can.
 std::optional<Problem> too_large_for_page(const Trace& trace);
 
+enum class PageDetail : std::uint8_t {
+    all,
+    in_motion, ///< while a vertex is moved
+};
+
 /// What a page needs of a trace, as a JSON object: page_data.cpp says what is in it. The same trace makes the same
 /// bytes.
-std::string page_data(const Trace& trace);
+std::string page_data(const Trace& trace, PageDetail detail = PageDetail::all);
 
 /// A frame of a page: of a scene whose numbers vary, or the only one.
 struct PageFrame {
@@ -55,7 +69,8 @@ struct PageOptions {
     std::optional<View> view = {}; ///< the one that the page begins with; none: the trace's default
     std::optional<std::size_t> step = {}; ///< the step that it begins at; none: the last
     std::string module = {}; ///< the program compiled for browsers, as a script; "" for none
-    std::string scene = {};  ///< the scene that such a module draws again when a vertex is moved
+    std::string scene =
+        {}; ///< the scene that this draws again when a vertex is moved; "": none can be
 };
 
 /// The whole file.
