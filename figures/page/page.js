@@ -603,6 +603,10 @@ function tellConventions() {
     lines.push(element("dt", "", key), told);
   }
   by("conventions").replaceChildren(...lines);
+  const inForce = [];
+  for (let i = 0; i < conventions.length; i += 3)
+    if (trace.words[conventions[i]] !== "canvas") inForce.push(`${trace.words[conventions[i]]} ${trace.words[conventions[i + 1]]}`);
+  by("in-force").textContent = inForce.join(", ");
   const notes = trace.data.notes.map(word => element("p", "", trace.words[word]));
   by("notes").replaceChildren(...notes);
   by("notes").hidden = notes.length === 0;
@@ -730,7 +734,7 @@ const actions = {
   "cursor-right": () => moveCursor(1, 0),
   "cursor-up": () => moveCursor(0, -1),
   "cursor-down": () => moveCursor(0, 1),
-  "cursor-to-step": () => setCursor(cursor === trace.at[step] ? -1 : trace.at[step]),
+  "cursor-to-step": () => { if (trace.at[step] >= 0) setCursor(cursor === trace.at[step] ? -1 : trace.at[step]); },
   "next-view": () => nextView(1),
   "previous-view": () => nextView(-1),
   "larger-cells": () => setZoom(1.25),
