@@ -1,11 +1,11 @@
 # Writes text files into a C++ source, so that a program has them without looking for them.
 #
-#   cmake -DOUTPUT=page_parts.cpp -DHEADER=page_parts.h -DFILES=page.html,page.css -P embed.cmake
+#   cmake -DOUTPUT=page_parts.cpp -DFILES=page.html,page.css -P embed.cmake
 #
-# FILES are ASCII, each a function of the header that returns its text: page.html is page_html().
+# FILES are ASCII. Each becomes a function that returns its text: page.html is std::string page_html().
 cmake_minimum_required(VERSION 3.25)
 string(REPLACE "," ";" files "${FILES}")
-set(code "// Written by cmake/embed.cmake.\n#include \"${HEADER}\"\n\nnamespace rastertrace {\n")
+set(code "// Written by cmake/embed.cmake.\n#include <string>\n\nnamespace rastertrace {\n")
 foreach(path IN LISTS files)
   get_filename_component(name "${path}" NAME)
   string(REPLACE "." "_" name "${name}")

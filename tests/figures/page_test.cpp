@@ -106,7 +106,7 @@ private:
 struct Example {
     std::string file;
     Trace trace;
-    bool is_plane = false; ///< typed in pixels
+    PageReader page;
 };
 
 /// The traces of all examples that have a page; those of more steps take too long here.
@@ -126,11 +126,10 @@ const std::vector<Example>& examples() {
             if (!read)
                 continue;
             Trace trace = trace_of(read.value().scene);
-            const bool is_plane =
-                std::none_of(trace.stages.begin(), trace.stages.end(),
-                             [](const std::string& stage) { return stage != "canvas"; });
-            if (!too_large_for_page(trace) && trace.size() <= most_steps)
-                list.push_back({file, std::move(trace), is_plane});
+            if (too_large_for_page(trace) || trace.size() > most_steps)
+                continue;
+            PageReader page(trace);
+            list.push_back({file, std::move(trace), std::move(page)});
         }
         return list;
     }();
@@ -157,7 +156,7 @@ TEST(Page, EverySentenceAndWorkingOfEveryExampleIsTheProgramsOwn) {
     ASSERT_GT(examples().size(), 30U);
     std::set<std::string> kinds;
     for (const Example& example : examples()) {
-        const PageReader page(example.trace);
+        const PageReader& page = example.page;
         ASSERT_EQ(page.count(), example.trace.size());
         Replay replay(example.trace, {.depths = true});
         for (std::size_t n = 1; n <= page.count(); ++n) {
@@ -175,7 +174,7 @@ TEST(Page, WhyPixelsAreNotDrawnIsWhatExplainSays) {
     std::set<std::string> reasons;
     std::size_t scenes = 0;
     for (const Example& example : examples()) {
-        const PageReader page(example.trace);
+        const PageReader& page = example.page;
         const auto answers = page.answers();
         const Canvas& canvas = example.trace.canvas;
         const auto width = static_cast<std::size_t>(canvas.width);
@@ -210,7 +209,7 @@ TEST(Page, WhyPixelsAreNotDrawnIsWhatExplainSays) {
 
 TEST(Page, ThePixelsAndDepthsOfEveryExampleCanBePlayed) {
     for (const Example& example : examples()) {
-        const PageReader page(example.trace);
+        const PageReader& page = example.page;
         const Frame frame = [&] {
             Replay replay(example.trace, {.writes = true, .depths = true});
             replay.go_to(example.trace.size());
@@ -258,8 +257,9 @@ TEST(Page, NothingInATraceEndsAnElementOfThePage) {
     const Trace trace = hostile_trace(hostile, hostile);
     const std::vector<PageFrame> frames{
         {.label = hostile, .data = page_data(trace), .file = hostile}};
-    const std::string page = page_of(frames, {.title = hostile, .scene = hostile});
-    EXPECT_EQ(count(page, "</script"), count(tame, "</script"));
+    const std::string page =
+        page_of(frames, {.title = hostile, .module = "var a;", .scene = hostile});
+    EXPECT_EQ(count(page, "</script"), count(tame, "</script") + 1); // that of the module
     EXPECT_EQ(count(page, "<img"), 0U);
     EXPECT_EQ(count(page, "<!--"), count(tame, "<!--"));
     EXPECT_EQ(count(page, "id=\"data\""), 1U);
