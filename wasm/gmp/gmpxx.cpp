@@ -10,11 +10,6 @@ namespace {
 
 constexpr std::uint64_t digit_base = std::uint64_t{1} << 32;
 
-void drop_leading_zeros(std::vector<std::uint32_t>& digits) {
-    while (!digits.empty() && digits.back() == 0)
-        digits.pop_back();
-}
-
 std::uint32_t low_digit(std::uint64_t value) {
     return static_cast<std::uint32_t>(value % digit_base);
 }
@@ -26,36 +21,36 @@ std::uint32_t low_digit(std::uint64_t value) {
 std::strong_ordering mpz_class::order(const Digits& a, const Digits& b) {
     if (a.size() != b.size())
         return a.size() <=> b.size();
-    const auto [in_a, in_b] = std::mismatch(a.rbegin(), a.rend(), b.rbegin());
-    return in_a == a.rend() ? std::strong_ordering::equal : *in_a <=> *in_b;
+    for (std::size_t i = a.size(); i-- > 0;)
+        if (a[i] != b[i])
+            return a[i] <=> b[i];
+    return std::strong_ordering::equal;
 }
 
 mpz_class::Digits mpz_class::sum(const Digits& a, const Digits& b) {
     const Digits& longer = a.size() < b.size() ? b : a;
     const Digits& shorter = a.size() < b.size() ? a : b;
-    Digits result;
-    result.reserve(longer.size() + 1);
+    Digits result(longer.size() + 1);
     std::uint64_t carry = 0;
     for (std::size_t i = 0; i < longer.size(); ++i) {
         carry += std::uint64_t{longer[i]} + (i < shorter.size() ? shorter[i] : 0);
-        result.push_back(low_digit(carry));
+        result[i] = low_digit(carry);
         carry /= digit_base;
     }
-    if (carry != 0)
-        result.push_back(low_digit(carry));
+    result[longer.size()] = low_digit(carry);
+    result.keep(result.size());
     return result;
 }
 
 mpz_class::Digits mpz_class::difference(const Digits& a, const Digits& b) {
-    Digits result;
-    result.reserve(a.size());
+    Digits result(a.size());
     std::uint64_t borrowed = 0;
     for (std::size_t i = 0; i < a.size(); ++i) {
         const std::uint64_t taken = borrowed + (i < b.size() ? b[i] : 0);
         borrowed = a[i] < taken ? 1 : 0;
-        result.push_back(low_digit(borrowed * digit_base + a[i] - taken));
+        result[i] = low_digit(borrowed * digit_base + a[i] - taken);
     }
-    drop_leading_zeros(result);
+    result.keep(result.size());
     return result;
 }
 
@@ -70,8 +65,13 @@ mpz_class::Digits mpz_class::product(const Digits& a, const Digits& b) {
         }
         result[i + b.size()] = low_digit(carry);
     }
-    drop_leading_zeros(result);
+    result.keep(result.size());
     return result;
+}
+
+std::uint64_t mpz_class::low_64_bits(const Digits& digits) {
+    const std::uint64_t low = digits.empty() ? 0 : digits[0];
+    return digits.size() < 2 ? low : low + digits[1] * digit_base;
 }
 
 std::uint32_t mpz_class::divide_by_digit(Digits& above, std::uint32_t below) {
@@ -81,7 +81,7 @@ std::uint32_t mpz_class::divide_by_digit(Digits& above, std::uint32_t below) {
         above[i] = low_digit(rest / below);
         rest %= below;
     }
-    drop_leading_zeros(above);
+    above.keep(above.size());
     return low_digit(rest);
 }
 
@@ -90,28 +90,33 @@ std::pair<mpz_class::Digits, mpz_class::Digits> mpz_class::quotient_and_rest(Dig
                                                                              Digits below) {
     if (order(above, below) < 0)
         return {{}, std::move(above)};
+    if (above.size() <= 2) {
+        const std::uint64_t a = low_64_bits(above);
+        const std::uint64_t b = low_64_bits(below);
+        return {mpz_class(a / b).digits_, mpz_class(a % b).digits_};
+    }
     if (below.size() == 1) {
-        const std::uint32_t rest = divide_by_digit(above, below.front());
-        return {std::move(above), rest == 0 ? Digits{} : Digits{rest}};
+        const std::uint32_t rest = divide_by_digit(above, below[0]);
+        return {std::move(above), mpz_class(rest).digits_};
     }
 
     // Both are made larger until the first digit of the divisor is at least half of the base: then a digit
     // of the quotient, guessed from the first digits, is too large by 2 at most.
     const auto shift = static_cast<unsigned>(std::countl_zero(below.back()));
-    const auto shifted = [shift](Digits digits) {
+    const auto shifted = [shift](const Digits& digits) {
+        Digits result(digits.size() + 1);
         std::uint64_t carry = 0;
-        for (std::uint32_t& digit : digits) {
-            carry |= std::uint64_t{digit} << shift;
-            digit = low_digit(carry);
+        for (std::size_t i = 0; i < digits.size(); ++i) {
+            carry |= std::uint64_t{digits[i]} << shift;
+            result[i] = low_digit(carry);
             carry /= digit_base;
         }
-        digits.push_back(low_digit(carry));
-        return digits;
+        result[digits.size()] = low_digit(carry);
+        return result;
     };
-    above = shifted(std::move(above));
-    below = shifted(std::move(below));
-    below.pop_back(); // which is 0
     const std::size_t size = below.size();
+    above = shifted(above);
+    below = shifted(below);
     const std::uint64_t first = below[size - 1];
     const std::uint64_t second = below[size - 2];
 
@@ -153,14 +158,13 @@ std::pair<mpz_class::Digits, mpz_class::Digits> mpz_class::quotient_and_rest(Dig
     }
 
     // The rest is made as small again.
-    above.resize(size);
     std::uint64_t carry = 0;
     for (std::size_t i = size; i-- > 0;) {
         carry = (carry << 32) | above[i];
         above[i] = low_digit(carry >> shift);
     }
-    drop_leading_zeros(above);
-    drop_leading_zeros(quotient);
+    above.keep(size);
+    quotient.keep(quotient.size());
     return {std::move(quotient), std::move(above)};
 }
 
@@ -168,16 +172,8 @@ std::pair<mpz_class::Digits, mpz_class::Digits> mpz_class::quotient_and_rest(Dig
 
 mpz_class::mpz_class(std::string_view decimal, int) {
     const bool is_negative = decimal.starts_with('-');
-    for (const char c : decimal.substr(is_negative ? 1 : 0)) {
-        std::uint64_t carry = static_cast<std::uint64_t>(c - '0');
-        for (std::uint32_t& digit : digits_) {
-            carry += std::uint64_t{digit} * 10;
-            digit = low_digit(carry);
-            carry /= digit_base;
-        }
-        if (carry != 0)
-            digits_.push_back(low_digit(carry));
-    }
+    for (const char c : decimal.substr(is_negative ? 1 : 0))
+        *this = *this * 10 + (c - '0');
     is_negative_ = is_negative && !digits_.empty();
 }
 
@@ -228,9 +224,7 @@ bool mpz_class::fits_slong_p() const {
 }
 
 std::int64_t mpz_class::get_si() const {
-    std::uint64_t bits = 0;
-    for (std::size_t i = std::min<std::size_t>(digits_.size(), 2); i-- > 0;)
-        bits = bits << 32 | digits_[i];
+    const std::uint64_t bits = low_64_bits(digits_);
     return static_cast<std::int64_t>(is_negative_ ? 0 - bits : bits);
 }
 
@@ -280,23 +274,34 @@ mpz_class operator%(const mpz_class& a, const mpz_class& b) {
 mpz_class operator<<(const mpz_class& a, mp_bitcnt_t bits) {
     if (a.digits_.empty())
         return a;
-    mpz_class::Digits digits(static_cast<std::size_t>(bits / 32));
+    const auto zeros = static_cast<std::size_t>(bits / 32);
+    mpz_class::Digits digits(zeros + a.digits_.size() + 1);
     std::uint64_t carry = 0;
-    for (const std::uint32_t digit : a.digits_) {
-        carry |= std::uint64_t{digit} << bits % 32;
-        digits.push_back(low_digit(carry));
+    for (std::size_t i = 0; i < a.digits_.size(); ++i) {
+        carry |= std::uint64_t{a.digits_[i]} << bits % 32;
+        digits[zeros + i] = low_digit(carry);
         carry /= digit_base;
     }
-    if (carry != 0)
-        digits.push_back(low_digit(carry));
+    digits[zeros + a.digits_.size()] = low_digit(carry);
+    digits.keep(digits.size());
     return {a.is_negative_, std::move(digits)};
 }
 
 mpz_class operator>>(const mpz_class& a, mp_bitcnt_t bits) {
-    mpz_class quotient;
-    const mpz_class power = mpz_class(1) << bits;
-    mpz_fdiv_q(&quotient, &a, &power);
-    return quotient;
+    const auto whole = static_cast<std::size_t>(std::min<mp_bitcnt_t>(bits / 32, a.digits_.size()));
+    mpz_class::Digits digits(a.digits_.size() - whole);
+    std::uint64_t carry = 0;
+    for (std::size_t i = digits.size(); i-- > 0;) {
+        carry = carry << 32 | a.digits_[whole + i];
+        digits[i] = low_digit(carry >> bits % 32);
+    }
+    digits.keep(digits.size());
+    mpz_class result(a.is_negative_, std::move(digits));
+
+    // Down, not toward 0: that differs if something negative has been cut off.
+    if (a.is_negative_ && result << bits != a)
+        result -= 1;
+    return result;
 }
 
 mpz_class gcd(mpz_class a, mpz_class b) {
@@ -467,9 +472,8 @@ std::size_t mpz_sizeinbase(const mpz_class* number, int base) {
     if (base == 2)
         return static_cast<std::size_t>(bits);
     // The logarithm of 2, as GMP has it: times 2^64, rounded down.
-    constexpr std::uint64_t logarithm_of_2 = 0x4d104d427de7fbcc;
-    const auto product = static_cast<mp_two_limbs_t>(logarithm_of_2) * bits;
-    return static_cast<std::size_t>(product >> 64) + 1;
+    const mpz_class logarithm_of_2 = std::uint64_t{0x4d104d427de7fbcc};
+    return static_cast<std::size_t>(mpz_class((logarithm_of_2 * bits) >> 64).get_ui()) + 1;
 }
 
 bool mpz_perfect_square_p(const mpz_class* number) {

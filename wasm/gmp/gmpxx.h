@@ -10,6 +10,7 @@
 //     mpq_class(slope * 2 - 5).get_str()   // -7/2
 
 #include <algorithm>
+#include <array>
 #include <compare>
 #include <concepts>
 #include <cstddef>
@@ -20,17 +21,65 @@
 #include <vector>
 
 using mp_bitcnt_t = std::uint64_t;
-__extension__ using mp_two_limbs_t = unsigned __int128;
+
+/// The digits of a whole number without its sign, the lowest first. Up to 256 bits take no memory elsewhere.
+class mp_limbs_t {
+public:
+    mp_limbs_t() = default;
+    explicit mp_limbs_t(std::size_t size) : size_(size), many_(size > few_.size() ? size : 0) {}
+    mp_limbs_t(const mp_limbs_t&) = default;
+    mp_limbs_t(mp_limbs_t&& other) noexcept { swap(other); }
+    mp_limbs_t& operator=(const mp_limbs_t&) = default;
+    mp_limbs_t& operator=(mp_limbs_t&& other) noexcept {
+        swap(other);
+        return *this;
+    }
+
+    std::size_t size() const { return size_; }
+    bool empty() const { return size_ == 0; }
+    std::uint32_t* begin() { return many_.empty() ? few_.data() : many_.data(); }
+    std::uint32_t* end() { return begin() + size_; }
+    const std::uint32_t* begin() const { return many_.empty() ? few_.data() : many_.data(); }
+    const std::uint32_t* end() const { return begin() + size_; }
+    std::uint32_t& operator[](std::size_t i) { return begin()[i]; }
+    std::uint32_t operator[](std::size_t i) const { return begin()[i]; }
+    std::uint32_t back() const { return end()[-1]; }
+
+    /// Keeps the lowest digits, and of these none that is 0 above all others.
+    void keep(std::size_t size) {
+        const std::uint32_t* const digits = begin();
+        for (size_ = size; size_ > 0 && digits[size_ - 1] == 0;)
+            --size_;
+    }
+
+    void swap(mp_limbs_t& other) noexcept {
+        std::swap(size_, other.size_);
+        std::swap(few_, other.few_);
+        many_.swap(other.many_);
+    }
+
+    friend bool operator==(const mp_limbs_t& a, const mp_limbs_t& b) {
+        return a.size_ == b.size_ && std::equal(a.begin(), a.end(), b.begin());
+    }
+
+private:
+    std::size_t size_ = 0;
+    std::array<std::uint32_t, 8> few_{};
+    std::vector<std::uint32_t> many_; ///< all of them, if they are more; else empty
+};
 
 /// A whole number of any size.
 class mpz_class {
 public:
     mpz_class() = default;
-    template <std::integral Integer> mpz_class(Integer value) : is_negative_(value < 0) { // NOLINT
-        using Bits = mp_two_limbs_t;
-        for (Bits rest = is_negative_ ? -static_cast<Bits>(value) : static_cast<Bits>(value);
-             rest != 0; rest >>= 32)
-            digits_.push_back(static_cast<std::uint32_t>(rest));
+    template <std::integral Integer>
+    mpz_class(Integer value) : is_negative_(value < 0), digits_(2) { // NOLINT
+        static_assert(sizeof value <= 8);
+        const auto bits = static_cast<std::uint64_t>(value);
+        const std::uint64_t size = is_negative_ ? 0 - bits : bits;
+        digits_[0] = static_cast<std::uint32_t>(size);
+        digits_[1] = static_cast<std::uint32_t>(size >> 32);
+        digits_.keep(2);
     }
     /// Decimal digits, with a `-` in front or not; nothing else is looked at.
     explicit mpz_class(std::string_view decimal, int base = 10);
@@ -95,7 +144,7 @@ public:
     mp_bitcnt_t bits() const;
 
 private:
-    using Digits = std::vector<std::uint32_t>; ///< the lowest first; the highest is not 0
+    using Digits = mp_limbs_t;
 
     mpz_class(bool is_negative, Digits digits)
         : is_negative_(is_negative && !digits.empty()), digits_(std::move(digits)) {}
@@ -107,6 +156,7 @@ private:
     static Digits difference(const Digits& a, const Digits& b); ///< `a` must not be below `b`
     static Digits product(const Digits& a, const Digits& b);
     static std::strong_ordering order(const Digits& a, const Digits& b);
+    static std::uint64_t low_64_bits(const Digits& digits);
     static std::uint32_t divide_by_digit(Digits& above, std::uint32_t below); ///< gives the rest
     static std::pair<Digits, Digits> quotient_and_rest(Digits above, Digits below);
 
