@@ -147,7 +147,7 @@ void ask_of_fractions(Random& random) {
 
 int main() {
     Random random(20261123);
-    for (int i = 0; i < 20000; ++i) {
+    for (int i = 0; i < 5000; ++i) {
         ask_of_whole_numbers(random);
         ask_of_fractions(random);
     }

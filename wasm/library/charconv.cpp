@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "shortest_text.h"
+#include <shortest_text.h>
 
 #include <charconv>
 #include <string>
