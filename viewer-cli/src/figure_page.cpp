@@ -7,6 +7,7 @@
 #include <rastertrace/figures/page.h>
 #include <rastertrace/trace/output.h>
 #include <rastertrace/trace/selector.h>
+#include <rastertrace/wasm/module.h>
 
 #include <fmt/core.h>
 
@@ -82,6 +83,7 @@ ExitStatus write_page(const FigureCommand& command) {
         {.method = command.method, .limits = command.input, .frames = command.frames});
     ExitStatus status = exit_fine;
     PageOptions options{.theme = command.style.theme, .view = command.options.view};
+    options.module = wasm_module();
     std::vector<PageFrame> frames;
     std::size_t steps = 0;
     for (std::size_t frame = input.first(); frame <= input.last(); ++frame) {
