@@ -13,10 +13,10 @@ file(WRITE ${TO} "#include <rastertrace/wasm/module.h>
 namespace rastertrace {
 
 std::string_view wasm_module() {
-    static constexpr std::string_view text = R\"module(")
+    static constexpr char text[] = R\"module(")
 file(APPEND ${TO} "${text}")
 file(APPEND ${TO} ")module\";
-    return text;
+    return {text, sizeof text - 1};
 }
 
 } // namespace rastertrace

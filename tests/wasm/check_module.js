@@ -91,6 +91,10 @@ async function main() {
   if (all['random scenes'].length < 1000) throw new Error('expected 1,000 random scenes in the plane');
   fs.rmSync(folder, {recursive: true});
 
+  const without_file = asked_of_module(module, '{"meshes": [{"obj": "cube.obj"}]}');
+  if (!/^cube.obj: expected a file that can be read/.test(without_file.message))
+    throw new Error(`expected a message that there is no file, found ${JSON.stringify(without_file)}`);
+
   let differences = 0;
   for (const [kind, scenes] of Object.entries(all)) {
     let traces = 0;
