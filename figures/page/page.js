@@ -561,6 +561,8 @@ function tellPixel() {
     const more = element("p", "", all ? "The working: " : "Who did not draw it, and why: ");
     more.append(element("code", "", `rastertrace explain ${fileOf()} --pixel ${xOf(pixel)},${yOf(pixel)}`));
     lines.push(more);
+  } else if (!all) {
+    lines.push(element("p", "", "It would take too long here to say why others did not draw it."));
   }
   told.replaceChildren(...lines);
 }
@@ -802,7 +804,7 @@ function hover(pixel) {
 // --- vertices that can be moved --------------------------------------------------------------------------------------
 
 // The program itself, compiled for browsers, draws a changed scene: `program.page_data(scene)` is what it would have
-// written into the page, `page_data_in_motion` the same with less told, while a vertex is moved.
+// written into the page of a small scene; `page_data_in_motion` tells less, while a vertex is moved.
 let program, scene, hasMoved = false, wanted = "", isDrawing = false;
 const grain = 4; // vertices go to quarters of a pixel
 

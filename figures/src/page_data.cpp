@@ -142,16 +142,30 @@ private:
     std::optional<double> least_, largest_;
 };
 
+/// What a page is told at most: beyond, it does without.
+struct PageLimits {
+    std::size_t steps_with_working;
+    std::size_t why_not_asked; ///< pixels times primitives
+};
+
+PageLimits limits_of(PageDetail detail) {
+    switch (detail) {
+    case PageDetail::all:
+        break;
+    case PageDetail::at_rest:
+        return {.steps_with_working = 3'000, .why_not_asked = 10'000};
+    case PageDetail::in_motion:
+        return {.steps_with_working = 500, .why_not_asked = 1'000};
+    }
+    return {.steps_with_working = most_steps_with_working, .why_not_asked = most_why_not_asked};
+}
+
 /// Puts the data of a page together.
 class PageData {
 public:
     PageData(const Trace& trace, PageDetail detail)
         : trace_(trace), grays_(trace), replay_(trace, {.writes = false, .depths = true}),
-          most_why_not_(detail == PageDetail::all ? most_why_not_asked
-                                                  : most_why_not_asked_in_motion),
-          has_working_(trace.size() <= (detail == PageDetail::all
-                                            ? most_steps_with_working
-                                            : most_steps_with_working_in_motion)) {}
+          limits_(limits_of(detail)), has_working_(trace.size() <= limits_.steps_with_working) {}
 
     std::string text() {
         add_groups();
@@ -457,7 +471,7 @@ private:
         const auto pixels =
             static_cast<std::size_t>(canvas.width) * static_cast<std::size_t>(canvas.height);
         if (std::max(canvas.width, canvas.height) > largest_side_with_why_not ||
-            pixels * primitive_count_ > most_why_not_)
+            pixels * primitive_count_ > limits_.why_not_asked)
             return "null";
         JsonList answers;
         PixelExplainer explainer(trace_);
@@ -502,7 +516,7 @@ private:
     const Trace& trace_;
     DepthGrays grays_;
     Replay replay_;
-    std::size_t most_why_not_;
+    PageLimits limits_;
     bool has_working_;
     Words words_;
     std::size_t primitive_count_ = 0;

@@ -72,8 +72,9 @@ const char* rastertrace_trace(const char* scene) {
 
 /// What a page shows of a scene: figures/page.h.
 const char* rastertrace_page_data(const char* scene) {
-    return answer_of(
-        scene, [](const PlannedScene& planned) { return page_data_of(planned, PageDetail::all); });
+    return answer_of(scene, [](const PlannedScene& planned) {
+        return page_data_of(planned, PageDetail::at_rest);
+    });
 }
 
 /// The same while a vertex is moved.

@@ -36,11 +36,6 @@ inline constexpr std::size_t most_steps_with_working = 50'000;
 inline constexpr int largest_side_with_why_not = 128;
 inline constexpr std::size_t most_why_not_asked = 300'000;
 
-/// While a vertex is moved, a page has to be there at once: more steps have no workings then, and more questions why
-/// a pixel is not drawn are not answered.
-inline constexpr std::size_t most_steps_with_working_in_motion = 1'000;
-inline constexpr std::size_t most_why_not_asked_in_motion = 5'000;
-
 /// A scene with more primitives than this has no vertices that can be moved.
 inline constexpr std::size_t most_primitives_to_move = 10;
 
@@ -49,7 +44,8 @@ std::optional<Problem> too_large_for_page(const Trace& trace);
 
 enum class PageDetail : std::uint8_t {
     all,
-    in_motion, ///< while a vertex is moved
+    at_rest, ///< after a vertex was moved, in the browser: at most a second for what is told of pixels
+    in_motion, ///< while it is moved
 };
 
 /// What a page needs of a trace, as a JSON object: page_data.cpp says what is in it. The same trace makes the same
