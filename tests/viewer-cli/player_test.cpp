@@ -331,31 +331,27 @@ TEST(Player, ClicksOnThePixelThatTheScreenShowsThere) {
 
 TEST(Player, ShowsTheFrameWithTheWorkingAndTheStepsBesideIt) {
     Player player = player_of(titled_triangle(), {.step = "scanline y=2"});
-    std::string text = screen_text(player, {100, 24});
-    for (std::size_t begin;
-         (begin = text.find('\x1b')) != std::string::npos;) // to a column: the panels
-        text.replace(begin, text.find('G', begin) - begin + 1, " | ");
-    EXPECT_EQ(text,
+    EXPECT_EQ(screen_text(player, {100, 24}),
               R"(First triangle                                                    step 14 of 62
 scanline y=2   left AB: x = 2 + 3/4 (2 - 5) = -1/4 -> floor -> -1   right AC: x = 2 - 3/8 (2 - 5) =
 25/8 -> floor -> 3
 
-     -8-7-6-5-4-3-2-1 0 1 2 3 4 5 6 7 8 | left AB: x = (x2 - x1)/(y2 - y1) (y - y1) + x1 = (-4 -
-  7   . . . . . . . . . . . . . . . . . | 2)/(-3 - 5) (2 - 5) + 2 = 3/4 (-3) + 2 = -1/4 -> floor ->
-  6   . . . . . . . . . . . . . . . . . | -1
-  5   . . . . . . . . . . A . . . . . . | right AC: x = (x2 - x1)/(y2 - y1) (y - y1) + x1 = (5 -
-  4   . . . . . . . . . # # . . . . . . | 2)/(-3 - 5) (2 - 5) + 2 = (-3/8) (-3) + 2 = 25/8 -> floor
-  3   . . . . . . . . # # # . . . . . . | -> 3
-> 2   . . . . . . . . . . . . . . . . . | -1/4 < 25/8: AB is left, AC is right
-  1   . . . . . . . . . . . . . . . . . | x = -1 to 3: 3 - (-1) + 1 = 5 pixels
+     -8-7-6-5-4-3-2-1 0 1 2 3 4 5 6 7 8   left AB: x = (x2 - x1)/(y2 - y1) (y - y1) + x1 = (-4 -
+  7   . . . . . . . . . . . . . . . . .   2)/(-3 - 5) (2 - 5) + 2 = 3/4 (-3) + 2 = -1/4 -> floor ->
+  6   . . . . . . . . . . . . . . . . .   -1
+  5   . . . . . . . . . . A . . . . . .   right AC: x = (x2 - x1)/(y2 - y1) (y - y1) + x1 = (5 -
+  4   . . . . . . . . . # # . . . . . .   2)/(-3 - 5) (2 - 5) + 2 = (-3/8) (-3) + 2 = 25/8 -> floor
+  3   . . . . . . . . # # # . . . . . .   -> 3
+> 2   . . . . . . . . . . . . . . . . .   -1/4 < 25/8: AB is left, AC is right
+  1   . . . . . . . . . . . . . . . . .   x = -1 to 3: 3 - (-1) + 1 = 5 pixels
   0   . . . . . . . . . . . . . . . . .
- -1   . . . . . . . . . . . . . . . . . |   11  pixel (0, 3)   row y=3: 0 to 2
- -2   . . . . . . . . . . . . . . . . . |   12  pixel (1, 3)   row y=3: 0 to 2
- -3   . . . . b . . . . . . . . c . . . |   13  pixel (2, 3)   row y=3: 0 to 2
- -4   . . . . . . . . . . . . . . . . . | > 14  scanline y=2   left AB: x = 2 + 3/4 (2 - 5) = -1/...
- -5   . . . . . . . . . . . . . . . . . |   15  pixel (-1, 2)   row y=2: -1 to 3
- -6   . . . . . . . . . . . . . . . . . |   16  pixel (0, 2)   row y=2: -1 to 3
- |   17  pixel (1, 2)   row y=2: -1 to 3
+ -1   . . . . . . . . . . . . . . . . .     11  pixel (0, 3)   row y=3: 0 to 2
+ -2   . . . . . . . . . . . . . . . . .     12  pixel (1, 3)   row y=3: 0 to 2
+ -3   . . . . b . . . . . . . . c . . .     13  pixel (2, 3)   row y=3: 0 to 2
+ -4   . . . . . . . . . . . . . . . . .   > 14  scanline y=2   left AB: x = 2 + 3/4 (2 - 5) = -1/...
+ -5   . . . . . . . . . . . . . . . . .     15  pixel (-1, 2)   row y=2: -1 to 3
+ -6   . . . . . . . . . . . . . . . . .     16  pixel (0, 2)   row y=2: -1 to 3
+                                            17  pixel (1, 2)   row y=2: -1 to 3
 
 scalar exact, fill scanline, rounding floor, lerp direct
 step 14 of 62 [=========>                              ] 22 %  plotted

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/trace/frame.h>
 
+#include "field_type.h"
+#include "json_scanner.h"
+
 #include <rastertrace/trace/color_text.h>
 
 #include <algorithm>
@@ -16,6 +19,16 @@ void Replay::go_to(std::size_t n) {
     }
     while (place_.step < n)
         apply_next();
+}
+
+void Replay::go_to_place_of(const Replay& other) {
+    frame_ = other.frame_;
+    has_changed_ = other.has_changed_;
+    place_ = other.place_;
+    if (primitives_.size() < place_.primitives)
+        primitives_ = other.primitives_;
+    if (matrices_.size() < place_.matrices)
+        matrices_ = other.matrices_;
 }
 
 namespace {
@@ -89,15 +102,30 @@ void Replay::plot(const StepView& step) {
     has_changed_[offset / tile_size] = 1;
 }
 
+/// What is stored is the depth of this pixel from now on, if the test says so.
 void Replay::test_depth(const StepView& step) {
-    const Index x = *step.whole("x");
-    const Index y = *step.whole("y");
-    if (!trace_.canvas.contains(x, y))
+    // In one go: a player goes through some hundred thousand tests between two keys.
+    std::optional<Index> x;
+    std::optional<Index> y;
+    bool is_stored = false;
+    bool leaves_nearer = false; // what passes a nearer depth leaves it stored
+    JsonScanner fields(step.json());
+    while (fields.next_field()) {
+        if (fields.key() == "x")
+            x = whole_in(fields.value());
+        else if (fields.key() == "y")
+            y = whole_in(fields.value());
+        else if (fields.key() == "pass")
+            is_stored = fields.value() == "true";
+        else if (fields.key() == "side_of" || fields.key() == "beside")
+            leaves_nearer = true;
+    }
+    if (!trace_.canvas.contains(*x, *y))
         return;
-    const std::size_t offset = trace_.canvas.offset_of({static_cast<int>(x), static_cast<int>(y)});
+    const std::size_t offset =
+        trace_.canvas.offset_of({static_cast<int>(*x), static_cast<int>(*y)});
     place_.stored_before = frame_.stored_by[offset];
-    // What passes a nearer depth leaves it stored.
-    if (step.text("pass") != "true" || step.field("side_of") || step.field("beside"))
+    if (!is_stored || leaves_nearer)
         return;
     frame_.stored_by[offset] = place_.step;
     has_changed_[offset / tile_size] = 1;
@@ -122,13 +150,21 @@ const std::vector<std::size_t>& Replay::places_of(const std::string& vertex) con
 
 std::optional<PlottedPixel> plotted_by(const StepView& step, const Canvas& canvas,
                                        Color of_primitive) {
-    const Index x = *step.whole("x");
-    const Index y = *step.whole("y");
-    if (!canvas.contains(x, y))
+    std::optional<Index> x;
+    std::optional<Index> y;
+    Color color = of_primitive;
+    JsonScanner fields(step.json()); // in one go, see test_depth
+    while (fields.next_field()) {
+        if (fields.key() == "x")
+            x = whole_in(fields.value());
+        else if (fields.key() == "y")
+            y = whole_in(fields.value());
+        else if (fields.key() == "color")
+            color = parse_color(plain_text(fields.value())).value_or(of_primitive);
+    }
+    if (!canvas.contains(*x, *y))
         return std::nullopt;
-    const auto own_color = step.field("color") ? parse_color(step.text("color")) : of_primitive;
-    return PlottedPixel{{static_cast<int>(x), static_cast<int>(y)},
-                        own_color.value_or(of_primitive)};
+    return PlottedPixel{{static_cast<int>(*x), static_cast<int>(*y)}, color};
 }
 
 Color color_of_primitive(const StepView& step) {

@@ -238,12 +238,8 @@ private:
 
 constexpr std::string_view first_frame = "1 if not given";
 
-/// The keys of the player, as the help of its command has them.
-std::string keys_of_player() {
-    constexpr std::size_t columns = 79;
-    const std::vector<std::string> lines = player_help(columns);
-    return joined(lines, "\n");
-}
+/// The list of keys is as wide as a page.
+constexpr std::size_t key_columns = 79;
 
 constexpr std::string_view trace_input =
     "A trace, or a scene, which is drawn first; - for standard input";
@@ -449,11 +445,11 @@ private:
     void add_play() {
         CLI::App& command = add_command(
             "play", "Go through a trace step by step, forward and back, in the terminal",
-            "rastertrace play examples/t0-fill/first-triangle.json --step \"scanline y=2\"\n\n" +
-                keys_of_player());
-        command.add_option("trace", play_.trace, std::string(trace_input))
-            ->required()
-            ->type_name("TRACE");
+            "rastertrace play examples/t0-fill/first-triangle.json --step \"scanline y=2\"\n\n"
+            "rastertrace play --keys lists the keys, and ? does while it plays.");
+        CLI::Option* const trace =
+            command.add_option("trace", play_.trace, std::string(trace_input))->type_name("TRACE");
+        command.add_flag("--keys", lists_keys_, "List the keys, and play nothing")->excludes(trace);
         command
             .add_option("--step", play_.step,
                         "Begin at the first such step; before the first if not given")
@@ -473,10 +469,23 @@ private:
                             Snapshots::usual_bytes / 1'000'000))
             ->type_name("N");
         command.add_option("--color", color_, "auto, always or never: colors")->type_name("WHEN");
+        command
+            .add_option("--print", screen_size_,
+                        "Print the first screen of a terminal of that size, and play nothing")
+            ->type_name("COLUMNSxLINES");
         play_method_.add_to(command);
         play_input_.add_to(command);
         play_frames_.add_to(command, "all if not given");
         command.callback([this] {
+            if (lists_keys_) {
+                action_ = [] {
+                    print(joined(player_help(key_columns), "\n") + "\n");
+                    return exit_fine;
+                };
+                return;
+            }
+            if (play_.trace.empty())
+                refuse("TRACE", "a trace or a scene to play", "none");
             play_.view = one_of("--view", view_, view_names(), view_named);
             if (!memory_.empty()) {
                 constexpr std::size_t most_megabytes = 1'000'000;
@@ -487,11 +496,27 @@ private:
             }
             if (!color_.empty())
                 play_.color = color_choice_in(color_);
+            if (!screen_size_.empty())
+                play_.screen = screen_size_in(screen_size_);
             play_.method = play_method_.overrides();
             play_.input = play_input_.limits();
             play_.frames = play_frames_.choice();
             action_ = [this] { return rastertrace::run(play_); };
         });
+    }
+
+    /// 80x24
+    static TextSize screen_size_in(const std::string& text) {
+        constexpr std::size_t most = 1000;
+        const auto parts = split_at(text, 'x');
+        const auto columns = whole_in<std::size_t>(parts.front());
+        const auto lines = whole_in<std::size_t>(parts.back());
+        const auto is_fine = [](std::optional<std::size_t> size) {
+            return size && 1 <= *size && *size <= most;
+        };
+        if (parts.size() != 2 || !is_fine(columns) || !is_fine(lines))
+            refuse("--print", "columns and lines from 1 to 1000, as in 80x24,", text);
+        return {*columns, *lines};
     }
 
     void add_figure() {
@@ -1307,6 +1332,8 @@ private:
     FrameOptions figure_frames_;
 
     PlayCommand play_;
+    bool lists_keys_ = false;
+    std::string screen_size_;
     std::string memory_;
     MethodOptions play_method_;
     InputOptions play_input_;

@@ -96,8 +96,6 @@ PlayerInput open_input_of(const PlayCommand& command) {
 
 /// Where nothing can be taken over, the frame is printed.
 int show_instead(const PlayCommand& command) {
-    print_error("rastertrace: standard output is no terminal that can be played on: this is what "
-                "`show` prints\n");
     ShowCommand show;
     show.trace = command.trace;
     show.which = command.step.empty() ? ShowCommand::Which::last : ShowCommand::Which::step;
@@ -108,37 +106,65 @@ int show_instead(const PlayCommand& command) {
     show.input = command.input;
     show.frames = command.frames;
     show.has_working = true;
-    return run(show);
+    const int status = run(show);
+    print_error("rastertrace: standard output is no terminal that can be played on: this is what "
+                "`show` prints\n");
+    return status;
+}
+
+PlayerOptions player_options(const PlayCommand& command) {
+    return {.view = command.view, .step = command.step, .bytes = command.bytes};
+}
+
+/// What a terminal of some size would show at first.
+int print_screen(const PlayCommand& command) {
+    Player player(open_input_of(command), player_options(command));
+    while (player.work()) {
+    }
+    const ScreenAbility ability{.colors = output_colors(command.color),
+                                .has_unicode = has_unicode()};
+    for (const std::string& line : player_screen(player, *command.screen, ability).lines)
+        print(line.substr(0, line.find_last_not_of(' ') + 1) + "\n");
+    return report_damage(player.playback().trace());
+}
+
+/// How long to wait for a key, in milliseconds; for ever if that is negative.
+int time_to_wait(const Player& player, bool has_worked, bool is_shown) {
+    if (has_worked)
+        return 0;
+    if (player.is_playing() || !is_shown)
+        return between_steps;
+    return player.playback().growing().is_whole() ? -1 : between_looks;
 }
 
 /// Keys, time and screens, until somebody leaves.
 void play(Player& player, const ScreenAbility& ability) {
     TerminalSession terminal;
     PlayerScreen screen;
-    auto drawn = Clock::now() - between_screens;
+    bool is_shown = false; // as things are now
+    bool is_urgent = true; // somebody waits for it
+    auto drawn = Clock::now();
     auto before = Clock::now();
-    bool has_news = true;
     while (!player.wants_to_leave() && terminal.is_open()) {
-        const bool is_anew = terminal.needs_redraw();
-        if (is_anew || has_news || Clock::now() - drawn >= between_screens) {
+        is_urgent = terminal.needs_redraw() || is_urgent;
+        if (is_urgent || (!is_shown && Clock::now() - drawn >= between_screens)) {
             screen = player_screen(player, terminal.size(), ability);
             terminal.show(screen.lines);
             drawn = Clock::now();
+            is_shown = true;
+            is_urgent = false;
         }
         const bool has_worked = player.work();
-        const GrowingTrace& growing = player.playback().growing();
-        terminal.wait(has_worked            ? 0
-                      : player.is_playing() ? between_steps
-                      : growing.is_whole()  ? -1
-                                            : between_looks,
-                      growing.pipe());
-        has_news = false;
+        is_shown = is_shown && !has_worked;
+        terminal.wait(time_to_wait(player, has_worked, is_shown),
+                      player.playback().growing().pipe());
         while (const auto key = terminal.key()) {
             player.press(*key, screen.grid);
-            has_news = true;
+            is_urgent = true;
         }
         const auto now = Clock::now();
-        player.pass(std::chrono::duration<double>(now - before).count());
+        if (player.pass(std::chrono::duration<double>(now - before).count()))
+            is_shown = false;
         before = now;
     }
 }
@@ -146,12 +172,13 @@ void play(Player& player, const ScreenAbility& ability) {
 } // namespace
 
 int run(const PlayCommand& command) {
+    if (command.screen)
+        return print_screen(command);
     if (!TerminalSession::is_possible())
         return show_instead(command);
     if (command.trace == "-")
         print_error("rastertrace: standard input is kept in a temporary file\n");
-    Player player(open_input_of(command),
-                  {.view = command.view, .step = command.step, .bytes = command.bytes});
+    Player player(open_input_of(command), player_options(command));
     play(player, {.colors = output_colors(command.color), .has_unicode = has_unicode()});
     return report_damage(player.playback().trace());
 }

@@ -6,24 +6,22 @@
 //     Playback playback(std::move(growing), bytes);
 //     while (playback.read_on()) {}
 //     playback.go_to(31);
-//     describe_step(playback.replay());
+//     playback.sentence_of(30);
 
-#include <rastertrace/figures/view.h>
 #include <rastertrace/trace/frame.h>
 #include <rastertrace/trace/growing_trace.h>
 #include <rastertrace/trace/snapshots.h>
 
 #include <cstddef>
-#include <utility>
+#include <map>
+#include <string>
 
 namespace rastertrace {
 
 class Playback {
 public:
     /// `bytes`: what pictures may take that are kept for going back.
-    Playback(GrowingTrace trace, std::size_t bytes)
-        : growing_(std::move(trace)), parts_(parts_for(View::writes, growing_.trace())),
-          snapshots_(growing_.trace(), parts_, bytes), replay_(growing_.trace(), parts_) {}
+    Playback(GrowingTrace trace, std::size_t bytes);
     Playback(const Playback&) = delete;
     Playback& operator=(const Playback&) = delete;
 
@@ -31,32 +29,32 @@ public:
     const GrowingTrace& growing() const { return growing_; }
     const Snapshots& snapshots() const { return snapshots_; }
 
-    /// What its replays remember.
-    FrameParts parts() const { return parts_; }
-
     /// True if depth tests are remembered: there is a depth buffer.
     bool has_depths() const { return parts_.depths; }
 
     /// Reads a piece of the trace more, or goes through it once, for the pictures; false if there is nothing to do now.
-    bool read_on() {
-        const bool has_read = growing_.read_on();
-        return snapshots_.read_on(steps_at_once) || has_read;
-    }
+    bool read_on();
 
     /// Goes to a step, up to the last one that has been read.
-    void go_to(std::size_t n) { snapshots_.go_to(replay_, n); }
+    void go_to(std::size_t n);
 
     /// The picture after the current step.
     const Replay& replay() const { return replay_; }
     std::size_t step() const { return replay_.step(); }
 
-private:
-    static constexpr std::size_t steps_at_once = 40'000;
+    /// What a step near the current one says, see describe_step. Far from it this takes as long as going there.
+    const std::string& sentence_of(std::size_t n) const;
 
+private:
     GrowingTrace growing_;
     FrameParts parts_;
     Snapshots snapshots_;
     Replay replay_;
+
+    // A second replay tells of the steps around. Coming to a step it goes first, and the other one takes its picture
+    // over, so that the steps between two kept pictures are gone through once.
+    mutable Replay around_;
+    mutable std::map<std::size_t, std::string> sentences_; ///< of some steps, by number
 };
 
 } // namespace rastertrace

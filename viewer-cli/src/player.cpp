@@ -104,7 +104,6 @@ void Player::open(std::size_t frame) {
     search_.reset();
     searched_for_.reset();
     breakpoints_.clear();
-    elsewhere_ = std::make_unique<Replay>(opened->trace(), opened->parts());
     playback_ = std::move(opened);
     lost_.reset();
     frame_ = frame;
@@ -514,15 +513,16 @@ bool Player::work() {
     return has_searched || has_read || has_asked;
 }
 
-void Player::pass(double seconds) {
+bool Player::pass(double seconds) {
     if (!is_playing_ || look_for_change())
-        return;
+        return false;
     due_ += seconds * speed_;
+    const bool is_due = due_ >= 1;
     for (; due_ >= 1 && is_playing_; due_ -= 1) {
         if (step() == trace().size()) {
             is_playing_ = !playback_->growing().is_whole();
             due_ = 0;
-            return;
+            break;
         }
         playback_->go_to(step() + 1);
         if (is_at_breakpoint()) {
@@ -530,6 +530,7 @@ void Player::pass(double seconds) {
             message_ = "breakpoint";
         }
     }
+    return is_due;
 }
 
 // --- What is looked at

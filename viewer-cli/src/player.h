@@ -53,16 +53,13 @@ public:
     /// Does a piece of what is to be done beside keys; false if there is nothing now.
     bool work();
 
-    /// Goes on by what is due after some time, while it plays.
-    void pass(double seconds);
+    /// Goes on by what is due after some time, while it plays; false if nothing is.
+    bool pass(double seconds);
 
     bool is_playing() const { return is_playing_; }
     bool wants_to_leave() const { return wants_to_leave_; }
 
     const Playback& playback() const { return *playback_; }
-
-    /// A second replay of the trace, for the steps around the current one.
-    Replay& elsewhere() const { return *elsewhere_; }
     View view() const { return view_; }
     bool is_overview() const { return is_overview_; }
     std::size_t scale() const { return scale_; }
@@ -137,7 +134,6 @@ private:
     PlayerOptions options_;
     std::size_t frame_ = 0;
     std::unique_ptr<Playback> playback_;
-    std::unique_ptr<Replay> elsewhere_;
 
     View view_ = View::plotted;
     bool has_own_view_ = false; ///< somebody has chosen it

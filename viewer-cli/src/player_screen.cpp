@@ -44,13 +44,6 @@ void append(Lines& lines, Lines more) {
                  std::make_move_iterator(more.end()));
 }
 
-/// The sentence of a step that the replay is not at.
-std::string sentence_of(const Player& player, std::size_t n) {
-    Replay& elsewhere = player.elsewhere();
-    player.playback().snapshots().go_to(elsewhere, n);
-    return describe_step(elsewhere);
-}
-
 /// The steps around the current one, a line each.
 Lines steps_around(const Player& player, std::size_t columns, std::size_t count) {
     const Trace& trace = player.playback().trace();
@@ -62,8 +55,7 @@ Lines steps_around(const Player& player, std::size_t columns, std::size_t count)
     Lines lines;
     for (std::size_t n = first; n < first + count && n <= last; ++n) {
         const bool is_here = n == here;
-        const std::string sentence =
-            is_here ? describe_step(player.playback().replay()) : sentence_of(player, n);
+        const std::string& sentence = player.playback().sentence_of(n);
         lines.push_back(shortened(
             fmt::format("{} {:>{}}  {}", is_here ? '>' : ' ', trace.number_of(n), digits, sentence),
             columns));
@@ -160,17 +152,23 @@ std::string progress(const Player& player, std::size_t columns) {
     return shortened(left + (room >= least_bar ? bar(share, room) + " " : "") + right, columns);
 }
 
-/// What is typed, what is to be said, or what is wrong with the trace.
-std::string last_line(const Player& player, std::size_t columns) {
-    if (const auto prompt = player.prompt())
-        return shortened(printable(*prompt) + "_", columns);
-    if (!player.message().empty())
-        return shortened(player.message(), columns);
+/// What is typed, what is to be said, or what is wrong with the trace, in a few lines at most.
+Lines last_lines(const Player& player, TextSize size) {
     const Playback& playback = player.playback();
-    if (!playback.trace().damage.empty())
-        return shortened(playback.trace().damage.front().message, columns);
-    return shortened("? keys   q leave   Right next   Left back   Space play   / search   c cursor",
-                     columns);
+    const auto prompt = player.prompt();
+    const std::string text =
+        prompt                      ? printable(*prompt) + "_"
+        : !player.message().empty() ? player.message()
+        : !playback.trace().damage.empty()
+            ? playback.trace().damage.front().message
+            : "? keys   q leave   Right next   Left back   Space play   / search   c cursor";
+    constexpr std::size_t most_lines = 3;
+    const bool is_long = prompt || !player.message().empty() || !playback.trace().damage.empty();
+    Lines lines = is_long ? wrapped(text, size.columns) : Lines{text};
+    lines.resize(std::min(lines.size(), std::min(most_lines, size.lines / 6 + 1)));
+    for (std::string& line : lines)
+        line = shortened(line, size.columns);
+    return lines;
 }
 
 /// The frame as `show` prints it; heading and working stand elsewhere.
@@ -193,7 +191,12 @@ FrameText frame_options(const Player& player, const ScreenAbility& ability) {
 
 /// A line, and from a column on another one beside it.
 std::string beside(const std::string& left, const std::string& right, std::size_t column) {
-    return right.empty() ? left : fmt::format("{}\x1b[{}G{}", left, column + 1, right);
+    if (right.empty())
+        return left;
+    // Who knows how many columns a line with colors takes? The terminal.
+    return left.find('\x1b') == std::string::npos
+               ? padded(left, column) + right
+               : fmt::format("{}\x1b[{}G{}", left, column + 1, right);
 }
 
 PlayerScreen help_screen(const Player& player, TextSize size) {
@@ -232,7 +235,7 @@ std::vector<std::string> player_help(std::size_t columns) {
         rows.emplace_back(joined(row.keys, " "), row.does);
         width = std::max(width, rows.back().first.size());
     }
-    Lines lines{"Keys of the player", ""};
+    Lines lines;
     for (const auto& [keys, does] : rows) {
         const std::size_t room = std::max<std::size_t>(columns, width + 12) - width - 2;
         std::string front = padded(keys, width) + "  ";
@@ -241,7 +244,9 @@ std::vector<std::string> player_help(std::size_t columns) {
             front.assign(front.size(), ' ');
         }
     }
-    append(lines, {"", "A number in front of a key: so many times. A click sets the cursor."});
+    append(
+        lines,
+        {"", "A number in front of a key: so many times. A click sets the cursor."});
     return lines;
 }
 
@@ -256,7 +261,7 @@ PlayerScreen small_screen(const Player& player, TextSize size) {
     for (std::string& line : lines)
         line = shortened(line, size.columns);
     lines.resize(std::min(lines.size(), std::max<std::size_t>(size.lines, 2) - 1));
-    lines.push_back(last_line(player, size.columns));
+    append(lines, last_lines(player, size));
     lines.resize(std::min(lines.size(), size.lines));
     return {std::move(lines), {}};
 }
@@ -320,7 +325,7 @@ PlayerScreen player_screen(const Player& player, TextSize size, const ScreenAbil
     if (size.lines >= lines_for_conventions)
         bottom.push_back(conventions(trace, size.columns));
     bottom.push_back(progress(player, size.columns));
-    bottom.push_back(last_line(player, size.columns));
+    append(bottom, last_lines(player, size));
 
     const std::size_t body = size.lines - lines.size() - bottom.size();
     const std::size_t side = side_columns(trace.canvas, about, size.columns);

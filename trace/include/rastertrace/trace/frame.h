@@ -62,6 +62,9 @@ public:
     /// Goes to step n, 0 to trace().size(). Going back starts over from the first step.
     void go_to(std::size_t n);
 
+    /// Goes to where another replay of the same trace and parts is.
+    void go_to_place_of(const Replay& other);
+
     /// The steps that the current one refers to, by number; 0 if there is none. The primitive it
     /// belongs to, the last scanline, and the one before that of the same primitive.
     std::size_t primitive() const { return place_.primitive; }

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "playback.h"
+
+#include <rastertrace/figures/view.h>
+#include <rastertrace/trace/describe.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace rastertrace {
+
+namespace {
+
+/// Some milliseconds.
+constexpr std::size_t steps_at_once = 40'000;
+
+/// Sentences of so many steps before the current one are worked out on the way.
+constexpr std::size_t steps_before = 3;
+
+/// Sentences are kept of at most so many steps.
+constexpr std::size_t most_sentences = 200;
+
+} // namespace
+
+Playback::Playback(GrowingTrace trace, std::size_t bytes)
+    : growing_(std::move(trace)), parts_(parts_for(View::writes, growing_.trace())),
+      snapshots_(growing_.trace(), parts_, bytes), replay_(growing_.trace(), parts_),
+      around_(growing_.trace(), parts_) {}
+
+bool Playback::read_on() {
+    const bool has_read = growing_.read_on();
+    return snapshots_.read_on(steps_at_once) || has_read;
+}
+
+void Playback::go_to(std::size_t n) {
+    if (replay_.step() <= n && n - replay_.step() <= steps_before)
+        return replay_.go_to(n);
+    const std::size_t first = n - std::min(n, steps_before);
+    snapshots_.go_to(around_, first);
+    for (std::size_t before = first; before < n; ++before)
+        sentence_of(before);
+    replay_.go_to_place_of(around_);
+    replay_.go_to(n);
+}
+
+const std::string& Playback::sentence_of(std::size_t n) const {
+    if (sentences_.size() > most_sentences)
+        sentences_.clear();
+    const auto [place, is_new] = sentences_.try_emplace(n);
+    if (is_new) {
+        snapshots_.go_to(around_, n);
+        place->second = describe_step(around_);
+    }
+    return place->second;
+}
+
+} // namespace rastertrace
