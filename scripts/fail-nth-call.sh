@@ -127,6 +127,7 @@ if [ $stride = 1 ]; then
     try yes no yes figure inputs/scene.json --format svg -o output.csv
     try no yes yes figure inputs/mesh.json --format png -o output.csv
     try no yes yes figure inputs/trace.json --format tex -o output.csv
+    try no yes yes figure inputs/scene.json --format html -o output.csv
     try no yes yes trace inputs/scene.json --format json -o output.csv
     try no no yes trace inputs/scene.json --format json -o output.csv
     try no yes yes trace inputs/scene.json

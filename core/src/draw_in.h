@@ -157,7 +157,10 @@ template <typename Scalar> GridPoint pixel_of(const Piece<Scalar>& primitive, st
     return nearest_pixel(primitive.positions[corner].x, primitive.positions[corner].y);
 }
 template <typename Scalar> int octant_of(const Piece<Scalar>& primitive, EdgeName side) {
-    return octant_of(pixel_of(primitive, side.from), pixel_of(primitive, side.to));
+    // One after the other: of ends that filtered doubles leave open, the first one is told.
+    const GridPoint to = pixel_of(primitive, side.to);
+    const GridPoint from = pixel_of(primitive, side.from);
+    return octant_of(from, to);
 }
 
 /// Draws what is no triangle: a point, a line, or the three lines of an outline. `painter_of(side)` makes the

@@ -104,13 +104,14 @@ public:
                 return corners_of(piece_in<Adaptive>(exactness_.pieces.piece(index), plan_));
             return triangle_in<Adaptive>(scene_, list, list.primitives[*index.listed], plan_);
         };
-        auto next = list.primitives.begin();
+        const std::span all(list.primitives);
+        std::size_t next = 0;
         for (std::size_t turn = 0; turn < scene_.primitives.size(); ++turn) {
             const std::size_t index = primitive_at(list, turn);
-            const auto first = next;
-            while (next != list.primitives.end() && next->primitive == index)
+            const std::size_t first = next;
+            while (next != all.size() && all[next].primitive == index)
                 ++next;
-            draw(list, index, {first, next});
+            draw(list, index, all.subspan(first, next - first));
         }
     }
 

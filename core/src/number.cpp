@@ -51,7 +51,7 @@ mpq_class Number::exact() const {
         return *held_.fraction;
     mpz_class power;
     mpz_ui_pow_ui(power.get_mpz_t(), 10, static_cast<unsigned long>(std::abs(exponent_)));
-    mpq_class value = mpz_class(static_cast<long>(held_.digits));
+    mpq_class value = mpz_class(held_.digits);
     if (exponent_ >= 0)
         value *= power;
     else
@@ -126,14 +126,14 @@ std::optional<std::int64_t> Number::numerator_over(std::int64_t denominator) con
             return std::nullopt;
         return numerator;
     }
-    const mpq_class scaled = *held_.fraction * mpz_class(static_cast<long>(denominator));
+    const mpq_class scaled = *held_.fraction * mpz_class(denominator);
     if (scaled.get_den() != 1 || !scaled.get_num().fits_slong_p())
         return std::nullopt;
     return scaled.get_num().get_si();
 }
 
 std::optional<std::int64_t> Number::nearest_numerator_over(std::int64_t denominator) const {
-    const mpq_class doubled = exact() * mpz_class(static_cast<long>(denominator)) * 2 + 1;
+    const mpq_class doubled = exact() * mpz_class(denominator) * 2 + 1;
     const mpz_class below = doubled.get_den() * 2;
     mpz_class nearest;
     mpz_fdiv_q(nearest.get_mpz_t(), doubled.get_num_mpz_t(), below.get_mpz_t());

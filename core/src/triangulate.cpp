@@ -485,7 +485,7 @@ WideCorners over_one_denominator(std::span<const SceneVertex> vertices,
             const Number& number = *coordinates_of(vertices[face[k]])[i];
             mpz_class& whole = result.corners[k][i];
             if (const auto decimal = number.as_decimal())
-                whole = of_fractions * static_cast<long>(decimal->digits) *
+                whole = of_fractions * decimal->digits *
                         power_of_ten_of_any_size(places + decimal->exponent);
             else
                 whole = mpq_class(number.exact() * result.denominator).get_num();

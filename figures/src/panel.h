@@ -4,6 +4,7 @@
 // The parts of a figure that are drawn on the pixels. Each adds its shapes over those before it; figure.cpp says in
 // which order.
 
+#include "grays.h"
 #include "lattice.h"
 
 #include <rastertrace/figures/drawing.h>
@@ -59,13 +60,6 @@ struct Panel {
 void set_parts(const FigureOptions& options, Panel& panel);
 
 // pixel_parts.cpp
-
-/// A gray on which black can be read in any theme: 0 is dark, 1 light.
-Color gray(double share);
-
-/// How light a pixel is that was written so often; beyond the most, all look alike.
-inline constexpr std::uint32_t most_writes_told = 6;
-double share_of_writes(std::uint32_t writes);
 
 /// What a pixel is in a comparison of two pictures, with the mark that diff has for it.
 struct ComparisonMark {

@@ -39,6 +39,27 @@ TEST(Describe, EveryStepOfTheFirstTriangle) {
     EXPECT_EQ(description(scene, 15), "pixel (-1, 2)   row y=2: -1 to 3");
 }
 
+TEST(Describe, ASentenceIsItsPatternAndWhatStandsForThePlaceholders) {
+    const Trace trace = trace_of(first_triangle());
+    Replay replay(trace);
+    EXPECT_EQ(sentence_of_step(replay).pattern, describe_step(replay));
+    replay.go_to(15);
+    const Sentence sentence = sentence_of_step(replay);
+    EXPECT_EQ(sentence.pattern, row_of(StepKind::pixel).sentence);
+    EXPECT_THAT(pieces_of(sentence.pattern),
+                testing::ElementsAre("pixel (", ", ", ")", "", "", ""));
+    EXPECT_THAT(sentence.fills, testing::ElementsAre("-1", "2", "", "   row y=2: -1 to 3", ""));
+
+    const Trace unknown = readable_trace(
+        R"({"rastertrace":1,"canvas":{"width":2,"height":2,"origin":"center"},"steps":[
+{"step":"blur","x":1}
+],"end":{"steps":1}})");
+    Replay other(unknown);
+    other.go_to(1);
+    EXPECT_EQ(sentence_of_step(other).pattern, "{step}");
+    EXPECT_EQ(describe_step(other), R"({"step":"blur","x":1})");
+}
+
 TEST(Describe, ABresenhamLineThatStepsAtTies) {
     Scene scene;
     scene.canvas = {.width = 5, .height = 3, .origin = Origin::bottom_left};

@@ -8,6 +8,7 @@
 #include "traces.h"
 
 #include <rastertrace/trace/explain.h>
+#include <rastertrace/trace/explain_pixels.h>
 #include <rastertrace/trace/frame.h>
 #include <rastertrace/trace/steps_of_pixel.h>
 
@@ -204,8 +205,8 @@ public:
     }
 
     /// Holds what is said of a pixel against the trace and the rules. Who asks many may ask an excerpt of it.
-    void check(Pixel pixel, const Trace& asked) const {
-        const Explanation answer = about(asked, pixel);
+    void check(Pixel pixel, const Trace& asked) const { check(pixel, about(asked, pixel)); }
+    void check(Pixel pixel, const Explanation& answer) const {
         static const std::vector<std::size_t> none;
         const auto found = tries_.find({pixel.x, pixel.y});
         const auto& tries = found == tries_.end() ? none : found->second;
@@ -311,6 +312,19 @@ Trace excerpt_of_row(const Trace& trace, int y) {
     return excerpt;
 }
 
+/// Who asks about many pixels is told the same as who asks about one.
+void expect_the_same(const Explanation& of_many, const Explanation& of_one) {
+    EXPECT_EQ(of_many.answer, of_one.answer);
+    EXPECT_EQ(of_many.lacks, of_one.lacks);
+    ASSERT_EQ(of_many.why_not.size(), of_one.why_not.size());
+    for (std::size_t i = 0; i < of_one.why_not.size(); ++i) {
+        EXPECT_EQ(of_many.why_not[i].primitive, of_one.why_not[i].primitive);
+        EXPECT_EQ(of_many.why_not[i].reason, of_one.why_not[i].reason);
+        EXPECT_EQ(of_many.why_not[i].sentence, of_one.why_not[i].sentence);
+        EXPECT_EQ(of_many.why_not[i].distance, of_one.why_not[i].distance);
+    }
+}
+
 /// Asks about the pixels of a trace; where there are too many, or too many steps, about every so many and the first
 /// that were drawn. Returns whether it asked about all.
 bool ask_about_pixels(const Trace& trace) {
@@ -318,6 +332,7 @@ bool ask_about_pixels(const Trace& trace) {
     constexpr std::size_t most_pixels = 10'000;
     const Canvas& canvas = trace.canvas;
     const Facts facts(trace);
+    PixelExplainer explainer(trace);
     const std::size_t pixels =
         static_cast<std::size_t>(canvas.width) * static_cast<std::size_t>(canvas.height);
     const Trace middle = excerpt_of_row(trace, canvas.y_of(canvas.height / 2));
@@ -332,7 +347,9 @@ bool ask_about_pixels(const Trace& trace) {
         if (!excerpt || row != row_of_excerpt)
             excerpt = excerpt_of_row(trace, pixel.y);
         row_of_excerpt = row;
-        facts.check(pixel, *excerpt);
+        const Explanation answer = about(*excerpt, pixel);
+        facts.check(pixel, answer);
+        expect_the_same(explainer.explain(pixel), answer);
     }
     for (const Pixel& pixel : facts.first_tried(stride == 1 ? 0 : 100))
         facts.check(pixel, trace);
@@ -369,10 +386,13 @@ TEST(ExplainPixel, PixelsOfRandomScenes) {
             continue;
         const Trace trace = trace_of(scene.value().scene);
         const Facts facts(trace);
+        PixelExplainer explainer(trace);
         for (int k = 0; k < 6; ++k) {
-            facts.check({random.whole(trace.canvas.left(), trace.canvas.right()),
-                         trace.canvas.y_of(random.whole(0, trace.canvas.height - 1))},
-                        trace);
+            const Pixel pixel{random.whole(trace.canvas.left(), trace.canvas.right()),
+                              trace.canvas.y_of(random.whole(0, trace.canvas.height - 1))};
+            const Explanation answer = about(trace, pixel);
+            facts.check(pixel, answer);
+            expect_the_same(explainer.explain(pixel), answer);
             ASSERT_FALSE(testing::Test::HasFailure()) << text;
         }
     }

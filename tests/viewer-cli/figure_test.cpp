@@ -26,7 +26,8 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-constexpr std::array<std::string_view, 6> endings{".svg", ".png", ".tex", ".txt", ".cast", ".gif"};
+constexpr std::array<std::string_view, 7> endings{".svg",  ".png", ".tex", ".txt",
+                                                  ".cast", ".gif", ".html"};
 
 class FigureTest : public ProgramTest {
 protected:
@@ -50,12 +51,12 @@ protected:
 
 TEST_F(FigureTest, AnUnknownEndingIsToldWithThoseThatAreKnown) {
     EXPECT_EQ(refusal("-o x.webp"),
-              "rastertrace: x.webp: expected a name that ends in .svg, .png, .tex, .txt, .cast "
-              "or .gif, found .webp\n"
+              "rastertrace: x.webp: expected a name that ends in .svg, .png, .tex, .txt, .cast, "
+              ".gif or .html, found .webp\n"
               "hint: --format says what to write\n");
     EXPECT_EQ(refusal("-o x"),
-              "rastertrace: x: expected a name that ends in .svg, .png, .tex, .txt, .cast or .gif, "
-              "found none of them\n"
+              "rastertrace: x: expected a name that ends in .svg, .png, .tex, .txt, .cast, .gif or "
+              ".html, found none of them\n"
               "hint: --format says what to write\n");
 }
 
@@ -252,6 +253,8 @@ TEST_F(FigureTest, TheSmallestAndALargeCanvasInEveryFormat) {
     for (const int side : {1, 4096}) {
         write("scene.json", scene_of_size(side));
         for (const std::string_view ending : endings) {
+            if (ending == ".html" && side > 1024)
+                continue; // refused, see APageHasLimits
             const std::string file = "x" + std::string(ending);
             const Outcome told = shell("$rastertrace figure scene.json -o " + file);
             EXPECT_EQ(told.status, 0) << side << ending << told.err;
@@ -319,6 +322,48 @@ TEST_F(FigureTest, AnAnimationOfTooManyFramesIsRefusedBeforeItIsDrawn) {
                             "hint: --every with a rarer step, like scanline or \"pixel y=2\", "
                             "makes fewer\n");
     }
+    EXPECT_EQ(visible_files(), 1U);
+}
+
+// --- pages --------------------------------------------------------------------------------------
+
+TEST_F(FigureTest, APageRefusesWhatItHasNot) {
+    const std::string formats = "expected one of svg, png, tex, txt, cast, gif, found html\n";
+    for (const std::string option :
+         {"--until 3", "--every scanline", "--with edges", "--without edges", "--caption x",
+          "--region 0,0,1,1", "--bare"}) {
+        const std::string told = refusal(option + " -o x.html");
+        EXPECT_THAT(told, HasSubstr(formats)) << option;
+        EXPECT_THAT(told, HasSubstr(option.substr(0, option.find(' ')))) << option;
+    }
+    for (const std::string option :
+         {"--sheet 2x2", "--animate", "--seconds 1", "--scale 2", "--width 100", "--cell 10",
+          "--palette scene", "--against rounding=nearest"})
+        EXPECT_THAT(refusal(option + " -o x.html"), HasSubstr("found html\n")) << option;
+}
+
+TEST_F(FigureTest, APageTakesWhatSaysHowItBegins) {
+    const Outcome told =
+        figure("--step \"scanline y=2\" --view writes --title \"<T>\" --theme dark "
+               "--rounding nearest -o x.html");
+    EXPECT_EQ(told.status, 0) << told.err;
+    const std::string page = content("x.html");
+    EXPECT_THAT(page, HasSubstr("\"view\":\"writes\",\"step\":"));
+    EXPECT_THAT(page, HasSubstr("<title>&lt;T&gt;</title>"));
+    EXPECT_THAT(page, HasSubstr(":root{color-scheme:dark;"));
+    EXPECT_EQ(figure("--format html -o -").out, (figure("-o y.html"), content("y.html")));
+}
+
+TEST_F(FigureTest, APageHasLimits) {
+    write("scene.json", scene_of_size(1025));
+    EXPECT_EQ(shell("$rastertrace figure scene.json -o x.html").err,
+              "rastertrace: expected at most 1048576 pixels for a page, found 1025 x 1025\n"
+              "hint: a .png or .svg shows it, or a page of the scene on a smaller canvas\n");
+    write("scene.json", scene_of_size(400));
+    EXPECT_EQ(shell("$rastertrace figure scene.json --vary /vertices/A/0=0:1:9 -o x.html").err,
+              "rastertrace: expected at most 200000 steps for a page, found more in the first 5 "
+              "frames\n"
+              "hint: --frame N makes a page of one frame\n");
     EXPECT_EQ(visible_files(), 1U);
 }
 

@@ -225,7 +225,8 @@ std::span<const std::uint32_t> drawn_on_row(const DrawnPrimitive& primitive, Ind
     const auto& pixels = primitive.covering();
     const auto first = std::lower_bound(pixels.begin(), pixels.end(), begin);
     const auto last = std::lower_bound(first, pixels.end(), begin + canvas.width);
-    return {first, last};
+    return std::span(pixels).subspan(static_cast<std::size_t>(first - pixels.begin()),
+                                     static_cast<std::size_t>(last - first));
 }
 
 Pixel pixel_at(std::uint32_t offset, const Canvas& canvas) {

@@ -598,16 +598,18 @@ std::string filled_in(std::string_view placeholder, const Context& context) {
                                  : in_sentence(context.step.text(placeholder));
 }
 
-std::string sentence(std::string_view pattern, const Context& context) {
-    std::string text;
+/// A placeholder of a pattern: from its opening bracket on, to behind the closing one.
+struct Placeholder {
+    std::size_t begin;
+    std::size_t end;
+};
+
+std::vector<Placeholder> placeholders_in(std::string_view pattern) {
+    std::vector<Placeholder> places;
     for (std::size_t open = pattern.find('{'); open != std::string_view::npos;
-         open = pattern.find('{')) {
-        const std::size_t close = pattern.find('}', open);
-        text += pattern.substr(0, open);
-        text += filled_in(pattern.substr(open + 1, close - open - 1), context);
-        pattern.remove_prefix(close + 1);
-    }
-    return text.append(pattern);
+         open = pattern.find('{', open + 1))
+        places.push_back({open, pattern.find('}', open) + 1});
+    return places;
 }
 
 } // namespace
@@ -629,16 +631,41 @@ std::optional<bool> larger_depth_passes(const Trace& trace, std::size_t n) {
                                 : std::nullopt;
 }
 
-std::string describe_step(const Replay& replay) {
+Sentence sentence_of_step(const Replay& replay) {
     if (replay.step() == 0)
-        return "nothing drawn yet";
+        return {.pattern = "nothing drawn yet", .fills = {}};
     const StepView step = replay.trace().step(replay.step());
     const auto kind = replay.trace().kind_of(replay.step());
     if (!kind) {
         constexpr std::size_t width = 100;
-        return printable(shortened(step.json(), width));
+        return {.pattern = "{step}", .fills = {printable(shortened(step.json(), width))}};
     }
-    return printable(sentence(row_of(*kind).sentence, {replay, step, primitive_of(replay)}));
+    Sentence sentence{.pattern = row_of(*kind).sentence, .fills = {}};
+    const Context context{replay, step, primitive_of(replay)};
+    for (const auto& [begin, end] : placeholders_in(sentence.pattern))
+        sentence.fills.push_back(
+            printable(filled_in(sentence.pattern.substr(begin + 1, end - begin - 2), context)));
+    return sentence;
+}
+
+std::vector<std::string_view> pieces_of(std::string_view pattern) {
+    std::vector<std::string_view> pieces;
+    std::size_t begin = 0;
+    for (const Placeholder& place : placeholders_in(pattern)) {
+        pieces.push_back(pattern.substr(begin, place.begin - begin));
+        begin = place.end;
+    }
+    pieces.push_back(pattern.substr(begin));
+    return pieces;
+}
+
+std::string describe_step(const Replay& replay) {
+    const Sentence sentence = sentence_of_step(replay);
+    const auto pieces = pieces_of(sentence.pattern);
+    std::string text(pieces.front());
+    for (std::size_t i = 0; i < sentence.fills.size(); ++i)
+        text.append(sentence.fills[i]).append(pieces[i + 1]);
+    return text;
 }
 
 } // namespace rastertrace

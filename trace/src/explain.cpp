@@ -89,6 +89,15 @@ std::string to_text(const Question& question) {
     return fmt::format("{} {}", name_of(question.about), printable(question.text));
 }
 
+bool is_nearer(const WhyNot& one, const WhyNot& other) {
+    const bool is_hidden = one.reason == "hidden";
+    if (is_hidden != (other.reason == "hidden"))
+        return is_hidden;
+    if (one.distance.has_value() != other.distance.has_value())
+        return one.distance.has_value();
+    return one.distance && *one.distance < *other.distance;
+}
+
 Try try_of(const Replay& replay) {
     const Trace& trace = replay.trace();
     if (replay.step() == 0)

@@ -122,9 +122,7 @@ public:
     }
 
 private:
-    Rational sample(Index coordinate) const {
-        return Rational(static_cast<long>(coordinate)) + offset_;
-    }
+    Rational sample(Index coordinate) const { return Rational(coordinate) + offset_; }
 
     /// Where the edge is, up or down, at the samples of a column (of a row: to the left or right), if it gets there.
     std::optional<Rational> across_at(Index column_or_row) const {

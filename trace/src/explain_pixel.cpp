@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Who has drawn a pixel, and what kept all others out.
 
+#include <rastertrace/trace/explain_pixels.h>
+
 #include "explanation.h"
 #include "step_text.h"
 #include "why_not.h"
@@ -23,7 +25,10 @@ namespace {
 /// Plays the steps that matter to a pixel once, and notes what each primitive did there.
 class PixelStory {
 public:
-    PixelStory(const Trace& trace, Pixel pixel) : trace_(trace), pixel_(pixel) {}
+    /// Given the sentences of the steps, by their numbers in the whole trace, it tells neither tries nor workings,
+    /// which need a replay.
+    PixelStory(const Trace& trace, Pixel pixel, const std::vector<std::string>* sentences = nullptr)
+        : trace_(trace), pixel_(pixel), sentences_(sentences) {}
 
     Explanation tell() {
         for (std::size_t n = 1; n <= trace_.size(); ++n)
@@ -75,6 +80,11 @@ private:
         return *replay_;
     }
 
+    std::string sentence_of(std::size_t n) {
+        return sentences_ != nullptr ? (*sentences_)[trace_.number_of(n)]
+                                     : describe_step(replay_to(n));
+    }
+
     /// True for a step that tried to write the pixel.
     bool is_try(std::size_t n) const {
         const auto kind = trace_.kind_of(n);
@@ -84,19 +94,23 @@ private:
     }
 
     void take_try(std::size_t n) {
+        if (trace_.kind_of(n) == StepKind::pixel)
+            last_drawn_ = trace_.number_of(n);
+        if (sentences_ != nullptr)
+            return note_try(n, sentence_of(n));
         const std::string before = shown_at(replay_to(n - 1), pixel_);
         Try one = try_of(replay_to(n));
         one.before = before;
         one.after = shown_at(*replay_, pixel_);
-        if (PrimitiveSteps* const current = drawing())
-            note_try(*current, n, one.sentence);
-        if (trace_.kind_of(n) == StepKind::pixel)
-            last_drawn_ = one.number;
+        note_try(n, one.sentence);
         explanation_.tries.push_back(std::move(one));
     }
 
     /// What has become of the pixel of a primitive.
-    void note_try(PrimitiveSteps& current, std::size_t n, const std::string& sentence) {
+    void note_try(std::size_t n, const std::string& sentence) {
+        if (drawing() == nullptr)
+            return;
+        PrimitiveSteps& current = *drawing();
         const StepView step = trace_.step(n);
         switch (*trace_.kind_of(n)) {
         case StepKind::pixel:
@@ -119,14 +133,14 @@ private:
         const StepView step = trace_.step(n);
         PrimitiveSteps& current = *drawing();
         if (kind == StepKind::face)
-            current.face = describe_step(replay_to(n));
+            current.face = sentence_of(n);
         if (kind == StepKind::clip)
-            named_by(step).clips.push_back(describe_step(replay_to(n)));
+            named_by(step).clips.push_back(sentence_of(n));
         if (kind == StepKind::skip)
             named_by(step).skip = step.text("why");
         const bool is_of_pixel =
             kind == StepKind::scanline ? step.whole("y") == pixel_.y : kind == StepKind::sample;
-        if (is_of_pixel)
+        if (is_of_pixel && sentences_ == nullptr)
             current.working = working_of(replay_to(n));
     }
 
@@ -222,6 +236,7 @@ private:
 
     const Trace& trace_;
     Pixel pixel_;
+    const std::vector<std::string>* sentences_;
     std::optional<Replay> replay_;
     Explanation explanation_;
     std::optional<PrimitiveSteps> primitive_;
@@ -234,15 +249,65 @@ private:
     std::size_t last_drawn_ = 0;        ///< the step that did
 };
 
-} // namespace
-
-Explanation explain_pixel(const Trace& trace, Pixel pixel) {
+/// The steps that matter to a pixel.
+Trace steps_about(const Trace& trace, Pixel pixel) {
     StepsOfPixel chosen(trace, pixel);
     for (std::size_t n = 1; n <= trace.size(); ++n)
         chosen.take(trace.step(n), trace.kind_of(n), trace.number_of(n));
     Trace excerpt = std::move(chosen).finish();
     excerpt.damage = trace.damage;
+    return excerpt;
+}
+
+/// The trace without what is about pixels of triangles in other rows.
+Trace steps_about_row(const Trace& trace, int y) {
+    Trace excerpt = trace.without_steps();
+    excerpt.damage = trace.damage;
+    bool is_triangle = false;
+    for (std::size_t n = 1; n <= trace.size(); ++n) {
+        const StepView step = trace.step(n);
+        const auto kind = trace.kind_of(n);
+        if (kind == StepKind::primitive)
+            is_triangle = step.text("kind") == "triangle";
+        const bool is_of_pixel =
+            kind == StepKind::pixel || kind == StepKind::depth || kind == StepKind::sample;
+        if (!is_triangle || !is_of_pixel || step.whole("y") == y)
+            excerpt.add_to_excerpt(step, kind, trace.number_of(n));
+    }
+    return excerpt;
+}
+
+/// True if what is said of a pixel that is not drawn may quote such a step.
+bool may_be_quoted(StepKind kind) {
+    return kind == StepKind::face || kind == StepKind::clip || kind == StepKind::depth ||
+           kind == StepKind::reject;
+}
+
+} // namespace
+
+Explanation explain_pixel(const Trace& trace, Pixel pixel) {
+    const Trace excerpt = steps_about(trace, pixel);
     return PixelStory(excerpt, pixel).tell();
+}
+
+PixelExplainer::PixelExplainer(const Trace& trace) : trace_(trace) {
+    sentences_.resize(trace.size() + 1);
+    Replay replay(trace, {.depths = true});
+    for (std::size_t n = 1; n <= trace.size(); ++n) {
+        const auto kind = trace.kind_of(n);
+        if (!kind || !may_be_quoted(*kind))
+            continue;
+        replay.go_to(n);
+        sentences_[trace.number_of(n)] = describe_step(replay);
+    }
+}
+
+Explanation PixelExplainer::explain(Pixel pixel) {
+    if (!row_ || y_ != pixel.y)
+        row_ = steps_about_row(trace_, pixel.y);
+    y_ = pixel.y;
+    const Trace excerpt = steps_about(*row_, pixel);
+    return PixelStory(excerpt, pixel, &sentences_).tell();
 }
 
 } // namespace rastertrace

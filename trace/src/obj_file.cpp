@@ -49,6 +49,10 @@ bool is_among(std::string_view name, std::span<const std::string_view> names) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+std::string_view text_between(const char* begin, const char* end) {
+    return {begin, static_cast<std::size_t>(end - begin)};
+}
+
 /// How much of a word is shown.
 constexpr std::size_t shown_of_word = 40;
 
@@ -178,7 +182,7 @@ private:
         const char* const begin = at_;
         while (!word_ends_at(at_))
             ++at_;
-        return {begin, at_};
+        return text_between(begin, at_);
     }
 
     /// Leaves a statement that has no more words, and the comment that may stand behind it.
@@ -228,7 +232,7 @@ private:
             if (count < 3) {
                 position[count] = std::move(number);
             } else if (count == 3) {
-                weight = {begin, at_};
+                weight = text_between(begin, at_);
                 weight_is_one = number.numerator_over(1) == 1;
             }
         }
@@ -315,7 +319,7 @@ private:
         if (error != std::errc() || index == 0 || place < 0 || place >= count)
             fail(begin,
                  fmt::format("expected the index of a {} ({} so far), found {}", of_what, so_far,
-                             shortened({begin, after}, shown_of_word)),
+                             shortened(text_between(begin, after), shown_of_word)),
                  "1 is the first in the file, -1 the last before this line");
         return static_cast<std::uint32_t>(place);
     }

@@ -659,7 +659,7 @@ JunctionPixels pixels_at(const TJunction& junction, std::span<const ScreenTriang
         const auto [first, last] = whole_numbers(
             beside.low - sample_offset, beside.high - sample_offset, first_along, last_along);
         for (Index i = first; i <= last; ++i) {
-            const mpq_class place = static_cast<long>(i) + sample_offset;
+            const mpq_class place = i + sample_offset;
             const mpq_class on_edge = run.across_at(place);
             const mpq_class on_other = other_run.across_at(place);
             const auto [from, to] =
@@ -671,7 +671,7 @@ JunctionPixels pixels_at(const TJunction& junction, std::span<const ScreenTriang
                     canvas.offset_of({static_cast<int>(x), static_cast<int>(y)}));
                 if (is_covered_by(owner, offset) || is_covered_by(beside.from.triangle, offset))
                     continue;
-                const mpq_class level = static_cast<long>(k) + sample_offset;
+                const mpq_class level = k + sample_offset;
                 const ScreenPoint sample =
                     run.along_x ? ScreenPoint{place, level} : ScreenPoint{level, place};
                 const bool is_in_gap = run.is_above ? on_other <= level && level <= on_edge

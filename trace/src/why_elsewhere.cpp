@@ -125,7 +125,7 @@ PlaceOnLine place_of(const Trace& trace, const LineSteps& line, Pixel pixel) {
             const Index at = step.whole(minor).value_or(0);
             return {fmt::format("{} {} is at {} = {}, not {}", where, line.name, minor,
                                 place_in(trace, line, n, at), asked),
-                    Rational(static_cast<long>(std::abs(at - asked)))};
+                    Rational(std::abs(at - asked))};
         }
         const auto reaches = [&](std::string_view from, std::string_view to) {
             const auto first = step.whole(from);

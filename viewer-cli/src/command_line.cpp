@@ -527,6 +527,7 @@ private:
             "figure", "Draw frames as figures for a page, a book or a talk",
             "rastertrace figure examples/t0-fill/first-triangle.json --step \"scanline y=2\" -o "
             "row.svg\n\n"
+            "An .html is a page to click through, forward and back, with all steps.\n\n"
             "What a figure can show (PART), for --with and --without:\n" +
                 list);
         command.add_option("trace", figure_.trace, std::string(trace_input))
@@ -540,14 +541,16 @@ private:
             ->type_name("FILE");
         command
             .add_option("--format", figure_format_,
-                        "svg, png, tex, txt, cast or gif, whatever the file's name")
+                        "svg, png, tex, txt, cast, gif or html, whatever the file's name")
             ->type_name("NAME");
         CLI::Option_group* const which =
             command.add_option_group("Which frames", "One of these; the last one if none is given");
         which->require_option(0, 1);
         which
-            ->add_option("--step", figure_step_,
-                         "After this step, together with the pixels that belong to it")
+            ->add_option(
+                "--step", figure_step_,
+                "After this step, together with the pixels that belong to it; of an .html, the "
+                "step that it begins at")
             ->type_name("STEP");
         which
             ->add_option("--until", figure_until_,

@@ -14,9 +14,6 @@ namespace rastertrace {
 
 namespace {
 
-/// More primitives than this are counted, and the nearest of them told.
-constexpr std::size_t most_told = 12;
-
 std::string lines_below(const std::vector<std::string>& lines, std::size_t indent) {
     std::string text;
     for (const std::string& line : lines)
@@ -59,28 +56,19 @@ std::string table_of(const std::vector<Try>& tries) {
     return text;
 }
 
-/// Those that were nearest to drawing the pixel come first: hidden, then by their distance.
-bool is_nearer(const WhyNot& one, const WhyNot& other) {
-    const bool is_hidden = one.reason == "hidden";
-    if (is_hidden != (other.reason == "hidden"))
-        return is_hidden;
-    if (one.distance.has_value() != other.distance.has_value())
-        return one.distance.has_value();
-    return one.distance && *one.distance < *other.distance;
-}
-
 std::string why_not_text(std::vector<WhyNot> why_not) {
     std::string rest;
-    if (why_not.size() > most_told) {
+    if (why_not.size() > most_why_not_told) {
         std::stable_sort(why_not.begin(), why_not.end(), is_nearer);
         std::map<std::string, std::size_t> count;
-        for (std::size_t i = most_told; i < why_not.size(); ++i)
+        for (std::size_t i = most_why_not_told; i < why_not.size(); ++i)
             ++count[why_not[i].reason];
         std::vector<std::string> counts;
         for (const auto& [reason, number] : count)
             counts.push_back(fmt::format("{} {}", number, reason));
-        rest = fmt::format("  and {} more: {}\n", why_not.size() - most_told, joined(counts, ", "));
-        why_not.resize(most_told);
+        rest = fmt::format("  and {} more: {}\n", why_not.size() - most_why_not_told,
+                           joined(counts, ", "));
+        why_not.resize(most_why_not_told);
     }
     const std::size_t name = width_of(why_not, &WhyNot::primitive, "");
     const std::size_t reason = width_of(why_not, &WhyNot::reason, "");

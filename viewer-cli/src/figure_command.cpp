@@ -3,6 +3,7 @@
 
 #include "commands.h"
 #include "figure_file.h"
+#include "figure_page.h"
 #include "frame_files.h"
 #include "frame_text.h"
 #include "load.h"
@@ -227,6 +228,22 @@ void check_option(bool is_there, std::string_view option, FigureFormat format,
                                      joined(names, ", "), name_of(format)));
 }
 
+/// Refuses what other formats have and a page does not: it has all steps, and its reader chooses what it shows.
+void check_options_of_page(const FigureCommand& command) {
+    const FigureOptions& options = command.options;
+    using enum FigureFormat;
+    const auto refuse_if = [](bool is_there, std::string_view option) {
+        check_option(is_there, option, html, {svg, png, tex, txt, cast, gif});
+    };
+    refuse_if(command.is_bare, "--bare");
+    refuse_if(command.sheet.has_value(), "--sheet");
+    refuse_if(command.which == FigureCommand::Which::until, "--until");
+    refuse_if(command.which == FigureCommand::Which::every, "--every");
+    refuse_if(!options.with.empty(), "--with");
+    refuse_if(!options.without.empty() || options.caption, "--without and --caption");
+    refuse_if(options.region.has_value(), "--region");
+}
+
 /// Refuses a format that cannot have what was asked for.
 void check_format(const FigureCommand& command, FigureFormat format) {
     const bool is_text = format == FigureFormat::txt || format == FigureFormat::cast;
@@ -248,6 +265,8 @@ void check_format(const FigureCommand& command, FigureFormat format) {
                                      "found {}",
                                      name_of(format)));
     using enum FigureFormat;
+    if (format == html)
+        check_options_of_page(command);
     check_option(command.style.scale.has_value() && !command.is_bare, "--scale", format,
                  {png, gif});
     check_option(command.style.width_mm.has_value(), "--width", format, {tex});
@@ -257,11 +276,12 @@ void check_format(const FigureCommand& command, FigureFormat format) {
     check_option(std::any_of(options.with.begin(), options.with.end(), is_drawn), "--with", format,
                  {svg, png, tex, gif});
     check_option(!command.against.empty(), "--against", format, {svg, png, tex, gif});
-    check_option(options.title.has_value(), "--title", format, {svg, png, tex, gif});
+    check_option(options.title.has_value(), "--title", format, {svg, png, tex, gif, html});
     check_option(options.cell.has_value(), "--cell", format, {svg, png, tex, gif});
     check_option(options.palette != FacePalette::distinct, "--palette", format,
                  {svg, png, tex, gif});
-    check_option(command.style.theme != Theme::automatic, "--theme", format, {svg, png, tex, gif});
+    check_option(command.style.theme != Theme::automatic, "--theme", format,
+                 {svg, png, tex, gif, html});
 }
 
 bool is_animation(const FigureCommand& command, FigureFormat format) {
@@ -333,6 +353,8 @@ private:
 int run(const FigureCommand& command) {
     const FigureFormat format = format_of(command);
     check_format(command, format);
+    if (format == FigureFormat::html)
+        return write_page(command);
     InputFrames input(
         command.trace,
         {.method = command.method, .limits = command.input, .frames = command.frames});

@@ -97,6 +97,7 @@ std::string figure_in(FigureFormat format, const Drawing& drawing, const FigureS
         return animation_in(format, {1, [&drawing](std::size_t) { return drawing; }}, style);
     case FigureFormat::txt:
     case FigureFormat::cast:
+    case FigureFormat::html:
         break;
     }
     return {};

@@ -20,14 +20,16 @@
 
 namespace rastertrace {
 
-enum class FigureFormat : std::uint8_t { svg, png, tex, txt, cast, gif };
+enum class FigureFormat : std::uint8_t { svg, png, tex, txt, cast, gif, html };
 
-inline constexpr std::array<Ending<FigureFormat>, 6> figure_endings{{{".svg", FigureFormat::svg},
-                                                                     {".png", FigureFormat::png},
-                                                                     {".tex", FigureFormat::tex},
-                                                                     {".txt", FigureFormat::txt},
-                                                                     {".cast", FigureFormat::cast},
-                                                                     {".gif", FigureFormat::gif}}};
+inline constexpr std::array<Ending<FigureFormat>, 7> figure_endings{
+    {{".svg", FigureFormat::svg},
+     {".png", FigureFormat::png},
+     {".tex", FigureFormat::tex},
+     {".txt", FigureFormat::txt},
+     {".cast", FigureFormat::cast},
+     {".gif", FigureFormat::gif},
+     {".html", FigureFormat::html}}};
 
 /// svg, png, ...
 std::vector<std::string_view> figure_format_names();

@@ -64,6 +64,11 @@ public:
     /// The trace that was given; nullptr if it was a scene.
     const Source* given_trace() const { return scenes_ ? nullptr : &source_; }
 
+    /// The scene that was given, if it is one frame; nullptr else.
+    const Source* given_scene() const {
+        return scenes_ && scenes_->count() == 1 ? &source_ : nullptr;
+    }
+
     /// The file that was read, which must not be written.
     std::vector<FileId> files() const {
         return source_.file ? std::vector{*source_.file} : std::vector<FileId>{};

@@ -11,6 +11,8 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace rastertrace {
 
@@ -20,5 +22,16 @@ std::optional<bool> larger_depth_passes(const Trace& trace, std::size_t n);
 
 /// The current step of a replay in one line, safe to print.
 std::string describe_step(const Replay& replay);
+
+/// The same as its kind of step has it (step_kind.h), and what stands for each of its placeholders, safe to print.
+struct Sentence {
+    std::string_view
+        pattern; ///< "at ({x}, {y}): d = {d} ..."; of a step that we do not know "{step}"
+    std::vector<std::string> fills;
+};
+Sentence sentence_of_step(const Replay& replay);
+
+/// The parts of a pattern between its placeholders, one more than there are of these.
+std::vector<std::string_view> pieces_of(std::string_view pattern);
 
 } // namespace rastertrace

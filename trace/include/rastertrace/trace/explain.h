@@ -66,6 +66,13 @@ struct WhyNot {
     std::vector<std::string> working{};
 };
 
+/// True if the first primitive was nearer to drawing the pixel than the second: hidden ones come first, then the
+/// others by their distance.
+bool is_nearer(const WhyNot& one, const WhyNot& other);
+
+/// Where more primitives than this have not drawn a pixel, people are told of the nearest, and how many there are.
+inline constexpr std::size_t most_why_not_told = 12;
+
 /// A pixel along the edge that two triangles share.
 struct PixelAlongEdge {
     Pixel pixel{};

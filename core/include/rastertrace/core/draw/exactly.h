@@ -44,8 +44,6 @@ struct PieceIndex {
     std::uint8_t side = 0; ///< of an outline: the corner that it begins at
     std::optional<std::uint32_t> listed =
         {}; ///< its place in the plan's list, if doubles could tell it
-
-    friend auto operator<=>(const PieceIndex&, const PieceIndex&) = default;
 };
 
 /// The list of what is drawn, in exact numbers. Only what is asked for is worked out.

@@ -106,7 +106,7 @@ template <typename Scalar>
 /// A whole number as a Scalar.
 template <typename Scalar> Scalar scalar_from(Index whole) {
     if constexpr (std::same_as<Scalar, Rational>)
-        return Rational(static_cast<long>(whole));
+        return Rational(whole);
     else if constexpr (std::same_as<Scalar, Adaptive>)
         return std::abs(whole) <= (Index{1} << 53) ? Adaptive(static_cast<double>(whole))
                                                    : rounded_to(static_cast<double>(whole));
@@ -169,11 +169,11 @@ inline std::optional<std::int64_t> nearest_numerator(double number, std::int64_t
 /// A fraction in lowest terms.
 template <typename Integer> Rational exact(const Fraction<Integer>& number) {
     const auto whole = [](Integer value) {
-        if constexpr (sizeof(Integer) <= sizeof(long)) {
-            return mpz_class(static_cast<long>(value));
+        if constexpr (sizeof(Integer) <= sizeof(std::int64_t)) {
+            return mpz_class(value);
         } else {
-            const mpz_class high(static_cast<long>(value >> 64));
-            const mpz_class low(static_cast<unsigned long>(value));
+            const mpz_class high(static_cast<std::int64_t>(value >> 64));
+            const mpz_class low(static_cast<std::uint64_t>(value));
             return mpz_class((high << 64) + low);
         }
     };
@@ -256,7 +256,7 @@ Scalar scalar_from(const Coordinate& coordinate, std::int64_t denominator) {
                 return scalar_from<Scalar>(coordinate);
         const auto numerator = nearest_numerator(coordinate, denominator);
         assert(numerator && "find_unfit has seen that every number fits");
-        Rational snapped(static_cast<long>(*numerator), static_cast<long>(denominator));
+        Rational snapped(*numerator, denominator);
         snapped.canonicalize();
         return snapped;
     } else {

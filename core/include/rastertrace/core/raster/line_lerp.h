@@ -42,7 +42,10 @@ template <typename Scalar> bool is_longer_in_x(const Segment<Scalar>& segment) {
     const auto magnitude = [&zero](const Scalar& value) {
         return value < zero ? Scalar(-value) : value;
     };
-    return !(magnitude(segment.to.x - segment.from.x) < magnitude(segment.to.y - segment.from.y));
+    // One after the other: of signs that filtered doubles leave open, the first one is told.
+    const Scalar dy = magnitude(segment.to.y - segment.from.y);
+    const Scalar dx = magnitude(segment.to.x - segment.from.x);
+    return !(dx < dy);
 }
 
 /// The pixel of a coordinate across a line. A tie with Ties::start stays on the side that the line

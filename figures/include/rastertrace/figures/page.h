@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A trace as a page to click through: one HTML file that asks for nothing else. Its sentences are those of the
+// program, its arithmetic is done here: the page fills in, compares whole numbers and paints.
+//
+//     const std::string html = page_of({{.label = "", .data = page_data(trace)}}, {.title = trace.title});
+//
+// page_data() is also what the program compiled for browsers answers a changed scene with, so that a page shows that
+// in place of what it was made with.
+
+#include <rastertrace/figures/theme.h>
+#include <rastertrace/figures/view.h>
+#include <rastertrace/trace/problem.h>
+#include <rastertrace/trace/trace.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rastertrace {
+
+/// The most steps of a page, those of all its frames together, and the most pixels of its canvas.
+inline constexpr std::size_t most_page_steps = 200'000;
+inline constexpr std::size_t most_page_pixels = std::size_t{1024} * 1024;
+
+/// A trace of more steps has no workings on its page.
+inline constexpr std::size_t most_steps_with_working = 50'000;
+
+/// Why pixels are not drawn is on the page of a canvas of at most this width and height, and of at most so many pixels
+/// times primitives.
+inline constexpr int largest_side_with_why_not = 128;
+inline constexpr std::size_t most_why_not_asked = 300'000;
+
+/// A scene with more primitives than this has no vertices that can be moved.
+inline constexpr std::size_t most_primitives_to_move = 10;
+
+/// Why a trace cannot be a page; nullopt if it can.
+std::optional<Problem> too_large_for_page(const Trace& trace);
+
+enum class PageDetail : std::uint8_t {
+    all,
+    at_rest, ///< after a vertex was moved, in the browser: at most a second for what is told of pixels
+    in_motion, ///< while it is moved
+};
+
+/// What a page needs of a trace, as a JSON object: page_data.cpp says what is in it. The same trace makes the same
+/// bytes.
+std::string page_data(const Trace& trace, PageDetail detail = PageDetail::all);
+
+/// A frame of a page: of a scene whose numbers vary, or the only one.
+struct PageFrame {
+    std::string label = {}; ///< "3 of 24: degrees 30"
+    std::string data;       ///< of page_data()
+    std::string file = {};  ///< what the commands on the page call the input; "" for none
+};
+
+struct PageOptions {
+    std::string title = {};
+    Theme theme = Theme::automatic;
+    std::optional<View> view = {}; ///< the one that the page begins with; none: the trace's default
+    std::optional<std::size_t> step = {}; ///< the step that it begins at; none: the last
+    std::string module = {}; ///< the program compiled for browsers, as a script; "" for none
+    std::string scene =
+        {}; ///< the scene that this draws again when a vertex is moved; "": none can be
+};
+
+/// The whole file.
+std::string page_of(std::span<const PageFrame> frames, const PageOptions& options);
+
+} // namespace rastertrace

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include <rastertrace/figures/page.h>
+
+#include "page_parts.h"
+
+#include <rastertrace/figures/player_keys.h>
+#include <rastertrace/figures/svg.h>
+#include <rastertrace/trace/color_text.h>
+#include <rastertrace/trace/step_writer.h>
+#include <rastertrace/trace/text.h>
+
+#include <fmt/core.h>
+#include <zlib.h>
+
+#include <array>
+#include <cstdint>
+#include <new>
+#include <utility>
+
+namespace rastertrace {
+
+namespace {
+
+/// JSON that can stand in a page: nothing in it ends its script element.
+std::string in_script(std::string_view json) {
+    std::string text;
+    for (const char c : json)
+        if (c == '<')
+            text += "\\u003c";
+        else
+            text += c;
+    return text;
+}
+
+/// Of `deflate` as browsers know it, in base64.
+std::string compressed(std::string_view text) {
+    uLongf size = compressBound(text.size());
+    std::string bytes(size, '\0');
+    if (compress2(reinterpret_cast<Bytef*>(bytes.data()), &size,
+                  reinterpret_cast<const Bytef*>(text.data()), text.size(),
+                  Z_BEST_COMPRESSION) != Z_OK)
+        throw std::bad_alloc(); // it has no other reason: there is room for whatever it makes
+    bytes.resize(size);
+
+    constexpr std::string_view digits =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string base64;
+    base64.reserve((size + 2) / 3 * 4);
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        std::uint32_t group = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            group =
+                group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+        for (std::size_t k = 0; k < 4; ++k)
+            base64 += i + k <= bytes.size() ? digits[group >> (18 - 6 * k) & 63] : '=';
+    }
+    return base64;
+}
+
+/// A style sheet's variables: the color of each role.
+std::string variables_in(Theme theme) {
+    std::string text;
+    for (const Role role : roles())
+        text += fmt::format("--{}:{};", name_of(role), to_text(paint_of(role, theme).color));
+    return text;
+}
+
+std::string colors_of(Theme theme) {
+    const std::string scheme = theme == Theme::automatic ? "light dark"
+                               : theme == Theme::dark    ? "dark"
+                                                         : "light";
+    std::string text = fmt::format(":root{{color-scheme:{};{}}}", scheme, variables_in(theme));
+    if (theme == Theme::automatic)
+        text += fmt::format("\n@media (prefers-color-scheme:dark){{:root{{{}}}}}",
+                            variables_in(Theme::dark));
+    return text;
+}
+
+/// The keys that pages have: of each action its name, what it does, and its keys.
+std::string keys_text() {
+    std::string text = "[";
+    for (const PlayerKey& row : player_keys()) {
+        if (!row.is_on_pages)
+            continue;
+        text += fmt::format("{}[{},{}", text.size() > 1 ? "," : "", json_quoted(row.name),
+                            json_quoted(row.does));
+        for (const std::string_view key : row.keys)
+            text += "," + json_quoted(key);
+        text += "]";
+    }
+    return text + "]";
+}
+
+std::string options_text(const PageOptions& options) {
+    std::string text = fmt::format("{{\"keys\":{}", keys_text());
+    if (options.view)
+        text += fmt::format(",\"view\":{}",
+                            json_quoted(view_names()[static_cast<std::size_t>(*options.view)]));
+    if (options.step)
+        text += fmt::format(",\"step\":{}", *options.step);
+    if (!options.module.empty() && !options.scene.empty())
+        text += fmt::format(",\"scene\":{}", json_quoted(options.scene));
+    return text + "}";
+}
+
+std::string data_text(std::span<const PageFrame> frames) {
+    std::string text = "[";
+    for (const PageFrame& frame : frames)
+        text += fmt::format("{}{{\"label\":{},\"file\":{},\"data\":{}}}",
+                            text.size() > 1 ? ",\n" : "", json_quoted(printable(frame.label)),
+                            json_quoted(printable(frame.file)), frame.data);
+    return text + "]";
+}
+
+} // namespace
+
+std::string page_of(std::span<const PageFrame> frames, const PageOptions& options) {
+    const std::string title = escaped(options.title.empty() ? "rastertrace" : options.title);
+    const std::array<std::pair<std::string_view, std::string>, 7> parts{
+        {{"title", title},
+         {"colors", colors_of(options.theme)},
+         {"style", page_css()},
+         {"options", in_script(options_text(options))},
+         {"data", compressed(data_text(frames))},
+         {"module", options.module.empty() || options.scene.empty()
+                        ? std::string()
+                        : fmt::format("<script>\n{}\n</script>\n", options.module)},
+         {"script", page_js()}}};
+
+    // Once through the template, so that what is put in is not looked at again.
+    const std::string page = page_html();
+    std::string text;
+    std::size_t done = 0;
+    for (std::size_t open = page.find("{{"); open != std::string::npos;
+         open = page.find("{{", done)) {
+        const std::size_t close = page.find("}}", open);
+        const std::string_view name = std::string_view(page).substr(open + 2, close - open - 2);
+        text.append(page, done, open - done);
+        for (const auto& [part, content] : parts)
+            if (part == name)
+                text += content;
+        done = close + 2;
+    }
+    return text.append(page, done);
+}
+
+} // namespace rastertrace

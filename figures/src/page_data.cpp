@@ -1,0 +1,554 @@
+// SPDX-License-Identifier: MIT
+// What a page needs of a trace. Texts are written once, in "words", and told by their number there. A list of
+// numbers holds a few for each step, or for each step of a kind, one step after the other:
+//
+//     title, notes      words
+//     canvas            left, top: x and y of the upper left pixel; width, height; down: 1 if y points down, else -1;
+//                       sample: 1/2 if pixels are tested at their centers; background: a word, or null
+//     conventions       key, value, meaning: words, of each rule that is in force
+//     view, views       the view to begin with, and those that say something
+//     kinds             of each kind of step its name, and the pieces of its sentence between the placeholders
+//     groups, heading   what faces are told apart as, words; what is said before them
+//     primitives        step, name, kind, color, group (-1: none), corners, their names and coordinates
+//     step_kinds        of each step its place in kinds; fills: of each step a word for each placeholder
+//     at                of each step the pixel that it is about, counted from the upper left one; -1: none
+//     working           of each step a list of words; null: there are too many steps
+//     pixels            of each pixel step its color
+//     depths            of each depth step: 1 if it passes, and 2 if it is stored; how light its gray is; its number
+//     samples           of each sample step 1 if it is inside
+//     rows              of each scanline step: row, x of both ends, columns of both pixels; the ends as words
+//     edges             of each edge step the places of its two corners in its primitive; -1: not known
+//     rejects           of each reject step the columns and rows that it drops: from, to, from, to
+//     write_grays       how light a pixel is that was written once, twice, ...
+//     answers           of each pixel; null: the canvas is too large. See add_answers.
+
+#include <rastertrace/figures/page.h>
+
+#include "grays.h"
+
+#include <rastertrace/figures/corners.h>
+#include <rastertrace/figures/face_groups.h>
+#include <rastertrace/figures/shown_steps.h>
+#include <rastertrace/trace/color_text.h>
+#include <rastertrace/trace/describe.h>
+#include <rastertrace/trace/explain_pixels.h>
+#include <rastertrace/trace/method_names.h>
+#include <rastertrace/trace/step_writer.h>
+#include <rastertrace/trace/text.h>
+#include <rastertrace/trace/working.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <unordered_map>
+#include <utility>
+
+namespace rastertrace {
+
+namespace {
+
+/// As many faces as there are colors for are told apart, and some more by their names.
+constexpr std::size_t most_groups = 24;
+
+/// Texts, each once.
+class Words {
+public:
+    std::size_t place_of(const std::string& word) {
+        const auto [found, is_new] = places_.emplace(word, words_.size());
+        if (is_new)
+            words_.push_back(word);
+        return found->second;
+    }
+    const std::vector<std::string>& all() const { return words_; }
+
+private:
+    std::unordered_map<std::string, std::size_t> places_;
+    std::vector<std::string> words_;
+};
+
+/// A JSON array, written as it grows.
+class JsonList {
+public:
+    template <typename Number> void add(Number number) { put(fmt::format("{}", number)); }
+    void add(const JsonList& list) { put(list.text()); }
+    void add_text(std::string_view text) { put(json_quoted(text)); }
+
+    std::string text() const { return text_ + "]"; }
+
+private:
+    void put(std::string_view value) {
+        if (text_.size() > 1)
+            text_ += ',';
+        text_ += value;
+    }
+
+    std::string text_ = "[";
+};
+
+/// A sentence whose numbers are taken out: "row y=2" is "row {}" and "y=2".
+struct Numberless {
+    std::vector<std::string> pieces{""};
+    std::vector<std::string> fills;
+};
+
+Numberless without_numbers(const std::string& sentence) {
+    Numberless result;
+    bool is_first = true;
+    for (const std::string& word : split_at(sentence, ' ')) {
+        if (!std::exchange(is_first, false))
+            result.pieces.back() += ' ';
+        if (word.find_first_of("0123456789") == std::string::npos) {
+            result.pieces.back() += word;
+        } else {
+            result.fills.push_back(word);
+            result.pieces.emplace_back();
+        }
+    }
+    return result;
+}
+
+/// The depths of a trace, as grays.
+class DepthGrays {
+public:
+    explicit DepthGrays(const Trace& trace) {
+        for (std::size_t n = 1; n <= trace.size(); ++n) {
+            if (trace.kind_of(n) != StepKind::depth)
+                continue;
+            has_tests_ = true;
+            if (!larger_is_nearer_)
+                larger_is_nearer_ = larger_depth_passes(trace, n);
+            if (const auto depth = nearest_double_in(trace.step(n).text("depth"))) {
+                least_ = std::min(least_.value_or(*depth), *depth);
+                largest_ = std::max(largest_.value_or(*depth), *depth);
+            }
+        }
+    }
+
+    bool has_tests() const { return has_tests_; }
+
+    /// The level of a gray, 0 to 255. The nearest is the lightest.
+    int level_of(const std::string& text) const {
+        const auto depth = nearest_double_in(text);
+        const double range = least_ ? *largest_ - *least_ : 0;
+        const double share = depth && range > 0 ? (*depth - *least_) / range : 1;
+        return gray(larger_is_nearer_.value_or(false) ? share : 1 - share).red();
+    }
+
+private:
+    bool has_tests_ = false;
+    std::optional<bool> larger_is_nearer_;
+    std::optional<double> least_, largest_;
+};
+
+/// What a page is told at most: beyond, it does without.
+struct PageLimits {
+    std::size_t steps_with_working;
+    std::size_t why_not_asked; ///< pixels times primitives
+};
+
+PageLimits limits_of(PageDetail detail) {
+    switch (detail) {
+    case PageDetail::all:
+        break;
+    case PageDetail::at_rest:
+        return {.steps_with_working = 3'000, .why_not_asked = 10'000};
+    case PageDetail::in_motion:
+        return {.steps_with_working = 500, .why_not_asked = 1'000};
+    }
+    return {.steps_with_working = most_steps_with_working, .why_not_asked = most_why_not_asked};
+}
+
+/// Puts the data of a page together.
+class PageData {
+public:
+    PageData(const Trace& trace, PageDetail detail)
+        : trace_(trace), grays_(trace), replay_(trace, {.writes = false, .depths = true}),
+          limits_(limits_of(detail)), has_working_(trace.size() <= limits_.steps_with_working) {}
+
+    std::string text() {
+        add_groups();
+        for (std::size_t n = 1; n <= trace_.size(); ++n)
+            add_step(n);
+        const std::string answers = answers_text();
+        const std::string head = header_text();
+        std::string text = "{" + head;
+        const auto put = [&text](std::string_view key, const std::string& value) {
+            text += fmt::format(",\n\"{}\":{}", key, value);
+        };
+        put("groups", groups_.text());
+        put("heading", json_quoted(printable(heading_)));
+        put("primitives", primitives_.text());
+        put("step_kinds", step_kinds_.text());
+        put("fills", fills_.text());
+        put("at", at_.text());
+        put("working", has_working_ ? working_.text() : "null");
+        put("pixels", pixels_.text());
+        put("depths", depths_.text());
+        put("samples", samples_.text());
+        put("rows", rows_.text());
+        put("edges", edges_.text());
+        put("rejects", rejects_.text());
+        put("answers", answers);
+        JsonList write_grays;
+        for (std::uint32_t count = 1; count <= most_writes_told; ++count)
+            write_grays.add(int{gray(share_of_writes(count)).red()});
+        put("write_grays", write_grays.text());
+        JsonList words;
+        for (const std::string& word : words_.all())
+            words.add_text(word);
+        put("words", words.text());
+        return text + "}";
+    }
+
+private:
+    std::size_t word(const std::string& text) { return words_.place_of(text); }
+    std::size_t printable_word(const std::string& text) { return word(printable(text)); }
+
+    // --- what holds for all steps
+
+    std::string header_text() {
+        const Canvas& canvas = trace_.canvas;
+        JsonList notes;
+        for (const Problem& problem : trace_.damage)
+            notes.add(word(problem.line == 0
+                               ? problem.message
+                               : fmt::format("line {}: {}", problem.line, problem.message)));
+        if (trace_.is_partial)
+            notes.add(word("steps were left out of this trace"));
+        JsonList views;
+        for (const View view : views_of())
+            views.add_text(view_names()[static_cast<std::size_t>(view)]);
+        return fmt::format(
+            "\"format\":1,\n\"title\":{},\n\"notes\":{},\n\"canvas\":{{\"left\":{},\"top\":{},"
+            "\"width\":{},\"height\":{},\"down\":{},\"sample\":{},\"tests_samples\":{},"
+            "\"background\":{}}},\n\"conventions\":{},\n\"view\":\"{}\",\n\"views\":{},\n\"kinds\":"
+            "{}",
+            json_quoted(printable(trace_.title)), notes.text(), canvas.left(), canvas.top(),
+            canvas.width, canvas.height, canvas.down(), trace_.samples_at_centers() ? "0.5" : "0",
+            tests_samples(), trace_.background ? json_quoted(to_text(*trace_.background)) : "null",
+            conventions_text(), view_names()[static_cast<std::size_t>(first_view())], views.text(),
+            kinds_text());
+    }
+
+    bool tests_samples() const {
+        const std::string fill = trace_.method_value("fill");
+        return fill == "barycentric" || fill == "top-left";
+    }
+
+    View first_view() const { return default_view(trace_); }
+
+    std::vector<View> views_of() const {
+        std::vector<View> views{View::plotted};
+        if (group_count_ > 1)
+            views.push_back(View::faces);
+        views.push_back(View::shade);
+        if (grays_.has_tests())
+            views.push_back(View::depth);
+        views.push_back(View::writes);
+        return views;
+    }
+
+    std::string conventions_text() {
+        const Canvas& canvas = trace_.canvas;
+        JsonList list;
+        const auto add = [&](const std::string& key, const std::string& value,
+                             const std::string& meaning) {
+            for (const std::string& text : {key, value, meaning})
+                list.add(printable_word(text));
+        };
+        add("y", canvas.down() > 0 ? "down" : "up", "which way y points");
+        add("canvas",
+            fmt::format("x {} to {}, y {} to {}", canvas.left(), canvas.right(),
+                        std::min(canvas.top(), canvas.bottom()),
+                        std::max(canvas.top(), canvas.bottom())),
+            "the pixels that there are");
+        for (const auto& [key, value] : trace_.method) {
+            const MethodKey* const row = find_method_key(key);
+            add(key, value, row == nullptr ? std::string() : std::string(row->meaning));
+        }
+        return list.text();
+    }
+
+    /// In the order of the step table; the last one is of steps that we do not know.
+    static std::string kinds_text() {
+        JsonList kinds;
+        const auto add = [&kinds](std::string_view name, std::string_view sentence) {
+            JsonList kind;
+            kind.add_text(name);
+            for (const std::string_view piece : pieces_of(sentence))
+                kind.add_text(piece);
+            kinds.add(kind);
+        };
+        for (std::size_t i = 0; i < step_kinds; ++i) {
+            const StepRow& row = row_of(static_cast<StepKind>(i));
+            add(row.name, row.sentence);
+        }
+        add("unknown", "{step}");
+        return kinds.text();
+    }
+
+    void add_groups() {
+        std::vector<std::size_t> painted;
+        std::size_t order = 0;
+        for (std::size_t n = 1; n <= trace_.size(); ++n) {
+            if (trace_.kind_of(n) == StepKind::order)
+                order = n;
+            if (trace_.kind_of(n) != StepKind::primitive)
+                continue;
+            ++primitive_count_;
+            if (trace_.step(n).text("painted") != "false")
+                painted.push_back(n);
+        }
+        FaceGroups groups = face_groups(trace_, std::move(painted), order, most_groups);
+        group_count_ = groups.names.size();
+        heading_ = groups.heading;
+        for (const std::string& name : groups.names)
+            groups_.add(printable_word(name));
+        group_of_ = std::move(groups.group_of);
+    }
+
+    // --- step by step
+
+    void add_step(std::size_t n) {
+        replay_.go_to(n);
+        const auto kind = trace_.kind_of(n);
+        step_kinds_.add(kind ? static_cast<std::size_t>(*kind) : step_kinds);
+        for (const std::string& fill : sentence_of_step(replay_).fills)
+            fills_.add(word(fill));
+        if (has_working_) {
+            JsonList lines;
+            for (const std::string& line : working_of(replay_))
+                lines.add(word(line));
+            working_.add(lines);
+        }
+        const StepView step = trace_.step(n);
+        const auto pixel = place_of(step, n);
+        if (pixel)
+            at_.add(trace_.canvas.offset_of(*pixel));
+        else
+            at_.add(-1);
+        if (kind)
+            add_what_is_drawn(step, *kind);
+    }
+
+    /// The pixel that a step is about. That of an `along` is the one that its value is rounded to.
+    std::optional<Pixel> place_of(const StepView& step, std::size_t n) const {
+        if (trace_.kind_of(n) != StepKind::along)
+            return pixel_of(trace_, n);
+        const auto rounded = step.whole("pixel");
+        const auto x = step.field("x") ? step.whole("x") : rounded;
+        const auto y = step.field("y") ? step.whole("y") : rounded;
+        if (!x || !y || !trace_.canvas.contains(*x, *y))
+            return std::nullopt;
+        return Pixel{static_cast<int>(*x), static_cast<int>(*y)};
+    }
+
+    void add_what_is_drawn(const StepView& step, StepKind kind) {
+        switch (kind) {
+        case StepKind::primitive:
+            return add_primitive(step);
+        case StepKind::pixel: {
+            const auto own = step.field("color") ? parse_color(step.text("color")) : std::nullopt;
+            pixels_.add(word(to_text(own.value_or(replay_.color()))));
+            return;
+        }
+        case StepKind::depth: {
+            const bool passes = step.text("pass") == "true";
+            const bool is_stored = passes && !step.field("side_of") && !step.field("beside");
+            depths_.add((passes ? 1 : 0) + (is_stored ? 2 : 0));
+            depths_.add(grays_.level_of(step.text("depth")));
+            depths_.add(printable_word(short_number(step.text("depth"))));
+            return;
+        }
+        case StepKind::sample:
+            samples_.add(step.text("inside") == "true" ? 1 : 0);
+            return;
+        case StepKind::scanline:
+            return add_row(step);
+        case StepKind::edge:
+            return add_edge(step.text("edge"));
+        case StepKind::reject:
+            return add_reject(step);
+        default:
+            return;
+        }
+    }
+
+    void add_primitive(const StepView& step) {
+        names_ = step.texts("vertices");
+        const auto places = corners_of(step);
+        const auto group = group_of_.find(replay_.step());
+        primitives_.add(replay_.step());
+        primitives_.add(printable_word(step.text("name")));
+        primitives_.add(printable_word(step.text("kind")));
+        primitives_.add(word(to_text(replay_.color())));
+        if (group == group_of_.end())
+            primitives_.add(-1);
+        else
+            primitives_.add(group->second);
+        JsonList corners;
+        for (const Point& place : places) {
+            corners.add(held(place.x));
+            corners.add(held(place.y));
+        }
+        primitives_.add(corners);
+        JsonList names;
+        const auto at = step.text_rows("at");
+        for (std::size_t i = 0; i < names_.size(); ++i) {
+            names.add(printable_word(names_[i]));
+            names.add(i < at.size() && at[i].size() > 1
+                          ? printable_word(fmt::format("({}, {})", short_number(at[i][0]),
+                                                       short_number(at[i][1])))
+                          : word(""));
+        }
+        primitives_.add(names);
+    }
+
+    void add_row(const StepView& step) {
+        const Canvas& canvas = trace_.canvas;
+        const Index y = step.whole("y").value_or(farthest_index);
+        const bool is_on_canvas = canvas.contains(canvas.left(), y);
+        rows_.add(is_on_canvas ? canvas.row_of(y) : -1);
+        for (const std::string_view end : {"left", "right"})
+            rows_.add(held(nearest_double_in(step.text(end)).value_or(0)));
+        for (const std::string_view pixel : {"from", "to"})
+            rows_.add(step.whole(pixel).value_or(0) - canvas.left());
+        for (const std::string_view end : {"left", "right"})
+            rows_.add(printable_word(as_in_working(step.text(end))));
+    }
+
+    /// A number that JSON readers have.
+    static double held(double number) {
+        constexpr double farthest = 1e9;
+        return std::clamp(number, -farthest, farthest);
+    }
+
+    void add_edge(const std::string& edge) {
+        for (std::size_t i = 0; i < names_.size(); ++i)
+            for (std::size_t j = 0; j < names_.size(); ++j)
+                if (i != j &&
+                    (names_[i] + names_[j] == edge || names_[i] + "-" + names_[j] == edge)) {
+                    edges_.add(i);
+                    edges_.add(j);
+                    return;
+                }
+        edges_.add(-1);
+        edges_.add(-1);
+    }
+
+    /// Pixels, a run of a row, or whole rows. What leads off the canvas along a line is none of them.
+    void add_reject(const StepView& step) {
+        const Canvas& canvas = trace_.canvas;
+        const bool is_of_line = step.field("to_x") && step.field("to_y");
+        const auto y = step.whole("y");
+        const auto to_y = step.field("to_y") ? step.whole("to_y") : y;
+        const auto x = step.field("x") ? step.whole("x") : std::optional<Index>(canvas.left());
+        const auto to_x = step.field("to_x") ? step.whole("to_x")
+                          : step.field("x")  ? x
+                                             : std::optional<Index>(canvas.right());
+        if (is_of_line || !x || !to_x || !y || !to_y) {
+            for (const int none : {0, -1, 0, -1})
+                rejects_.add(none);
+            return;
+        }
+        const auto [left, right] = std::minmax(*x - canvas.left(), *to_x - canvas.left());
+        const auto [top, bottom] = std::minmax(canvas.row_of(*y), canvas.row_of(*to_y));
+        rejects_.add(std::max<Index>(left, 0));
+        rejects_.add(std::min<Index>(right, canvas.width - 1));
+        rejects_.add(std::max<Index>(top, 0));
+        rejects_.add(std::min<Index>(bottom, canvas.height - 1));
+    }
+
+    // --- pixel by pixel
+
+    /// {"patterns": [pieces, ...], "pixels": [...]}; of each pixel the answer, how many reasons there are in all, how many
+    /// are told, each of these as primitive, reason and sentence; how many lines say what cannot be told, and these. A
+    /// sentence is its place in patterns, and a word for each of its fills.
+    std::string answers_text() {
+        const Canvas& canvas = trace_.canvas;
+        const auto pixels =
+            static_cast<std::size_t>(canvas.width) * static_cast<std::size_t>(canvas.height);
+        if (std::max(canvas.width, canvas.height) > largest_side_with_why_not ||
+            pixels * primitive_count_ > limits_.why_not_asked)
+            return "null";
+        JsonList answers;
+        PixelExplainer explainer(trace_);
+        for (std::size_t i = 0; i < pixels; ++i) {
+            const auto row = static_cast<int>(i / static_cast<std::size_t>(canvas.width));
+            const auto column = static_cast<int>(i % static_cast<std::size_t>(canvas.width));
+            Explanation told = explainer.explain({canvas.left() + column, canvas.y_of(row)});
+            add_sentence(told.answer, answers);
+            answers.add(told.why_not.size());
+            if (told.why_not.size() > most_why_not_told) {
+                std::stable_sort(told.why_not.begin(), told.why_not.end(), is_nearer);
+                told.why_not.resize(most_why_not_told);
+            }
+            answers.add(told.why_not.size());
+            for (const WhyNot& why : told.why_not) {
+                answers.add(printable_word(why.primitive));
+                answers.add(word(why.reason));
+                add_sentence(why.sentence, answers);
+            }
+            answers.add(told.lacks.size());
+            for (const std::string& line : told.lacks)
+                answers.add(word(line));
+        }
+        return fmt::format("{{\"patterns\":{},\n\"pixels\":{}}}", patterns_.text(), answers.text());
+    }
+
+    void add_sentence(const std::string& sentence, JsonList& list) {
+        const Numberless parts = without_numbers(sentence);
+        const auto [found, is_new] =
+            pattern_places_.emplace(joined(parts.pieces, "\n"), pattern_places_.size());
+        if (is_new) {
+            JsonList pieces;
+            for (const std::string& piece : parts.pieces)
+                pieces.add_text(piece);
+            patterns_.add(pieces);
+        }
+        list.add(found->second);
+        for (const std::string& fill : parts.fills)
+            list.add(word(fill));
+    }
+
+    const Trace& trace_;
+    DepthGrays grays_;
+    Replay replay_;
+    PageLimits limits_;
+    bool has_working_;
+    Words words_;
+    std::size_t primitive_count_ = 0;
+    std::size_t group_count_ = 0;
+    std::string heading_;
+    std::unordered_map<std::size_t, std::size_t> group_of_;
+    std::vector<std::string> names_; ///< of the current primitive's vertices
+    std::unordered_map<std::string, std::size_t> pattern_places_;
+    JsonList groups_, primitives_, step_kinds_, fills_, at_, working_, pixels_, depths_, samples_,
+        rows_, edges_, rejects_, patterns_;
+};
+
+} // namespace
+
+std::optional<Problem> too_large_for_page(const Trace& trace) {
+    const auto pixels = static_cast<std::size_t>(trace.canvas.width) *
+                        static_cast<std::size_t>(trace.canvas.height);
+    if (pixels > most_page_pixels)
+        return problem_of("",
+                          fmt::format("expected at most {} pixels for a page, found {} x {}",
+                                      most_page_pixels, trace.canvas.width, trace.canvas.height),
+                          "a .png or .svg shows it, or a page of the scene on a smaller canvas");
+    if (trace.size() > most_page_steps)
+        return problem_of("",
+                          fmt::format("expected at most {} steps for a page, found {}",
+                                      most_page_steps, trace.size()),
+                          "a trace of fewer makes one: trace --only, --region or --primitive");
+    return std::nullopt;
+}
+
+std::string page_data(const Trace& trace, PageDetail detail) {
+    return PageData(trace, detail).text();
+}
+
+} // namespace rastertrace

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The files of figures/page, as the build has put them into the program (cmake/embed.cmake).
+
+#include <string>
+
+namespace rastertrace {
+
+std::string page_html();
+std::string page_css();
+std::string page_js();
+
+} // namespace rastertrace

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// The module for pages must say of a scene what the program says: the same trace, byte for byte, or the same message.
+//
+//     node check_module.js rastertrace.js PROGRAM RANDOM_SCENES EXAMPLES [COUNT]
+
+'use strict';
+const {execFileSync, spawnSync} = require('child_process');
+const fs = require('fs');
+const os = require('os');
+const path = require('path');
+
+// About half of the random scenes lie in the plane: 2,300 make more than a thousand.
+const [module_file, program, random_scenes, examples, count = '2300'] = process.argv.slice(2);
+
+/// The scenes of a folder and those below it, as [name, text], in the order of their names.
+function scenes_in(folder) {
+  return fs.readdirSync(folder, {withFileTypes: true})
+      .sort((a, b) => (a.name < b.name ? -1 : 1))
+      .flatMap((entry) => {
+        const file = path.join(folder, entry.name);
+        if (entry.isDirectory()) return scenes_in(file);
+        return entry.name.endsWith('.json') ? [[file, fs.readFileSync(file, 'utf8')]] : [];
+      });
+}
+
+/// True for the scenes whose vertices a page lets its reader drag: in the plane, with at most ten triangles.
+function can_be_dragged([, text]) {
+  const scene = JSON.parse(text);
+  const has = (key) => scene[key] !== undefined;
+  return has('vertices') && !has('projection') && !has('camera') && !has('model') && !has('vary') &&
+      (scene.triangles ?? []).length <= 10 && !(scene.meshes ?? []).some((mesh) => mesh.obj !== undefined);
+}
+
+/// Scenes as a page makes them: vertices on whole pixels or on quarters of one, on a canvas of up to 128 x 128, for
+/// every fill and kind of number.
+function dragged_scenes() {
+  const scenes = [];
+  let state = 20261123;
+  const random = (below) => {
+    state = (state * 48271) % 2147483647;
+    return state % below;
+  };
+  for (const fill of ['scanline', 'two-halves', 'barycentric', 'top-left', 'fan'])
+    for (const scalar of ['float', 'double', 'fixed', 'adaptive', 'exact'])
+      for (const step of [1, 4])
+        for (const size of [17, 128]) {
+          const place = () => [0, 1].map(() => (random((size + 8) * step) - 4 * step) / step);
+          const names = 'ABCDEFGHIJKL'.slice(0, 3 + random(10));
+          const corners = () => [0, 1, 2].map(() => names[random(names.length)]);
+          const scene = {
+            canvas: {width: size, height: size, origin: ['center', 'bottom-left', 'top-left'][random(3)]},
+            vertices: Object.fromEntries([...names].map((name) => [name, place()])),
+            triangles: [],
+            lines: [names.slice(0, 2)],
+            method: {fill, scalar, line: ['bresenham', 'dda', 'naive'][random(3)]},
+          };
+          for (let i = random(10); i >= 0; --i) {
+            const three = corners();
+            if (new Set(three).size === 3) scene.triangles.push({vertices: three.join(''), name: `t${i}`});
+          }
+          scenes.push([`dragged ${fill} ${scalar} 1/${step} ${size}`, JSON.stringify(scene)]);
+        }
+  return scenes;
+}
+
+/// What the program says: a trace, or a message that calls the scene "scene", as the module does.
+function asked_of_program(text) {
+  const run = spawnSync(program, ['trace', '-', '-o', '-'], {input: text, encoding: 'utf8', maxBuffer: 1 << 30});
+  if (run.error) throw run.error;
+  return run.status === 0 ? {trace: run.stdout} :
+                            {message: run.stderr.replace(/^rastertrace: standard input/, 'scene').trimEnd()};
+}
+
+function asked_of_module(module, text) {
+  try {
+    return {trace: module.trace(text)};
+  } catch (error) {
+    return {message: error.message};
+  }
+}
+
+async function main() {
+  const module = await require(path.resolve(module_file))();
+  const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'rastertrace-'));
+  execFileSync(random_scenes, [count, folder]);
+  const all = {
+    'examples': scenes_in(examples).filter(can_be_dragged),
+    'random scenes': scenes_in(folder).filter(can_be_dragged),
+    'dragged scenes': dragged_scenes(),
+  };
+  if (all['random scenes'].length < 1000) throw new Error('expected 1,000 random scenes in the plane');
+  fs.rmSync(folder, {recursive: true});
+
+  const without_file = asked_of_module(module, '{"meshes": [{"obj": "cube.obj"}]}');
+  if (!/^cube.obj: expected a file that can be read/.test(without_file.message))
+    throw new Error(`expected a message that there is no file, found ${JSON.stringify(without_file)}`);
+
+  let differences = 0;
+  for (const [kind, scenes] of Object.entries(all)) {
+    let traces = 0;
+    let seconds = 0;
+    let longest = 0;
+    for (const [name, text] of scenes) {
+      const expected = asked_of_program(text);
+      const begin = process.hrtime.bigint();
+      const found = asked_of_module(module, text);
+      const took = Number(process.hrtime.bigint() - begin) / 1e9;
+      seconds += took;
+      longest = Math.max(longest, took);
+      traces += found.trace !== undefined ? 1 : 0;
+      if (found.trace === expected.trace && found.message === expected.message) continue;
+      ++differences;
+      if (differences > 5) continue;
+      const lines = [expected, found].map((said) => (said.trace ?? said.message).split('\n'));
+      const line = lines[0].findIndex((text, i) => text !== lines[1][i]);
+      console.error(`${name}\n${text}\nline ${line + 1} of the program: ${lines[0][line]}\n` +
+                    `line ${line + 1} of the module:  ${lines[1][line]}`);
+    }
+    console.log(`${kind}: ${traces} traces, ${scenes.length - traces} messages; the module took ` +
+                `${(1000 * seconds / scenes.length).toFixed(1)} ms on average, ${longest.toFixed(2)} s at most`);
+    if (traces === 0) throw new Error(`no ${kind} were drawn`);
+  }
+  console.log(`${differences} differences`);
+  process.exitCode = differences === 0 ? 0 : 1;
+}
+
+main();

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "figure_page.h"
+
+#include "load.h"
+#include "page_scene.h"
+
+#include <rastertrace/figures/page.h>
+#include <rastertrace/trace/output.h>
+#include <rastertrace/trace/selector.h>
+#include <rastertrace/wasm/module.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rastertrace {
+
+namespace {
+
+/// A word as a shell takes it.
+std::string shell_word(const std::string& word) {
+    constexpr std::string_view plain =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._+-";
+    if (!word.empty() && word.find_first_not_of(plain) == std::string::npos)
+        return word;
+    std::string quoted = "'";
+    for (const char c : word)
+        if (c == '\'')
+            quoted += "'\\''";
+        else
+            quoted += c;
+    return quoted + "'";
+}
+
+/// What a command that is typed beside the input calls it, with the options that it was drawn with; "" for a pipe.
+std::string input_of_page(const FigureCommand& command, const InputFrames& input,
+                          std::size_t frame) {
+    if (command.trace == "-")
+        return {};
+    std::string text = shell_word(std::filesystem::path(command.trace).filename().string());
+    for (const auto& [key, value] : command.method)
+        text += fmt::format(" --{} {}", key, value);
+    if (input.is_sequence())
+        text += fmt::format(" --frame {}", frame);
+    return text;
+}
+
+/// What the page says of its first frame.
+void set_options(const FigureCommand& command, const InputFrames& input, const Trace& trace,
+                 PageOptions& options) {
+    options.title = command.options.title.value_or(trace.title);
+    if (command.which == FigureCommand::Which::step) {
+        const Selector selector =
+            value_or_throw(parse_selector({"--step", command.selector}, trace));
+        options.step = value_or_throw(matching_step(selector, trace, "say which"));
+    }
+    if (const Source* const scene = input.given_scene())
+        options.scene = scene_to_move(*scene, command.method, trace.canvas);
+}
+
+/// Refuses a frame that has no room on the page, beside those before it.
+void check_frame(const Trace& trace, std::size_t frames_before, std::size_t steps_before) {
+    if (const auto problem = too_large_for_page(trace))
+        throw *problem;
+    if (steps_before + trace.size() > most_page_steps)
+        throw problem_of("",
+                         fmt::format("expected at most {} steps for a page, found more in the "
+                                     "first {} frames",
+                                     most_page_steps, frames_before + 1),
+                         "--frame N makes a page of one frame");
+}
+
+} // namespace
+
+ExitStatus write_page(const FigureCommand& command) {
+    InputFrames input(
+        command.trace,
+        {.method = command.method, .limits = command.input, .frames = command.frames});
+    ExitStatus status = exit_fine;
+    PageOptions options{.theme = command.style.theme, .view = command.options.view};
+    options.module = wasm_module();
+    std::vector<PageFrame> frames;
+    std::size_t steps = 0;
+    for (std::size_t frame = input.first(); frame <= input.last(); ++frame) {
+        const Trace trace = input.trace(frame);
+        status = std::max(status, report_damage(trace));
+        check_frame(trace, frames.size(), steps);
+        steps += trace.size();
+        if (frames.empty())
+            set_options(command, input, trace, options);
+        frames.push_back({.label = input.is_sequence() ? input.label(frame) : std::string(),
+                          .data = page_data(trace),
+                          .file = input_of_page(command, input, frame)});
+    }
+    const std::string page = page_of(frames, options);
+    if (command.output == "-") {
+        print(page);
+    } else {
+        FileOutput file(command.output, input.files());
+        file.write(page);
+        file.commit();
+    }
+    return status;
+}
+
+} // namespace rastertrace

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "page_scene.h"
+
+#include <rastertrace/figures/page.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+namespace rastertrace {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What a scene in the plane may say; of what it draws, the number is limited.
+constexpr std::array<std::string_view, 4> drawn{"points", "lines", "triangles", "outlines"};
+constexpr std::array<std::string_view, 7> others{"$schema",  "title",  "canvas", "background",
+                                                 "vertices", "colors", "method"};
+
+bool is_plane_vertex(const Json& vertex) {
+    return vertex.is_array() && vertex.size() == 2 &&
+           std::all_of(vertex.begin(), vertex.end(),
+                       [](const Json& number) { return number.is_number() || number.is_string(); });
+}
+
+bool can_be_moved(const Json& scene) {
+    std::size_t primitives = 0;
+    for (const auto& [key, value] : scene.items()) {
+        if (std::find(drawn.begin(), drawn.end(), key) != drawn.end())
+            primitives += value.size();
+        else if (std::find(others.begin(), others.end(), key) == others.end())
+            return false;
+    }
+    const auto vertices = scene.find("vertices");
+    return primitives <= most_primitives_to_move && vertices != scene.end() &&
+           vertices->is_object() &&
+           std::all_of(vertices->begin(), vertices->end(), is_plane_vertex);
+}
+
+std::string_view name_of(Origin origin) {
+    return origin == Origin::center        ? "center"
+           : origin == Origin::bottom_left ? "bottom-left"
+                                           : "top-left";
+}
+
+} // namespace
+
+std::string scene_to_move(const Source& source, const MethodOverrides& method,
+                          const Canvas& canvas) {
+    Json scene = Json::parse(source.text, nullptr, false);
+    if (!scene.is_object() || !can_be_moved(scene) ||
+        std::max(canvas.width, canvas.height) > largest_side_with_why_not)
+        return {};
+    scene["canvas"] = {
+        {"width", canvas.width}, {"height", canvas.height}, {"origin", name_of(canvas.origin)}};
+    for (const auto& [key, value] : method) {
+        const MethodKey* const row = find_method_key(key);
+        scene["method"][key] =
+            row != nullptr && row->is_number() ? Json::parse(value, nullptr, false) : Json(value);
+    }
+    return scene.dump();
+}
+
+} // namespace rastertrace
