@@ -180,6 +180,22 @@ TEST_F(GrowingTraceTest, BeginsWithWhatIsInFrontOfALineThatIsNoStep) {
     EXPECT_EQ(growing.trace().damage[0].message, "expected a whole number, found \"five\"");
 }
 
+TEST_F(GrowingTraceTest, HasEveryStepInFrontOfAWrongLine) {
+    const std::string text = lines_of(scene_in(
+        R"({"canvas":{"width":9,"height":9},"vertices":{"A":[0,3],"B":[-3,-2],"C":[3,-2]},"triangles":["ABC"]})"));
+    std::size_t line = text.find('\n') + 1;
+    for (std::size_t good = 0; text.find('\n', line) + 1 < text.size(); ++good) {
+        write(text.substr(0, line) + "rubbish\n" + text.substr(line));
+        GrowingTrace growing = opened();
+        while (growing.read_on()) {
+        }
+        EXPECT_EQ(growing.trace().size(), good);
+        ASSERT_EQ(growing.trace().damage.size(), 1U);
+        EXPECT_EQ(growing.trace().damage[0].line, good + 2);
+        line = text.find('\n', line) + 1;
+    }
+}
+
 TEST_F(GrowingTraceTest, TellsThatItsFileIsAnotherOne) {
     const std::string text = lines_of(
         scene_in(R"({"canvas":{"width":9,"height":9},"vertices":{"A":[0,3]},"points":["A"]})"));
@@ -194,6 +210,14 @@ TEST_F(GrowingTraceTest, TellsThatItsFileIsAnotherOne) {
     std::filesystem::rename(path_, path_ + ".old");
     write(text);
     EXPECT_EQ(replaced.change(), path_ + " is another file now");
+
+    GrowingTrace shrunk = opened(true);
+    write("\n", std::ios::app);
+    while (shrunk.read_on()) {
+    }
+    std::filesystem::resize_file(path_, text.size() - 30);
+    EXPECT_EQ(shrunk.change(), path_ + " was cut short");
+    write(text);
 
     const GrowingTrace longer = opened();
     const GrowingTrace followed = opened(true);

@@ -124,7 +124,7 @@ tmux -L "$server" kill-session -t one
 
 # No terminal to be played on: what show prints, and why.
 begin 80 24 "TERM=dumb" "$scene"
-wait_for "is no terminal that can be played on"
+wait_for "no terminal that can be played on"
 end 0
 "$program" play "$scene" >"$folder/out" 2>"$folder/err" </dev/null
 "$program" show "$scene" --working | cmp - "$folder/out" || fail "without a terminal: not what show prints"

@@ -49,6 +49,12 @@ void type(Player& player, const std::string& text) {
     press(player, {"Enter"});
 }
 
+/// As long as it plays, or a minute.
+void play_on(Player& player) {
+    for (int i = 0; i < 240 && player.is_playing(); ++i)
+        player.pass(0.25);
+}
+
 std::size_t step_after(Player& player, const std::vector<std::string>& keys) {
     press(player, keys);
     return player.playback().step();
@@ -153,7 +159,8 @@ TEST(Player, AsksWhoDrewThePixel) {
     const Trace trace = trace_of(first_triangle());
     EXPECT_EQ(player.question()->answer()->value().answer,
               explain(trace, {.about = Topic::pixel, .pixel = {-1, 2}}).value().answer);
-    EXPECT_THAT(screen_text(player), HasSubstr("pixel (-1, 2): drawn by ABC at step 15"));
+    EXPECT_THAT(screen_text(player, {200, 50}),
+                HasSubstr("pixel (-1, 2), in the end: drawn by ABC at step 15"));
     press(player, {"H"});
     EXPECT_THAT(screen_text(player, {200, 50}), HasSubstr("not ABC: AB begins row y=2"));
 }
@@ -165,7 +172,7 @@ TEST(Player, SearchesForSteps) {
     type(player, "scanline y=2");
     EXPECT_EQ(player.playback().step(), 14U);
     EXPECT_EQ(step_after(player, {"n"}), 14U);
-    EXPECT_EQ(player.message(), "no other step is scanline y=2");
+    EXPECT_EQ(player.message(), "no other step that way is scanline y=2");
     press(player, {"/"});
     type(player, "scanline");
     EXPECT_EQ(step_of(player).text("y"), "1");
@@ -194,13 +201,15 @@ TEST(Player, PlaysAndStopsAtBreakpoints) {
     EXPECT_TRUE(player.is_playing());
     player.pass(0.5); // 4 steps a second
     EXPECT_EQ(player.playback().step(), 2U);
-    player.pass(100);
+    play_on(player);
     EXPECT_FALSE(player.is_playing());
     EXPECT_EQ(step_of(player).text("y"), "3");
     EXPECT_EQ(player.message(), "breakpoint");
     press(player, {"B", "+", "Space"});
     EXPECT_EQ(player.steps_per_second(), 8);
-    player.pass(100);
+    player.pass(100); // who was stopped so long has missed nothing
+    EXPECT_LE(player.playback().step(), 14U);
+    play_on(player);
     EXPECT_EQ(player.playback().step(), 62U);
     EXPECT_FALSE(player.is_playing());
     press(player, {"Space"});
@@ -249,6 +258,76 @@ TEST(Player, ChangesWhatIsLookedAt) {
     EXPECT_FALSE(player.has_working());
     press(player, {"x"});
     EXPECT_EQ(player.message(), "x does nothing; ? lists the keys");
+}
+
+TEST(Player, BeginsWithTheViewAndTheStepThatWereAskedFor) {
+    const Player player =
+        player_of(first_triangle(), {.view = View::writes, .step = "scanline y=2"});
+    EXPECT_EQ(player.view(), View::writes);
+    EXPECT_EQ(player.playback().step(), 14U);
+    EXPECT_EQ(player_of(first_triangle(), {.step = "last"}).playback().step(), 62U);
+    EXPECT_THROW(player_of(first_triangle(), {.step = "63"}), Problem);
+    EXPECT_THROW(player_of(first_triangle(), {.step = "scanline y=200"}), Problem);
+    EXPECT_THROW(player_of(first_triangle(), {.step = "scan"}), Problem);
+}
+
+TEST(Player, DoesWhatANumberInFrontSays) {
+    Player player = player_of(first_triangle());
+    press(player, {"c", "5", "L", "2", "K"});
+    EXPECT_EQ(player.cursor(), (Pixel{5, 2}));
+    EXPECT_EQ(step_after(player, {"0", "]"}), 1U); // not at all makes no sense: once
+    EXPECT_EQ(step_after(player, {"1", "2", "Backspace", "4", "G"}), 14U);
+    press(player, {"9", "9", "j"});
+    EXPECT_EQ(player.message(), "no row begins that way");
+    EXPECT_EQ(step_of(player).text("y"), "-3"); // the last one
+}
+
+TEST(Player, LooksAtTheStepUntilTheCursorMoves) {
+    Player player = player_of(first_triangle());
+    press(player, {"3", "1", "G", "c"});
+    EXPECT_FALSE(player.looks_at_cursor());
+    press(player, {"L"});
+    EXPECT_TRUE(player.looks_at_cursor());
+    press(player, {"Right"});
+    EXPECT_FALSE(player.looks_at_cursor());
+}
+
+TEST(Player, TurnsThePagesOfItsHelp) {
+    Player player = player_of(first_triangle());
+    press(player, {"?"});
+    EXPECT_THAT(screen_text(player), HasSubstr("page 1 of"));
+    press(player, {"Space"});
+    EXPECT_THAT(screen_text(player), HasSubstr("page 2 of"));
+    press(player, {"k"});
+    EXPECT_THAT(screen_text(player), HasSubstr("page 1 of"));
+    press(player, {"q"});
+    EXPECT_EQ(player.help_page(), 0U);
+    EXPECT_FALSE(player.wants_to_leave());
+    press(player, {"?", "G"});
+    EXPECT_EQ(player.help_page(), 0U);
+    EXPECT_EQ(player.playback().step(), 62U);
+}
+
+TEST(Player, WritesNothingThatATerminalObeys) {
+    Player player(
+        {.open =
+             [](std::size_t) {
+                 return GrowingTrace(readable_trace(
+                     "{\"rastertrace\":1,\"title\":\"\\u001b]0;x\",\"canvas\":{\"width\":3,"
+                     "\"height\":3}}\n{\"step\":\"\\u001b[2J\",\"name\":\"\\u202e\"}\n{\"end\":{}}"
+                     "\n"));
+             }},
+        {});
+    press(player, {"Right"});
+    for (const char* const typed : {"x", "\x1b[2J", "primitive"}) {
+        press(player, {"/"});
+        for (const char c : std::string(typed))
+            player.press({std::string(1, c)});
+        press(player, {"Enter"});
+        const std::string text = screen_text(player);
+        EXPECT_EQ(text.find('\x1b'), std::string::npos) << text;
+        EXPECT_EQ(text.find("\u202e"), std::string::npos) << text;
+    }
 }
 
 TEST(Player, IsAtTheFrameOfItsStepAfterAnyMoves) {

@@ -22,8 +22,23 @@ void Replay::go_to(std::size_t n) {
 }
 
 void Replay::go_to_place_of(const Replay& other) {
-    frame_ = other.frame_;
-    has_changed_ = other.has_changed_;
+    Color* const colors = frame_.image.row(trace_.canvas.top()).colors;
+    for (std::size_t tile = 0; tile < has_changed_.size(); ++tile) {
+        if (has_changed_[tile] == 0 && other.has_changed_[tile] == 0)
+            continue; // blank in both
+        const std::size_t begin = tile * tile_size;
+        const std::size_t end = std::min(begin + tile_size, frame_.drawn_by.size());
+        const auto take_over = [begin, end](auto& values, const auto& others) {
+            if (!values.empty())
+                std::copy(others.data() + begin, others.data() + end, values.data() + begin);
+        };
+        std::copy(other.frame_.image.colors().data() + begin,
+                  other.frame_.image.colors().data() + end, colors + begin);
+        take_over(frame_.drawn_by, other.frame_.drawn_by);
+        take_over(frame_.writes, other.frame_.writes);
+        take_over(frame_.stored_by, other.frame_.stored_by);
+        has_changed_[tile] = other.has_changed_[tile];
+    }
     place_ = other.place_;
     if (primitives_.size() < place_.primitives)
         primitives_ = other.primitives_;

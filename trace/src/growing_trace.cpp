@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdint>
 #include <limits>
 #include <system_error>
 #include <utility>
@@ -122,6 +123,11 @@ int GrowingTrace::pipe() const {
     return state_->pipe ? state_->pipe->descriptor() : -1;
 }
 
+void GrowingTrace::wait_for_pipe() const {
+    if (state_->pipe)
+        wait_until_readable(state_->pipe->descriptor());
+}
+
 double GrowingTrace::share() const {
     if (state_->is_whole)
         return 1;
@@ -176,7 +182,11 @@ std::optional<std::string> GrowingTrace::change() const {
     if (::stat(state_->path.c_str(), &at_path) == 0 &&
         (at_path.st_ino != before.st_ino || at_path.st_dev != before.st_dev))
         return state_->path + " is another file now";
-    if (now.st_size < before.st_size)
+    const Trace& trace = state_->trace;
+    const std::size_t needed =
+        trace.size() == 0 ? 0
+                          : trace.offset_of(trace.size()) + trace.step(trace.size()).json().size();
+    if (now.st_size < before.st_size || static_cast<std::size_t>(now.st_size) < needed)
         return state_->path + " was cut short";
     const bool is_written = now.st_mtim.tv_sec != before.st_mtim.tv_sec ||
                             now.st_mtim.tv_nsec != before.st_mtim.tv_nsec;
@@ -192,7 +202,7 @@ std::variant<GrowingTrace, Source> GrowingTrace::open(const std::string& path,
         throw opened.problem();
     InputFile& input = opened.value();
     Source source{.name = input.name(), .text = {}, .file = input.id()};
-    InputCheck fault_of(InputCheck::Kind::scene_or_trace, limits);
+    InputCheck fault_of(InputCheck::Kind::scene_trace_or_claims, limits);
     const LineLayout layout = read_first_line(input, source, fault_of);
     if (layout == LineLayout::other)
         return source;

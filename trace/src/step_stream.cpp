@@ -56,6 +56,7 @@ struct StepStream::State {
     std::array<std::uint64_t, step_kinds> count{};
     std::map<std::string, std::uint64_t> other_count; ///< of kinds that we do not know
     std::optional<EndRecord> end;
+    std::optional<Problem> fault; ///< what stands behind the current block
     std::vector<Problem> damage;
     std::vector<Problem> passed_over; ///< in the header and the end record
 
@@ -145,7 +146,13 @@ struct StepStream::State {
         }
         const std::string_view lines = std::string_view(text).substr(0, size);
         const bool is_cut_off = !is_last && has_all;
-        block = trace_of(lines, is_cut_off);
+        if (fault)
+            throw *fault;
+        try {
+            block = trace_of(lines, is_cut_off);
+        } catch (const Problem& problem) {
+            return next_block_before(problem, lines);
+        }
         block_begin = text_begin;
         text_begin += size;
         place = 0;
@@ -159,6 +166,24 @@ struct StepStream::State {
         if (is_last)
             read_end();
         return block.size() > 0 || next_block();
+    }
+
+    /// The steps in front of the line that is no step; the next block is the fault.
+    bool next_block_before(const Problem& problem, std::string_view lines) {
+        const std::size_t whole = problem.line > lines_before ? problem.line - lines_before - 1 : 0;
+        std::size_t length = 0;
+        for (std::size_t line = 0; line < whole && length < lines.size(); ++line)
+            length = lines.find('\n', length) + 1;
+        if (length == 0)
+            throw problem;
+        fault = problem;
+        block = trace_of(lines.substr(0, length), false);
+        block_begin = text_begin;
+        lines_before_block = lines_before;
+        count_steps();
+        if (block.size() == 0)
+            throw problem;
+        return true;
     }
 
     void count_steps() {

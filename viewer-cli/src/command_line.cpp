@@ -515,7 +515,7 @@ private:
             return size && 1 <= *size && *size <= most;
         };
         if (parts.size() != 2 || !is_fine(columns) || !is_fine(lines))
-            refuse("--print", "columns and lines from 1 to 1000, as in 80x24,", text);
+            refuse("--print", "columns and lines from 1 to 1000, as in 80x24", text);
         return {*columns, *lines};
     }
 

@@ -567,9 +567,12 @@ LaidOutFrame laid_out_frame(const Replay& replay, const FrameText& about, TextSi
             else
                 in_row.push_back(cells.at(window, row, column));
         line += line_of_cells(in_row, width, has_gaps, 0, scale, about.colors);
+        std::size_t taken = margin + in_row.size() * cell.columns;
         for (const auto& [named, names] : names_in_row)
-            if (has(named))
+            if (has(named) && taken + columns_in(names) <= size.columns) {
+                taken += columns_in(names);
                 line += names;
+            }
         text += line + "\n";
         for (std::size_t more = 1; more < scale; ++more)
             text += std::string(margin, ' ') +

@@ -5,6 +5,7 @@
 #include "command_line.h"
 #include "commands.h"
 #include "load.h"
+#include "terminal_session.h"
 
 #include <rastertrace/trace/unfinished_files.h>
 
@@ -24,6 +25,7 @@ namespace {
 /// assembly, which no exception can pass, and messages need memory themselves.
 [[noreturn]] void end_without_memory() {
     rastertrace::remove_unfinished_files();
+    rastertrace::give_back_terminal();
     rastertrace::print_error("rastertrace: out of memory\n");
     ::_exit(rastertrace::exit_system);
 }

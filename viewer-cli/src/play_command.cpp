@@ -90,8 +90,14 @@ PlayerInput open_input_of(const PlayCommand& command) {
     if (command.follow)
         throw problem_of(command.trace,
                          "--follow: expected a trace of one step a line, found something else");
-    return input_from(std::make_shared<InputFrames>(
-        command.trace, std::move(std::get<Source>(opened)), scene_options(command)));
+    Source& source = std::get<Source>(opened);
+    std::string path = command.trace;
+    if (is_claims(source)) { // what they claim something of
+        path = path_of_scene(value_or_throw(read_claims(std::move(source))));
+        source = load_scene_of_claims(path, command.input);
+    }
+    return input_from(
+        std::make_shared<InputFrames>(path, std::move(source), scene_options(command)));
 }
 
 /// Where nothing can be taken over, the frame is printed.
@@ -107,7 +113,7 @@ int show_instead(const PlayCommand& command) {
     show.frames = command.frames;
     show.has_working = true;
     const int status = run(show);
-    print_error("rastertrace: standard output is no terminal that can be played on: this is what "
+    print_error("rastertrace: there is no terminal that can be played on: this is what "
                 "`show` prints\n");
     return status;
 }
@@ -148,6 +154,7 @@ void play(Player& player, const ScreenAbility& ability) {
     while (!player.wants_to_leave() && terminal.is_open()) {
         is_urgent = terminal.needs_redraw() || is_urgent;
         if (is_urgent || (!is_shown && Clock::now() - drawn >= between_screens)) {
+            player.look_for_change();
             screen = player_screen(player, terminal.size(), ability);
             terminal.show(screen.lines);
             drawn = Clock::now();

@@ -42,7 +42,8 @@ public:
     const Replay& replay() const { return replay_; }
     std::size_t step() const { return replay_.step(); }
 
-    /// What a step near the current one says, see describe_step. Far from it this takes as long as going there.
+    /// What a step near the current one says, see describe_step; valid until another step is asked for. Far from it this
+    /// takes as long as going there.
     const std::string& sentence_of(std::size_t n) const;
 
 private:

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <limits>
 #include <utility>
 
 namespace rastertrace {
@@ -60,24 +61,68 @@ bool touches(const Trace& trace, std::size_t n, Pixel pixel) {
 } // namespace
 
 Player::Player(PlayerInput input, const PlayerOptions& options)
-    : input_(std::move(input)), options_(options), has_own_view_(options.view.has_value()) {
+    : input_(std::move(input)), options_(options), view_(options.view.value_or(View::plotted)),
+      has_own_view_(options.view.has_value()) {
     open(input_.first_frame);
     if (!options.step.empty())
         begin_at(options.step);
 }
 
-/// Of a long trace so much is read that the step is there; its steps cannot be counted before all are.
+/// Of a long trace so much is read that the step is there.
 void Player::begin_at(const std::string& text) {
-    while (playback_->read_on()) {
+    std::size_t looked_at = 0;
+    for (;;) {
+        const bool has_news = playback_->read_on();
+        const bool is_whole = playback_->growing().is_whole();
+        const bool is_last = is_whole || (!has_news && playback_->growing().pipe() < 0);
+        const auto selector = parse_selector({"--step", text, {}}, trace());
+        if (!selector && is_last)
+            throw selector.problem();
+        // "last" is the last of all; of a kind, the first one will do.
+        const bool is_number = selector && selector.value().number;
+        if (selector && !is_number)
+            for (; looked_at < trace().size(); ++looked_at)
+                if (matches(selector.value(), trace(), looked_at + 1,
+                            playback_->snapshots().primitive_of(looked_at + 1))) {
+                    searched_for_ = selector.value();
+                    return move_to(looked_at + 1);
+                }
+        if (is_number &&
+            (is_last || (text != "last" && *selector.value().number <= trace().size())))
+            return move_to(*selector.value().number);
+        if (is_last)
+            throw matching_steps(selector.value(), trace()).problem();
+        if (!has_news)
+            playback_->growing().wait_for_pipe();
     }
-    const auto selector = parse_selector({"--step", text, {}}, trace());
-    if (!selector)
-        throw selector.problem();
-    const auto steps = matching_steps(selector.value(), trace());
-    if (!steps)
-        throw steps.problem();
-    move_to(steps.value().front());
-    searched_for_ = selector.value();
+}
+
+/// The trace of a frame, as far as it can be read at once. The step stays the same, if there is one, or the last.
+void Player::open(std::size_t frame) {
+    const bool was_last = playback_ && step() == trace().size();
+    const std::size_t before = playback_ ? step() : 0;
+    auto opened = std::make_unique<Playback>(input_.open(frame), options_.bytes);
+    opened->read_on();
+    search_.reset();
+    question_.reset();
+    playback_ = std::move(opened);
+    lost_.reset();
+    frame_ = frame;
+    if (!has_own_view_)
+        view_ = default_view(trace());
+    if (cursor_ && !trace().canvas.contains(cursor_->x, cursor_->y))
+        cursor_.reset();
+    set_cursor(cursor_);
+    wanted_ = was_last && before > 0 ? std::numeric_limits<std::size_t>::max() : before;
+    go_to_wanted();
+}
+
+/// False as long as the step has not been read.
+bool Player::go_to_wanted() {
+    if (!wanted_ || (trace().size() < *wanted_ && !playback_->growing().is_whole()))
+        return false;
+    playback_->go_to(std::min(*std::exchange(wanted_, std::nullopt), trace().size()));
+    return true;
 }
 
 /// Where what was open cannot be opened again, it stays.
@@ -94,25 +139,6 @@ bool Player::look_for_change() {
     if (!lost_)
         lost_ = playback_->growing().change();
     return lost_.has_value();
-}
-
-/// The trace of a frame, as far as it can be read at once. The step stays the same, if there is one.
-void Player::open(std::size_t frame) {
-    const std::size_t before = playback_ ? step() : 0;
-    auto opened = std::make_unique<Playback>(input_.open(frame), options_.bytes);
-    opened->read_on();
-    search_.reset();
-    searched_for_.reset();
-    breakpoints_.clear();
-    playback_ = std::move(opened);
-    lost_.reset();
-    frame_ = frame;
-    if (!has_own_view_)
-        view_ = options_.view.value_or(default_view(trace()));
-    if (cursor_ && !trace().canvas.contains(cursor_->x, cursor_->y))
-        cursor_.reset();
-    set_cursor(cursor_);
-    move_to(std::min(before, trace().size()));
 }
 
 std::string Player::frame_label() const {
@@ -132,6 +158,8 @@ std::optional<std::string> Player::prompt() const {
 }
 
 void Player::press(const KeyPress& key, const FrameGrid& grid) {
+    if (key.key.empty())
+        return; // none that we know, or a button of the mouse let go
     message_.clear();
     if (look_for_change()) {
         const auto action = player_action_of(key.key);
@@ -142,18 +170,25 @@ void Player::press(const KeyPress& key, const FrameGrid& grid) {
     if (asked_ != Asked::nothing)
         return type(key.key);
     if (key.key == "Click") {
-        if (const auto pixel = grid.pixel_at(key.line, key.column, trace().canvas))
+        if (const auto pixel = grid.pixel_at(key.line, key.column, trace().canvas)) {
             set_cursor(pixel);
+            looks_at_cursor_ = true;
+        }
         return;
     }
-    if (search_) // any key ends it
-        search_.reset();
+    if (help_page_ > 0 && act_in_help(key.key))
+        return;
+    search_.reset(); // any key ends it
     if (take_digit(key.key))
         return;
     if (key.key == "Escape") {
         is_playing_ = false;
         help_page_ = 0;
         count_.clear();
+        return;
+    }
+    if (key.key == "Backspace" && !count_.empty()) {
+        count_.pop_back();
         return;
     }
     if (key.key == "Enter") {
@@ -164,9 +199,27 @@ void Player::press(const KeyPress& key, const FrameGrid& grid) {
     }
     if (const auto action = player_action_of(key.key))
         act(*action);
-    else if (!key.key.empty())
-        message_ = fmt::format("{} does nothing; ? lists the keys", printable(key.key));
+    else
+        message_ = fmt::format("{} does nothing; ? lists the keys", key.key);
     count_.clear();
+}
+
+/// Keys that turn the pages of the help, or close it; false of another one, which closes it too.
+bool Player::act_in_help(const std::string& key) {
+    for (const char* const forward : {"Space", "Down", "j", "Right", "l", "PageDown", "Enter"})
+        if (key == forward) {
+            ++help_page_;
+            return true;
+        }
+    for (const char* const back : {"Up", "k", "Left", "h", "PageUp"})
+        if (key == back) {
+            help_page_ = std::max<std::size_t>(help_page_, 2) - 1;
+            return true;
+        }
+    if (player_action_of(key) == PlayerAction::help)
+        return false;
+    help_page_ = 0;
+    return player_action_of(key) == PlayerAction::quit;
 }
 
 bool Player::take_digit(const std::string& key) {
@@ -178,7 +231,7 @@ bool Player::take_digit(const std::string& key) {
 }
 
 /// The number that was typed before the key; 1 if none was.
-std::size_t Player::take_count() {
+std::size_t Player::take_count() const {
     std::size_t count = 1;
     std::from_chars(count_.data(), count_.data() + count_.size(), count);
     return count;
@@ -187,14 +240,17 @@ std::size_t Player::take_count() {
 void Player::act(PlayerAction action) {
     using enum PlayerAction;
     using enum Direction;
+    const auto times = [this] {
+        constexpr std::size_t most = 100'000; // more than any canvas has
+        return static_cast<int>(std::min(take_times(), most));
+    };
     const bool has_count = !count_.empty();
-    if (action != help)
-        help_page_ = 0;
+    wanted_.reset();
     switch (action) {
     case next:
-        return move_by(take_count(), forward);
+        return move_by(take_times(), forward);
     case previous:
-        return move_by(take_count(), back);
+        return move_by(take_times(), back);
     case next_row:
         return find_row(forward);
     case previous_row:
@@ -224,11 +280,9 @@ void Player::act(PlayerAction action) {
         due_ = 0;
         return;
     case faster:
-        speed_ = std::min(speed_ * 2, fastest);
-        return;
+        return play_at(speed_ * 2);
     case slower:
-        speed_ = std::max(speed_ / 2, slowest);
-        return;
+        return play_at(speed_ / 2);
     case search:
         asked_ = Asked::search;
         typed_.clear();
@@ -246,13 +300,13 @@ void Player::act(PlayerAction action) {
         breakpoints_.clear();
         return;
     case cursor_left:
-        return move_cursor(-1, 0);
+        return move_cursor(-times(), 0);
     case cursor_right:
-        return move_cursor(1, 0);
+        return move_cursor(times(), 0);
     case cursor_up:
-        return move_cursor(0, -1);
+        return move_cursor(0, -times());
     case cursor_down:
-        return move_cursor(0, 1);
+        return move_cursor(0, times());
     case cursor_to_step:
         return toggle_cursor();
     case next_view:
@@ -288,7 +342,18 @@ void Player::act(PlayerAction action) {
     }
 }
 
+/// The same of a key that does something so many times.
+std::size_t Player::take_times() const {
+    return std::max<std::size_t>(take_count(), 1);
+}
+
+void Player::play_at(double steps_per_second) {
+    speed_ = std::clamp(steps_per_second, slowest, fastest);
+    message_ = fmt::format("{:g} steps a second", speed_);
+}
+
 void Player::move_to(std::size_t step) {
+    looks_at_cursor_ = false;
     const std::size_t last = trace().size();
     if (step > last)
         message_ = fmt::format("expected a step up to {}, found {}", last, step);
@@ -296,6 +361,7 @@ void Player::move_to(std::size_t step) {
 }
 
 void Player::move_by(std::size_t count, Direction direction) {
+    looks_at_cursor_ = false;
     const std::size_t last = trace().size();
     if (direction == Direction::forward && step() == last)
         message_ = playback_->growing().is_whole() ? "this is the last step" : "more is being read";
@@ -310,10 +376,12 @@ void Player::move_by(std::size_t count, Direction direction) {
 /// Begins to search, as often as a number in front of the key says.
 void Player::find(Direction direction, std::function<bool(std::size_t)> is_meant,
                   std::string missing) {
+    looks_at_cursor_ = false;
     search_ = Search{.is_meant = std::move(is_meant),
                      .direction = direction,
+                     .begin = step(),
                      .place = step(),
-                     .remaining = take_count(),
+                     .remaining = take_times(),
                      .missing = std::move(missing)};
     search_on();
 }
@@ -330,19 +398,33 @@ bool Player::search_on() {
             return false; // until more has been read
         if (is_behind) {
             message_ = search.missing;
+            if (search.found != 0)
+                playback_->go_to(search.found);
             search_.reset();
             return true;
         }
         search.place += is_forward ? 1 : std::size_t(-1);
         if (!search.is_meant(search.place))
             continue;
-        playback_->go_to(search.place);
+        search.found = search.place;
         if (--search.remaining == 0) {
+            playback_->go_to(search.found);
             search_.reset();
             return true;
         }
     }
     return true;
+}
+
+std::optional<double> Player::searched() const {
+    if (!search_)
+        return std::nullopt;
+    const bool is_forward = search_->direction == Direction::forward;
+    const auto done = static_cast<double>(is_forward ? search_->place - search_->begin
+                                                     : search_->begin - search_->place);
+    const auto all =
+        static_cast<double>(is_forward ? trace().size() - search_->begin : search_->begin);
+    return all == 0 ? 1 : done / all;
 }
 
 void Player::find_kind(Direction direction) {
@@ -402,6 +484,7 @@ void Player::find_at_cursor(Direction direction) {
     find(
         direction, [this, pixel](std::size_t n) { return touches(trace(), n, pixel); },
         fmt::format("no step touches pixel ({}, {}) that way", pixel.x, pixel.y));
+    looks_at_cursor_ = true;
 }
 
 void Player::find_match(Direction direction) {
@@ -410,7 +493,8 @@ void Player::find_match(Direction direction) {
         return;
     }
     const Selector selector = *searched_for_;
-    std::string missing = fmt::format("no other step is {}", printable(selector.source.text));
+    std::string missing =
+        fmt::format("no other step that way is {}", printable(selector.source.text));
     find(
         direction,
         [this, selector](std::size_t n) {
@@ -424,7 +508,7 @@ void Player::find_match(Direction direction) {
 void Player::type(const std::string& key) {
     if (key == "Enter")
         return finish_typing();
-    if (key == "Escape" || key == "Ctrl+c") {
+    if (key == "Escape") {
         asked_ = Asked::nothing;
         return;
     }
@@ -506,17 +590,20 @@ bool Player::is_at_breakpoint() const {
 bool Player::work() {
     if (look_for_change())
         return false;
+    const bool has_come = go_to_wanted();
     const bool has_searched = search_on();
     const bool has_read = playback_->read_on();
     const bool has_asked =
         question_ && question_->look_on(steps_at_once, playback_->growing().is_whole());
-    return has_searched || has_read || has_asked;
+    return has_come || has_searched || has_read || has_asked;
 }
 
 bool Player::pass(double seconds) {
     if (!is_playing_ || look_for_change())
         return false;
-    due_ += seconds * speed_;
+    constexpr double longest = 0.5; // who was stopped meanwhile missed nothing
+    due_ += std::min(seconds, longest) * speed_;
+    looks_at_cursor_ = false;
     const bool is_due = due_ >= 1;
     for (; due_ >= 1 && is_playing_; due_ -= 1) {
         if (step() == trace().size()) {
@@ -547,12 +634,14 @@ void Player::change_view(int by) {
 
 void Player::change_frame(Direction direction) {
     const bool is_forward = direction == Direction::forward;
+    const std::size_t times = take_times();
     if (input_.first_frame == input_.last_frame)
         message_ = "there is one frame: no number of the scene varies";
     else if (frame_ == (is_forward ? input_.last_frame : input_.first_frame))
         message_ = is_forward ? "this is the last frame" : "this is the first frame";
     else
-        open_or_tell(is_forward ? frame_ + 1 : frame_ - 1);
+        open_or_tell(is_forward ? frame_ + std::min(times, input_.last_frame - frame_)
+                                : frame_ - std::min(times, frame_ - input_.first_frame));
 }
 
 void Player::set_cursor(std::optional<Pixel> pixel) {
@@ -565,6 +654,7 @@ void Player::set_cursor(std::optional<Pixel> pixel) {
 }
 
 void Player::toggle_cursor() {
+    looks_at_cursor_ = false;
     const auto pixel = pixel_looked_at(playback_->replay(), step());
     const Canvas& canvas = trace().canvas;
     const Pixel middle{canvas.left() + canvas.width / 2, canvas.y_of(canvas.height / 2)};
@@ -577,6 +667,7 @@ void Player::toggle_cursor() {
 void Player::move_cursor(int columns, int rows) {
     if (!cursor_)
         return toggle_cursor();
+    looks_at_cursor_ = true;
     const Canvas& canvas = trace().canvas;
     const int row =
         std::clamp(static_cast<int>(canvas.row_of(cursor_->y)) + rows, 0, canvas.height - 1);

@@ -67,14 +67,21 @@ public:
     std::optional<Pixel> cursor() const { return cursor_; }
     const PixelQuestion* question() const { return question_ ? &*question_ : nullptr; }
     double steps_per_second() const { return speed_; }
-    bool is_searching() const { return search_.has_value(); }
+    /// What part of the trace has been searched, from 0 to 1; nothing if no search goes on.
+    std::optional<double> searched() const;
+
+    /// True if the cursor, and not the step, is what is looked at.
+    bool looks_at_cursor() const { return looks_at_cursor_; }
 
     /// The page of the help that is shown, from 1; 0: none.
     std::size_t help_page() const { return help_page_; }
-    void end_help() { help_page_ = 0; }
 
     /// What was typed behind `/` or `b` so far, with that; nothing if nothing is being typed.
     std::optional<std::string> prompt() const;
+
+    /// Finds out whether the trace's file has been changed; true if it has: see lost(). To be asked before the screen is
+    /// drawn.
+    bool look_for_change();
 
     /// Why the trace cannot be looked at any more: its file has been changed. It can be read again.
     const std::optional<std::string>& lost() const { return lost_; }
@@ -93,7 +100,9 @@ private:
     struct Search {
         std::function<bool(std::size_t step)> is_meant;
         Direction direction = Direction::forward;
+        std::size_t begin = 0;     ///< the step it started from
         std::size_t place = 0;     ///< the last step that was looked at
+        std::size_t found = 0;     ///< the last one that is meant; 0: none so far
         std::size_t remaining = 1; ///< so many are passed
         std::string missing = {};  ///< what is said if there is none
     };
@@ -101,12 +110,15 @@ private:
     void open(std::size_t frame);
     void open_or_tell(std::size_t frame);
     void begin_at(const std::string& text);
-    bool look_for_change();
+    bool go_to_wanted();
     void act(PlayerAction action);
+    bool act_in_help(const std::string& key);
     void type(const std::string& key);
     void finish_typing();
     bool take_digit(const std::string& key);
-    std::size_t take_count();
+    std::size_t take_count() const;
+    std::size_t take_times() const;
+    void play_at(double steps_per_second);
     void move_to(std::size_t step);
     void move_by(std::size_t count, Direction direction);
     void find(Direction direction, std::function<bool(std::size_t)> is_meant, std::string missing);
@@ -143,6 +155,8 @@ private:
     std::size_t help_page_ = 0;
 
     std::optional<std::string> lost_;
+    std::optional<std::size_t> wanted_; ///< a step to go to as soon as it has been read
+    bool looks_at_cursor_ = false;
     std::optional<Pixel> cursor_;
     std::optional<PixelQuestion> question_;
 

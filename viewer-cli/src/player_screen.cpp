@@ -27,7 +27,7 @@ constexpr std::size_t side_of_wide = 56;
 
 /// A frame with fewer columns or lines cannot be read.
 constexpr std::size_t least_columns = 24;
-constexpr std::size_t least_lines = 7;
+constexpr std::size_t least_lines = 9;
 
 Lines lines_in(std::string_view text) {
     Lines lines;
@@ -97,7 +97,9 @@ Lines pixel_panel(const Player& player, std::size_t columns, std::size_t count) 
     if (!*question->answer())
         return {shortened(question->answer()->problem().message, columns)};
     const Explanation& answer = question->answer()->value();
-    Lines lines = wrapped(name + ": " + answer.answer, columns);
+    const bool is_at_end = player.playback().step() == player.playback().trace().size();
+    Lines lines = wrapped(
+        fmt::format("{}{}: {}", name, is_at_end ? "" : ", in the end", answer.answer), columns);
     for (const std::string& lack : answer.lacks)
         append(lines, wrapped(lack, columns));
     for (const Try& one : answer.tries)
@@ -110,7 +112,8 @@ Lines pixel_panel(const Player& player, std::size_t columns, std::size_t count) 
                               columns));
     if (lines.size() > count) {
         lines.resize(count);
-        lines.back() = shortened("  ... (`explain --pixel` tells all)", columns);
+        if (count > 1) // the answer is more than where to find the rest
+            lines.back() = shortened("  ... (`explain --pixel` tells all)", columns);
     }
     return lines;
 }
@@ -135,8 +138,8 @@ std::string progress(const Player& player, std::size_t columns) {
                                     view_names()[static_cast<std::size_t>(player.view())]);
     if (player.is_playing())
         right += fmt::format("  playing, {:g} steps a second", player.steps_per_second());
-    if (player.is_searching())
-        right += "  searching";
+    if (const auto searched = player.searched())
+        right += fmt::format("  searching, {:.0f} %, any key ends it", std::floor(100 * *searched));
     if (!playback.growing().is_whole())
         right +=
             playback.growing().share() > 0
@@ -152,20 +155,32 @@ std::string progress(const Player& player, std::size_t columns) {
     return shortened(left + (room >= least_bar ? bar(share, room) + " " : "") + right, columns);
 }
 
-/// What is typed, what is to be said, or what is wrong with the trace, in a few lines at most.
+/// What is typed, with its end if it is long.
+std::string prompt_line(const std::string& prompt, std::size_t columns) {
+    const std::string text = printable(prompt) + "_";
+    std::string_view end = text;
+    while (columns_in(end) > columns)
+        end.remove_prefix(first_characters(end, 1).size());
+    return std::string(end);
+}
+
+/// What is typed, or else what is to be said, what is wrong with the trace, and the keys to begin with.
 Lines last_lines(const Player& player, TextSize size) {
-    const Playback& playback = player.playback();
-    const auto prompt = player.prompt();
-    const std::string text =
-        prompt                      ? printable(*prompt) + "_"
-        : !player.message().empty() ? player.message()
-        : !playback.trace().damage.empty()
-            ? playback.trace().damage.front().message
-            : "? keys   q leave   Right next   Left back   Space play   / search   c cursor";
-    constexpr std::size_t most_lines = 3;
-    const bool is_long = prompt || !player.message().empty() || !playback.trace().damage.empty();
-    Lines lines = is_long ? wrapped(text, size.columns) : Lines{text};
-    lines.resize(std::min(lines.size(), std::min(most_lines, size.lines / 6 + 1)));
+    if (const auto prompt = player.prompt())
+        return {prompt_line(*prompt, size.columns)};
+    Lines lines;
+    const auto& damage = player.playback().trace().damage;
+    if (!player.message().empty())
+        lines = wrapped(printable(player.message()), size.columns);
+    else if (!damage.empty())
+        lines = wrapped(
+            fmt::format("line {}: {}", damage.front().line, printable(damage.front().message)),
+            size.columns);
+    const std::size_t most_lines = std::min<std::size_t>(3, size.lines / 6 + 1);
+    lines.resize(std::min(lines.size(), most_lines));
+    if (player.message().empty() && lines.size() < most_lines)
+        lines.emplace_back(
+            "? keys   q leave   Right next   Left back   Space play   / search   c cursor");
     for (std::string& line : lines)
         line = shortened(line, size.columns);
     return lines;
@@ -183,7 +198,7 @@ FrameText frame_options(const Player& player, const ScreenAbility& ability) {
             .colors = ability.colors,
             .is_overview = player.is_overview(),
             .has_heading = false,
-            .center = player.cursor(),
+            .center = player.looks_at_cursor() ? player.cursor() : std::nullopt,
             .cursor = player.cursor(),
             .scale = std::max<std::size_t>(player.scale(), 1),
             .has_half_blocks = has_half_blocks};
@@ -212,13 +227,16 @@ PlayerScreen help_screen(const Player& player, TextSize size) {
                         all.begin() +
                             static_cast<std::ptrdiff_t>(std::min(first + room, all.size())));
     screen.lines.push_back(shortened(
-        fmt::format("page {} of {}   ? goes on   Escape closes", page + 1, pages), size.columns));
+        fmt::format("page {} of {}   Space goes on   q closes", page + 1, pages), size.columns));
     return screen;
 }
 
 /// Of a trace that cannot be looked at any more.
-PlayerScreen lost_screen(const std::string& why, TextSize size) {
-    Lines lines = wrapped(printable(why) + ".", std::max<std::size_t>(size.columns, 1));
+PlayerScreen lost_screen(const Player& player, TextSize size) {
+    const std::size_t columns = std::max<std::size_t>(size.columns, 1);
+    Lines lines = wrapped(printable(*player.lost()) + ".", columns);
+    if (!player.message().empty())
+        append(lines, wrapped(printable(player.message()) + ".", columns));
     lines.emplace_back("r reads it again, q leaves");
     for (std::string& line : lines)
         line = shortened(line, size.columns);
@@ -244,9 +262,8 @@ std::vector<std::string> player_help(std::size_t columns) {
             front.assign(front.size(), ' ');
         }
     }
-    append(
-        lines,
-        {"", "A number in front of a key: so many times. A click sets the cursor."});
+    append(lines, {"", "A number in front of a key that goes somewhere: so many times.",
+                   "A click sets the cursor."});
     return lines;
 }
 
@@ -256,8 +273,10 @@ namespace {
 PlayerScreen small_screen(const Player& player, TextSize size) {
     const Playback& playback = player.playback();
     Lines lines{fmt::format("{} of {}", playback.step(), playback.trace().size())};
-    append(lines, wrapped(describe_step(player.playback().replay()),
-                          std::max<std::size_t>(size.columns, 1)));
+    const std::string sentence = describe_step(player.playback().replay());
+    const std::size_t room = std::max<std::size_t>(size.lines, 3) - 2;
+    const Lines in_words = wrapped(sentence, std::max<std::size_t>(size.columns, 1));
+    append(lines, in_words.size() <= room ? in_words : Lines{sentence});
     for (std::string& line : lines)
         line = shortened(line, size.columns);
     lines.resize(std::min(lines.size(), std::max<std::size_t>(size.lines, 2) - 1));
@@ -266,9 +285,15 @@ PlayerScreen small_screen(const Player& player, TextSize size) {
     return {std::move(lines), {}};
 }
 
+/// What a whole picture takes; in most views names of vertices stand behind their rows.
+std::size_t columns_of_picture(const Canvas& canvas, const FrameText& about) {
+    constexpr std::size_t for_names = 12;
+    return grid_columns(canvas, about) + 2 + (about.view == View::plotted ? 0 : for_names);
+}
+
 /// Columns beside the picture for panels; 0: they stand below it.
 std::size_t side_columns(const Canvas& canvas, const FrameText& about, std::size_t columns) {
-    const std::size_t taken = grid_columns(canvas, about) + 2;
+    const std::size_t taken = columns_of_picture(canvas, about);
     const std::size_t left = columns - std::min(columns, taken);
     if (left >= least_side && !about.is_overview)
         return std::min(left, most_side);
@@ -309,7 +334,7 @@ std::size_t lines_below(const Canvas& canvas, const FrameText& about, std::size_
 
 PlayerScreen player_screen(const Player& player, TextSize size, const ScreenAbility& ability) {
     if (player.lost())
-        return lost_screen(*player.lost(), size);
+        return lost_screen(player, size);
     if (player.help_page() > 0)
         if (PlayerScreen help = help_screen(player, size); !help.lines.empty())
             return help;
@@ -317,9 +342,15 @@ PlayerScreen player_screen(const Player& player, TextSize size, const ScreenAbil
         return small_screen(player, size);
 
     const Trace& trace = player.playback().trace();
-    const FrameText about = frame_options(player, ability);
+    FrameText about = frame_options(player, ability);
+    if (grid_columns(trace.canvas, about) <= size.columns &&
+        static_cast<std::size_t>(trace.canvas.height) + least_lines <= size.lines)
+        about.is_overview = false; // all of it fits as it is
     Lines lines = frame_heading(trace, about, size.columns);
-    lines.resize(std::min(lines.size(), size.lines / 3));
+    if (const std::size_t most_lines = size.lines / 3; lines.size() > most_lines) {
+        lines.resize(most_lines);
+        lines.back() = shortened(lines.back() + " ...", size.columns);
+    }
     Lines bottom;
     constexpr std::size_t lines_for_conventions = 16;
     if (size.lines >= lines_for_conventions)
@@ -333,7 +364,9 @@ PlayerScreen player_screen(const Player& player, TextSize size, const ScreenAbil
     const Lines panels =
         panels_of(player, side > 0 ? side : size.columns, side > 0 ? body - 1 : below);
     const std::size_t frame_lines = side > 0 ? body : body - panels.size();
-    const std::size_t frame_columns = side > 0 ? size.columns - side - 2 : size.columns;
+    const std::size_t frame_columns =
+        side > 0 ? std::min(size.columns - side - 2, columns_of_picture(trace.canvas, about))
+                 : size.columns;
     // A frame leaves a line for the prompt of a shell, which is not there.
     LaidOutFrame frame =
         laid_out_frame(player.playback().replay(), about, {frame_columns, frame_lines + 1});

@@ -13,6 +13,7 @@
 #include <termios.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -23,7 +24,7 @@ namespace rastertrace {
 
 namespace {
 
-// Another screen without a cursor, lines that are cut instead of wrapped, clicks of the mouse with decimal places.
+// Another screen without a cursor, lines that are cut instead of wrapped, clicks of the mouse in decimal coordinates.
 constexpr std::string_view take_over = "\x1b[?1049h\x1b[?25l\x1b[?7l\x1b[?1000h\x1b[?1006h\x1b[2J";
 constexpr std::string_view give_back = "\x1b[?1006l\x1b[?1000l\x1b[?7h\x1b[?25h\x1b[?1049l";
 
@@ -32,52 +33,68 @@ struct Shared {
     int input = -1;
     termios before{};
     termios during{};
+    volatile std::sig_atomic_t is_taken = 0;
     volatile std::sig_atomic_t needs_redraw = 0;
 };
 Shared shared;
 
-constexpr std::array ending_signals{SIGINT,  SIGTERM, SIGHUP, SIGQUIT, SIGXCPU,
-                                    SIGABRT, SIGSEGV, SIGBUS, SIGFPE,  SIGILL};
-std::array<struct sigaction, ending_signals.size()> before_session;
+constexpr std::array ending_signals{SIGINT,  SIGTERM, SIGHUP,  SIGQUIT,  SIGXCPU, SIGABRT,
+                                    SIGSEGV, SIGBUS,  SIGFPE,  SIGILL,   SIGUSR1, SIGUSR2,
+                                    SIGALRM, SIGSYS,  SIGPIPE, SIGVTALRM};
+constexpr std::array own_signals{SIGTSTP, SIGCONT, SIGWINCH};
+std::array<struct sigaction, ending_signals.size()> ends_before;
+std::array<struct sigaction, own_signals.size()> others_before;
+
+/// Handlers have a stack of their own: the usual one may have come to its end.
+alignas(16) std::array<char, 1 << 16> handler_stack;
 
 /// Safe to call in a handler. What the terminal does not take cannot be helped.
 void write_to_terminal(std::string_view text) {
     while (!text.empty()) {
         const ssize_t count = ::write(STDOUT_FILENO, text.data(), text.size());
-        if (count < 0 && errno != EINTR && errno != EAGAIN)
+        if (count < 0 && errno != EINTR)
             return;
         text.remove_prefix(count > 0 ? static_cast<std::size_t>(count) : 0);
     }
 }
 
-void take_terminal() {
-    ::tcsetattr(shared.input, TCSADRAIN, &shared.during);
-    write_to_terminal(take_over);
+/// Sets the terminal's modes also where the program is in the background, which would stop it.
+void set_modes(const termios& modes) {
+    sigset_t stop{};
+    sigset_t before{};
+    ::sigemptyset(&stop);
+    ::sigaddset(&stop, SIGTTOU);
+    ::sigprocmask(SIG_BLOCK, &stop, &before);
+    ::tcsetattr(shared.input, TCSANOW, &modes);
+    ::sigprocmask(SIG_SETMASK, &before, nullptr);
 }
 
-void return_terminal() {
-    write_to_terminal(give_back);
-    ::tcsetattr(shared.input, TCSADRAIN, &shared.before);
+void take_terminal() {
+    shared.is_taken = 1;
+    set_modes(shared.during);
+    write_to_terminal(take_over);
 }
 
 /// The terminal is given back; then the signal does what it would have done.
 extern "C" void end_session_by_signal(int signal) {
-    return_terminal();
+    ::tcflush(STDOUT_FILENO, TCOFLUSH); // nobody may be reading
+    give_back_terminal();
     if (signal == SIGBUS) {
         // The bytes of a file are looked at in their place, see growing_trace.h.
-        constexpr std::string_view text = "rastertrace: a file was cut short while it was played\n";
+        constexpr std::string_view text = "rastertrace: what was played cannot be read any more: "
+                                          "its file was probably cut short\n";
         [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text.data(), text.size());
         ::_exit(3);
     }
     for (std::size_t i = 0; i < ending_signals.size(); ++i)
         if (ending_signals[i] == signal)
-            ::sigaction(signal, &before_session[i], nullptr);
+            ::sigaction(signal, &ends_before[i], nullptr);
     ::raise(signal);
 }
 
 extern "C" void stop_session(int) {
     const int error = errno;
-    return_terminal();
+    give_back_terminal();
     struct sigaction usual {};
     usual.sa_handler = SIG_DFL;
     struct sigaction own {};
@@ -88,7 +105,14 @@ extern "C" void stop_session(int) {
     ::raise(SIGTSTP);
     ::sigprocmask(SIG_UNBLOCK, &stop, nullptr); // stops here, until somebody goes on
     ::sigaction(SIGTSTP, &own, nullptr);
-    take_terminal();
+    errno = error;
+}
+
+/// Goes on after any stop; in the background the terminal is somebody else's.
+extern "C" void continue_session(int) {
+    const int error = errno;
+    if (::tcgetpgrp(shared.input) == ::getpgrp())
+        take_terminal();
     shared.needs_redraw = 1;
     errno = error;
 }
@@ -106,13 +130,26 @@ sigset_t waited_for() {
     return signals;
 }
 
-void handle(int signal, void (*handler)(int), struct sigaction* before) {
+/// What is ignored from the start, as by nohup, stays so.
+void handle(int signal, void (*handler)(int), struct sigaction& before) {
+    ::sigaction(signal, nullptr, &before);
+    if (before.sa_handler == SIG_IGN)
+        return;
     struct sigaction action {};
     action.sa_handler = handler;
-    ::sigaction(signal, &action, before);
+    action.sa_flags = SA_ONSTACK;
+    ::sigaction(signal, &action, nullptr);
 }
 
 } // namespace
+
+void give_back_terminal() noexcept {
+    if (shared.is_taken == 0)
+        return;
+    shared.is_taken = 0;
+    write_to_terminal(give_back);
+    set_modes(shared.before);
+}
 
 bool TerminalSession::is_possible() {
     const char* const kind = std::getenv("TERM");
@@ -134,26 +171,28 @@ TerminalSession::TerminalSession()
     shared.during.c_iflag &= ~static_cast<tcflag_t>(IXON | ICRNL);
     shared.during.c_cc[VMIN] = 1;
     shared.during.c_cc[VTIME] = 0;
-    for (std::size_t i = 0; i < ending_signals.size(); ++i) {
-        ::sigaction(ending_signals[i], nullptr, &before_session[i]);
-        if (before_session[i].sa_handler != SIG_IGN) // as by nohup
-            handle(ending_signals[i], end_session_by_signal, nullptr);
-    }
+    stack_t stack{};
+    stack.ss_sp = handler_stack.data();
+    stack.ss_size = handler_stack.size();
+    ::sigaltstack(&stack, nullptr);
+    for (std::size_t i = 0; i < ending_signals.size(); ++i)
+        handle(ending_signals[i], end_session_by_signal, ends_before[i]);
     const sigset_t signals = waited_for();
     ::sigprocmask(SIG_BLOCK, &signals, nullptr);
-    handle(SIGTSTP, stop_session, nullptr);
-    handle(SIGWINCH, note_size, nullptr);
+    handle(SIGTSTP, stop_session, others_before[0]);
+    handle(SIGCONT, continue_session, others_before[1]);
+    handle(SIGWINCH, note_size, others_before[2]);
     take_terminal();
 }
 
 TerminalSession::~TerminalSession() {
-    return_terminal();
+    give_back_terminal();
+    for (std::size_t i = 0; i < own_signals.size(); ++i)
+        ::sigaction(own_signals[i], &others_before[i], nullptr);
     const sigset_t signals = waited_for();
-    handle(SIGTSTP, SIG_DFL, nullptr);
-    handle(SIGWINCH, SIG_DFL, nullptr);
     ::sigprocmask(SIG_UNBLOCK, &signals, nullptr);
     for (std::size_t i = 0; i < ending_signals.size(); ++i)
-        ::sigaction(ending_signals[i], &before_session[i], nullptr);
+        ::sigaction(ending_signals[i], &ends_before[i], nullptr);
 }
 
 TextSize TerminalSession::size() const {

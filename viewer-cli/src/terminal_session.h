@@ -20,6 +20,10 @@
 
 namespace rastertrace {
 
+/// Gives the terminal back, if a session has it: for who ends the program without ending the session. May be called in a
+/// handler of a signal.
+void give_back_terminal() noexcept;
+
 class TerminalSession {
 public:
     /// True if standard output is a terminal that can be taken over, and keys can be read from it.

@@ -55,6 +55,9 @@ public:
     /// The pipe that more may come from, to be waited for; -1: none.
     int pipe() const;
 
+    /// Waits until there is more from it.
+    void wait_for_pipe() const;
+
     /// Why the file is not what was read any more, if somebody has cut it short or written it anew. Its steps must not
     /// be looked at then.
     std::optional<std::string> change() const;
