@@ -364,7 +364,11 @@ TEST(ExplainPixel, EveryPixelOfEveryExample) {
             files.push_back(entry.path().string());
     std::sort(files.begin(), files.end());
     ASSERT_GT(files.size(), 30U);
-    for (const std::string& file : files) {
+    constexpr std::size_t group = 10; // of which the sanitizers look at one
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        if (i % group >= random_cases(group))
+            continue;
+        const std::string& file = files[i];
         std::ifstream text(file);
         auto scene = read_scene({file, {std::istreambuf_iterator<char>(text), {}}});
         ASSERT_TRUE(scene) << to_text(scene.problem());

@@ -97,5 +97,62 @@ TEST(FrameText, Bare) {
     EXPECT_EQ(bare_frame_text(frame_after(trace, 62)), textbook_picture);
 }
 
+/// The grid of a triangle, without title and sentence.
+std::string grid(FrameText about, TextSize size = {}) {
+    const Trace trace = trace_of(scene_in(R"({"canvas":{"width":5,"height":4,"origin":"top-left"},
+        "vertices":{"A":[0,0],"B":[3,0],"C":[0,3]},"triangles":["ABC"]})"));
+    Replay replay(trace, {.writes = true});
+    replay.go_to(trace.size());
+    about.first_step = about.last_step = trace.size();
+    about.has_heading = false;
+    return frame_text(replay, about, size);
+}
+
+TEST(FrameText, MarksTheCursor) {
+    EXPECT_EQ(grid({.view = View::plotted, .cursor = Pixel{1, 1}}), "\n"
+                                                                    "      0 1 2 3 4\n"
+                                                                    "  0   A # # B .\n"
+                                                                    "  1   #(#)# . .\n"
+                                                                    "  2   # # . . .\n"
+                                                                    "> 3   @ . . . .\n");
+    // Without gaps it is another sign.
+    EXPECT_EQ(grid({.view = View::plotted, .cursor = Pixel{1, 1}}, {10, 20}), "\n"
+                                                                              "     0 2 4\n"
+                                                                              "  0  A##B.\n"
+                                                                              "  1  #+#..\n"
+                                                                              "  2  ##...\n"
+                                                                              "> 3  @....\n");
+}
+
+TEST(FrameText, OfLargeCellsFillsThemWithSignsAndCentersTheRest) {
+    EXPECT_EQ(grid({.view = View::plotted, .cursor = Pixel{4, 3}, .scale = 2}),
+              "\n"
+              "        0   1   2   3   4\n"
+              "  0   AAA ### ### BBB    \n"
+              "      AAA ### ### BBB  . \n"
+              "  1   ### ### ###        \n"
+              "      ### ### ###  .   . \n"
+              "  2   ### ###            \n"
+              "      ### ###  .   .   . \n"
+              "> 3   @@@            (   )\n"
+              "      @@@  .   .   . ( . )\n");
+}
+
+TEST(FrameText, OfHalfBlocksHasTwoPixelsInACharacter) {
+    const std::string text = grid({.view = View::shade,
+                                   .colors = ColorDepth::truecolor,
+                                   .cursor = Pixel{3, 1},
+                                   .has_half_blocks = true});
+    const std::string black = "\x1b[38;2;0;0;0m▀\x1b[0m";
+    const std::string both = "\x1b[38;2;0;0;0;48;2;0;0;0m▀\x1b[0m";
+    EXPECT_EQ(
+        text,
+        "\n     0 2 4\n  0  " + both + both + both +
+            "\x1b[38;2;0;0;0;48;2;255;255;0m▀\x1b[0m·  A x=0  B x=3\n" // the cursor below a black one
+            "> 2  \x1b[38;2;0;0;0;48;2;255;0;255m▀\x1b[0m" +           // the last step's pixel
+            black +
+            "···  C x=0\n\ndark -~:+=*o%8& light\n");
+}
+
 } // namespace
 } // namespace rastertrace
