@@ -322,7 +322,9 @@ function clip(a, b) {
 
 function line(name, a, b) {
   const part = clip(a, b);
-  return part ? [shape("line", {class: name, x1: part[0].x, y1: part[0].y, x2: part[1].x, y2: part[1].y})] : [];
+  if (!part) return [];
+  const ends = {x1: part[0].x, y1: part[0].y, x2: part[1].x, y2: part[1].y};
+  return [shape("line", {class: "line-rim", ...ends}), shape("line", {class: name, ...ends})];
 }
 
 /** The sides of a primitive. */
