@@ -567,12 +567,15 @@ LaidOutFrame laid_out_frame(const Replay& replay, const FrameText& about, TextSi
             else
                 in_row.push_back(cells.at(window, row, column));
         line += line_of_cells(in_row, width, has_gaps, 0, scale, about.colors);
+        // Without a heading, as in the player, something may stand beside the grid.
         std::size_t taken = margin + in_row.size() * cell.columns;
-        for (const auto& [named, names] : names_in_row)
-            if (has(named) && taken + columns_in(names) <= size.columns) {
-                taken += columns_in(names);
+        for (const auto& [named, names] : names_in_row) {
+            if (!has(named))
+                continue;
+            taken += columns_in(names);
+            if (about.has_heading || taken <= size.columns)
                 line += names;
-            }
+        }
         text += line + "\n";
         for (std::size_t more = 1; more < scale; ++more)
             text += std::string(margin, ' ') +
