@@ -15,6 +15,7 @@
 
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace rastertrace {
 
@@ -55,6 +56,22 @@ inline Trace sound_trace(const std::string& text) {
 
 inline Trace trace_of(const Scene& scene) {
     return sound_trace(trace_text(scene));
+}
+
+/// The steps of a trace as they stand there.
+inline std::vector<std::string> steps_of(const Trace& trace) {
+    std::vector<std::string> steps;
+    for (std::size_t n = 1; n <= trace.size(); ++n)
+        steps.emplace_back(trace.step(n).json());
+    return steps;
+}
+
+/// What is wrong with a trace, in messages.
+inline std::vector<std::string> damage_of(const Trace& trace) {
+    std::vector<std::string> damage;
+    for (const Problem& problem : trace.damage)
+        damage.push_back(to_text(problem));
+    return damage;
 }
 
 /// What the trace of a scene amounts to.

@@ -134,14 +134,7 @@ void add_vertices(const Panel& panel, std::vector<Shape>& shapes) {
         if (!box)
             continue;
         obstacles.words.push_back(*box);
-        const auto [x, anchor] = anchor_beside(vertex.at, *box);
-        labels.push_back(Label{.role = Role::strong_text,
-                               .at = {x, box->top() + 0.85 * size},
-                               .text = words,
-                               .size = size,
-                               .anchor = anchor,
-                               .is_bold = true,
-                               .has_rim = true});
+        labels.push_back(strong_label_in(*box, {vertex.at, vertex.inside, words, size}));
     }
     shapes.push_back(std::move(dots));
     shapes.insert(shapes.end(), labels.begin(), labels.end());

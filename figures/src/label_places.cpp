@@ -109,6 +109,18 @@ LabelAnchor anchor_beside(Place mark, const Rectangle& box) {
     return {(box.left() + box.right()) / 2, Anchor::middle};
 }
 
+Label strong_label_in(const Rectangle& box, const WordsWish& wish) {
+    constexpr double baseline = 0.85; // of the size of letters, below the top of their box
+    const auto [x, anchor] = anchor_beside(wish.mark, box);
+    return {.role = Role::strong_text,
+            .at = {x, box.top() + baseline * wish.size},
+            .text = std::string(wish.words),
+            .size = wish.size,
+            .anchor = anchor,
+            .is_bold = true,
+            .has_rim = true};
+}
+
 bool LabelPlaces::is_free(const Rectangle& box) const {
     return area_.has(box) &&
            std::none_of(taken_.begin(), taken_.end(),

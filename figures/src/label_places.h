@@ -62,6 +62,9 @@ struct Obstacles {
 /// The best box for words, of eight around their mark. `nullopt` if each has other words below it.
 std::optional<Rectangle> words_beside(const WordsWish& wish, const Obstacles& obstacles);
 
+/// Words in their box, beside the mark that they belong to.
+Label strong_label_in(const Rectangle& box, const WordsWish& wish);
+
 class LabelPlaces {
 public:
     /// Labels stand in `area`, and rather not across the line at x = `border`.

@@ -482,7 +482,7 @@ private:
             add_sentence(told.answer, answers);
             answers.add(told.why_not.size());
             if (told.why_not.size() > most_why_not_told) {
-                std::stable_sort(told.why_not.begin(), told.why_not.end(), is_nearer);
+                std::stable_sort(told.why_not.begin(), told.why_not.end(), was_nearer_to_drawing);
                 told.why_not.resize(most_why_not_told);
             }
             answers.add(told.why_not.size());

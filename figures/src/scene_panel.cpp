@@ -201,14 +201,7 @@ void add_names(const SpatialScene& space, const SideView& side, double size, Obs
         if (!box)
             continue;
         obstacles.words.push_back(*box);
-        const auto [x, anchor] = anchor_beside(place, *box);
-        shapes.push_back(Label{.role = Role::strong_text,
-                               .at = {x, box->top() + 0.85 * size},
-                               .text = words,
-                               .size = size,
-                               .anchor = anchor,
-                               .is_bold = true,
-                               .has_rim = true});
+        shapes.push_back(strong_label_in(*box, {place, middle, words, size}));
     }
 }
 

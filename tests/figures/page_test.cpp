@@ -192,7 +192,7 @@ TEST(Page, WhyPixelsAreNotDrawnIsWhatExplainSays) {
             ASSERT_EQ(answers[i].lacks, told.lacks);
             ASSERT_EQ(answers[i].pixels.size(), told.why_not.size());
             if (told.why_not.size() > most_why_not_told)
-                std::stable_sort(told.why_not.begin(), told.why_not.end(), is_nearer);
+                std::stable_sort(told.why_not.begin(), told.why_not.end(), was_nearer_to_drawing);
             ASSERT_EQ(answers[i].why_not.size(), std::min(told.why_not.size(), most_why_not_told));
             for (std::size_t k = 0; k < answers[i].why_not.size(); ++k) {
                 ASSERT_EQ(answers[i].why_not[k].primitive, told.why_not[k].primitive);

@@ -46,20 +46,6 @@ protected:
     std::string path_;
 };
 
-std::vector<std::string> steps_of(const Trace& trace) {
-    std::vector<std::string> steps;
-    for (std::size_t n = 1; n <= trace.size(); ++n)
-        steps.emplace_back(trace.step(n).json());
-    return steps;
-}
-
-std::vector<std::string> damage_of(const Trace& trace) {
-    std::vector<std::string> texts;
-    for (const Problem& problem : trace.damage)
-        texts.push_back(to_text(problem));
-    return texts;
-}
-
 void expect_same(const Trace& grown, const Trace& read) {
     EXPECT_EQ(steps_of(grown), steps_of(read));
     for (std::size_t n = 1; n <= read.size(); ++n)

@@ -45,7 +45,7 @@ bool needs(Stage stage, const std::string& text, std::string_view plane = "") {
 }
 
 /// Doubles may leave open what a stage asks that the other way leaves out: that is not compared.
-std::vector<std::string> steps_of(const Trace& trace) {
+std::vector<std::string> compared_steps_of(const Trace& trace) {
     std::vector<std::string> steps;
     for (std::size_t n = 1; n <= trace.size(); ++n)
         if (trace.step(n).kind() != StepKind::undecided)
@@ -153,11 +153,11 @@ void expect_same(const Scene& scene, const std::string& about) {
     const Trace complete = trace_of(full(scene));
     ASSERT_EQ(planned.end->frame, complete.end->frame) << about;
     if (scene.method.scalar == ScalarKind::adaptive)
-        ASSERT_EQ(with_rounded_numbers(steps_of(planned)),
+        ASSERT_EQ(with_rounded_numbers(compared_steps_of(planned)),
                   with_rounded_numbers(without_left_out(complete, scene, plan)))
             << about;
     else
-        ASSERT_EQ(steps_of(planned), without_left_out(complete, scene, plan)) << about;
+        ASSERT_EQ(compared_steps_of(planned), without_left_out(complete, scene, plan)) << about;
     // A sink that keeps nothing draws the same, with the canvas test compiled out.
     ASSERT_EQ(frame_name(draw_as_planned(scene)), planned.end->frame) << about;
 }

@@ -73,21 +73,6 @@ protected:
     std::filesystem::path folder_;
 };
 
-/// The same read whole.
-std::vector<std::string> steps_of(const Trace& trace) {
-    std::vector<std::string> steps;
-    for (std::size_t n = 1; n <= trace.size(); ++n)
-        steps.emplace_back(trace.step(n).json());
-    return steps;
-}
-
-std::vector<std::string> damage_of(const Trace& trace) {
-    std::vector<std::string> damage;
-    for (const Problem& problem : trace.damage)
-        damage.push_back(to_text(problem));
-    return damage;
-}
-
 /// So many steps that they come in several blocks.
 Scene large_scene() {
     return triangle_scene({"0", "0", "400", "3", "7", "300"},

@@ -89,7 +89,7 @@ std::string to_text(const Question& question) {
     return fmt::format("{} {}", name_of(question.about), printable(question.text));
 }
 
-bool is_nearer(const WhyNot& one, const WhyNot& other) {
+bool was_nearer_to_drawing(const WhyNot& one, const WhyNot& other) {
     const bool is_hidden = one.reason == "hidden";
     if (is_hidden != (other.reason == "hidden"))
         return is_hidden;

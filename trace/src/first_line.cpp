@@ -28,4 +28,16 @@ LineLayout read_first_line(InputFile& file, Source& source, InputCheck& fault_of
     return LineLayout::other;
 }
 
+FirstLine open_first_line(const std::string& path, InputCheck::Kind kind,
+                          const InputLimits& limits) {
+    auto opened = InputFile::open(path);
+    if (!opened)
+        throw opened.problem();
+    InputFile& file = opened.value();
+    Source source{.name = file.name(), .text = {}, .file = file.id()};
+    InputCheck fault_of(kind, limits);
+    const LineLayout layout = read_first_line(file, source, fault_of);
+    return {std::move(file), std::move(source), layout};
+}
+
 } // namespace rastertrace

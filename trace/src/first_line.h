@@ -7,9 +7,23 @@
 #include "input_file.h"
 #include "trace_lines.h"
 
+#include <rastertrace/trace/input.h>
 #include <rastertrace/trace/problem.h>
 
+#include <string>
+
 namespace rastertrace {
+
+/// A file that has been read as far as its first line tells what it is, or whole.
+struct FirstLine {
+    InputFile file;
+    Source source; ///< what has been read of it
+    LineLayout layout;
+};
+
+/// Opens a file ("-" for standard input) and reads so far. Throws a Problem.
+FirstLine open_first_line(const std::string& path, InputCheck::Kind kind,
+                          const InputLimits& limits);
 
 /// Reads a file until its first line tells of a trace with one step a line, and perhaps somewhat farther; or, if it
 /// does not, all of the file. Each block is looked at by `fault_of`. Throws a Problem.

@@ -197,15 +197,10 @@ std::optional<std::string> GrowingTrace::change() const {
 
 std::variant<GrowingTrace, Source> GrowingTrace::open(const std::string& path,
                                                       const InputLimits& limits, bool follows) {
-    auto opened = InputFile::open(path);
-    if (!opened)
-        throw opened.problem();
-    InputFile& input = opened.value();
-    Source source{.name = input.name(), .text = {}, .file = input.id()};
-    InputCheck fault_of(InputCheck::Kind::scene_trace_or_claims, limits);
-    const LineLayout layout = read_first_line(input, source, fault_of);
+    auto [input, source, layout] =
+        open_first_line(path, InputCheck::Kind::scene_trace_or_claims, limits);
     if (layout == LineLayout::other)
-        return source;
+        return std::move(source);
 
     auto state = std::make_unique<GrowingTrace::State>();
     state->name = source.name;

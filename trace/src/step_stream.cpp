@@ -341,13 +341,10 @@ void StepStream::follow(bool more_may_come) {
     state_->follows = more_may_come;
 }
 
-std::variant<StepStream, Source> StepStream::open(const std::string& path, InputCheck& fault_of) {
-    InputFile file = value_of(InputFile::open(path));
-    Source source{.name = file.name(), .text = {}, .file = file.id()};
-    const LineLayout layout = read_first_line(file, source, fault_of);
-    if (layout == LineLayout::other)
-        return source;
-    return StepStream(std::move(file), layout, source.text);
+std::variant<StepStream, Source> StepStream::open(FirstLine first) {
+    if (first.layout == LineLayout::other)
+        return std::move(first.source);
+    return StepStream(std::move(first.file), first.layout, first.source.text);
 }
 
 StepStream::StepStream(InputFile file, LineLayout layout, const std::string& first)
@@ -364,14 +361,12 @@ StepStream::StepStream(InputFile file, LineLayout layout, const std::string& fir
 }
 
 std::variant<StepStream, Source> open_steps(const std::string& path, const InputLimits& limits) {
-    InputCheck fault_of(InputCheck::Kind::scene_or_trace, limits);
-    return StepStream::open(path, fault_of);
+    return StepStream::open(open_first_line(path, InputCheck::Kind::scene_or_trace, limits));
 }
 
 std::variant<StepStream, Source> open_steps_or_claims(const std::string& path,
                                                       const InputLimits& limits) {
-    InputCheck fault_of(InputCheck::Kind::scene_trace_or_claims, limits);
-    return StepStream::open(path, fault_of);
+    return StepStream::open(open_first_line(path, InputCheck::Kind::scene_trace_or_claims, limits));
 }
 
 } // namespace rastertrace

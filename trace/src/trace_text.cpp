@@ -180,12 +180,9 @@ std::size_t TraceText::read(std::size_t offset, std::span<char> to) const {
 
 std::variant<TraceText, Source> open_trace_text(const std::string& path,
                                                 const InputLimits& limits) {
-    InputFile input = value_of(InputFile::open(path));
-    Source source{.name = input.name(), .text = {}, .file = input.id()};
-    InputCheck fault_of(InputCheck::Kind::scene_or_trace, limits);
-    const LineLayout layout = read_first_line(input, source, fault_of);
+    auto [input, source, layout] = open_first_line(path, InputCheck::Kind::scene_or_trace, limits);
     if (layout == LineLayout::other)
-        return source;
+        return std::move(source);
 
     auto state = std::make_unique<TraceText::State>();
     state->name = source.name;

@@ -344,6 +344,15 @@ private:
         });
     }
 
+    void add_view_to(CLI::App& command) {
+        command
+            .add_option(
+                "--view", view_,
+                fmt::format("What a cell shows: {}; if none is given, what the scene is about",
+                            joined(view_names(), ", ")))
+            ->type_name("NAME");
+    }
+
     void add_show() {
         CLI::App& command = add_command(
             "show", "Print frames of a trace as text",
@@ -367,12 +376,7 @@ private:
             ->type_name("STEP");
         which->add_flag("--all", all_, "After every step");
         command.add_flag("--bare", show_.bare, "Only the grid: . empty, # plotted, top row first");
-        command
-            .add_option(
-                "--view", view_,
-                fmt::format("What a cell shows: {}; if none is given, what the scene is about",
-                            joined(view_names(), ", ")))
-            ->type_name("NAME");
+        add_view_to(command);
         command.add_option("--region", show_region_, "Show only these pixels")
             ->type_name("x0,y0,x1,y1");
         command.add_flag("--overview", show_.is_overview,
@@ -454,12 +458,7 @@ private:
             .add_option("--step", play_.step,
                         "Begin at the first such step; before the first if not given")
             ->type_name("STEP");
-        command
-            .add_option(
-                "--view", view_,
-                fmt::format("What a cell shows: {}; if none is given, what the scene is about",
-                            joined(view_names(), ", ")))
-            ->type_name("NAME");
+        add_view_to(command);
         command.add_flag("--follow", play_.follow,
                          "The trace is still being written: show new steps, too");
         command

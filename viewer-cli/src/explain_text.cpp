@@ -59,7 +59,7 @@ std::string table_of(const std::vector<Try>& tries) {
 std::string why_not_text(std::vector<WhyNot> why_not) {
     std::string rest;
     if (why_not.size() > most_why_not_told) {
-        std::stable_sort(why_not.begin(), why_not.end(), is_nearer);
+        std::stable_sort(why_not.begin(), why_not.end(), was_nearer_to_drawing);
         std::map<std::string, std::size_t> count;
         for (std::size_t i = most_why_not_told; i < why_not.size(); ++i)
             ++count[why_not[i].reason];

@@ -16,7 +16,7 @@ namespace rastertrace {
 
 namespace {
 
-using Lines = std::vector<std::string>;
+using TextLines = std::vector<std::string>;
 
 /// Panels stand beside the picture where so many columns are left for them, or on a terminal as wide as that, which
 /// then cuts the picture.
@@ -29,8 +29,8 @@ constexpr std::size_t side_of_wide = 56;
 constexpr std::size_t least_columns = 24;
 constexpr std::size_t least_lines = 9;
 
-Lines lines_in(std::string_view text) {
-    Lines lines;
+TextLines lines_in(std::string_view text) {
+    TextLines lines;
     while (!text.empty()) {
         const std::size_t end = std::min(text.find('\n'), text.size());
         lines.emplace_back(text.substr(0, end));
@@ -39,20 +39,20 @@ Lines lines_in(std::string_view text) {
     return lines;
 }
 
-void append(Lines& lines, Lines more) {
+void append(TextLines& lines, TextLines more) {
     lines.insert(lines.end(), std::make_move_iterator(more.begin()),
                  std::make_move_iterator(more.end()));
 }
 
 /// The steps around the current one, a line each.
-Lines steps_around(const Player& player, std::size_t columns, std::size_t count) {
+TextLines steps_around(const Player& player, std::size_t columns, std::size_t count) {
     const Trace& trace = player.playback().trace();
     const std::size_t here = player.playback().step();
     const std::size_t last = trace.size();
     const std::size_t before = std::min(here, count / 2);
     const std::size_t first = std::min(here - before, last + 1 - std::min(last + 1, count));
     const std::size_t digits = std::to_string(last).size();
-    Lines lines;
+    TextLines lines;
     for (std::size_t n = first; n < first + count && n <= last; ++n) {
         const bool is_here = n == here;
         const std::string& sentence = player.playback().sentence_of(n);
@@ -64,10 +64,10 @@ Lines steps_around(const Player& player, std::size_t columns, std::size_t count)
 }
 
 /// How the numbers of the step come of one another, as far as there is room.
-Lines working_panel(const Player& player, std::size_t columns, std::size_t count) {
+TextLines working_panel(const Player& player, std::size_t columns, std::size_t count) {
     if (!player.has_working() || count == 0)
         return {};
-    Lines lines;
+    TextLines lines;
     for (const std::string& line : working_of(player.playback().replay()))
         append(lines, wrapped(line, columns));
     if (lines.size() > count) {
@@ -86,7 +86,7 @@ std::string conventions(const Trace& trace, std::size_t columns) {
 }
 
 /// What has become of the pixel under the cursor.
-Lines pixel_panel(const Player& player, std::size_t columns, std::size_t count) {
+TextLines pixel_panel(const Player& player, std::size_t columns, std::size_t count) {
     const PixelQuestion* const question = player.question();
     if (question == nullptr || count == 0)
         return {};
@@ -98,7 +98,7 @@ Lines pixel_panel(const Player& player, std::size_t columns, std::size_t count) 
         return {shortened(question->answer()->problem().message, columns)};
     const Explanation& answer = question->answer()->value();
     const bool is_at_end = player.playback().step() == player.playback().trace().size();
-    Lines lines = wrapped(
+    TextLines lines = wrapped(
         fmt::format("{}{}: {}", name, is_at_end ? "" : ", in the end", answer.answer), columns);
     for (const std::string& lack : answer.lacks)
         append(lines, wrapped(lack, columns));
@@ -165,10 +165,10 @@ std::string prompt_line(const std::string& prompt, std::size_t columns) {
 }
 
 /// What is typed, or else what is to be said, what is wrong with the trace, and the keys to begin with.
-Lines last_lines(const Player& player, TextSize size) {
+TextLines last_lines(const Player& player, TextSize size) {
     if (const auto prompt = player.prompt())
         return {prompt_line(*prompt, size.columns)};
-    Lines lines;
+    TextLines lines;
     const auto& damage = player.playback().trace().damage;
     if (!player.message().empty())
         lines = wrapped(printable(player.message()), size.columns);
@@ -215,7 +215,7 @@ std::string beside(const std::string& left, const std::string& right, std::size_
 }
 
 PlayerScreen help_screen(const Player& player, TextSize size) {
-    const Lines all = player_help(size.columns);
+    const TextLines all = player_help(size.columns);
     const std::size_t room = std::max<std::size_t>(size.lines, 2) - 1;
     const std::size_t pages = (all.size() + room - 1) / room;
     const std::size_t page = (player.help_page() - 1) % (pages + 1);
@@ -234,7 +234,7 @@ PlayerScreen help_screen(const Player& player, TextSize size) {
 /// Of a trace that cannot be looked at any more.
 PlayerScreen lost_screen(const Player& player, TextSize size) {
     const std::size_t columns = std::max<std::size_t>(size.columns, 1);
-    Lines lines = wrapped(printable(*player.lost()) + ".", columns);
+    TextLines lines = wrapped(printable(*player.lost()) + ".", columns);
     if (!player.message().empty())
         append(lines, wrapped(printable(player.message()) + ".", columns));
     lines.emplace_back("r reads it again, q leaves");
@@ -253,7 +253,7 @@ std::vector<std::string> player_help(std::size_t columns) {
         rows.emplace_back(joined(row.keys, " "), row.does);
         width = std::max(width, rows.back().first.size());
     }
-    Lines lines;
+    TextLines lines;
     for (const auto& [keys, does] : rows) {
         const std::size_t room = std::max<std::size_t>(columns, width + 12) - width - 2;
         std::string front = padded(keys, width) + "  ";
@@ -272,11 +272,11 @@ namespace {
 /// The step and its sentence, where nothing else has room.
 PlayerScreen small_screen(const Player& player, TextSize size) {
     const Playback& playback = player.playback();
-    Lines lines{fmt::format("{} of {}", playback.step(), playback.trace().size())};
+    TextLines lines{fmt::format("{} of {}", playback.step(), playback.trace().size())};
     const std::string sentence = describe_step(player.playback().replay());
     const std::size_t room = std::max<std::size_t>(size.lines, 3) - 2;
-    const Lines in_words = wrapped(sentence, std::max<std::size_t>(size.columns, 1));
-    append(lines, in_words.size() <= room ? in_words : Lines{sentence});
+    const TextLines in_words = wrapped(sentence, std::max<std::size_t>(size.columns, 1));
+    append(lines, in_words.size() <= room ? in_words : TextLines{sentence});
     for (std::string& line : lines)
         line = shortened(line, size.columns);
     lines.resize(std::min(lines.size(), std::max<std::size_t>(size.lines, 2) - 1));
@@ -301,18 +301,19 @@ std::size_t side_columns(const Canvas& canvas, const FrameText& about, std::size
 }
 
 /// The panels, each as long as `lines` allows: the working gives way to the steps, these to the pixel.
-Lines panels_of(const Player& player, std::size_t columns, std::size_t lines) {
+TextLines panels_of(const Player& player, std::size_t columns, std::size_t lines) {
     constexpr std::size_t few_steps = 3;
     constexpr std::size_t more_steps = 7;
-    const Lines pixel = pixel_panel(player, columns, std::min(lines, lines / 3 + 2));
+    const TextLines pixel = pixel_panel(player, columns, std::min(lines, lines / 3 + 2));
     std::size_t left = lines - pixel.size();
     const std::size_t gaps = lines >= 10 ? 1 : 0; // a blank line between two panels
     left -= std::min(left, gaps * 2);
-    const Lines working = working_panel(player, columns, left > few_steps ? left - few_steps : 0);
+    const TextLines working =
+        working_panel(player, columns, left > few_steps ? left - few_steps : 0);
     left -= working.size();
-    const Lines steps = steps_around(player, columns, std::min(left, more_steps));
-    Lines panels;
-    for (const Lines& panel : {working, steps, pixel}) {
+    const TextLines steps = steps_around(player, columns, std::min(left, more_steps));
+    TextLines panels;
+    for (const TextLines& panel : {working, steps, pixel}) {
         if (!panels.empty() && !panel.empty() && gaps > 0)
             panels.emplace_back();
         append(panels, panel);
@@ -346,12 +347,12 @@ PlayerScreen player_screen(const Player& player, TextSize size, const ScreenAbil
     if (grid_columns(trace.canvas, about) <= size.columns &&
         static_cast<std::size_t>(trace.canvas.height) + least_lines <= size.lines)
         about.is_overview = false; // all of it fits as it is
-    Lines lines = frame_heading(trace, about, size.columns);
+    TextLines lines = frame_heading(trace, about, size.columns);
     if (const std::size_t most_lines = size.lines / 3; lines.size() > most_lines) {
         lines.resize(most_lines);
         lines.back() = shortened(lines.back() + " ...", size.columns);
     }
-    Lines bottom;
+    TextLines bottom;
     constexpr std::size_t lines_for_conventions = 16;
     if (size.lines >= lines_for_conventions)
         bottom.push_back(conventions(trace, size.columns));
@@ -361,7 +362,7 @@ PlayerScreen player_screen(const Player& player, TextSize size, const ScreenAbil
     const std::size_t body = size.lines - lines.size() - bottom.size();
     const std::size_t side = side_columns(trace.canvas, about, size.columns);
     const std::size_t below = side > 0 ? 0 : lines_below(trace.canvas, about, body);
-    const Lines panels =
+    const TextLines panels =
         panels_of(player, side > 0 ? side : size.columns, side > 0 ? body - 1 : below);
     const std::size_t frame_lines = side > 0 ? body : body - panels.size();
     const std::size_t frame_columns =
@@ -371,7 +372,7 @@ PlayerScreen player_screen(const Player& player, TextSize size, const ScreenAbil
     LaidOutFrame frame =
         laid_out_frame(player.playback().replay(), about, {frame_columns, frame_lines + 1});
     frame.grid.first_line += lines.size();
-    Lines grid = lines_in(frame.text);
+    TextLines grid = lines_in(frame.text);
     grid.resize(frame_lines);
     for (std::string& line : grid)
         if (line.find('\x1b') == std::string::npos) // cells with colors fit

@@ -68,7 +68,7 @@ struct WhyNot {
 
 /// True if the first primitive was nearer to drawing the pixel than the second: hidden ones come first, then the
 /// others by their distance.
-bool is_nearer(const WhyNot& one, const WhyNot& other);
+bool was_nearer_to_drawing(const WhyNot& one, const WhyNot& other);
 
 /// Where more primitives than this have not drawn a pixel, people are told of the nearest, and how many there are.
 inline constexpr std::size_t most_why_not_told = 12;

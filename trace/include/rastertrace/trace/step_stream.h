@@ -27,8 +27,8 @@
 namespace rastertrace {
 
 class GrowingTrace;
-class InputCheck;
 class InputFile;
+struct FirstLine;
 enum class LineLayout : std::uint8_t;
 
 class StepStream {
@@ -84,7 +84,7 @@ private:
     int descriptor() const;
     bool is_behind_end() const; ///< an end record, or the end of a file that does not grow
     struct State;
-    static std::variant<StepStream, Source> open(const std::string& path, InputCheck& fault_of);
+    static std::variant<StepStream, Source> open(FirstLine first);
     friend class GrowingTrace;
     StepStream(InputFile file, LineLayout layout, const std::string& first);
 
