@@ -1583,7 +1583,7 @@ TEST_F(ProgramTest, UsageErrorsNameTheWordAndANearOne) {
     EXPECT_EQ(shell("$rastertrace").status, 2);
     EXPECT_THAT(shell("$rastertrace").err, HasSubstr("rastertrace show examples/"));
     EXPECT_EQ(shell("$rastertrace shw x").err, "rastertrace: expected a command out of trace, "
-                                               "show, figure, explain, stats, check, diff, "
+                                               "show, play, figure, explain, stats, check, diff, "
                                                "validate, plan, stress, report, renew, help, found "
                                                "\"shw\"\n"
                                                "hint: did you mean show?\n");
