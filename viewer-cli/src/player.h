@@ -93,6 +93,9 @@ public:
     std::string frame_label() const;
 
 private:
+    /// Steps that are looked at before keys are asked for again: a few milliseconds.
+    static constexpr std::size_t steps_at_once = 50'000;
+
     enum class Asked { nothing, search, breakpoint };
     enum class Direction { forward, back };
 
