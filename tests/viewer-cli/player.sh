@@ -44,7 +44,7 @@ begin() {
 
 # end STATUS: the player has ended with it, and left the terminal as it was.
 end() {
-    wait_for "the end"
+    wait_for "^the end"
     grep -q "^status $1\$" "$folder/status" || fail "expected status $1, found: $(cat "$folder/status")"
     cmp -s "$folder/before" "$folder/after" || fail "the terminal's settings have changed"
     screen | grep -q "nothing drawn yet" && fail "the screen of the player is still there"
@@ -119,7 +119,7 @@ screen -e | grep -q "$(printf '\033\[')" || fail "there are no colors"
 keys Z
 wait_for "[▀▄]"
 keys q
-wait_for "the end"
+wait_for "^the end"
 tmux -L "$server" kill-session -t one
 
 # No terminal to be played on: what show prints, and why.
@@ -137,7 +137,7 @@ wait_for "step 0 of 62"
 keys G
 wait_for "step 62 of 62"
 keys q
-wait_for "the end"
+wait_for "^the end"
 grep -q "kept in a temporary file" "$folder/said" || fail "the pipe's file was not told"
 tmux -L "$server" kill-session -t one
 
