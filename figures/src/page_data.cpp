@@ -453,8 +453,8 @@ private:
                 rejects_.add(none);
             return;
         }
-        const auto [left, right] = std::minmax(*x - canvas.left(), *to_x - canvas.left());
-        const auto [top, bottom] = std::minmax(canvas.row_of(*y), canvas.row_of(*to_y));
+        const auto [left, right] = std::minmax({*x - canvas.left(), *to_x - canvas.left()});
+        const auto [top, bottom] = std::minmax({canvas.row_of(*y), canvas.row_of(*to_y)});
         rejects_.add(std::max<Index>(left, 0));
         rejects_.add(std::min<Index>(right, canvas.width - 1));
         rejects_.add(std::max<Index>(top, 0));
