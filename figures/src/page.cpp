@@ -94,8 +94,7 @@ std::string keys_text() {
 std::string options_text(const PageOptions& options) {
     std::string text = fmt::format("{{\"keys\":{}", keys_text());
     if (options.view)
-        text += fmt::format(",\"view\":{}",
-                            json_quoted(view_names()[static_cast<std::size_t>(*options.view)]));
+        text += fmt::format(",\"view\":{}", json_quoted(name_of(*options.view)));
     if (options.step)
         text += fmt::format(",\"step\":{}", *options.step);
     if (!options.module.empty() && !options.scene.empty())

@@ -219,7 +219,7 @@ private:
             notes.add(word("steps were left out of this trace"));
         JsonList views;
         for (const View view : views_of())
-            views.add_text(view_names()[static_cast<std::size_t>(view)]);
+            views.add_text(name_of(view));
         return fmt::format(
             "\"format\":1,\n\"title\":{},\n\"notes\":{},\n\"canvas\":{{\"left\":{},\"top\":{},"
             "\"width\":{},\"height\":{},\"down\":{},\"sample\":{},\"tests_samples\":{},"
@@ -228,8 +228,7 @@ private:
             json_quoted(printable(trace_.title)), notes.text(), canvas.left(), canvas.top(),
             canvas.width, canvas.height, canvas.down(), trace_.samples_at_centers() ? "0.5" : "0",
             tests_samples(), trace_.background ? json_quoted(to_text(*trace_.background)) : "null",
-            conventions_text(), view_names()[static_cast<std::size_t>(first_view())], views.text(),
-            kinds_text());
+            conventions_text(), name_of(first_view()), views.text(), kinds_text());
     }
 
     bool tests_samples() const {
@@ -355,9 +354,8 @@ private:
             return;
         }
         case StepKind::depth: {
-            const bool passes = step.text("pass") == "true";
-            const bool is_stored = passes && !step.field("side_of") && !step.field("beside");
-            depths_.add((passes ? 1 : 0) + (is_stored ? 2 : 0));
+            const DepthTest test = depth_test_in(step);
+            depths_.add((test.passes ? 1 : 0) + (test.is_stored ? 2 : 0));
             depths_.add(grays_.level_of(step.text("depth")));
             depths_.add(printable_word(short_number(step.text("depth"))));
             return;

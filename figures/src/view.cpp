@@ -79,6 +79,10 @@ std::vector<std::string_view> view_names() {
     return {names.begin(), names.end()};
 }
 
+std::string_view name_of(View view) {
+    return names[static_cast<std::size_t>(view)];
+}
+
 std::optional<View> view_named(std::string_view name) {
     return value_named<View>(names, name);
 }

@@ -5,6 +5,7 @@
 #include "scene_keys.h"
 
 #include <rastertrace/core/numbers/number.h>
+#include <rastertrace/trace/scene_file.h>
 #include <rastertrace/trace/text.h>
 
 #include <fmt/core.h>

@@ -30,10 +30,7 @@ Result<CanvasJson> read_canvas_json(const Source& source, const JsonValue& value
 /// Why a canvas of this size is refused, if it is.
 std::optional<std::string> fault_of_size(const Canvas& canvas);
 
-/// center, bottom-left or top-left.
-std::string_view name_of(Origin origin);
-
-/// All three.
+/// center, bottom-left and top-left.
 std::vector<std::string_view> origin_names();
 
 } // namespace rastertrace

@@ -117,30 +117,14 @@ void Replay::plot(const StepView& step) {
     has_changed_[offset / tile_size] = 1;
 }
 
-/// What is stored is the depth of this pixel from now on, if the test says so.
 void Replay::test_depth(const StepView& step) {
-    // In one go: a player goes through some hundred thousand tests between two keys.
-    std::optional<Index> x;
-    std::optional<Index> y;
-    bool is_stored = false;
-    bool leaves_nearer = false; // what passes a nearer depth leaves it stored
-    JsonScanner fields(step.json());
-    while (fields.next_field()) {
-        if (fields.key() == "x")
-            x = whole_in(fields.value());
-        else if (fields.key() == "y")
-            y = whole_in(fields.value());
-        else if (fields.key() == "pass")
-            is_stored = fields.value() == "true";
-        else if (fields.key() == "side_of" || fields.key() == "beside")
-            leaves_nearer = true;
-    }
-    if (!trace_.canvas.contains(*x, *y))
+    const DepthTest test = depth_test_in(step);
+    if (!trace_.canvas.contains(test.x, test.y))
         return;
     const std::size_t offset =
-        trace_.canvas.offset_of({static_cast<int>(*x), static_cast<int>(*y)});
+        trace_.canvas.offset_of({static_cast<int>(test.x), static_cast<int>(test.y)});
     place_.stored_before = frame_.stored_by[offset];
-    if (!is_stored || leaves_nearer)
+    if (!test.is_stored)
         return;
     frame_.stored_by[offset] = place_.step;
     has_changed_[offset / tile_size] = 1;
@@ -168,7 +152,8 @@ std::optional<PlottedPixel> plotted_by(const StepView& step, const Canvas& canva
     std::optional<Index> x;
     std::optional<Index> y;
     Color color = of_primitive;
-    JsonScanner fields(step.json()); // in one go, see test_depth
+    // In one go: a player goes through some hundred thousand steps between two keys.
+    JsonScanner fields(step.json());
     while (fields.next_field()) {
         if (fields.key() == "x")
             x = whole_in(fields.value());
@@ -180,6 +165,24 @@ std::optional<PlottedPixel> plotted_by(const StepView& step, const Canvas& canva
     if (!canvas.contains(*x, *y))
         return std::nullopt;
     return PlottedPixel{{static_cast<int>(*x), static_cast<int>(*y)}, color};
+}
+
+DepthTest depth_test_in(const StepView& step) {
+    DepthTest test;
+    bool leaves_nearer = false;
+    JsonScanner fields(step.json()); // in one go, as above
+    while (fields.next_field()) {
+        if (fields.key() == "x")
+            test.x = *whole_in(fields.value());
+        else if (fields.key() == "y")
+            test.y = *whole_in(fields.value());
+        else if (fields.key() == "pass")
+            test.passes = fields.value() == "true";
+        else if (fields.key() == "side_of" || fields.key() == "beside")
+            leaves_nearer = true;
+    }
+    test.is_stored = test.passes && !leaves_nearer;
+    return test;
 }
 
 Color color_of_primitive(const StepView& step) {

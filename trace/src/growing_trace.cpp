@@ -17,7 +17,6 @@
 #include <cerrno>
 #include <cstdint>
 #include <limits>
-#include <system_error>
 #include <utility>
 
 namespace rastertrace {
@@ -30,16 +29,10 @@ constexpr std::size_t steps_in_piece = 20'000;
 /// Pictures that are kept have 32 bits for a step, see snapshots.h.
 constexpr std::size_t most_steps = std::numeric_limits<std::uint32_t>::max();
 
-Problem system_problem(const std::string& name, const std::string& what) {
-    Problem problem = problem_of(name, what + ": " + std::generic_category().message(errno));
-    problem.cause = Problem::Cause::system;
-    return problem;
-}
-
 struct stat status_of(int descriptor, const std::string& name) {
     struct stat status {};
     if (::fstat(descriptor, &status) != 0)
-        throw system_problem(name, "could not be read");
+        throw problem_of_system(name, "could not be read", errno);
     return status;
 }
 
@@ -55,7 +48,7 @@ std::shared_ptr<const char> mapped(int descriptor, const std::string& name) {
             return {static_cast<const char*>(begin),
                     [room](const char* bytes) { ::munmap(const_cast<char*>(bytes), room); }};
         if (room == size)
-            throw system_problem(name, "could not be read");
+            throw problem_of_system(name, "could not be read", errno);
     }
 }
 

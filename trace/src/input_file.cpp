@@ -16,15 +16,8 @@ namespace rastertrace {
 
 namespace {
 
-Problem failure_of(const std::string& name, Problem::Cause cause, const std::string& why) {
-    Problem problem = problem_of(name, why);
-    problem.cause = cause;
-    return problem;
-}
-
 Problem unreadable(const std::string& name, int error) {
-    return failure_of(name, Problem::Cause::system,
-                      "could not be read: " + std::generic_category().message(error));
+    return problem_of_system(name, "could not be read", error);
 }
 
 } // namespace
@@ -37,10 +30,13 @@ Result<InputFile> InputFile::open(const std::string& path, Kind kind) {
     // A file that is not there was asked for wrongly; one that cannot be read on is broken.
     const int flags = O_RDONLY | O_CLOEXEC | (must_be_regular ? O_NONBLOCK : 0);
     Descriptor opened(is_standard_input ? -1 : ::open(path.c_str(), flags));
-    if (!is_standard_input && !opened.is_open())
-        return failure_of(name, cause_of_open_error(errno),
-                          fmt::format("expected a file that can be read, found: {}",
-                                      std::generic_category().message(errno)));
+    if (!is_standard_input && !opened.is_open()) {
+        Problem problem =
+            problem_of(name, fmt::format("expected a file that can be read, found: {}",
+                                         std::generic_category().message(errno)));
+        problem.cause = cause_of_open_error(errno);
+        return problem;
+    }
     const int descriptor = is_standard_input ? STDIN_FILENO : opened.number();
     InputFile file(name, std::move(opened), descriptor);
     struct stat status {};

@@ -8,7 +8,6 @@
 
 #include <cerrno>
 #include <cstdlib>
-#include <system_error>
 
 namespace rastertrace {
 
@@ -20,12 +19,8 @@ NamelessFile nameless_file(const std::string& for_name) {
     file.to_write = Descriptor(::mkstemp(path.data()));
     if (file.to_write.is_open())
         file.to_read = Descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-    if (!file.to_read.is_open() || ::unlink(path.c_str()) != 0) {
-        Problem problem = problem_of(for_name, "could not be kept in a temporary file: " +
-                                                   std::generic_category().message(errno));
-        problem.cause = Problem::Cause::system;
-        throw problem;
-    }
+    if (!file.to_read.is_open() || ::unlink(path.c_str()) != 0)
+        throw problem_of_system(for_name, "could not be kept in a temporary file", errno);
     return file;
 }
 

@@ -14,17 +14,13 @@
 #include <array>
 #include <cerrno>
 #include <cstdio>
-#include <system_error>
 
 namespace rastertrace {
 
 namespace {
 
 [[noreturn]] void fail(const std::string& name, std::string_view what, int error) {
-    Problem problem =
-        problem_of(name, fmt::format("{}: {}", what, std::generic_category().message(error)));
-    problem.cause = Problem::Cause::system;
-    throw problem;
+    throw problem_of_system(name, what, error);
 }
 
 constexpr std::string_view not_created = "could not be created";

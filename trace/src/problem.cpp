@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <system_error>
+#include <utility>
 
 namespace rastertrace {
 
@@ -41,6 +43,13 @@ Problem problem_of(std::string file, std::string message, std::string hint) {
     problem.file = std::move(file);
     problem.message = std::move(message);
     problem.hint = std::move(hint);
+    return problem;
+}
+
+Problem problem_of_system(std::string file, std::string_view what, int error) {
+    Problem problem = problem_of(
+        std::move(file), fmt::format("{}: {}", what, std::generic_category().message(error)));
+    problem.cause = Problem::Cause::system;
     return problem;
 }
 

@@ -155,7 +155,6 @@ struct StepStream::State {
         }
         block_begin = text_begin;
         text_begin += size;
-        place = 0;
         if (is_cut_off && !block.end && !damage.empty())
             damage.back().message = truncation_after(before + block.size());
         count_steps();

@@ -99,7 +99,7 @@ std::size_t stored_by(const StepIndex& index, const Subject& subject) {
     for (const std::size_t n : index.find(StepKind::depth, {{"x", value_of_key(subject, "x")},
                                                             {"y", value_of_key(subject, "y")},
                                                             {"pass", "true"}}))
-        if (!index.trace().step(n).field("side_of") && !index.trace().step(n).field("beside"))
+        if (depth_test_in(index.trace().step(n)).is_stored)
             stored = n;
     return stored;
 }

@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <system_error>
 #include <utility>
 
 namespace rastertrace {
@@ -27,12 +26,6 @@ template <typename T> T value_of(Result<T> result) {
     if (!result)
         throw result.problem();
     return std::move(result.value());
-}
-
-Problem system_problem(const std::string& name, const std::string& what) {
-    Problem problem = problem_of(name, what + ": " + std::generic_category().message(errno));
-    problem.cause = Problem::Cause::system;
-    return problem;
 }
 
 /// JSON without the blanks between its tokens.
@@ -157,7 +150,7 @@ std::size_t TraceText::size() const {
         return state_->text.size();
     struct stat status {};
     if (::fstat(state_->descriptor, &status) != 0)
-        throw system_problem(state_->name, "could not be read");
+        throw problem_of_system(state_->name, "could not be read", errno);
     return static_cast<std::size_t>(status.st_size);
 }
 
@@ -174,7 +167,7 @@ std::size_t TraceText::read(std::size_t offset, std::span<char> to) const {
         if (count >= 0)
             return static_cast<std::size_t>(count);
         if (errno != EINTR)
-            throw system_problem(state_->name, "could not be read");
+            throw problem_of_system(state_->name, "could not be read", errno);
     }
 }
 

@@ -9,6 +9,7 @@
 #include <rastertrace/trace/color_text.h>
 #include <rastertrace/trace/method_names.h>
 #include <rastertrace/trace/pipeline_names.h>
+#include <rastertrace/trace/scene_file.h>
 #include <rastertrace/trace/stage_name.h>
 
 #include <fmt/core.h>

@@ -2,6 +2,7 @@
 #include "page_scene.h"
 
 #include <rastertrace/figures/page.h>
+#include <rastertrace/trace/scene_file.h>
 
 #include <nlohmann/json.hpp>
 
@@ -39,12 +40,6 @@ bool can_be_moved(const Json& scene) {
     return primitives <= most_primitives_to_move && vertices != scene.end() &&
            vertices->is_object() &&
            std::all_of(vertices->begin(), vertices->end(), is_plane_vertex);
-}
-
-std::string_view name_of(Origin origin) {
-    return origin == Origin::center        ? "center"
-           : origin == Origin::bottom_left ? "bottom-left"
-                                           : "top-left";
 }
 
 } // namespace

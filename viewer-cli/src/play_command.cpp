@@ -13,9 +13,7 @@
 #include <fmt/core.h>
 
 #include <chrono>
-#include <cstdlib>
 #include <memory>
-#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -34,19 +32,6 @@ constexpr int between_looks = 200;
 /// While it plays.
 constexpr int between_steps = 15;
 
-/// True if the terminal is said to show UTF-8 (setlocale(3): LC_ALL, LC_CTYPE, LANG, the first that is set).
-bool has_unicode() {
-    for (const char* const name : {"LC_ALL", "LC_CTYPE", "LANG"}) {
-        const char* const value = std::getenv(name);
-        if (value == nullptr || *value == '\0')
-            continue;
-        const std::string_view locale = value;
-        return locale.find("UTF-8") != std::string_view::npos ||
-               locale.find("utf8") != std::string_view::npos;
-    }
-    return false;
-}
-
 SceneOptions scene_options(const PlayCommand& command) {
     return {.method = command.method, .limits = command.input, .frames = command.frames};
 }
@@ -59,9 +44,17 @@ PlayerInput input_from(std::shared_ptr<InputFrames> frames) {
             .label = [frames](std::size_t frame) { return frames->label(frame); }};
 }
 
+/// What the file holds; a trace has a title.
+std::variant<GrowingTrace, Source> opened(const PlayCommand& command) {
+    auto opened = GrowingTrace::open(command.trace, command.input, command.follow);
+    if (auto* const trace = std::get_if<GrowingTrace>(&opened))
+        trace->name_untitled(shown_title("", command.trace));
+    return opened;
+}
+
 /// A file that is read step by step. It is opened once for the first frame, and again to be read again.
-PlayerInput input_from(const PlayCommand& command, GrowingTrace opened) {
-    auto first = std::make_shared<std::optional<GrowingTrace>>(std::move(opened));
+PlayerInput input_from(const PlayCommand& command, GrowingTrace growing) {
+    auto first = std::make_shared<std::optional<GrowingTrace>>(std::move(growing));
     return {.open = [command, first](std::size_t) {
         if (*first) {
             GrowingTrace trace = *std::exchange(*first, std::nullopt);
@@ -70,27 +63,25 @@ PlayerInput input_from(const PlayCommand& command, GrowingTrace opened) {
         if (command.trace == "-")
             throw problem_of("standard input",
                              "expected a file to be read again, found what can be read once");
-        auto again = GrowingTrace::open(command.trace, command.input, command.follow);
+        auto again = opened(command);
         auto* const trace = std::get_if<GrowingTrace>(&again);
         if (trace == nullptr)
             throw problem_of(command.trace,
                              "expected a trace of one step a line, found something else");
-        trace->name_untitled(shown_title("", command.trace));
         return std::move(*trace);
     }};
 }
 
 PlayerInput open_input_of(const PlayCommand& command) {
-    auto opened = GrowingTrace::open(command.trace, command.input, command.follow);
-    if (auto* const trace = std::get_if<GrowingTrace>(&opened)) {
+    auto input = opened(command);
+    if (auto* const trace = std::get_if<GrowingTrace>(&input)) {
         refuse_scene_options({.name = command.trace, .text = {}}, scene_options(command));
-        trace->name_untitled(shown_title("", command.trace));
         return input_from(command, std::move(*trace));
     }
     if (command.follow)
         throw problem_of(command.trace,
                          "--follow: expected a trace of one step a line, found something else");
-    Source& source = std::get<Source>(opened);
+    Source& source = std::get<Source>(input);
     std::string path = command.trace;
     if (is_claims(source)) { // what they claim something of
         path = path_of_scene(value_or_throw(read_claims(std::move(source))));
@@ -128,7 +119,7 @@ int print_screen(const PlayCommand& command) {
     while (player.work()) {
     }
     const ScreenAbility ability{.colors = output_colors(command.color),
-                                .has_unicode = has_unicode()};
+                                .has_unicode = output_has_unicode()};
     for (const std::string& line : player_screen(player, *command.screen, ability).lines)
         print(line.substr(0, line.find_last_not_of(' ') + 1) + "\n");
     return report_damage(player.playback().trace());
@@ -186,7 +177,7 @@ int run(const PlayCommand& command) {
     if (command.trace == "-")
         print_error("rastertrace: standard input is kept in a temporary file\n");
     Player player(open_input_of(command), player_options(command));
-    play(player, {.colors = output_colors(command.color), .has_unicode = has_unicode()});
+    play(player, {.colors = output_colors(command.color), .has_unicode = output_has_unicode()});
     return report_damage(player.playback().trace());
 }
 

@@ -134,8 +134,8 @@ std::string progress(const Player& player, std::size_t columns) {
     const std::size_t last = playback.trace().size();
     const double share =
         last == 0 ? 1 : static_cast<double>(playback.step()) / static_cast<double>(last);
-    std::string right = fmt::format("{:.0f} %  {}", std::floor(100 * share),
-                                    view_names()[static_cast<std::size_t>(player.view())]);
+    std::string right =
+        fmt::format("{:.0f} %  {}", std::floor(100 * share), name_of(player.view()));
     if (player.is_playing())
         right += fmt::format("  playing, {:g} steps a second", player.steps_per_second());
     if (const auto searched = player.searched())
@@ -218,9 +218,7 @@ PlayerScreen help_screen(const Player& player, TextSize size) {
     const TextLines all = player_help(size.columns);
     const std::size_t room = std::max<std::size_t>(size.lines, 2) - 1;
     const std::size_t pages = (all.size() + room - 1) / room;
-    const std::size_t page = (player.help_page() - 1) % (pages + 1);
-    if (page == pages) // behind the last page is the picture
-        return {};
+    const std::size_t page = (player.help_page() - 1) % pages; // behind the last is the first
     PlayerScreen screen;
     const std::size_t first = page * room;
     screen.lines.assign(all.begin() + static_cast<std::ptrdiff_t>(first),
@@ -337,8 +335,7 @@ PlayerScreen player_screen(const Player& player, TextSize size, const ScreenAbil
     if (player.lost())
         return lost_screen(player, size);
     if (player.help_page() > 0)
-        if (PlayerScreen help = help_screen(player, size); !help.lines.empty())
-            return help;
+        return help_screen(player, size);
     if (size.columns < least_columns || size.lines < least_lines)
         return small_screen(player, size);
 

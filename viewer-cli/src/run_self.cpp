@@ -18,7 +18,6 @@
 #include <cerrno>
 #include <cstddef>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 extern char** environ;
@@ -28,10 +27,7 @@ namespace rastertrace {
 namespace {
 
 [[noreturn]] void fail(int error) {
-    Problem problem = problem_of("", fmt::format("rastertrace could not be run: {}",
-                                                 std::generic_category().message(error)));
-    problem.cause = Problem::Cause::system;
-    throw problem;
+    throw problem_of_system("", "rastertrace could not be run", error);
 }
 
 struct Pipe {

@@ -9,7 +9,6 @@
 
 #include <fcntl.h>
 #include <poll.h>
-#include <sys/ioctl.h>
 #include <termios.h>
 #include <unistd.h>
 
@@ -196,11 +195,9 @@ TerminalSession::~TerminalSession() {
 }
 
 TextSize TerminalSession::size() const {
-    winsize window{};
-    if (::ioctl(STDOUT_FILENO, TIOCGWINSZ, &window) != 0 || window.ws_col == 0 ||
-        window.ws_row == 0)
-        return {80, 24};
-    return {window.ws_col, window.ws_row};
+    const TextSize size = output_size();
+    constexpr TextSize unknown;
+    return size.columns == unknown.columns || size.lines == unknown.lines ? TextSize{80, 24} : size;
 }
 
 void TerminalSession::wait(int milliseconds, int other) {

@@ -105,6 +105,14 @@ ColorDepth output_colors(ColorChoice choice) {
                                                                : ColorDepth::ansi16;
 }
 
+bool output_has_unicode() {
+    for (const char* const name : {"LC_ALL", "LC_CTYPE", "LANG"})
+        if (const std::string_view locale = environment(name); !locale.empty())
+            return locale.find("UTF-8") != std::string_view::npos ||
+                   locale.find("utf8") != std::string_view::npos;
+    return false;
+}
+
 std::string styled(std::string_view text, const Style& style, ColorDepth colors) {
     if (colors == ColorDepth::none)
         return std::string(text);

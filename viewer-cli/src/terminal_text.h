@@ -29,6 +29,9 @@ enum class ColorChoice : std::uint8_t { automatic, always, never };
 /// NO_COLOR is set and not empty; else what COLORTERM and TERM say. `always`: 16 at least.
 ColorDepth output_colors(ColorChoice choice);
 
+/// True if the terminal is said to show UTF-8 (setlocale(3): LC_ALL, LC_CTYPE, LANG, the first that is set).
+bool output_has_unicode();
+
 /// How a piece of text looks.
 struct Style {
     std::optional<Color> background = {}; ///< the text in front of it is black or white

@@ -30,6 +30,7 @@ enum class View : std::uint8_t { plotted, faces, shade, depth, writes, coverage 
 
 /// plotted, faces, ...
 std::vector<std::string_view> view_names();
+std::string_view name_of(View view);
 std::optional<View> view_named(std::string_view name);
 
 /// The view in which the point of a trace can be seen: `shade` if colors are mixed or lit; `faces` if there

@@ -163,6 +163,16 @@ struct PlottedPixel {
 std::optional<PlottedPixel> plotted_by(const StepView& step, const Canvas& canvas,
                                        Color of_primitive);
 
+/// What a `depth` step says of its pixel.
+struct DepthTest {
+    Index x = 0;
+    Index y = 0;
+    bool passes = false;
+    bool is_stored =
+        false; ///< its depth is in the buffer from then on: what passes a nearer depth leaves that there
+};
+DepthTest depth_test_in(const StepView& step);
+
 /// The color of the primitive that a step begins.
 Color color_of_primitive(const StepView& step);
 

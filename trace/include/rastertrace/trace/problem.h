@@ -55,6 +55,9 @@ Problem::Cause cause_of_open_error(int error);
 /// A problem with no place in a file.
 Problem problem_of(std::string file, std::string message, std::string hint = {});
 
+/// That the machine could not do something, and why: `error` is what errno was.
+Problem problem_of_system(std::string file, std::string_view what, int error);
+
 /// A value, or the problem that kept it from being made.
 template <typename T> class Result {
 public:

@@ -43,6 +43,9 @@ Result<PlannedScene> read_scene(const Source& source, const MethodOverrides& ove
 /// object that is no JSON.
 bool is_scene(const Source& source);
 
+/// The word of a scene's canvas for it: center, bottom-left or top-left.
+std::string_view name_of(Origin origin);
+
 /// The scenes of a source whose "vary" makes a sequence of it: frame n is the scene that has the
 /// numbers of frame n typed in their places. A scene where nothing varies is its only frame.
 ///
