@@ -813,6 +813,7 @@ const grain = 4; // vertices go to quarters of a pixel
 async function prepareMoving() {
   if (!options.scene || typeof rastertrace !== "function") return;
   program = await rastertrace();
+  program.tell_steps_in?.(options.language);
   scene = JSON.parse(options.scene);
   for (const name of Object.keys(scene.vertices)) {
     const handle = element("button", "handle");
@@ -986,6 +987,7 @@ readData().then(data => {
   frames = data;
   by("frame").replaceChildren(...frames.map(({label}, i) => Object.assign(element("option", "", label), {value: i})));
   by("frame-choice").hidden = frames.length < 2;
+  for (const told of ["sentence", "working", "steps"]) by(told).lang = options.language;
   view = options.view ?? frames[0].data.view;
   tellKeys();
   show(frames[0].data, stepOfAddress() ?? options.step ?? Infinity);

@@ -7,6 +7,7 @@
 #include <rastertrace/figures/svg.h>
 #include <rastertrace/trace/color_text.h>
 #include <rastertrace/trace/step_writer.h>
+#include <rastertrace/trace/language.h>
 #include <rastertrace/trace/text.h>
 
 #include <fmt/core.h>
@@ -92,7 +93,8 @@ std::string keys_text() {
 }
 
 std::string options_text(const PageOptions& options) {
-    std::string text = fmt::format("{{\"keys\":{}", keys_text());
+    std::string text = fmt::format("{{\"keys\":{},\"language\":{}", keys_text(),
+                                   json_quoted(code_of(language_of_steps())));
     if (options.view)
         text += fmt::format(",\"view\":{}", json_quoted(name_of(*options.view)));
     if (options.step)

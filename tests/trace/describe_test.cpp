@@ -45,7 +45,7 @@ TEST(Describe, ASentenceIsItsPatternAndWhatStandsForThePlaceholders) {
     EXPECT_EQ(sentence_of_step(replay).pattern, describe_step(replay));
     replay.go_to(15);
     const Sentence sentence = sentence_of_step(replay);
-    EXPECT_EQ(sentence.pattern, row_of(StepKind::pixel).sentence);
+    EXPECT_EQ(sentence.pattern, row_of(StepKind::pixel).sentence.in(Language::english));
     EXPECT_THAT(pieces_of(sentence.pattern),
                 testing::ElementsAre("pixel (", ", ", ")", "", "", ""));
     EXPECT_THAT(sentence.fills, testing::ElementsAre("-1", "2", "", "   row y=2: -1 to 3", ""));

@@ -1579,6 +1579,46 @@ TEST_F(ProgramTest, ALineThatMeetsNoBufferNeedsNoDepth) {
         }
 }
 
+TEST_F(ProgramTest, StepsAreToldInTheLanguageThatIsAskedForNeverInThatOfTheLocale) {
+    const std::string triangle = " $examples/t0-fill/first-triangle.json";
+    const std::string edge = triangle + " --every 'edge edge=BC' --format table";
+    const std::string english = "First triangle\n\n   3  edge BC: horizontal, it has no dx/dy\n";
+    const std::string portuguese = "First triangle\n\n   3  aresta BC: horizontal, não tem dx/dy\n";
+    EXPECT_EQ(shell("$rastertrace show" + edge).out, english);
+    EXPECT_EQ(shell("LC_ALL=pt_BR.UTF-8 LANG=pt_BR $rastertrace show" + edge).out, english);
+    EXPECT_EQ(shell("RASTERTRACE_LANGUAGE= $rastertrace show" + edge).out, english);
+    EXPECT_EQ(shell("RASTERTRACE_LANGUAGE=pt $rastertrace show" + edge).out, portuguese);
+    EXPECT_EQ(shell("$rastertrace show --language pt" + edge).out, portuguese);
+    EXPECT_EQ(shell("RASTERTRACE_LANGUAGE=pt $rastertrace show --language en" + edge).out, english);
+
+    // Each command that tells steps.
+    const std::string row = " --step 'scanline y=2'";
+    for (const std::string& command :
+         {"play" + triangle + row + " --print 80x24",
+          "figure" + triangle + row + " -o - --format svg", "explain" + triangle + " --pixel 3,2",
+          "diff --textconv" + triangle})
+        EXPECT_THAT(shell("$rastertrace " + command + " --language pt").out, HasSubstr("linha y=2"))
+            << command;
+    EXPECT_THAT(shell("$rastertrace figure" + triangle + " -o - --format html --language pt").out,
+                HasSubstr("\"language\":\"pt\""));
+    write("one.claims", "scene: first.json\nedge AB: 4/3\n");
+    EXPECT_THAT(
+        shell("cp" + triangle + " first.json; $rastertrace check one.claims --language pt").out,
+        HasSubstr("aresta AB: dx/dy"));
+
+    EXPECT_EQ(shell("$rastertrace show --language fr" + edge).err,
+              "rastertrace: --language: expected one of en, pt, found \"fr\"\n");
+    const Outcome unknown = shell("RASTERTRACE_LANGUAGE=pt_BR $rastertrace show" + edge);
+    EXPECT_EQ(unknown.err,
+              "rastertrace: RASTERTRACE_LANGUAGE: expected one of en, pt, found \"pt_BR\"\n");
+    EXPECT_EQ(unknown.status, 2);
+
+    // A page is the same whoever renews it.
+    write("page.md", "```\n$ rastertrace show first.json --every 'edge edge=BC' --format table\n" +
+                         english + "```\n");
+    EXPECT_EQ(shell("RASTERTRACE_LANGUAGE=pt $rastertrace renew --check page.md").status, 0);
+}
+
 TEST_F(ProgramTest, UsageErrorsNameTheWordAndANearOne) {
     EXPECT_EQ(shell("$rastertrace").status, 2);
     EXPECT_THAT(shell("$rastertrace").err, HasSubstr("rastertrace show examples/"));

@@ -35,7 +35,8 @@ std::string name_of_primitive(const Context& context) {
     if (!name.empty())
         return name;
     return context.replay.primitive() == 0
-               ? fmt::format("of step {}", context.replay.trace().number_of(context.replay.step()))
+               ? said({"of step {}", "do passo {}"},
+                      context.replay.trace().number_of(context.replay.step()))
                : context.primitive.name;
 }
 
@@ -49,7 +50,8 @@ std::string corners(const Context& context) {
             text += fmt::format(" {}", colors[i]);
     }
     if (primitive.positions.empty())
-        text += ": not all of it can be seen, it is clipped";
+        text += said(
+            {": not all of it can be seen, it is clipped", ": nem tudo se pode ver, é recortado"});
     return text;
 }
 
@@ -67,7 +69,8 @@ std::string place(const Context& context) {
     if (step.text("space") == "canonical" && from.size() == 4)
         return fmt::format("{} = {}",
                            quotient(point({from[0], from[1], from[2]}), in_sentence(from[3])), at);
-    return fmt::format("{}, from {} {}", at, space_before, point(from));
+    return said({"{}, from {} {}", "{}, a partir do espaço {} {}"}, at,
+                in_language_of_steps(space_before), point(from));
 }
 
 std::string farthest_first(const Context& context) {
@@ -75,8 +78,8 @@ std::string farthest_first(const Context& context) {
     const auto distances = context.step.texts("distances");
     std::string text;
     for (std::size_t i = 0; i < names.size(); ++i)
-        text += fmt::format("{} {} at {}", i == 0 ? "" : ",", names[i],
-                            i < distances.size() ? in_sentence(distances[i]) : "?");
+        text += said({"{} {} at {}", "{} {} a {}"}, i == 0 ? "" : ",", names[i],
+                     i < distances.size() ? in_sentence(distances[i]) : "?");
     return text;
 }
 
@@ -93,10 +96,15 @@ std::string edge_function(const StepView& step, const std::optional<EdgeEnds>& e
     const bool is_top_left = step.text("top_left") == "true";
     const std::string x = ends ? minus(in_formula(ends->from[0])) : "- x1";
     const std::string y = ends ? minus(in_formula(ends->from[1])) : "- y1";
-    return fmt::format("edge {}: E(x, y) = {} (x {}) {} (y {}), {}", step.text("edge"),
-                       in_formula(step.text("a")), x, plus(in_formula(step.text("b"))), y,
-                       is_top_left ? "top or left: samples where E = 0 belong to the triangle"
-                                   : "samples where E = 0 do not belong to the triangle");
+    const std::string rule =
+        is_top_left ? said({"top or left: samples where E = 0 belong to the triangle",
+                            "superior ou esquerda: as amostras onde E = 0 são do triângulo"})
+                    : said({"samples where E = 0 do not belong to the triangle",
+                            "as amostras onde E = 0 não são do triângulo"});
+    return said({"edge {}: E(x, y) = {} (x {}) {} (y {}), {}",
+                 "aresta {}: E(x, y) = {} (x {}) {} (y {}), {}"},
+                step.text("edge"), in_formula(step.text("a")), x, plus(in_formula(step.text("b"))),
+                y, rule);
 }
 
 /// The other form of a line that is not vertical: `; y = 4/3 x + 7/3`.
@@ -113,21 +121,22 @@ std::string edge(const Context& context) {
     const StepView& step = context.step;
     const std::string name = step.text("edge");
     if (step.field("octant"))
-        return fmt::format("side {}: octant {}", name, step.text("octant"));
+        return said({"side {}: octant {}", "lado {}: octante {}"}, name, step.text("octant"));
     const auto ends = ends_of_edge(context.primitive, name);
     if (step.field("a"))
         return edge_function(step, ends);
     const std::string slope = step.text("dx_dy");
     if (slope == "null")
-        return fmt::format("edge {}: horizontal, it has no dx/dy", name);
+        return said(
+            {"edge {}: horizontal, it has no dx/dy", "aresta {}: horizontal, não tem dx/dy"}, name);
     if (!ends)
-        return fmt::format("edge {}: dx/dy = {}", name, with_fraction(slope));
+        return said({"edge {}: dx/dy = {}", "aresta {}: dx/dy = {}"}, name, with_fraction(slope));
     const std::string x1 = in_formula(ends->from[0]);
     const std::string y1 = in_formula(ends->from[1]);
-    return fmt::format("edge {}: dx/dy = ({} {}) / ({} {}) = {}; x = {} {} (y {}){}", name,
-                       in_formula(ends->to[0]), minus(x1), in_formula(ends->to[1]), minus(y1),
-                       with_fraction(slope), x1, plus(in_formula(slope)), minus(y1),
-                       line_form(*ends));
+    return said({"edge {}: dx/dy = ({} {}) / ({} {}) = {}; x = {} {} (y {}){}",
+                 "aresta {}: dx/dy = ({} {}) / ({} {}) = {}; x = {} {} (y {}){}"},
+                name, in_formula(ends->to[0]), minus(x1), in_formula(ends->to[1]), minus(y1),
+                with_fraction(slope), x1, plus(in_formula(slope)), minus(y1), line_form(*ends));
 }
 
 std::string rows_of_half(const Context& context) {
@@ -135,8 +144,9 @@ std::string rows_of_half(const Context& context) {
     const Index from = context.step.whole("from_y").value_or(0);
     const Index to = context.step.whole("to_y").value_or(0);
     // A half is filled upward: its rows end where they began, or above.
-    return canvas.row_of(from) < canvas.row_of(to) ? "no row"
-                                                   : fmt::format("rows y={} to {}", from, to);
+    return canvas.row_of(from) < canvas.row_of(to)
+               ? said({"no row", "nenhuma linha"})
+               : said({"rows y={} to {}", "linhas y={} a {}"}, from, to);
 }
 
 std::string weights(const Context& context) {
@@ -159,11 +169,11 @@ std::string against(const Context& context) {
     const auto& [replay, step, primitive] = context;
     const std::string stored = step.text("stored");
     if (stored == "null")
-        return "nothing";
+        return said({"nothing", "nada"});
     const std::size_t owner = replay.primitive_of(replay.stored_before());
     return owner == 0 ? in_sentence(stored)
-                      : fmt::format("{} of {}", in_sentence(stored),
-                                    replay.trace().step(owner).text("name"));
+                      : said({"{} of {}", "{} de {}"}, in_sentence(stored),
+                             replay.trace().step(owner).text("name"));
 }
 
 /// 1 over a number, as the trace would write it: 5 of 1/5, 3/2 of 2/3.
@@ -191,34 +201,48 @@ std::string depth_rule(const Context& context) {
     const std::string what = kind == "inverse-z" ? "1/z" : kind == "linear-z" ? "z" : kind;
     if (what.empty() || !larger)
         return {};
-    std::string text = fmt::format(" ({}, {} {}", what, *larger ? "larger" : "smaller",
-                                   asked.empty() || asked == "auto" ? "is nearer" : "passes");
+    const bool is_usual = asked.empty() || asked == "auto";
+    std::string text =
+        *larger ? is_usual ? said({" ({}, larger is nearer", " ({}, o maior está mais perto"}, what)
+                           : said({" ({}, larger passes", " ({}, o maior passa"}, what)
+        : is_usual ? said({" ({}, smaller is nearer", " ({}, o menor está mais perto"}, what)
+                   : said({" ({}, smaller passes", " ({}, o menor passa"}, what);
     if (kind == "inverse-z" && depth && *depth != 0)
         text += "; z = " + inverse_of(step.text("depth")) +
-                (stored && *stored != 0 ? " against " + inverse_of(step.text("stored")) : "");
+                (stored && *stored != 0
+                     ? said({" against {}", " contra {}"}, inverse_of(step.text("stored")))
+                     : "");
     if (step.text("depth") == step.text("stored") && !step.field("behind"))
-        text += replay.stored_before() == 0   ? "; equal to the empty buffer"
-                : step.text("pass") == "true" ? "; of equals the thinner one passes"
-                                              : "; of equals the first stays";
-    const std::string_view part = primitive.kind == "point" ? "corner" : "side";
-    const std::string_view own = primitive.kind == "point" ? "the point" : "the line's own point";
-    if (step.field("side_of"))
-        text += fmt::format("; {} does not hide its own {}", step.text("side_of"), part);
-    if (step.field("beside"))
         text +=
-            fmt::format("; {} does not cover {}, or is not nearer there", step.text("beside"), own);
+            replay.stored_before() == 0
+                ? said({"; equal to the empty buffer", "; igual ao buffer vazio"})
+            : step.text("pass") == "true"
+                ? said({"; of equals the thinner one passes", "; entre iguais passa o mais fino"})
+                : said({"; of equals the first stays", "; entre iguais fica o primeiro"});
+    const bool is_point = primitive.kind == "point";
+    const std::string part = is_point ? said({"corner", "vértice"}) : said({"side", "lado"});
+    const std::string own = is_point ? said({"the point", "o ponto"})
+                                     : said({"the line's own point", "o ponto do segmento"});
+    if (step.field("side_of"))
+        text += said({"; {} does not hide its own {}", "; {} não esconde seu próprio {}"},
+                     step.text("side_of"), part);
+    if (step.field("beside"))
+        text += said({"; {} does not cover {}, or is not nearer there",
+                      "; {} não cobre {}, ou não está mais perto ali"},
+                     step.text("beside"), own);
     if (step.field("behind"))
-        text += fmt::format("; {} covers {} and is nearer there", step.text("behind"), own);
+        text += said({"; {} covers {} and is nearer there", "; {} cobre {} e está mais perto ali"},
+                     step.text("behind"), own);
     return text + ")";
 }
 
 std::string drawn_over(const Context& context) {
     const auto& [replay, step, primitive] = context;
     if (!replay.trace().canvas.contains(*step.whole("x"), *step.whole("y")))
-        return "   not on the canvas, not drawn";
-    return replay.drew_over() != 0
-               ? fmt::format("   over step {}", replay.trace().number_of(replay.drew_over()))
-               : std::string();
+        return said({"   not on the canvas, not drawn", "   fora da tela, não desenhado"});
+    return replay.drew_over() != 0 ? said({"   over step {}", "   sobre o passo {}"},
+                                          replay.trace().number_of(replay.drew_over()))
+                                   : std::string();
 }
 
 std::string dropped(const Context& context) {
@@ -228,10 +252,10 @@ std::string dropped(const Context& context) {
     const std::string to_x = step.field("to_x") ? step.text("to_x") : x;
     const std::string to_y = step.field("to_y") ? step.text("to_y") : y;
     if (x.empty())
-        return fmt::format("rows y={} to {}", y, to_y);
+        return said({"rows y={} to {}", "linhas y={} a {}"}, y, to_y);
     if (x == to_x && y == to_y)
         return fmt::format("pixel ({}, {})", x, y);
-    return fmt::format("pixels ({}, {}) to ({}, {})", x, y, to_x, to_y);
+    return said({"pixels ({}, {}) to ({}, {})", "pixels ({}, {}) a ({}, {})"}, x, y, to_x, to_y);
 }
 
 /// dx/dy of an edge of the current primitive as it was set up; nothing if it is horizontal.
@@ -261,7 +285,9 @@ std::string rounded_by(const std::string& rule, const std::string& ties,
     if (rule.empty())
         return {};
     const bool is_tie = number && rule == "nearest" && number->get_den() == 2;
-    return fmt::format(" -> {}{}", rule, is_tie ? ", ties " + (ties.empty() ? "up" : ties) : "");
+    return is_tie
+               ? said({" -> {}, ties {}", " -> {}, empates {}"}, rule, ties.empty() ? "up" : ties)
+               : " -> " + rule;
 }
 
 } // namespace
@@ -284,8 +310,8 @@ std::string rule_of_end(const Trace& trace, const StepView& step, const std::str
     const Rational sample = *column + offset;
     if (is_left ? *x > sample : *x <= sample)
         return {};
-    return fmt::format(" {} sample {}{}", is_left ? "<=" : ">", pixel,
-                       sgn(offset) != 0 ? " + 1/2" : "");
+    return said({" {} sample {}{}", " {} amostra {}{}"}, is_left ? "<=" : ">", pixel,
+                sgn(offset) != 0 ? " + 1/2" : "");
 }
 
 namespace {
@@ -296,7 +322,7 @@ std::string end_of_row(const Context& context, const std::string& side, const st
     const std::string edge = step.text(side + "_edge");
     const std::string x = step.text(side);
     const std::string y = step.text("y");
-    std::string text = edge.empty() ? side + ": x = " : fmt::format("{} {}: x = ", side, edge);
+    std::string text = name_of_side(side) + (edge.empty() ? "" : " " + edge) + ": x = ";
 
     const auto slope = slope_of(replay, edge);
     const auto ends = ends_of_edge(primitive, edge);
@@ -324,9 +350,9 @@ std::string end_of_row(const Context& context, const std::string& side, const st
 std::string depths_of_row(const Context& context) {
     const std::string left = context.step.text("left_depth");
     const std::string right = context.step.text("right_depth");
-    return left.empty() || right.empty()
-               ? std::string()
-               : fmt::format("   depth {} to {}", in_sentence(left), in_sentence(right));
+    return left.empty() || right.empty() ? std::string()
+                                         : said({"   depth {} to {}", "   profundidade {} a {}"},
+                                                in_sentence(left), in_sentence(right));
 }
 
 /// What a line goes by: `1/2 x + 0 = `, or the number before and m, for `dda`: `3/7 + 3/7 = `.
@@ -380,16 +406,21 @@ std::string level(const Context& context) {
     if (!color)
         return {};
     const int brightest = std::max({int{color->red()}, int{color->green()}, int{color->blue()}});
-    return fmt::format(" (level {}: {:.1f} % of the light on an sRGB screen)", brightest,
-                       share_of_light(brightest));
+    return said({" (level {}: {:.1f} % of the light on an sRGB screen)",
+                 " (nível {}: {:.1f} % da luz numa tela sRGB)"},
+                brightest, share_of_light(brightest));
 }
 
 /// Which side of 0 Bresenham's d lies on, and where it goes for that.
 std::string sign_of_d(const Trace& trace, const StepView& step) {
     const std::string d = step.text("d");
-    if (steps_at_ties(trace))
-        return d.starts_with('-') ? "< 0, straight on" : ">= 0, diagonally";
-    return d.starts_with('-') || d == "0" ? "<= 0, straight on" : "> 0, diagonally";
+    const bool is_diagonal =
+        steps_at_ties(trace) ? !d.starts_with('-') : !d.starts_with('-') && d != "0";
+    const std::string_view compared = steps_at_ties(trace) ? is_diagonal ? ">= 0" : "< 0"
+                                      : is_diagonal        ? "> 0"
+                                                           : "<= 0";
+    return is_diagonal ? said({"{}, diagonally", "{}, na diagonal"}, compared)
+                       : said({"{}, straight on", "{}, em frente"}, compared);
 }
 
 /// The color of a pixel that has its own; on a line, how far it has come from one end's to the other's.
@@ -400,9 +431,10 @@ std::string color(const Context& context) {
     const auto on_line = color_on_line(context.replay, context.primitive);
     if (!on_line)
         return told;
-    return on_line->is_by_distance
-               ? fmt::format("{} ({} of the distance)", told, six_places(on_line->share()))
-               : fmt::format("{} (step {} of {})", told, text(on_line->step), text(on_line->steps));
+    return on_line->is_by_distance ? said({"{} ({} of the distance)", "{} ({} da distância)"}, told,
+                                          six_places(on_line->share()))
+                                   : said({"{} (step {} of {})", "{} (passo {} de {})"}, told,
+                                          text(on_line->step), text(on_line->steps));
 }
 
 /// Why a pixel is drawn, once more: its row, its decision or its sample.
@@ -413,15 +445,15 @@ std::string reason(const Context& context) {
     const StepView step = context.replay.trace().step(n);
     switch (*context.replay.trace().kind_of(n)) {
     case StepKind::scanline:
-        return fmt::format("   row y={}: {} to {}", step.text("y"), step.text("from"),
-                           step.text("to"));
+        return said({"   row y={}: {} to {}", "   linha y={}: {} a {}"}, step.text("y"),
+                    step.text("from"), step.text("to"));
     case StepKind::along:
         return fmt::format("   {} = {}", step.field("x") ? "y" : "x",
                            in_sentence(step.text("value")));
     case StepKind::decide:
         return fmt::format("   d = {} {}", step.text("d"), sign_of_d(context.replay.trace(), step));
     case StepKind::sample:
-        return "   no weight is negative";
+        return said({"   no weight is negative", "   nenhum peso é negativo"});
     default:
         return {};
     }
@@ -441,8 +473,8 @@ std::string ears(const Context& context) {
     names.resize(std::min(count - 1, most_ears_shown));
     std::string text = joined(names, ", ");
     if (names.size() < count - 1)
-        text += fmt::format(", ... ({} in all)", count - 1);
-    return fmt::format("{}; what is left is {}", text, rest);
+        text += said({", ... ({} in all)", ", ... ({} ao todo)"}, count - 1);
+    return said({"{}; what is left is {}", "{}; o que resta é {}"}, text, rest);
 }
 
 /// A part of a sentence that is more than a field.
@@ -455,13 +487,13 @@ struct Part {
 constexpr Part parts[] = {
     {"face",
      [](const Context& context) {
-         return "face " + shortened(context.step.text("name"), shown_of_name);
+         return said({"face {}", "face {}"}, shortened(context.step.text("name"), shown_of_name));
      }},
     {"ears", ears},
     {"of_object",
      [](const Context& context) {
          const std::string object = context.step.text("object");
-         return object.empty() ? object : " of " + object;
+         return object.empty() ? object : said({" of {}", " de {}"}, object);
      }},
     {"factors",
      [](const Context& context) {
@@ -487,29 +519,33 @@ constexpr Part parts[] = {
     {"corners", corners},
     {"octant",
      [](const Context& context) {
-         return context.step.field("octant") ? "   octant " + context.step.text("octant")
-                                             : std::string();
+         return context.step.field("octant")
+                    ? said({"   octant {}", "   octante {}"}, context.step.text("octant"))
+                    : std::string();
      }},
     {"painted",
      [](const Context& context) {
-         return std::string(context.step.text("painted") == "false" ? "   only hides, not painted"
-                                                                    : "");
+         return context.step.text("painted") == "false"
+                    ? said({"   only hides, not painted", "   só esconde, não é pintado"})
+                    : std::string();
      }},
     {"kind",
      [](const Context& context) {
-         return context.primitive.kind.empty() ? "primitive" : context.primitive.kind;
+         const std::string& kind = context.primitive.kind;
+         return std::string(in_language_of_steps(kind.empty() ? "primitive" : kind));
      }},
     {"primitive", name_of_primitive},
     {"toward",
      [](const Context& context) {
-         return std::string(context.step.text("by") == "light" ? "to light" : "to eye");
+         return context.step.text("by") == "light" ? said({"to light", "para a luz"})
+                                                   : said({"to eye", "para o olho"});
      }},
     {"cosine",
      [](const Context& context) {
          const std::string cosine = context.step.text("cosine");
          const auto value = nearest_double_in(cosine);
-         return value ? fmt::format(", cosine {} ({:.2f} degrees)", six_places(*value),
-                                    degrees_of_cosine(*value))
+         return value ? said({", cosine {} ({:.2f} degrees)", ", cosseno {} ({:.2f} graus)"},
+                             six_places(*value), degrees_of_cosine(*value))
                       : std::string();
      }},
     {"intensity",
@@ -522,20 +558,21 @@ constexpr Part parts[] = {
     {"inside",
      [](const Context& context) {
          const auto inside = context.step.texts("inside");
-         return fmt::format("{} of {}", std::count(inside.begin(), inside.end(), "true"),
-                            inside.size());
+         return said({"{} of {}", "{} de {}"}, std::count(inside.begin(), inside.end(), "true"),
+                     inside.size());
      }},
     {"edge", edge},
     {"rows_of_half", rows_of_half},
     {"line_to",
      [](const Context& context) {
          const auto ends = ends_of_line(context.replay, context.primitive);
-         return ends ? ", to " + text(ends->to) : std::string();
+         return ends ? said({", to {}", ", até {}"}, text(ends->to)) : std::string();
      }},
     {"samples",
      [](const Context& context) {
          return sgn(sample_offset(context.replay.trace())) != 0
-                    ? fmt::format(", samples at y = {} + 1/2", context.step.text("y"))
+                    ? said({", samples at y = {} + 1/2", ", amostras em y = {} + 1/2"},
+                           context.step.text("y"))
                     : std::string();
      }},
     {"left_end",
@@ -546,7 +583,8 @@ constexpr Part parts[] = {
     {"empty",
      [](const Context& context) {
          const bool is_empty = *context.step.whole("to") < *context.step.whole("from");
-         return std::string(is_empty ? "   no pixel between" : "");
+         return is_empty ? said({"   no pixel between", "   nenhum pixel entre elas"})
+                         : std::string();
      }},
     {"along",
      [](const Context& context) {
@@ -575,9 +613,10 @@ constexpr Part parts[] = {
      [](const Context& context) {
          const StepView& step = context.step;
          return step.text("error").empty()
-                    ? std::string("a number has left the doubles")
-                    : fmt::format("doubles leave it open: a difference of {}, off by up to {}",
-                                  step.text("difference"), step.text("error"));
+                    ? said({"a number has left the doubles", "um número saiu dos doubles"})
+                    : said({"doubles leave it open: a difference of {}, off by up to {}",
+                            "os doubles não decidem: uma diferença de {}, com erro de até {}"},
+                           step.text("difference"), step.text("error"));
      }},
 };
 
@@ -587,6 +626,8 @@ std::string filled_in(std::string_view placeholder, const Context& context) {
         for (const Part& part : parts)
             if (part.name == placeholder.substr(1))
                 return part.text(context);
+    if (placeholder.starts_with('#'))
+        return std::string(in_language_of_steps(context.step.text(placeholder.substr(1))));
     if (const std::size_t choice = placeholder.find('?'); choice != std::string_view::npos) {
         const std::size_t colon = placeholder.find(':');
         return std::string(context.step.text(placeholder.substr(0, choice)) == "true"
@@ -633,14 +674,16 @@ std::optional<bool> larger_depth_passes(const Trace& trace, std::size_t n) {
 
 Sentence sentence_of_step(const Replay& replay) {
     if (replay.step() == 0)
-        return {.pattern = "nothing drawn yet", .fills = {}};
+        return {.pattern =
+                    Words("nothing drawn yet", "nada desenhado ainda").in(language_of_steps()),
+                .fills = {}};
     const StepView step = replay.trace().step(replay.step());
     const auto kind = replay.trace().kind_of(replay.step());
     if (!kind) {
         constexpr std::size_t width = 100;
         return {.pattern = "{step}", .fills = {printable(shortened(step.json(), width))}};
     }
-    Sentence sentence{.pattern = row_of(*kind).sentence, .fills = {}};
+    Sentence sentence{.pattern = row_of(*kind).sentence.in(language_of_steps()), .fills = {}};
     const Context context{replay, step, primitive_of(replay)};
     for (const auto& [begin, end] : placeholders_in(sentence.pattern))
         sentence.fills.push_back(

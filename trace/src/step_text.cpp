@@ -376,4 +376,8 @@ std::size_t reason_of_pixel(const Replay& replay) {
     return 0;
 }
 
+std::string name_of_side(const std::string& side) {
+    return side == "left" ? said({"left", "esquerda"}) : said({"right", "direita"});
+}
+
 } // namespace rastertrace

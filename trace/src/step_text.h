@@ -8,6 +8,9 @@
 #include <rastertrace/core/numbers/vec.h>
 #include <rastertrace/core/raster/image.h>
 #include <rastertrace/trace/frame.h>
+#include <rastertrace/trace/language.h>
+
+#include <fmt/core.h>
 
 #include <array>
 #include <cstddef>
@@ -17,6 +20,11 @@
 #include <vector>
 
 namespace rastertrace {
+
+/// Words in the language of steps, with values for their {}.
+template <typename... Values> std::string said(const Words& words, const Values&... values) {
+    return fmt::vformat(words.in(language_of_steps()), fmt::make_format_args(values...));
+}
 
 /// A long fraction as its first digits, and what it is: 49977918.../10141204... = 4.928204, or
 /// 79999999.../40000000... < 2 where it lies a hair beside.
@@ -164,5 +172,8 @@ std::size_t along_before(const Replay& replay, std::size_t n);
 /// The row, line or sample that the pixel of the current step belongs to: the last step before it in its
 /// primitive that is not about a pixel; 0 if there is none.
 std::size_t reason_of_pixel(const Replay& replay);
+
+/// An end of a row, "left" or "right", in the language of steps.
+std::string name_of_side(const std::string& side);
 
 } // namespace rastertrace

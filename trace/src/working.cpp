@@ -30,7 +30,8 @@ void order(Sheet& sheet) {
     const auto names = sheet.step.texts("names");
     const auto distances = sheet.step.texts("distances");
     for (std::size_t i = 0; i < names.size() && i < distances.size(); ++i)
-        sheet.put(fmt::format("{}. {} at {}", i + 1, names[i], in_sentence(distances[i])));
+        sheet.put(
+            said({"{}. {} at {}", "{}. {} a {}"}, i + 1, names[i], in_sentence(distances[i])));
 }
 
 /// Which way a triangle is turned: each vertex against the edge before it.
@@ -47,18 +48,21 @@ void primitive(Sheet& sheet) {
         const Vec2& p = (*corners)[(i + 2) % 3];
         const Rational value = doubled_area(a, b, p);
         const bool is_left = (sgn(value) > 0) == is_y_up;
-        sheet.put(fmt::format(
-            "{0} x {1} = {2} - {3} = {4}: {5} lies {6}", edge_name(sheet.primitive, i, (i + 1) % 3),
-            edge_name(sheet.primitive, i, (i + 2) % 3), product(b.x - a.x, p.y - a.y),
-            product(b.y - a.y, p.x - a.x), text(value), names[(i + 2) % 3],
-            sgn(value) == 0 ? "on it"
-            : is_left       ? "left of it"
-                            : "right of it"));
+        const std::string where = sgn(value) == 0 ? said({"on it", "sobre ela"})
+                                  : is_left       ? said({"left of it", "à esquerda dela"})
+                                                  : said({"right of it", "à direita dela"});
+        sheet.put(said({"{0} x {1} = {2} - {3} = {4}: {5} lies {6}",
+                        "{0} x {1} = {2} - {3} = {4}: {5} está {6}"},
+                       edge_name(sheet.primitive, i, (i + 1) % 3),
+                       edge_name(sheet.primitive, i, (i + 2) % 3), product(b.x - a.x, p.y - a.y),
+                       product(b.y - a.y, p.x - a.x), text(value), names[(i + 2) % 3], where));
     }
-    const std::string_view turn = sgn(area) == 0               ? "no area"
-                                  : (sgn(area) > 0) == is_y_up ? "counter-clockwise"
-                                                               : "clockwise";
-    sheet.put(fmt::format("area = |{}| / 2 = {}, {}", text(area), text(abs(area) / 2), turn));
+    const std::string turn = sgn(area) == 0 ? said({"no area", "sem área"})
+                             : (sgn(area) > 0) == is_y_up
+                                 ? said({"counter-clockwise", "anti-horário"})
+                                 : said({"clockwise", "horário"});
+    sheet.put(said({"area = |{}| / 2 = {}, {}", "área = |{}| / 2 = {}, {}"}, text(area),
+                   text(abs(area) / 2), turn));
 }
 
 } // namespace
@@ -67,10 +71,11 @@ std::string EdgeFunctionText::at(const Vec2& p) const {
     const Rational value = value_at(p);
     return fmt::format("{} + {} = {}: {}", product(a, p.x - from.x), product(b, p.y - from.y),
                        text(value),
-                       sgn(value) > 0   ? "> 0, inside"
-                       : sgn(value) < 0 ? "< 0, outside"
-                       : is_top_left    ? "on a top or left edge, inside"
-                                        : "on the edge, outside");
+                       sgn(value) > 0   ? said({"> 0, inside", "> 0, dentro"})
+                       : sgn(value) < 0 ? said({"< 0, outside", "< 0, fora"})
+                       : is_top_left    ? said({"on a top or left edge, inside",
+                                                "sobre uma aresta superior ou esquerda, dentro"})
+                                        : said({"on the edge, outside", "sobre a aresta, fora"}));
 }
 
 std::optional<EdgeFunctionText> edge_function_in(const StepView& step,
@@ -115,7 +120,8 @@ void edge(Sheet& sheet) {
     const auto is_at = [](const Vec2& a, const Vec2& b) { return a.x == b.x && a.y == b.y; };
     for (std::size_t i = 0; i < 3; ++i)
         if (const Vec2& p = (*corners)[i]; !is_at(p, *from) && !is_at(p, *to))
-            sheet.put(fmt::format("E at {} = {}", sheet.primitive.vertices[i], function->at(p)));
+            sheet.put(said({"E at {} = {}", "E em {} = {}"}, sheet.primitive.vertices[i],
+                           function->at(p)));
 }
 
 /// Where an edge crosses a row.
@@ -138,8 +144,8 @@ void put_crossing(Sheet& sheet, const std::string& side) {
     sheet.put(fmt::format(
         "{} {}: x = (x2 - x1)/(y2 - y1) (y - y1) + x1 = ({} {})/({} {}) ({} {}) {} = {} {} = {}{} "
         "-> {}",
-        side, sheet.step.text(side + "_edge"), text(to->x), minus(text(from->x)), text(to->y),
-        minus(text(from->y)), text(y), minus(text(from->y)), plus(text(from->x)),
+        name_of_side(side), sheet.step.text(side + "_edge"), text(to->x), minus(text(from->x)),
+        text(to->y), minus(text(from->y)), text(y), minus(text(from->y)), plus(text(from->x)),
         product(slope, y - from->y), plus(text(from->x)), text(*told),
         rule_of_end(sheet.trace(), sheet.step, side, pixel), pixel));
 
@@ -159,9 +165,10 @@ void put_crossing(Sheet& sheet, const std::string& side) {
     const Rational depth_slope = (*d2 - *d1) / (to->y - from->y);
     const Rational depth_way = depth_slope * (y - from->y);
     if (sheet.agrees(*d1 + depth_way, *depth))
-        sheet.put(fmt::format("  depth = {} {} ({} {}) = {} {} = {}", text(*d1),
-                              plus(text(depth_slope)), text(y), minus(text(from->y)), text(*d1),
-                              plus(text(depth_way)), text(*depth)));
+        sheet.put(said(
+            {"  depth = {} {} ({} {}) = {} {} = {}", "  profundidade = {} {} ({} {}) = {} {} = {}"},
+            text(*d1), plus(text(depth_slope)), text(y), minus(text(from->y)), text(*d1),
+            plus(text(depth_way)), text(*depth)));
 }
 
 /// What the edge function of an end of a row says of the sample of its pixel, where there are such functions.
@@ -177,7 +184,8 @@ void put_edge_function(Sheet& sheet, const std::string& side, std::string_view e
         const StepView edge = sheet.trace().step(n);
         const auto function = edge_function_in(edge, sheet.primitive);
         if (function && edge.text("edge") == name)
-            sheet.put(fmt::format("E of {} at {} = {}", name, text(sample), function->at(sample)));
+            sheet.put(said({"E of {} at {} = {}", "E de {} em {} = {}"}, name, text(sample),
+                           function->at(sample)));
     }
 }
 
@@ -191,9 +199,10 @@ void scanline(Sheet& sheet) {
     const auto right = number_in(step, "right");
     const std::string left_edge = step.text("left_edge");
     if (left && right && !left_edge.empty() && *left != *right)
-        sheet.put(fmt::format("{} {} {}: {} is left, {} is right", text(*left),
-                              *left < *right ? "<" : ">", text(*right), left_edge,
-                              step.text("right_edge")));
+        sheet.put(
+            said({"{} {} {}: {} is left, {} is right", "{} {} {}: {} à esquerda, {} à direita"},
+                 text(*left), *left < *right ? "<" : ">", text(*right), left_edge,
+                 step.text("right_edge")));
     const auto left_depth = number_in(step, "left_depth");
     const auto right_depth = number_in(step, "right_depth");
     const auto from = step.whole("from").value_or(0);
@@ -203,17 +212,19 @@ void scanline(Sheet& sheet) {
     const auto first = has_rounded_ends ? std::optional(Rational(from)) : left;
     const auto last = has_rounded_ends ? std::optional(Rational(to)) : right;
     if (left_depth && right_depth && first && last && *first < *last)
-        sheet.put(fmt::format(
-            "depth = {} + ({} {}) / ({} {}) (x {}) = {} {} (x {})", text(*left_depth),
-            text(*right_depth), minus(text(*left_depth)), text(*last), minus(text(*first)),
-            minus(text(*first)), text(*left_depth),
-            plus(text((*right_depth - *left_depth) / (*last - *first))), minus(text(*first))));
+        sheet.put(said({"depth = {} + ({} {}) / ({} {}) (x {}) = {} {} (x {})",
+                        "profundidade = {} + ({} {}) / ({} {}) (x {}) = {} {} (x {})"},
+                       text(*left_depth), text(*right_depth), minus(text(*left_depth)), text(*last),
+                       minus(text(*first)), minus(text(*first)), text(*left_depth),
+                       plus(text((*right_depth - *left_depth) / (*last - *first))),
+                       minus(text(*first))));
     else if (left_depth && has_rounded_ends && from == to)
-        sheet.put(fmt::format("one pixel: depth = {}", text(*left_depth)));
+        sheet.put(
+            said({"one pixel: depth = {}", "um pixel: profundidade = {}"}, text(*left_depth)));
     if (from <= to)
-        sheet.put(fmt::format("x = {} to {}: {} - {} + 1 = {}", from, to, to,
-                              from < 0 ? fmt::format("({})", from) : std::to_string(from),
-                              counted(static_cast<std::uint64_t>(to - from + 1), "pixel")));
+        sheet.put(said({"x = {} to {}: {} - {} + 1 = {}", "x = {} a {}: {} - {} + 1 = {}"}, from,
+                       to, to, from < 0 ? fmt::format("({})", from) : std::to_string(from),
+                       counted(static_cast<std::uint64_t>(to - from + 1), "pixel")));
 }
 
 /// Twice the areas that a point makes with the edges of a triangle, by one cross product (T3).
@@ -225,16 +236,18 @@ void sample(Sheet& sheet) {
         return;
     const auto& names = sheet.primitive.vertices;
     const auto& [xs, ys, weights] = *cross;
-    sheet.put(fmt::format("P = {}: {} = {}, {} = {}, P to {} = {}", text(*p),
-                          edge_name(sheet.primitive, 0, 1), text(Vec2{xs.x, ys.x}),
-                          edge_name(sheet.primitive, 0, 2), text(Vec2{xs.y, ys.y}), names[0],
-                          text(Vec2{xs.z, ys.z})));
+    sheet.put(
+        said({"P = {}: {} = {}, {} = {}, P to {} = {}", "P = {}: {} = {}, {} = {}, P a {} = {}"},
+             text(*p), edge_name(sheet.primitive, 0, 1), text(Vec2{xs.x, ys.x}),
+             edge_name(sheet.primitive, 0, 2), text(Vec2{xs.y, ys.y}), names[0],
+             text(Vec2{xs.z, ys.z})));
     sheet.put(fmt::format("{} x {} = {}", text(xs), text(ys), text(weights)));
     const Rational u = weights.x / weights.z;
     const Rational v = weights.y / weights.z;
-    sheet.put(fmt::format("divided by {}: u = {} of {}, v = {} of {}, 1 - u - v = {} of {}",
-                          text(weights.z), text(u), names[1], text(v), names[2], text(1 - u - v),
-                          names[0]));
+    sheet.put(said({"divided by {}: u = {} of {}, v = {} of {}, 1 - u - v = {} of {}",
+                    "dividido por {}: u = {} de {}, v = {} de {}, 1 - u - v = {} de {}"},
+                   text(weights.z), text(u), names[1], text(v), names[2], text(1 - u - v),
+                   names[0]));
 }
 
 /// The depth of a pixel on a line between its ends, along the major axis.
@@ -256,9 +269,10 @@ void put_depth_on_line(Sheet& sheet) {
         return;
     const Rational value = *d1 + (*d2 - *d1) * (at - from) / (to - from);
     if (sheet.agrees(value, *told))
-        sheet.put(fmt::format("depth = {} + ({} {}) ({} {}) / ({} {}) = {}", text(*d1), text(*d2),
-                              minus(text(*d1)), text(at), minus(text(from)), text(to),
-                              minus(text(from)), text(*told)));
+        sheet.put(said({"depth = {} + ({} {}) ({} {}) / ({} {}) = {}",
+                        "profundidade = {} + ({} {}) ({} {}) / ({} {}) = {}"},
+                       text(*d1), text(*d2), minus(text(*d1)), text(at), minus(text(from)),
+                       text(to), minus(text(from)), text(*told)));
 }
 
 /// The depth of a pixel on the plane through the three corners, if that is what decided.
@@ -288,10 +302,12 @@ void depth(Sheet& sheet) {
                         ((*depths)[2] - (*depths)[0]) * (b.y - a.y) / area;
     const Rational dy = ((*depths)[2] - (*depths)[0]) * (b.x - a.x) / area -
                         ((*depths)[1] - (*depths)[0]) * (c.x - a.x) / area;
-    sheet.put(fmt::format("plane through the corners: depth = {} x {} y {}", text(dx),
-                          plus(text(dy)), plus(text((*depths)[0] - dx * a.x - dy * a.y))));
-    sheet.put(fmt::format("depth = {} + {} + {} = {}", product(w, (*depths)[0]),
-                          product(u, (*depths)[1]), product(v, (*depths)[2]), text(*told)));
+    sheet.put(said({"plane through the corners: depth = {} x {} y {}",
+                    "plano pelos vértices: profundidade = {} x {} y {}"},
+                   text(dx), plus(text(dy)), plus(text((*depths)[0] - dx * a.x - dy * a.y))));
+    sheet.put(said({"depth = {} + {} + {} = {}", "profundidade = {} + {} + {} = {}"},
+                   product(w, (*depths)[0]), product(u, (*depths)[1]), product(v, (*depths)[2]),
+                   text(*told)));
     write_plane_in_camera_space(sheet, *p, *told);
 }
 
@@ -308,12 +324,14 @@ void decide(Sheet& sheet) {
     const std::string_view minor = dx < dy ? "dx" : "dy";
     const Rational longer = std::max(dx, dy);
     const Rational shorter = std::min(dx, dy);
-    sheet.put(fmt::format("dx = {}, dy = {}: d begins at 2 {} - {} = {}", text(dx), text(dy), minor,
-                          major, text(2 * shorter - longer)));
-    sheet.put(fmt::format("straight on adds 2 {} = {}, diagonally 2 ({} - {}) = {}", minor,
-                          text(2 * shorter), minor, major, text(2 * (shorter - longer))));
-    sheet.put(fmt::format("next d = {} {} = {}", text(*d), plus(text(*increment)),
-                          text(*d + *increment)));
+    sheet.put(said({"dx = {}, dy = {}: d begins at 2 {} - {} = {}",
+                    "dx = {}, dy = {}: d começa em 2 {} - {} = {}"},
+                   text(dx), text(dy), minor, major, text(2 * shorter - longer)));
+    sheet.put(said({"straight on adds 2 {} = {}, diagonally 2 ({} - {}) = {}",
+                    "em frente soma 2 {} = {}, na diagonal 2 ({} - {}) = {}"},
+                   minor, text(2 * shorter), minor, major, text(2 * (shorter - longer))));
+    sheet.put(said({"next d = {} {} = {}", "próximo d = {} {} = {}"}, text(*d),
+                   plus(text(*increment)), text(*d + *increment)));
 }
 
 void along(Sheet& sheet) {
@@ -342,9 +360,9 @@ void along(Sheet& sheet) {
     const auto last_at =
         before == 0 ? std::nullopt : number_in(sheet.trace().step(before), major_field);
     if (last && last_at)
-        sheet.put(fmt::format("{} = the last one {} = {} {} = {}", minor,
-                              *at > *last_at ? "+ m" : "- m", text(*last),
-                              plus(text(m * (*at - *last_at))), text(*value)));
+        sheet.put(said({"{} = the last one {} = {} {} = {}", "{} = o último {} = {} {} = {}"},
+                       minor, *at > *last_at ? "+ m" : "- m", text(*last),
+                       plus(text(m * (*at - *last_at))), text(*value)));
     else
         sheet.put(fmt::format("{} = m {} + b = {} {} = {}", minor, major, product(m, *at),
                               plus(text(b)), text(*value)));
@@ -354,11 +372,12 @@ void write_working(Sheet& sheet);
 
 /// A channel of a color.
 struct Channel {
-    std::string_view name;
+    Words name;
     std::uint8_t (Color::*of)() const;
 };
-constexpr Channel channels[] = {
-    {"red", &Color::red}, {"green", &Color::green}, {"blue", &Color::blue}};
+constexpr Channel channels[] = {{{"red", "vermelho"}, &Color::red},
+                                {{"green", "verde"}, &Color::green},
+                                {{"blue", "azul"}, &Color::blue}};
 
 /// True if a level rounds to the one that the trace tells, as its header says that levels are rounded.
 bool rounds_to(const Trace& trace, double level, int told) {
@@ -378,18 +397,20 @@ void put_color_on_line(Sheet& sheet, const ColorOnLine& line, Color told) {
         if (!rounds_to(sheet.trace(), worked_out, level))
             return;
         if (from != to)
-            lines.push_back(line.is_by_distance
-                                ? fmt::format("{} = {} ({}) + {} ({}) = {} -> {}", channel.name,
-                                              six_places(1 - line.share()), from,
-                                              six_places(line.share()), to, six_places(worked_out),
-                                              level)
-                                : fmt::format("{} = {} + {} ({} - {}) / {} = {} -> {}",
-                                              channel.name, from, text(line.step), to, from,
-                                              text(line.steps), six_places(worked_out), level));
+            lines.push_back(
+                line.is_by_distance
+                    ? fmt::format("{} = {} ({}) + {} ({}) = {} -> {}",
+                                  channel.name.in(language_of_steps()),
+                                  six_places(1 - line.share()), from, six_places(line.share()), to,
+                                  six_places(worked_out), level)
+                    : fmt::format("{} = {} + {} ({} - {}) / {} = {} -> {}",
+                                  channel.name.in(language_of_steps()), from, text(line.step), to,
+                                  from, text(line.steps), six_places(worked_out), level));
     }
     if (line.is_by_distance && !lines.empty())
-        sheet.put(fmt::format(
-            "to the far end sqrt({}), the whole line sqrt({}): {} of the color of {}",
+        sheet.put(said(
+            {"to the far end sqrt({}), the whole line sqrt({}): {} of the color of {}",
+             "até o outro extremo sqrt({}), o segmento inteiro sqrt({}): {} da cor de {}"},
             text(line.to_end), text(line.length), six_places(1 - line.share()), line.from_name));
     for (std::string& one : lines)
         sheet.put(std::move(one));
@@ -421,8 +442,8 @@ void put_mixed_color(Sheet& sheet, Color told) {
         }
         if (!rounds_to(sheet.trace(), worked_out, level))
             return; // in a perspective the weights in space are others
-        lines.push_back(fmt::format("{} = {} = {} -> {}", channel.name, joined(terms, " + "),
-                                    six_places(worked_out), level));
+        lines.push_back(fmt::format("{} = {} = {} -> {}", channel.name.in(language_of_steps()),
+                                    joined(terms, " + "), six_places(worked_out), level));
     }
     for (std::string& line : lines)
         sheet.put(std::move(line));
@@ -451,15 +472,18 @@ void pixel(Sheet& sheet) {
         // The row or the sample is of the same primitive, with the same edges.
         Sheet of_reason{sheet.replay, reason, sheet.trace().step(reason), sheet.primitive};
         write_working(of_reason);
-        sheet.put(fmt::format("because of step {}", sheet.trace().number_of(reason)));
+        sheet.put(
+            said({"because of step {}", "por causa do passo {}"}, sheet.trace().number_of(reason)));
         for (std::string& line : of_reason.lines)
             sheet.put(std::move(line));
     }
     put_color(sheet);
     const Index column = *x - canvas.left();
     const Index row = canvas.row_of(*y);
-    sheet.put(fmt::format("column {}, row {} from the top left: byte 4 ({} ({}) + {}) = {}", column,
-                          row, canvas.width, row, column, 4 * (canvas.width * row + column)));
+    sheet.put(said(
+        {"column {}, row {} from the top left: byte 4 ({} ({}) + {}) = {}",
+         "coluna {}, linha {} a partir do canto superior esquerdo: byte 4 ({} ({}) + {}) = {}"},
+        column, row, canvas.width, row, column, 4 * (canvas.width * row + column)));
 }
 
 /// A kind of step and what writes its working.

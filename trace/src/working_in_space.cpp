@@ -142,7 +142,9 @@ std::optional<Product> product_so_far(const Sheet& sheet) {
             break;
         last_name = name;
         const std::string object = step.text("object");
-        const std::string named = object.empty() ? name : name + " of " + object;
+        const std::string matrix_name(in_language_of_steps(name));
+        const std::string named =
+            object.empty() ? matrix_name : said({"{} of {}", "{} de {}"}, matrix_name, object);
         product = product ? Product{named + " x " + product->names, *matrix * product->matrix}
                           : Product{named, *matrix};
         ++count;
@@ -199,8 +201,9 @@ void put_angle(Sheet& sheet, const Vec3& normal, const Vec3& v, std::string_view
     if (!lengths || sgn(*lengths) == 0)
         return;
     const double cosine = std::clamp(nearest_double(value / *lengths), -1.0, 1.0);
-    sheet.put(fmt::format("cosine = {} / (|normal| |{}|) = {}, an angle of {:.2f} degrees",
-                          text(value), name, six_places(cosine), degrees_of_cosine(cosine)));
+    sheet.put(said({"cosine = {} / (|normal| |{}|) = {}, an angle of {:.2f} degrees",
+                    "cosseno = {} / (|normal| |{}|) = {}, um ângulo de {:.2f} graus"},
+                   text(value), name, six_places(cosine), degrees_of_cosine(cosine)));
 }
 
 /// The normal of a face from its corners in the world, and the plane that it lies in.
@@ -223,10 +226,10 @@ void put_normal(Sheet& sheet, const Vec3& normal) {
     sheet.put(fmt::format("normal = ({1} - {0}) x ({2} - {0})", names[0], names[1], names[2]));
     sheet.put(fmt::format("= {} = {}", cross_written_out(first, second), text(normal)));
     const Vec3 sum = a + b + c;
-    sheet.put(fmt::format("centroid = ({} + {} + {}) / 3 = {}", names[0], names[1], names[2],
-                          text(Vec3{sum.x / 3, sum.y / 3, sum.z / 3})));
-    sheet.put(fmt::format("plane: {} x {} y {} z {} = 0", text(normal.x), plus(text(normal.y)),
-                          plus(text(normal.z)), minus(text(dot(normal, a)))));
+    sheet.put(said({"centroid = ({} + {} + {}) / 3 = {}", "baricentro = ({} + {} + {}) / 3 = {}"},
+                   names[0], names[1], names[2], text(Vec3{sum.x / 3, sum.y / 3, sum.z / 3})));
+    sheet.put(said({"plane: {} x {} y {} z {} = 0", "plano: {} x {} y {} z {} = 0"}, text(normal.x),
+                   plus(text(normal.y)), plus(text(normal.z)), minus(text(dot(normal, a)))));
 }
 
 /// The matrix of this name, if there is one before the current step.
@@ -252,8 +255,10 @@ void put_whole_way(Sheet& sheet) {
     const auto clip = together->matrix * Vec<Rational, 4>{at->x, at->y, at->z, Rational(1)};
     if (sheet.agrees(clip.x, (*told)[0]) && sheet.agrees(clip.y, (*told)[1]) &&
         sheet.agrees(clip.z, (*told)[2]) && sheet.agrees(clip.w, (*told)[3]))
-        sheet.put(fmt::format("at once: {} times {} = ({}, {}, {}, {})", together->names, text(*at),
-                              text(clip.x), text(clip.y), text(clip.z), text(clip.w)));
+        sheet.put(said({"at once: {} times {} = ({}, {}, {}, {})",
+                        "de uma vez: {} vezes {} = ({}, {}, {}, {})"},
+                       together->names, text(*at), text(clip.x), text(clip.y), text(clip.z),
+                       text(clip.w)));
 }
 
 /// The normal of a face, and its angle to the vector in a field of the step.
@@ -297,18 +302,21 @@ void write_triangulation(Sheet& sheet) {
         const Vec3& q = at[next];
         const Vec3 part{(p.y - q.y) * (p.z + q.z), (p.z - q.z) * (p.x + q.x),
                         (p.x - q.x) * (p.y + q.y)};
-        lines.push_back(fmt::format("{} to {}: ({}, {}, {}) = {}", names[i], names[next],
-                                    newells_product(p.y, q.y, p.z, q.z),
-                                    newells_product(p.z, q.z, p.x, q.x),
-                                    newells_product(p.x, q.x, p.y, q.y), text(part)));
+        lines.push_back(said({"{} to {}: ({}, {}, {}) = {}", "{} a {}: ({}, {}, {}) = {}"},
+                             names[i], names[next], newells_product(p.y, q.y, p.z, q.z),
+                             newells_product(p.z, q.z, p.x, q.x),
+                             newells_product(p.x, q.x, p.y, q.y), text(part)));
         sum = sum + part;
     }
     if (sum.x != told->x || sum.y != told->y || sum.z != told->z)
         return;
     sheet.lines = std::move(lines);
-    sheet.put(fmt::format("normal = the sum of these = {}, of length {}: twice the area", text(sum),
-                          length_of(sum)));
-    sheet.put(fmt::format("largest in {}: the face is seen without it", sheet.step.text("drops")));
+    sheet.put(said({"normal = the sum of these = {}, of length {}: twice the area",
+                    "normal = a soma destes = {}, de comprimento {}: o dobro da área"},
+                   text(sum), length_of(sum)));
+    sheet.put(
+        said({"largest in {}: the face is seen without it", "maior em {}: a face é vista sem ele"},
+             sheet.step.text("drops")));
 }
 
 /// What a matrix is a product of, and the camera that it comes of; then the matrices up to this one as
@@ -391,11 +399,13 @@ void write_vertex(Sheet& sheet) {
 }
 
 void write_face(Sheet& sheet) {
-    put_face_toward(sheet, "view", sheet.step.text("by") == "light" ? "light" : "view");
+    put_face_toward(sheet, "view",
+                    sheet.step.text("by") == "light" ? said({"light", "luz"})
+                                                     : said({"view", "visão"}));
 }
 
 void write_light(Sheet& sheet) {
-    put_face_toward(sheet, "light", "light");
+    put_face_toward(sheet, "light", said({"light", "luz"}));
 }
 
 void write_plane_in_camera_space(Sheet& sheet, const Vec2& sample, const Rational& told) {
@@ -432,14 +442,17 @@ void write_plane_in_camera_space(Sheet& sheet, const Vec2& sample, const Rationa
     const Rational z = -d * constant / divisor;
     if (!sheet.agrees(1 / abs(z), told))
         return;
-    sheet.put(fmt::format("plane in camera space: {} x {} y {} z {} = 0", text(normal.x),
-                          plus(text(normal.y)), plus(text(normal.z)), plus(text(constant))));
-    sheet.put(fmt::format("seen at x' = {}, y' = {} on the view plane z = d = {}", text(x), text(y),
-                          text(d)));
-    sheet.put(fmt::format("z = -d D / (A x' + B y' + d C) = {} / ({} + {} + {}) = {}{}",
-                          text(-d * constant), product(normal.x, x), product(normal.y, y),
-                          product(d, normal.z), text(z),
-                          sgn(z) < 0 ? ", at a distance of " + text(-z) : ""));
+    sheet.put(said({"plane in camera space: {} x {} y {} z {} = 0",
+                    "plano no espaço da câmera: {} x {} y {} z {} = 0"},
+                   text(normal.x), plus(text(normal.y)), plus(text(normal.z)),
+                   plus(text(constant))));
+    sheet.put(said({"seen at x' = {}, y' = {} on the view plane z = d = {}",
+                    "visto em x' = {}, y' = {} no plano de visão z = d = {}"},
+                   text(x), text(y), text(d)));
+    sheet.put(fmt::format(
+        "z = -d D / (A x' + B y' + d C) = {} / ({} + {} + {}) = {}{}", text(-d * constant),
+        product(normal.x, x), product(normal.y, y), product(d, normal.z), text(z),
+        sgn(z) < 0 ? said({", at a distance of {}", ", a uma distância de {}"}, text(-z)) : ""));
 }
 
 } // namespace rastertrace

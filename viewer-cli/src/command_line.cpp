@@ -7,6 +7,7 @@
 #include "load.h"
 #include "player_screen.h"
 
+#include <rastertrace/trace/language.h>
 #include <rastertrace/trace/method_names.h>
 #include <rastertrace/trace/problem.h>
 #include <rastertrace/trace/stage_name.h>
@@ -18,6 +19,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cstdlib>
 #include <exception>
 #include <functional>
 #include <limits>
@@ -278,6 +280,7 @@ public:
             refuse_empty_words(count, arguments);
             refuse_unknown_command(arguments[1]);
             app_.parse(count, arguments);
+            choose_language();
             return action_();
         } catch (const CLI::CallForHelp&) {
             print_help(chosen());
@@ -295,6 +298,26 @@ private:
         CLI::App& command = *app_.add_subcommand(name, meaning);
         command.footer("Example: " + example);
         return command;
+    }
+
+    void add_language(CLI::App& command) {
+        command
+            .add_option("--language", language_,
+                        fmt::format("Tell steps in this language: {}; what RASTERTRACE_LANGUAGE "
+                                    "says if not given",
+                                    joined(language_codes(), ", ")))
+            ->type_name("CODE");
+    }
+
+    /// Never by the locale: a command prints the same on every machine.
+    void choose_language() const {
+        constexpr const char* variable = "RASTERTRACE_LANGUAGE";
+        const char* const said = std::getenv(variable);
+        const auto language = one_of(language_.empty() ? variable : "--language",
+                                     language_.empty() && said != nullptr ? said : language_,
+                                     language_codes(), language_with_code);
+        if (language)
+            tell_steps_in(*language);
     }
 
     void add_trace() {
@@ -394,6 +417,7 @@ private:
         command.add_flag("--json", is_json_table_, "With --every: short for --format json");
         command.add_option("--color", color_, "auto, always or never: colors, on a terminal")
             ->type_name("WHEN");
+        add_language(command);
         show_method_.add_to(command);
         show_input_.add_to(command);
         show_frames_.add_to(command, "all if not given");
@@ -472,6 +496,7 @@ private:
             .add_option("--print", screen_size_,
                         "Print the first screen of a terminal of that size, and play nothing")
             ->type_name("COLUMNSxLINES");
+        add_language(command);
         play_method_.add_to(command);
         play_input_.add_to(command);
         play_frames_.add_to(command, "all if not given");
@@ -613,6 +638,7 @@ private:
         command.add_flag(
             "--bare", figure_.is_bare,
             "Only the pixels in their own colors, one unit each if --cell is not given");
+        add_language(command);
         figure_method_.add_to(command);
         figure_input_.add_to(command);
         figure_frames_.add_to(command, "all if not given");
@@ -764,6 +790,7 @@ private:
             ->type_name("METHOD");
         command.add_option("--format", explain_format_, "text or json")->type_name("NAME");
         command.add_flag("--json", explain_.json, "Short for --format json");
+        add_language(command);
         explain_method_.add_to(command);
         explain_input_.add_to(command);
         explain_frames_.add_to(command, first_frame);
@@ -867,6 +894,7 @@ private:
                          "Tell only which claims are right and which are wrong");
         command.add_flag("--template", check_.is_template,
                          "Write the claims file of a scene with ? in place of every number");
+        add_language(command);
         check_method_.add_to(command);
         check_input_.add_to(command);
         check_frames_.add_to(command, first_frame);
@@ -1141,6 +1169,7 @@ private:
                          "Write the lines of one trace that git is to compare");
         command.add_option("--format", diff_format_, "text or json")->type_name("NAME");
         command.add_flag("--json", diff_.json, "Short for --format json");
+        add_language(command);
         diff_method_.add_to(command);
         diff_input_.add_to(command);
         diff_frames_.add_to(command, first_frame);
@@ -1307,6 +1336,7 @@ private:
     std::string only_;
     std::string region_;
     MethodOptions trace_method_;
+    std::string language_; ///< of show, play, figure, explain, check, diff
     InputOptions trace_input_;
     FrameOptions trace_frames_;
 

@@ -42,10 +42,10 @@ Pipe make_pipe() {
     return {Descriptor(ends[0]), Descriptor(ends[1])};
 }
 
-/// This program's environment, but for what pictures depend on.
+/// This program's environment, but for what its output depends on.
 std::vector<std::string> environment() {
-    constexpr std::array<std::string_view, 5> fixed{
-        "COLUMNS=", "LINES=", "NO_COLOR=", "TERM=", "COLORTERM="};
+    constexpr std::array<std::string_view, 6> fixed{
+        "COLUMNS=", "LINES=", "NO_COLOR=", "TERM=", "COLORTERM=", "RASTERTRACE_LANGUAGE="};
     std::vector<std::string> variables{"COLUMNS=80", "NO_COLOR=1", "TERM=dumb"};
     for (char** variable = environ; *variable != nullptr; ++variable)
         if (std::none_of(fixed.begin(), fixed.end(), [variable](std::string_view name) {

@@ -3,6 +3,7 @@
 // functions of JavaScript of them.
 
 #include <rastertrace/figures/page.h>
+#include <rastertrace/trace/language.h>
 #include <rastertrace/trace/output.h>
 #include <rastertrace/trace/problem.h>
 #include <rastertrace/trace/scene_file.h>
@@ -63,6 +64,12 @@ extern "C" {
 /// True if the last answer is a message that tells why there is no other.
 bool rastertrace_is_message() {
     return is_message;
+}
+
+/// Sets the language of sentences by its code; one that there is not changes nothing.
+void rastertrace_tell_steps_in(const char* code) {
+    if (const auto language = language_with_code(code))
+        tell_steps_in(*language);
 }
 
 /// The trace of a scene, as `rastertrace trace scene.json -o -` writes it.

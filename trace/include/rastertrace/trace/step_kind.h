@@ -6,6 +6,8 @@
 //
 //     row_of(StepKind::scanline).fields;  // y, left, right, from, ...
 
+#include <rastertrace/trace/language.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -74,9 +76,9 @@ struct StepRow {
     std::string_view name;  ///< the value of "step"
     std::string_view fires; ///< "the two ends of a row are known"
 
-    /// Its sentence: {x} is the field x, a list as (1, 2); {pass?passes:fails} chooses by a boolean;
-    /// {@name} is worked out by describe.cpp.
-    std::string_view sentence;
+    /// Its sentence, in each language: {x} is the field x, a list as (1, 2); {#x} is one of the words that traces have
+    /// (language.h); {pass?passes:fails} chooses by a boolean; {@name} is worked out by describe.cpp.
+    Words sentence;
 
     std::vector<StepField> fields; ///< in the order in which they are written
 };
