@@ -1,0 +1,221 @@
+# SPDX-License-Identifier: MIT
+"""What mkdocs does besides: the navigation, GitHub's anchors, the players, and boxes in which wide things scroll.
+
+RASTERTRACE_PROGRAM is the program that makes the players, RASTERTRACE_SOURCE the folder in which it runs.
+"""
+import fnmatch
+import html
+import os
+import re
+import shlex
+import subprocess
+from pathlib import Path
+
+from markdown.extensions import Extension
+from markdown.treeprocessors import Treeprocessor
+from mkdocs.exceptions import PluginError
+
+# Sections and their pages, as (pattern of the file's name, title or None for the page's own). A section may stand in
+# place of a page. Of several pages with a pattern, the numbers in their names say the order.
+SECTIONS = [
+    ("README.md", "rastertrace"),
+    ("Tutorial", [
+        ("docs/tutorial/README.md", "About the tutorial"),
+        ("docs/tutorial/[0-9]*.md", None),
+        ("Answers", [("docs/tutorial/answers/*.md", None)]),
+        ("Em português", [("docs/tutorial/pt/*.md", None), ("docs/tutorial/pt/*/*.md", None)]),
+    ]),
+    ("Commands", [
+        ("docs/commands.md", "All commands"),
+        ("docs/frames.md", "show"),
+        ("docs/player.md", "play"),
+        ("docs/figures.md", "figure"),
+        ("docs/explain.md", "explain"),
+        ("docs/trace.md", "trace"),
+        ("docs/stats.md", "stats"),
+        ("docs/plan.md", "plan"),
+        ("docs/check.md", "check"),
+        ("docs/diff.md", "diff"),
+        ("docs/validate.md", "validate"),
+        ("docs/report.md", "report"),
+        ("docs/stress-command.md", "stress"),
+        ("docs/pages.md", "renew"),
+    ]),
+    ("How it draws", [
+        ("docs/pipeline.md", None),
+        ("docs/fills.md", None),
+        ("docs/lines.md", None),
+        ("docs/along-the-texts.md", None),
+        ("docs/text-figures.md", None),
+        ("docs/sources.md", None),
+    ]),
+    ("Formats", [("docs/scene-format.md", None), ("docs/trace-format.md", None)]),
+    ("Numbers", [("docs/numerics.md", None), ("docs/stress.md", None)]),
+    ("For developers", [
+        ("docs/library.md", None),
+        ("docs/regression-tests.md", None),
+        ("docs/architecture.md", None),
+        ("docs/performance.md", None),
+        ("docs/contributing.md", None),
+    ]),
+]
+
+CHAPTER = re.compile(r"docs/tutorial/(?:\d[^/]*|README)\.md")
+ANSWERS = re.compile(r"(docs/tutorial/(?:pt/)?)answers/([^/]*\.md)")
+PLAYER = re.compile(r"<!-- *player:(.*?)-->[ ]*")
+MANY_COLUMNS = 36  # of a telephone; a block with longer lines may have to be scrolled
+LONG_CELL = 44  # characters of a cell that is not made narrower than a few words
+
+
+# --- the navigation --------------------------------------------------------------------------------------------------
+
+
+def by_number(name):
+    return [int(part) if part.isdigit() else part for part in re.split(r"(\d+)", name)]
+
+
+def navigation(sections, pages):
+    """mkdocs's `nav` of those pages that exist; takes them out of the list `pages`."""
+    nav = []
+    for name, title in sections:
+        if isinstance(title, list):
+            if children := navigation(title, pages):
+                nav.append({name: children})
+            continue
+        found = [page for page in pages if fnmatch.fnmatchcase(page, name) and page.count("/") == name.count("/")]
+        for page in sorted(found, key=by_number):
+            pages.remove(page)
+            nav.append({title: page} if title else page)
+    return nav
+
+
+def on_config(config):
+    folder = Path(config["docs_dir"])
+    pages = [os.path.relpath(os.path.join(where, name), folder)
+             for where, _, names in os.walk(folder, followlinks=True) for name in names if name.endswith(".md")]
+    config["nav"] = navigation(SECTIONS, pages)
+    if pages:
+        raise PluginError("in no section of the site: " + ", ".join(sorted(pages)) + "; SECTIONS in site/hooks.py needs a line")
+    config["theme"].static_templates.clear()  # a map of the site needs the site's address
+    config["markdown_extensions"].append(Anchors())
+    return config
+
+
+def on_page_context(context, page, config, nav):
+    """What the template asks for besides: language, title, chapters before and after, the chapter of an answer."""
+    name = page.file.src_uri
+    context["lang"] = "pt-BR" if name.startswith("docs/tutorial/pt/") else "en"
+    context["heading"] = page.toc.items[0].title if page.toc.items else page.title
+    context["within"] = page.toc.items[0].children if page.toc.items else []
+    chapters = [one for one in nav.pages if CHAPTER.fullmatch(one.file.src_uri)]
+    if page in chapters:
+        i = chapters.index(page)
+        context["before"] = chapters[i - 1] if i > 0 else None
+        context["after"] = chapters[i + 1] if i + 1 < len(chapters) else None
+    if answers := ANSWERS.fullmatch(name):
+        context["chapter"] = next((one for one in nav.pages if one.file.src_uri == answers[1] + answers[2]), None)
+    return context
+
+
+# --- anchors ---------------------------------------------------------------------------------------------------------
+
+
+class GithubAnchors(Treeprocessor):
+    """Headings get the ids that they have on GitHub, so that a link with an anchor leads there on both."""
+
+    def run(self, root):
+        seen = {}
+        for heading in root.iter():
+            if heading.tag in ("h1", "h2", "h3", "h4", "h5", "h6"):
+                text = re.sub("\x02.*?\x03", "", "".join(heading.itertext()))  # without marks of python-markdown
+                anchor = re.sub(r"[^\w\- ]", "", html.unescape(text).strip().lower()).replace(" ", "-")
+                seen[anchor] = number = seen.get(anchor, -1) + 1
+                heading.set("id", f"{anchor}-{number}" if number else anchor)
+
+
+class Anchors(Extension):
+    def extendMarkdown(self, md):
+        md.treeprocessors.register(GithubAnchors(md), "github-anchors", 10)  # after what is within lines, before toc
+
+
+# --- players ---------------------------------------------------------------------------------------------------------
+
+
+def player(words, page, config, number):
+    """Makes a page to click through, and returns what embeds it."""
+    name = f"players/{Path(page.file.src_uri).stem}-{number}.html"
+    file = Path(config["site_dir"], page.file.dest_uri).parent / name
+    file.parent.mkdir(parents=True, exist_ok=True)
+    try:
+        made = subprocess.run([os.environ["RASTERTRACE_PROGRAM"], "figure", *shlex.split(words), "-o", str(file)],
+                              cwd=os.environ["RASTERTRACE_SOURCE"], capture_output=True, text=True)
+    except (OSError, ValueError) as problem:
+        raise PluginError(f"{page.file.src_uri}: the player `{words.strip()}`: {problem}")
+    if made.returncode != 0 or not file.is_file():
+        raise PluginError(f"{page.file.src_uri}: the player `{words.strip()}` cannot be made:\n{made.stderr}")
+    title = re.search("<title>(.*?)</title>", file.read_text(), re.DOTALL)[1]
+    return (f'<div class="player" lang="en">\n<iframe src="{name}" title="{title}, to click through" loading="lazy"></iframe>\n'
+            f'<p><a href="{name}">{title}, to click through: open it on a page of its own</a></p>\n</div>')
+
+
+def on_page_markdown(markdown, page, config, files):
+    lines, fence, number = [], "", 0
+    for line in markdown.split("\n"):
+        if begin := re.match(r"\s*(```+|~~~+)", line):
+            fence = "" if fence and begin[1].startswith(fence) else fence or begin[1]
+        if not fence and (found := PLAYER.fullmatch(line)):
+            number += 1
+            line = "\n" + player(found[1], page, config, number) + "\n"
+        lines.append(line)
+    return "\n".join(lines)
+
+
+# --- what is wider than the page -------------------------------------------------------------------------------------
+
+
+def text_of(markup):
+    return html.unescape(re.sub("<[^>]*>", "", markup))
+
+
+def block(found):
+    """A block of code. Commands stand out from what they print, and are copied without the prompt."""
+    language, code = found[1], found[2]
+    if language == "console":
+        code = re.sub(r"^(\$ )(.*?)( +# exit \d+)?$", lambda line:
+                      f'<span class="prompt">{line[1]}</span><span class="command">{line[2]}</span>'
+                      + (f'<span class="exit">{line[3]}</span>' if line[3] else ""), code, flags=re.MULTILINE)
+    is_wide = max(map(len, text_of(code).split("\n"))) > MANY_COLUMNS
+    focus = ' tabindex="0"' if is_wide else ""
+    return f'<pre{focus}><code class="language-{language}">{code}</code></pre>'
+
+
+def cell(found):
+    is_long = max(len(text_of(line)) for line in found[3].split("<br")) > LONG_CELL
+    return f'<{found[1]}{found[2]}{" class=" + chr(34) + "long" + chr(34) if is_long else ""}>{found[3]}</{found[1]}>'
+
+
+def table(found):
+    cells = re.sub(r"<(t[hd])((?: [^>]*)?)>(.*?)</\1>", cell, found[0], flags=re.DOTALL)
+    return f'<div class="table" tabindex="0" role="group" aria-label="Table">{cells}</div>'
+
+
+def image(found, page, config):
+    """With its size, so that the text stays where it is while images are loaded."""
+    source = re.search(r'src="([^"]*)"', found[0])[1]
+    file = Path(config["docs_dir"], page.file.src_uri).parent / source
+    size = ""
+    if file.suffix == ".svg" and file.is_file():
+        root = re.search(r"<svg\b[^>]*>", file.read_text())[0]
+        width, height = (re.search(rf'\b{side}="([\d.]+)', root) for side in ("width", "height"))
+        if width and height:
+            size = f' width="{round(float(width[1]))}" height="{round(float(height[1]))}"'
+    return found[0].rstrip("/> ") + size + ' loading="lazy">'
+
+
+def on_page_content(content, page, config, files):
+    content = re.sub(r'<pre[^>]*><code(?: class="(?:language-)?([\w-]*)")?>(.*?)</code></pre>', block, content, flags=re.DOTALL)
+    content = re.sub(r"<table>.*?</table>", table, content, flags=re.DOTALL)
+    content = re.sub(r"<img [^>]*>", lambda found: image(found, page, config), content)
+    # An image by itself is a figure, and leads to the file, which may be larger.
+    content = re.sub(r'<p>(<img [^>]*src="([^"]*)"[^>]*>)</p>', r'<figure><a href="\2">\1</a></figure>', content)
+    return content
