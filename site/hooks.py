@@ -18,7 +18,7 @@ from mkdocs.exceptions import PluginError
 # Sections and their pages, as (pattern of the file's name, title or None for the page's own). A section may stand in
 # place of a page. Of several pages with a pattern, the numbers in their names say the order.
 SECTIONS = [
-    ("README.md", "rastertrace"),
+    ("README.md", "Home"),
     ("Tutorial", [
         ("docs/tutorial/README.md", "About the tutorial"),
         ("docs/tutorial/[0-9]*.md", None),
@@ -64,7 +64,7 @@ CHAPTER = re.compile(r"docs/tutorial/(?:\d[^/]*|README)\.md")
 ANSWERS = re.compile(r"(docs/tutorial/(?:pt/)?)answers/([^/]*\.md)")
 PLAYER = re.compile(r"<!-- *player:(.*?)-->[ ]*")
 MANY_COLUMNS = 36  # of a telephone; a block with longer lines may have to be scrolled
-LONG_CELL = 44  # characters of a cell that is not made narrower than a few words
+SHORT_CELL, LONG_CELL = 14, 44  # characters of a cell that is not broken, or not made narrower than a few words
 
 
 # --- the navigation --------------------------------------------------------------------------------------------------
@@ -184,14 +184,19 @@ def block(found):
         code = re.sub(r"^(\$ )(.*?)( +# exit \d+)?$", lambda line:
                       f'<span class="prompt">{line[1]}</span><span class="command">{line[2]}</span>'
                       + (f'<span class="exit">{line[3]}</span>' if line[3] else ""), code, flags=re.MULTILINE)
-    is_wide = max(map(len, text_of(code).split("\n"))) > MANY_COLUMNS
+    printed = re.sub(r'<span class="prompt">.*', "", code)  # commands are broken where they are too long
+    is_wide = max(map(len, text_of(printed).split("\n"))) > MANY_COLUMNS
     focus = ' tabindex="0"' if is_wide else ""
-    return f'<pre{focus}><code class="language-{language}">{code}</code></pre>'
+    kind = f' class="language-{language}"' if language else ""
+    return f"<pre{focus}><code{kind}>{code}</code></pre>"
 
 
 def cell(found):
-    is_long = max(len(text_of(line)) for line in found[3].split("<br")) > LONG_CELL
-    return f'<{found[1]}{found[2]}{" class=" + chr(34) + "long" + chr(34) if is_long else ""}>{found[3]}</{found[1]}>'
+    tag, attributes, content = found.groups()
+    content = re.sub("<code>.*?</code>", lambda code: code[0].replace("\\|", "|"), content)  # as on GitHub
+    length = max(len(text_of(line)) for line in content.split("<br"))
+    kind = ' class="long"' if length > LONG_CELL else ' class="short"' if length <= SHORT_CELL else ""
+    return f"<{tag}{attributes}{kind}>{content}</{tag}>"
 
 
 def table(found):
@@ -216,6 +221,8 @@ def on_page_content(content, page, config, files):
     content = re.sub(r'<pre[^>]*><code(?: class="(?:language-)?([\w-]*)")?>(.*?)</code></pre>', block, content, flags=re.DOTALL)
     content = re.sub(r"<table>.*?</table>", table, content, flags=re.DOTALL)
     content = re.sub(r"<img [^>]*>", lambda found: image(found, page, config), content)
-    # An image by itself is a figure, and leads to the file, which may be larger.
-    content = re.sub(r'<p>(<img [^>]*src="([^"]*)"[^>]*>)</p>', r'<figure><a href="\2">\1</a></figure>', content)
-    return content
+    # Images by themselves are a figure; each leads to its file, which may be larger.
+    def figure(found):
+        return "<figure>" + re.sub(r'<img [^>]*src="([^"]*)"[^>]*>', r'<a href="\1">\g<0></a>', found[1]) + "</figure>"
+
+    return re.sub(r"<p>((?:<img [^>]*>\s*)+)</p>", figure, content)
