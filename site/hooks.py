@@ -64,6 +64,8 @@ CHAPTER = re.compile(r"docs/tutorial/(?:\d[^/]*|README)\.md")
 ANSWERS = re.compile(r"(docs/tutorial/(?:pt/)?)answers/([^/]*\.md)")
 PLAYER = re.compile(r"<!-- *player:(.*?)-->[ ]*")
 MANY_COLUMNS = 36  # of a telephone; a block with longer lines may have to be scrolled
+LONG_WORD = 24  # characters of a word of code that may be broken
+LARGE_FIGURE = 400  # units of width from which a figure is not made as narrow as a telephone
 SHORT_CELL, LONG_CELL = 14, 44  # characters of a cell that is not broken, or not made narrower than a few words
 
 
@@ -154,7 +156,9 @@ def player(words, page, config, number):
     if made.returncode != 0 or not file.is_file():
         raise PluginError(f"{page.file.src_uri}: the player `{words.strip()}` cannot be made:\n{made.stderr}")
     title = re.search("<title>(.*?)</title>", file.read_text(), re.DOTALL)[1]
-    return (f'<div class="player" lang="en">\n<iframe src="{name}" title="{title}, to click through" loading="lazy"></iframe>\n'
+    # In a sandbox it is of another origin, and cannot take the focus away from the page that is read.
+    return (f'<div class="player" lang="en">\n'
+            f'<iframe src="{name}" title="{title}, to click through" loading="lazy" sandbox="allow-scripts"></iframe>\n'
             f'<p><a href="{name}">{title}, to click through: open it on a page of its own</a></p>\n</div>')
 
 
@@ -191,6 +195,11 @@ def block(found):
     return f"<pre{focus}><code{kind}>{code}</code></pre>"
 
 
+def inline_code(found):
+    """An option like --step is not broken after its hyphens."""
+    return "<code>" + re.sub("[^ ]*-[^ ]*", lambda word: f'<span class="word">{word[0]}</span>' if len(word[0]) < LONG_WORD else word[0], found[1]) + "</code>"
+
+
 def cell(found):
     tag, attributes, content = found.groups()
     content = re.sub("<code>.*?</code>", lambda code: code[0].replace("\\|", "|"), content)  # as on GitHub
@@ -217,12 +226,20 @@ def image(found, page, config):
     return found[0].rstrip("/> ") + size + ' loading="lazy">'
 
 
+def figure(found):
+    """Each image leads to its file, which may be larger."""
+    def link(image):
+        width = re.search(r'width="(\d+)"', image[0])
+        kind = ' class="large"' if width and int(width[1]) > LARGE_FIGURE else ""
+        return f'<a href="{image[1]}"{kind}>{image[0]}</a>'
+
+    return "<figure>" + re.sub(r'<img [^>]*src="([^"]*)"[^>]*>', link, found[1]) + "</figure>"
+
+
 def on_page_content(content, page, config, files):
     content = re.sub(r'<pre[^>]*><code(?: class="(?:language-)?([\w-]*)")?>(.*?)</code></pre>', block, content, flags=re.DOTALL)
     content = re.sub(r"<table>.*?</table>", table, content, flags=re.DOTALL)
     content = re.sub(r"<img [^>]*>", lambda found: image(found, page, config), content)
-    # Images by themselves are a figure; each leads to its file, which may be larger.
-    def figure(found):
-        return "<figure>" + re.sub(r'<img [^>]*src="([^"]*)"[^>]*>', r'<a href="\1">\g<0></a>', found[1]) + "</figure>"
-
+    content = re.sub("<code>([^<]*)</code>(?!</pre>)", inline_code, content)
+    # Images by themselves are a figure.
     return re.sub(r"<p>((?:<img [^>]*>\s*)+)</p>", figure, content)

@@ -5,8 +5,7 @@
 //     check_page.cjs PROGRAM SOURCE_FOLDER
 "use strict";
 
-const {chromium} = require("playwright-core");
-const axe = require("fs").readFileSync(require.resolve("axe-core/axe.min.js"), "utf8");
+const {launch, axe} = require("./browser.cjs");
 const {execFileSync} = require("child_process");
 const fs = require("fs"), os = require("os"), path = require("path"), zlib = require("zlib");
 
@@ -468,7 +467,7 @@ async function checkLarge() {
 }
 
 async function main() {
-  browser = await chromium.launch({executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox"]});
+  browser = await launch();
   const checks = [
     ...["t0-fill/first-triangle", "t0-hidden/two-depths", "t2-lines/bresenham", "t3-sweep-and-box/barycentric", "t3-sweep-and-box/top-left", "t4-fan/fan", "t0-hidden/cube-culled"].map(name => [name, () => checkSteps(name)]),
     ...[["t0-fill/first-triangle", 1], ["t2-lines/bresenham", 1], ["t2-lines/octants", 7], ["t3-sweep-and-box/barycentric", 5], ["t3-sweep-and-box/top-left", 2], ["t0-hidden/two-depths", 2], ["t0-hidden/cube-inverse-z", 3]].map(([name, every]) => [`pixels of ${name}`, () => checkPixels(name, every)]),
