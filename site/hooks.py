@@ -156,9 +156,7 @@ def player(words, page, config, number):
     if made.returncode != 0 or not file.is_file():
         raise PluginError(f"{page.file.src_uri}: the player `{words.strip()}` cannot be made:\n{made.stderr}")
     title = re.search("<title>(.*?)</title>", file.read_text(), re.DOTALL)[1]
-    # In a sandbox it is of another origin, and cannot take the focus away from the page that is read.
-    return (f'<div class="player" lang="en">\n'
-            f'<iframe src="{name}" title="{title}, to click through" loading="lazy" sandbox="allow-scripts"></iframe>\n'
+    return (f'<div class="player" lang="en">\n<iframe src="{name}" title="{title}, to click through" loading="lazy"></iframe>\n'
             f'<p><a href="{name}">{title}, to click through: open it on a page of its own</a></p>\n</div>')
 
 

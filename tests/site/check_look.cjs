@@ -21,7 +21,7 @@ const pages = [...new Set(Array.from(fs.readFileSync(path.join(site, "index.html
 let browser;
 async function open(name, options) {
   const page = await browser.newPage({viewport: {width: 1400, height: 900}, ...options});
-  page.on("console", message => { // A player may want the focus, and does not get it within a page.
+  page.on("console", message => { // The button of a player's help, which a page from a disk has within it as a stranger.
     if (!message.text().startsWith("Blocked autofocusing")) fail(`${page.url()}: the console says ${message.type()}: ${message.text()}`);
   });
   page.on("pageerror", error => fail(`${page.url()}: an error: ${error.message}`));

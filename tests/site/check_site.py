@@ -18,7 +18,7 @@ LOADED = {("img", "src"), ("img", "srcset"), ("iframe", "src"), ("link", "href")
           ("source", "srcset"), ("video", "src"), ("video", "poster"), ("audio", "src"), ("track", "src"), ("embed", "src"),
           ("object", "data"), ("input", "src"), ("use", "href"), ("image", "href"), ("base", "href"), ("form", "action")}
 # Where a paragraph begins like this, Markdown was not understood: a list without a blank line before it, a table, a fence.
-NOT_UNDERSTOOD = re.compile(r"^(?:[-*+] |\d+[.)] |\| .*\|$|```|~~~|#{1,6} |> )", re.MULTILINE)
+NOT_UNDERSTOOD = re.compile(r"^(?:[-*+] |1[.)] |\A\d+[.)] |\| .*\|$|```|~~~|#{1,6} |> )", re.MULTILINE)
 VOID = {"img", "br", "hr", "meta", "link", "input", "source", "wbr", "col", "area", "base", "embed", "track"}
 
 
