@@ -65,8 +65,8 @@ ANSWERS = re.compile(r"(docs/tutorial/(?:pt/)?)answers/([^/]*\.md)")
 PLAYER = re.compile(r"<!-- *player:(.*?)-->[ ]*")
 MANY_COLUMNS = 36  # of a telephone; a block with longer lines may have to be scrolled
 LONG_WORD = 24  # characters of a word of code that may be broken
-LARGE_FIGURE = 400  # units of width from which a figure is not made as narrow as a telephone
-SHORT_CELL, LONG_CELL = 14, 44  # characters of a cell that is not broken, or not made narrower than a few words
+LARGE_FIGURE = 640  # units of width from which a figure is not made as narrow as a telephone
+SHORT_CELL, LONG_CELL, LONGER_CELL = 14, 44, 160  # characters of a cell that is not broken, or not made too narrow
 
 
 # --- the navigation --------------------------------------------------------------------------------------------------
@@ -195,14 +195,18 @@ def block(found):
 
 def inline_code(found):
     """An option like --step is not broken after its hyphens."""
-    return "<code>" + re.sub("[^ ]*-[^ ]*", lambda word: f'<span class="word">{word[0]}</span>' if len(word[0]) < LONG_WORD else word[0], found[1]) + "</code>"
+    def word(text):
+        return f'<span class="word">{text[0]}</span>' if len(text[0]) <= LONG_WORD else text[0]
+
+    return "<code>" + re.sub("[^ ]*-[^ ]*", word, found[1]) + "</code>"
 
 
 def cell(found):
     tag, attributes, content = found.groups()
     content = re.sub("<code>.*?</code>", lambda code: code[0].replace("\\|", "|"), content)  # as on GitHub
-    length = max(len(text_of(line)) for line in content.split("<br"))
-    kind = ' class="long"' if length > LONG_CELL else ' class="short"' if length <= SHORT_CELL else ""
+    length = len(text_of(content))
+    kind = "short" if length <= SHORT_CELL else "longer" if length > LONGER_CELL else "long" if length > LONG_CELL else ""
+    kind = f' class="{kind}"' if kind else ""
     return f"<{tag}{attributes}{kind}>{content}</{tag}>"
 
 
