@@ -11,6 +11,7 @@ from pathlib import Path
 
 site, source = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
 failures = []
+missing = {}  # what links lead to and is not there, and the pages that have them
 checked = {"pages": 0, "links": 0, "players": 0}
 
 # What a browser loads by itself, as (element, attribute); what only a reader follows is not here.
@@ -101,7 +102,7 @@ def check_link(file, where, address):
         return
     target = (file.parent / urllib.parse.unquote(parts.path)).resolve() if parts.path else file
     if not target.is_relative_to(site) or not target.is_file():
-        failures.append(f"{where}: nothing is at {address}")
+        missing.setdefault(target, set()).add(str(where))
     elif parts.fragment and target.suffix == ".html" and urllib.parse.unquote(parts.fragment) not in page_of(target).ids:
         failures.append(f"{where}: no such place: {address}")
 
@@ -174,6 +175,9 @@ def main():
         embedded = page_of(built).tags.count("iframe") if built.is_file() else 0
         if asked != embedded:
             failures.append(f"{file.relative_to(source)}: {asked} players, and {embedded} in the page")
+    for target, pages_with_links in missing.items():
+        more = f" and {len(pages_with_links) - 1} more" if len(pages_with_links) > 1 else ""
+        failures.append(f"{min(pages_with_links)}{more}: nothing is at {target}")
     for sheet in site.rglob("*.css"):
         check_styles(sheet.relative_to(site), sheet.read_text())
     print(", ".join(f"{number} {what}" for what, number in checked.items()))
