@@ -1599,6 +1599,8 @@ TEST_F(ProgramTest, StepsAreToldInTheLanguageThatIsAskedForNeverInThatOfTheLocal
           "diff --textconv" + triangle})
         EXPECT_THAT(shell("$rastertrace " + command + " --language pt").out, HasSubstr("linha y=2"))
             << command;
+    EXPECT_THAT(shell("$rastertrace explain" + triangle + " --pixel 4,2 --language pt").out,
+                HasSubstr("\n      direita AC: x = (x2 - x1)/(y2 - y1)"));
     EXPECT_THAT(shell("$rastertrace figure" + triangle + " -o - --format html --language pt").out,
                 HasSubstr("\"language\":\"pt\""));
     write("one.claims", "scene: first.json\nedge AB: 4/3\n");

@@ -103,7 +103,7 @@ WhyNot beyond_end(const Case& c, const StepView& row, bool is_left) {
                             rule_of_end(c.trace, row, side, pixel), pixel, text(c.sample.x), where),
                 gap);
     for (const std::string& line : c.steps.working)
-        if (line.starts_with(side + " "))
+        if (line.starts_with(name_of_side(side) + " "))
             why.working.push_back(line);
     return why;
 }
