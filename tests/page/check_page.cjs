@@ -327,6 +327,14 @@ async function checkFrames() {
   await page.close();
 }
 
+/** Sentences in another language are said to be in it, for who has them read aloud. */
+async function checkLanguage() {
+  const page = await open(pageOf(example("t0-fill/first-triangle"), "--language", "pt"), {hash: "#3"});
+  expectSame(await sentenceOf(page), "aresta BC: horizontal, não tem dx/dy", "in Portuguese");
+  expectSame(await page.$$eval("#sentence, #working, #steps", all => all.map(one => one.lang)), ["pt", "pt", "pt"], "the language");
+  await page.close();
+}
+
 /** What the program puts into a page, as the page reads it. */
 const dataIn = file => JSON.parse(zlib.inflateSync(Buffer.from(/id="data">([^<]*)</.exec(fs.readFileSync(file, "utf8"))[1], "base64")));
 
@@ -401,6 +409,12 @@ async function checkMoving() {
       const told = await page.evaluate(async text => JSON.parse((await rastertrace()).page_data(text)), text);
       expectSame(told, dataIn(pageOf(moved))[0].data, text);
     }
+    const portuguese = await page.evaluate(async text => {
+      const program = await rastertrace();
+      program.tell_steps_in("pt");
+      return JSON.parse(program.page_data(text));
+    }, JSON.stringify(scene));
+    expectSame(portuguese, dataIn(pageOf(name, "--language", "pt"))[0].data, "in Portuguese");
     // Ten triangles on the largest canvas.
     const vertices = {}, triangles = [];
     for (let i = 0; i < 10; ++i) {
@@ -471,7 +485,7 @@ async function main() {
   const checks = [
     ...["t0-fill/first-triangle", "t0-hidden/two-depths", "t2-lines/bresenham", "t3-sweep-and-box/barycentric", "t3-sweep-and-box/top-left", "t4-fan/fan", "t0-hidden/cube-culled"].map(name => [name, () => checkSteps(name)]),
     ...[["t0-fill/first-triangle", 1], ["t2-lines/bresenham", 1], ["t2-lines/octants", 7], ["t3-sweep-and-box/barycentric", 5], ["t3-sweep-and-box/top-left", 2], ["t0-hidden/two-depths", 2], ["t0-hidden/cube-inverse-z", 3]].map(([name, every]) => [`pixels of ${name}`, () => checkPixels(name, every)]),
-    ["keys", checkKeys], ["hostile", checkHostile], ["damaged", checkDamaged], ["frames", checkFrames], ["moving", checkMoving], ["large", checkLarge],
+    ["keys", checkKeys], ["hostile", checkHostile], ["damaged", checkDamaged], ["frames", checkFrames], ["language", checkLanguage], ["moving", checkMoving], ["large", checkLarge],
     ["access", () => checkAccess("t0-fill/first-triangle")], ["access of a cube", () => checkAccess("t0-hidden/cube-inverse-z")],
   ];
   const wanted = process.argv[4] ?? ""; // a part of a name
