@@ -266,6 +266,33 @@ TEST(Check, TheCosineOfT1) {
     EXPECT_THAT(slips_of(angles, "cosine ABC: 1\n"), Contains("cosine-of-dot-only"));
 }
 
+TEST(Check, ACosineThatIsAFractionMayBeClaimedAsOne) {
+    // The trace tells doubles: 0.9333333333333333 of 14/15.
+    const std::string tent = example_text("tutorial/light/tent.json");
+    const Checked right =
+        check_claims(tent, "intensity east: 14/15\nintensity east: 0.9333333333333333\n"
+                           "intensity north: 11/15\nintensity north: 0.733\n"
+                           "intensity south: 1/3\n");
+    EXPECT_EQ(verdicts(right), "rrrrr");
+    // 14/15 + 1/1000000000
+    const Checked near =
+        check_claims(tent, "intensity east: 2800000003/3000000000\nintensity east: 13/15\n"
+                           "intensity east: 0.93333333\nintensity east: 0.93333334\n");
+    EXPECT_EQ(verdicts(near), "wwrw");
+    EXPECT_EQ(near.claims[0].fields[0].expected, "14/15");
+
+    const std::string faces = example_text("tutorial/hidden/three-faces.json");
+    EXPECT_EQ(verdicts(check_claims(faces, "cosine GHI: -14/15\ncosine GHI: -13/15\n"
+                                           "cosine ABC: 4/5\ncosine DEF: 0\n")),
+              "rwrr");
+    // The root of 1/2 is no fraction: 17 digits are more than the double of it has.
+    const std::string angles = example_text("t1-hidden/three-angles.json");
+    EXPECT_EQ(verdicts(check_claims(angles, "cosine ABC: 0.70710678118654752\n"
+                                            "cosine ABC: 0.7071067811865\n"
+                                            "cosine ABC: 0.7071067821865\n")),
+              "rrw");
+}
+
 TEST(Check, BresenhamsDecisions) {
     const std::string lines = example_text("t2-lines/worked-lines.json");
     EXPECT_EQ(verdicts(check_claims(lines, "OP: 1 -3 3 -1 5\nAB: 4 0 12 8 4 0 12 8\n"

@@ -118,7 +118,7 @@ private:
         const std::vector<std::string>& right = decided ? *decided : *exact;
         checked.expected = joined(right, ", ");
         const bool is_vertex = subject.kind == StepKind::vertex;
-        const NumbersHeld held = numbers_held(subject.exact->trace());
+        const NumbersHeld held = numbers_held(subject, field);
         Comparison comparison = compare(field, right, held, is_vertex);
         if (decides && exact && decided != exact) {
             checked.remark = fmt::format("the scene's `{}` has {}, exact arithmetic {}",
@@ -136,13 +136,6 @@ private:
             checked.verdict = ClaimVerdict::wrong;
         note_number(field, right, order, checked, claim);
         return checked;
-    }
-
-    static NumbersHeld numbers_held(const Trace& trace) {
-        const std::string scalar = trace.method_value("scalar");
-        return scalar == "exact" || scalar == "fixed" ? NumbersHeld::fractions
-               : scalar == "float"                    ? NumbersHeld::floats
-                                                      : NumbersHeld::doubles;
     }
 
     /// A field that nothing is told of: the scene does not have it, or there is no such step.

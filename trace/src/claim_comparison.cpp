@@ -55,10 +55,12 @@ Fit fit_of(const ClaimedNumber& claimed, const Rational& truth) {
     return claimed.value * power == cut ? Fit::truncated : Fit::none;
 }
 
-/// True if two numbers are one as far as a trace that does not hold fractions tells.
+/// True if two numbers are one as far as numbers that are no fractions tell.
 bool is_near(const Rational& a, const Rational& b, NumbersHeld held) {
     if (held == NumbersHeld::fractions)
         return false;
+    if (held == NumbersHeld::nearest_doubles)
+        return nearest_double(a) == nearest_double(b);
     const double last_bits = held == NumbersHeld::floats ? 1e-6 : 1e-14;
     const double difference = std::abs(nearest_double(a - b));
     return difference <= last_bits * std::abs(nearest_double(b));

@@ -3,7 +3,7 @@
 
 // What somebody wrote down, held against what is told: 0.33 is 1/3, rounded to 2 digits.
 //
-//     compare(field, {"1/3"}, false).fit;  // Fit::rounded
+//     compare(field, {"1/3"}, NumbersHeld::fractions, false).fit;  // Fit::rounded
 
 #include <rastertrace/trace/claims.h>
 #include <rastertrace/trace/formula.h>
@@ -29,8 +29,13 @@ struct Comparison {
     Fit fit = Fit::exact;
 };
 
-/// What kind of numbers a trace holds: where they are rounded, a fraction is right that rounds to them.
-enum class NumbersHeld { fractions, doubles, floats };
+/// What kind of numbers is told: where they are rounded, a fraction is right that rounds to them.
+enum class NumbersHeld {
+    fractions,
+    nearest_doubles, ///< rounded once, at the end
+    doubles,         ///< rounded on the way
+    floats,
+};
 
 /// Compares a field with what is told of it. A vertex may be given without a z of 0.
 Comparison compare(const ClaimedField& claimed, const std::vector<std::string>& told,

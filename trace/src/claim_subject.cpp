@@ -13,6 +13,13 @@
 
 namespace rastertrace {
 
+const StepField* field_of(StepKind kind, std::string_view name) {
+    const auto& fields = row_of(kind).fields;
+    const auto found = std::find_if(fields.begin(), fields.end(),
+                                    [&](const StepField& field) { return field.name == name; });
+    return found == fields.end() ? nullptr : &*found;
+}
+
 const StepIndex& TruthIndex::faces() const {
     const auto& tested = exact().find(StepKind::face, {});
     const auto& by_light = exact().find(StepKind::face, {{"by", "light"}});
@@ -25,14 +32,6 @@ const StepIndex& TruthIndex::faces() const {
 }
 
 namespace {
-
-/// The field of that name; nullptr if the kind has none.
-const StepField* field_of(StepKind kind, std::string_view name) {
-    const auto& fields = row_of(kind).fields;
-    const auto found = std::find_if(fields.begin(), fields.end(),
-                                    [&](const StepField& field) { return field.name == name; });
-    return found == fields.end() ? nullptr : &*found;
-}
 
 bool is_key(StepKind kind, std::string_view name) {
     const StepField* const field = field_of(kind, name);

@@ -3,6 +3,7 @@
 
 // The step that a claim is about, and what its fields say.
 
+#include "claim_comparison.h"
 #include "derivation.h"
 #include "step_index.h"
 
@@ -73,6 +74,9 @@ ToldValues told_exactly(const Subject& subject, const ClaimedField& field);
 /// By the scene's own method and scalar.
 ToldValues told_as_decided(const Subject& subject, const ClaimedField& field);
 
+/// What kind of numbers the exact trace tells a field in. A cosine is a double, though all else is a fraction.
+NumbersHeld numbers_held(const Subject& subject, const ClaimedField& field);
+
 /// The formulas that a field can be worked out by, see derivation.h.
 std::vector<Formula> formulas_of(const Subject& subject, const Numbers& numbers,
                                  std::string_view field);
@@ -82,6 +86,9 @@ std::string name_of_number(const Subject& subject, const ClaimedField& field);
 
 /// The step that shows how a field is worked out; 0 for none.
 std::size_t step_of(const Subject& subject, std::string_view field);
+
+/// The field of that name; nullptr if the kind has none.
+const StepField* field_of(StepKind kind, std::string_view name);
 
 /// True if a field tells what was decided, and not a number that is worked out.
 bool is_decision(StepKind kind, std::string_view field);

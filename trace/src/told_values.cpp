@@ -4,11 +4,14 @@
 #include "claim_subject.h"
 #include "step_text.h"
 
+#include <rastertrace/core/numbers/irrational.h>
+#include <rastertrace/core/numbers/number.h>
 #include <rastertrace/trace/color_text.h>
 
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <variant>
 
 namespace rastertrace {
 
@@ -49,6 +52,27 @@ ToldValues told_z(const StepIndex& index, std::size_t test, bool is_inverse) {
     return std::vector{(is_inverse == holds_inverse ? *depth : Rational(1 / *depth)).get_str()};
 }
 
+/// True of a cosine or an intensity that is a fraction.
+bool is_fraction(const FaceCosine& face) {
+    return has_rational_root(dot(face.normal, face.normal) * dot(face.view, face.view));
+}
+
+/// One value as the trace tells it; a cosine that a double is told of, as the fraction that it is, if it is one.
+std::string told_value(const StepIndex& index, std::size_t step, const std::string& field) {
+    const StepView view = index.trace().step(step);
+    std::string told = view.text(field);
+    const auto number = number_in(told);
+    if (!number || (field != "cosine" && field != "intensity"))
+        return told;
+    for (const Formula& formula : formulas_of(Numbers(index), step, field)) {
+        const auto* const face = std::get_if<FaceCosine>(&formula.of);
+        const Values values = face && is_fraction(*face) ? value_of(formula) : Values{};
+        if (values.size() == 1 && nearest_double(values.front()) == nearest_double(*number))
+            return values.front().get_str();
+    }
+    return told;
+}
+
 } // namespace
 
 ToldValues told_in(const StepIndex& index, std::size_t step, const ClaimedField& field) {
@@ -67,7 +91,8 @@ ToldValues told_in(const StepIndex& index, std::size_t step, const ClaimedField&
         return values;
     }
     if (json)
-        return json->starts_with('[') ? view.texts(field.name) : std::vector{view.text(field.name)};
+        return json->starts_with('[') ? view.texts(field.name)
+                                      : std::vector{told_value(index, step, field.name)};
     const auto formulas = formulas_of(Numbers(index), step, field.name);
     if (formulas.empty())
         return std::nullopt;
@@ -176,6 +201,19 @@ ToldValues told_as_decided(const Subject& subject, const ClaimedField& field) {
     if (subject.kind == StepKind::face && field.name == "culled" && subject.decided_step == 0)
         return std::vector<std::string>{"false"};
     return told(*subject.decided, subject.decided_step, subject, field);
+}
+
+NumbersHeld numbers_held(const Subject& subject, const ClaimedField& field) {
+    const Trace& trace = subject.exact->trace();
+    const std::string scalar = trace.method_value("scalar");
+    if (scalar != "exact" && scalar != "fixed")
+        return scalar == "float" ? NumbersHeld::floats : NumbersHeld::doubles;
+    // Fractions are told in quotes.
+    const auto json = subject.step == 0 ? std::nullopt : trace.step(subject.step).field(field.name);
+    const StepField* const known = field_of(subject.kind, field.name);
+    const bool is_double =
+        json && !json->starts_with('"') && known != nullptr && known->type == FieldType::quantity;
+    return is_double ? NumbersHeld::nearest_doubles : NumbersHeld::fractions;
 }
 
 std::string name_of_number(const Subject& subject, const ClaimedField& field) {
