@@ -438,6 +438,25 @@ TEST(Check, WhereNothingIsCulledAllIsDrawn) {
     EXPECT_EQ(checked.claims[0].fields[0].remark, "");
 }
 
+TEST(Check, AnOpenVerdictIsThatOfAFace) {
+    const std::string tent = example_text("tutorial/light/tent.json");
+    const Checked open = check_claims(tent, "east: ?\neast: drawn\n");
+    EXPECT_EQ(verdicts(open), "or");
+    EXPECT_EQ(open.claims[0].fields[0].name, "culled");
+    EXPECT_EQ(problem_of_claims(tent, "esat: ?\n"),
+              "claims:1:1: expected a face of the scene (east, north, south, west), found "
+              "\"esat\"\nesat: ?\n^\nhint: did you mean east?");
+
+    // The name of a line is about its decisions, beside faces too.
+    const std::string both = R"({"canvas":{"width":9,"height":9},
+        "vertices":{"A":[0,0],"B":[3,1],"C":[0,3]},"triangles":["ABC"],"lines":["AB"],
+        "method":{"scalar":"exact"}})";
+    const Checked of_line = check_claims(both, "AB: ?\nABC: ?\n");
+    EXPECT_EQ(verdicts(of_line), "oo");
+    EXPECT_EQ(of_line.claims[0].fields[0].name, "d");
+    EXPECT_EQ(of_line.claims[1].fields[0].name, "culled");
+}
+
 TEST(Check, NoSlipGivesAPartOfAList) {
     const Checked checked =
         check_claims(triangle, R"({"claims":[{"step":"face","name":"ABC","normal":[0]}]})");

@@ -63,7 +63,7 @@ private:
             checked_.claims.back().claim = i;
             return;
         }
-        subjects_.back() = subject_of(claim, claims_, truth_);
+        subjects_.back() = subject_of(as_meant(claim), claims_, truth_);
         const Subject& subject = *subjects_.back();
         CheckedClaim checked{.claim = i, .step = subject.step};
         if (subject.is_left_out)
@@ -80,6 +80,24 @@ private:
                                       .expected = "none",
                                       .found = "one"});
         checked_.claims.push_back(std::move(checked));
+    }
+
+    /// `ABC: ?` is Bresenham's d of a line, and the verdict of a face: what ABC is tells which.
+    const Claim& as_meant(const Claim& claim) {
+        const ClaimedField* const d = claim.find("d");
+        const ClaimedField* const name = claim.find("in");
+        if (claim.step != name_of(StepKind::decide) || d == nullptr || !d->is_list ||
+            d->values != std::vector<std::string>{std::string(open_value)} || name == nullptr ||
+            !names_face(name->values.front(), truth_))
+            return claim;
+        meant_.push_back(std::make_unique<Claim>(claim));
+        Claim& verdict = *meant_.back();
+        verdict.step = name_of(StepKind::face);
+        for (ClaimedField& field : verdict.fields) {
+            field.name = field.name == "in" ? "name" : "culled";
+            field.is_list = false;
+        }
+        return verdict;
     }
 
     /// Where a vertex is snapped, whole numbers are its pixel.
@@ -351,6 +369,8 @@ private:
     Checked checked_;
     std::vector<std::optional<Subject>> subjects_; ///< of each claim; none of a picture
     std::vector<std::unique_ptr<ClaimedField>> snapped_;
+    std::vector<std::unique_ptr<Claim>>
+        meant_;                           ///< claims that are about something else than was read
     std::map<std::string, Said> claimed_; ///< first, by number
     WrongNumbers wrong_;
     std::map<const StepIndex*, Numbers> numbers_; ///< once all wrong ones are known

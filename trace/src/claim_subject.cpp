@@ -310,6 +310,17 @@ Subject subject_of(const Claim& claim, const Claims& claims, const TruthIndex& t
     return Finder(claim, claims, truth).find();
 }
 
+bool names_face(const std::string& name, const TruthIndex& truth) {
+    const StepIndex& told = truth.exact();
+    if (!told.find(StepKind::decide, {{"in", name}}).empty())
+        return false;
+    const StepIndex& faces = truth.faces();
+    if (!faces.find(StepKind::face, {{"name", name}}).empty())
+        return true;
+    return !faces.find(StepKind::face, {}).empty() && told.find(StepKind::decide, {}).empty() &&
+           told.find(StepKind::primitive, {{"name", name}}).empty();
+}
+
 bool is_decision(StepKind kind, std::string_view field) {
     if (kind == StepKind::pixel)
         return field == "plotted" || field == "inside" || field == "color";

@@ -61,6 +61,10 @@ struct Subject {
 /// steps could be meant by.
 Subject subject_of(const Claim& claim, const Claims& claims, const TruthIndex& truth);
 
+/// True if a name is that of a face, and of no line that Bresenham's decisions are told of. Where there are no such
+/// lines, a name that nothing has is taken for that of a face.
+bool names_face(const std::string& name, const TruthIndex& truth);
+
 /// What is told of a field, as the trace writes it; of a list, or a list of lists, each element. Fields of
 /// check.h are worked out. nullopt if nothing is.
 using ToldValues = std::optional<std::vector<std::string>>;
