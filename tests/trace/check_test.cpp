@@ -197,6 +197,21 @@ TEST(Check, WhatTheScalarDecidesOtherwiseIsTold) {
     EXPECT_GT(differ, 3U);
 }
 
+TEST(Check, WhatTheScalarDecidesOtherwiseIsNotToldOfWhatIsOpen) {
+    // Thirds of a double, added up, fall below 1 and 2.
+    const std::string thirds = example_text("tutorial/numbers/thirds.json");
+    const MethodOverrides added{{"scalar", "double"}, {"lerp", "incremental"}};
+    const Checked open =
+        check_claims(thirds, example_text("tutorial/numbers/3-thirds.claims"), added);
+    EXPECT_GT(open.open, 0U);
+    for (const CheckedClaim& claim : open.claims)
+        for (const CheckedField& field : claim.fields)
+            EXPECT_EQ(field.remark, "") << field.name;
+    const Checked decided = check_claims(thirds, "y=6: -> 2..?\n", added);
+    EXPECT_EQ(decided.claims[0].fields[0].remark, "the scene's `double` has 1, exact arithmetic 2");
+    EXPECT_EQ(decided.claims[0].fields[1].remark, "");
+}
+
 TEST(Check, ATraceIsHeldToWhatItTells) {
     const std::string text = trace_text(scene_in(triangle_by(R"("scalar":"double")")));
     const Truth truth(readable_trace(text));

@@ -139,9 +139,11 @@ private:
         const NumbersHeld held = numbers_held(subject, field);
         Comparison comparison = compare(field, right, held, is_vertex);
         if (decides && exact && decided != exact) {
-            checked.remark = fmt::format("the scene's `{}` has {}, exact arithmetic {}",
-                                         truth_.decided().trace().method_value("scalar"),
-                                         checked.expected, joined(*exact, ", "));
+            // A value that is still open is not given away.
+            if (!has_open(field))
+                checked.remark = fmt::format("the scene's `{}` has {}, exact arithmetic {}",
+                                             truth_.decided().trace().method_value("scalar"),
+                                             checked.expected, joined(*exact, ", "));
             if (!comparison.is_right)
                 comparison = compare(field, *exact, held, is_vertex);
         }
@@ -154,6 +156,11 @@ private:
             checked.verdict = ClaimVerdict::wrong;
         note_number(field, right, order, checked, claim);
         return checked;
+    }
+
+    static bool has_open(const ClaimedField& field) {
+        return std::find(field.values.begin(), field.values.end(), open_value) !=
+               field.values.end();
     }
 
     /// A field that nothing is told of: the scene does not have it, or there is no such step.
