@@ -319,6 +319,29 @@ TEST(Check, BresenhamsDecisions) {
     EXPECT_THAT(slips_of(lines, "OP: -2 1 -1 2 0\n"), Contains("factor-2-dropped"));
 }
 
+TEST(Check, ThatAListHasTooFewOrTooManyNumbersIsTold) {
+    const std::string octant = example_text("tutorial/lines/octant-6.json");
+    const auto remark = [&](const std::string& claim) {
+        const Checked checked = check_claims(octant, claim);
+        return checked.claims.at(0).fields.at(0).remark;
+    };
+    const std::string all = first_wrong(check_claims(octant, "AB: 0\n")).expected;
+    EXPECT_EQ(remark("AB: " + all), "");
+    EXPECT_EQ(remark("AB: " + all + ", 1"), "8 values, where 7 belong");
+    EXPECT_EQ(remark("AB: " + all.substr(0, all.rfind(','))), "6 values, where 7 belong");
+    EXPECT_EQ(remark("AB: 0"), "1 value, where 7 belong");
+    EXPECT_EQ(remark("AB: ?"), "");
+    // As many as belong, but others.
+    EXPECT_EQ(remark("AB: 100 1 1 1 1 1 1"), "");
+    // A vertex may be given without its z of 0, though wrong.
+    const Checked vertex = check_claims(triangle, R"({"claims":[
+        {"step":"vertex","name":"A","space":"object","at":[1, 5]},
+        {"step":"vertex","name":"A","space":"object","at":[2]}]})");
+    ASSERT_EQ(verdicts(vertex), "ww");
+    EXPECT_EQ(vertex.claims[0].fields[0].remark, "");
+    EXPECT_EQ(vertex.claims[1].fields[0].remark, "1 value, where 3 belong");
+}
+
 TEST(Check, APictureShowsWhereItDiffers) {
     EXPECT_EQ(verdicts(check_claims(triangle, "picture:\n......#...\n.....##...\n....###...\n"
                                               "...#####..\n...#####..\n..######..\n.########.\n"

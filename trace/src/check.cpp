@@ -148,6 +148,8 @@ private:
                 comparison = compare(field, *exact, held, is_vertex);
         }
         note_fit(comparison, checked);
+        if (!comparison.is_right && !comparison.is_open)
+            note_count(field, right, checked);
         if (!comparison.is_right && field.name == "culled" && subject.decided_step == 0)
             claim.remarks.push_back("the scene culls nothing");
         if (comparison.is_open)
@@ -190,6 +192,19 @@ private:
             return;
         checked.remark = fmt::format("cut off behind {}, not rounded", digits);
         comparison.is_right = claims_.truncates;
+    }
+
+    /// Says that a list has too few numbers, or too many.
+    static void note_count(const ClaimedField& field, const std::vector<std::string>& right,
+                           CheckedField& checked) {
+        const std::size_t count = field.values.size();
+        // A vertex may be given without a z of 0.
+        const bool lacks_z =
+            field.name == "at" && count == 2 && right.size() == 3 && right[2] == "0";
+        if (field.is_list && count != right.size() && !lacks_z)
+            checked.remark =
+                fmt::format("{} {}, where {} belong{}", count, count == 1 ? "value" : "values",
+                            right.size(), right.size() == 1 ? "s" : "");
     }
 
     /// Remembers what is claimed of a number, and tells if somebody claims two things of one.
