@@ -281,6 +281,21 @@ TEST_F(CheckTest, FilesInTheWrongPlaceAreTold) {
     }
 }
 
+TEST_F(CheckTest, ClaimsThatAreBrokenJsonAreToldAsValidateDoes) {
+    write("broken.json",
+          "{\"scene\": \"scene.json\",\n"
+          " \"claims\": [{\"step\": \"vertex\", \"name\": \"A\", \"space\": \"screen\", "
+          "\"at\": [2/5, \"?\"]}]}\n");
+    const Outcome checked = shell("$rastertrace check broken.json");
+    EXPECT_EQ(checked.status, 2);
+    EXPECT_THAT(checked.err, StartsWith("rastertrace: broken.json:2:"));
+    EXPECT_THAT(checked.err, HasSubstr("found '/'"));
+    EXPECT_THAT(checked.err, HasSubstr("hint: "));
+    const Outcome validated = shell("$rastertrace validate broken.json");
+    EXPECT_THAT(validated.out + validated.err, HasSubstr(checked.err.substr(13)));
+    EXPECT_EQ(shell("$rastertrace check scene.json broken.json").err, checked.err);
+}
+
 TEST_F(CheckTest, NamesFromFilesAreSafeToPrint) {
     write("named.json",
           R"({"canvas":{"width":8,"height":8},"vertices":{"A":[0,3],"B":[-3,-3],"C":[3,-3]},

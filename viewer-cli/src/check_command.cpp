@@ -132,14 +132,15 @@ int run(const CheckCommand& command) {
     ClaimsChecker checker(command);
     std::vector<std::string> rest(command.files.begin() + 1, command.files.end());
     const bool is_scene_named = is_claims(first);
-    if (!is_scene_named && rest.empty())
-        throw problem_of(first.name, "expected claims behind the scene, found none",
-                         "--template writes a file of claims to fill in");
+    const std::string first_name = first.name;
     std::optional<Source> claims;
     if (is_scene_named)
         claims = std::move(first);
     else
-        checker.hold_against(std::move(first));
+        checker.hold_against(std::move(first)); // or tells why it is no scene, as of broken JSON
+    if (!is_scene_named && rest.empty())
+        throw problem_of(first_name, "expected claims behind the scene, found none",
+                         "--template writes a file of claims to fill in");
 
     std::vector<CheckedFile> files;
     if (command.files.size() == (is_scene_named ? 1U : 2U))
