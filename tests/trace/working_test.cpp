@@ -28,9 +28,13 @@ using ::testing::HasSubstr;
 using ::testing::IsSupersetOf;
 using ::testing::Not;
 
-Trace example(const std::string& name, std::optional<Depth> depth = {}) {
+std::string example_text(const std::string& name) {
     std::ifstream file(RASTERTRACE_EXAMPLES "/" + name);
-    Scene scene = scene_in({std::istreambuf_iterator<char>(file), {}});
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+Trace example(const std::string& name, std::optional<Depth> depth = {}) {
+    Scene scene = scene_in(example_text(name));
     if (depth)
         scene.method.depth = *depth;
     return trace_of(scene);
@@ -328,6 +332,42 @@ TEST(Working, TheColorsOfATriangle) {
         working(trace, StepKind::pixel, 1, 1),
         IsSupersetOf(Working{"red = 0.333333 (0) + 0.333333 (255) + 0.333333 (0) = 85 -> 85",
                              "blue = 0.333333 (0) + 0.333333 (0) + 0.333333 (240) = 80 -> 80"}));
+}
+
+/// C is three times as far away as A and B: half of the way on the screen is a quarter of it in space.
+TEST(Working, TheColorsOfATriangleInAPerspective) {
+    const Trace ramp = example("tutorial/light/ramp.json");
+    EXPECT_THAT(
+        working(ramp, StepKind::pixel, 0, 0),
+        IsSupersetOf(Working{"weights of A, B, C: 1/4, 1/4, 1/2, divided by w = 1, 1, 3: 1/4, 1/4, "
+                             "1/6, together 2/3",
+                             "divided by 2/3: 3/8 of A, 3/8 of B, 1/4 of C",
+                             "red = 0.375 (0) + 0.375 (0) + 0.25 (255) = 63.75 -> 64"}));
+    EXPECT_EQ(first_unexplained(ramp), 0U);
+    // On a flat picture nothing is divided, nor where all corners are equally far away.
+    Scene affine = scene_in(example_text("tutorial/light/ramp.json"));
+    affine.method.shade = Shade::affine;
+    const Working flat = working(trace_of(affine), StepKind::pixel, 0, 0);
+    EXPECT_THAT(flat, Contains("red = 0.25 (0) + 0.25 (0) + 0.5 (255) = 127.5 -> 128"));
+    EXPECT_THAT(flat, Not(Contains(HasSubstr("divided by w"))));
+}
+
+/// A corner that clipping makes has a w, too.
+TEST(Working, TheColorsOfAClippedTriangleInAPerspective) {
+    for (const std::string scalar : {"exact", "double"}) {
+        const Trace trace = trace_of(scene_in(R"({
+  "canvas": {"width": 12, "height": 12},
+  "vertices": {"A": [-1, -1, -1], "B": [3, -1, 4], "C": [0, 2, 3]},
+  "colors": {"A": "#ff0000", "B": "#00ff00", "C": "#0000ff"},
+  "triangles": ["ABC"], "projection": {"type": "pinhole", "distance": 1},
+  "viewport": {"pixels_per_unit": 5}, "method": {"depth": "inverse-z", "scalar": ")" +
+                                              scalar + R"("}})"));
+        const std::size_t pixel =
+            step_of(trace, [](const StepView& step) { return step.kind() == StepKind::pixel; });
+        EXPECT_THAT(working(trace, pixel), Contains(HasSubstr(", divided by w = 0.001, 4, 3: ")))
+            << scalar;
+        EXPECT_EQ(first_unexplained(trace), 0U) << scalar;
+    }
 }
 
 /// The sides of an outline, and the lines of a fan, have increments as lines have.

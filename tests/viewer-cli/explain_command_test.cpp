@@ -37,6 +37,21 @@ TEST_F(ExplainTest, APixelThatIsNotDrawn) {
               "2 = (-3/8) (-3) + 2 = 25/8 -> floor -> 3\n");
 }
 
+TEST_F(ExplainTest, AColorInAPerspectiveIsWorkedOutFromTheDepths) {
+    // Who asks for one pixel has no vertices in clip space, but the 1/z of the corners.
+    const std::string ramp = "$rastertrace explain $examples/tutorial/light/ramp.json --pixel 0,0";
+    EXPECT_THAT(shell(ramp).out,
+                HasSubstr("      weights of A, B, C: 1/4, 1/4, 1/2, divided by z = 1, 1, 3: 1/4, "
+                          "1/4, 1/6, together 2/3\n"
+                          "      divided by 2/3: 3/8 of A, 3/8 of B, 1/4 of C\n"
+                          "      red = 0.375 (0) + 0.375 (0) + 0.25 (255) = 63.75 -> 64\n"));
+    EXPECT_THAT(shell(ramp + " --language pt").out,
+                HasSubstr("      pesos de A, B, C: 1/4, 1/4, 1/2, divididos por z = 1, 1, 3: 1/4, "
+                          "1/4, 1/6, ao todo 2/3\n"
+                          "      dividido por 2/3: 3/8 de A, 3/8 de B, 1/4 de C\n"));
+    EXPECT_THAT(shell(ramp + " --depth none").out, Not(HasSubstr("red = ")));
+}
+
 TEST_F(ExplainTest, JsonHasTheStepsWithWhatIsSaidOfThem) {
     const auto told = nlohmann::json::parse(explain("--pixel -1,2 --json").out);
     EXPECT_EQ(told["question"], "pixel (-1, 2)");
@@ -85,8 +100,9 @@ TEST_F(ExplainTest, BadInput) {
                       "hint: did you mean AB?\n"},
         {"--pair ABC", "rastertrace: --pair: expected two triangles, like ABC,ACD, found "
                        "\"ABC\"\n"},
-        {"--pair ABC,ACD", "rastertrace: --pair: expected the name of a triangle that is drawn, found \"ACD\"\n"
-                           "hint: did you mean ABC?\n"},
+        {"--pair ABC,ACD",
+         "rastertrace: --pair: expected the name of a triangle that is drawn, found \"ACD\"\n"
+         "hint: did you mean ABC?\n"},
         {"--step scanline", "rastertrace: --step: expected one step, found 9: 5, 7, 10, 14, 20, "
                             "...\nscanline\n^\nhint: say which\n"},
         {"--pixel 1,1 --against rounding=trunk",

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -75,6 +76,17 @@ void write_matrix(Sheet& sheet);
 void write_vertex(Sheet& sheet);
 void write_face(Sheet& sheet);
 void write_light(Sheet& sheet);
+
+/// How far the corners of a triangle are from the eye: w in clip space, or else z.
+struct CornerDistances {
+    std::string_view name;
+    std::array<Rational, 3> distances;
+
+    bool differ() const { return distances[0] != distances[1] || distances[0] != distances[2]; }
+};
+
+/// As `vertex` steps tell them; or as depths of 1/z do, where something converges. None of them is 0.
+std::optional<CornerDistances> distances_of_corners(const Sheet& sheet);
 
 /// z of a pixel from the plane of its face in the camera's space, A x + B y + C z + D = 0, and from where
 /// it is seen on the view plane: z = -d D / (A x' + B y' + d C) (T0). `told` is the 1/z of the trace.

@@ -416,37 +416,84 @@ void put_color_on_line(Sheet& sheet, const ColorOnLine& line, Color told) {
         sheet.put(std::move(one));
 }
 
-/// The levels of a pixel in a triangle, mixed by the weights that its corners have there on the screen.
-void put_mixed_color(Sheet& sheet, Color told) {
-    const auto corners = corners_of(sheet.primitive);
-    const auto p = sample_of(sheet.trace(), sheet.step);
-    const auto cross = corners && p ? cross_of_point(*corners, *p) : std::nullopt;
+/// What the corners of a triangle weigh in a pixel, and how that is found out.
+struct Mix {
+    std::array<Rational, 3> weights;
+    std::vector<std::string> lines = {};
+};
+
+/// From their weights on the screen those in space: each is divided by the w of its corner, and all by their sum.
+Mix in_space(const Sheet& sheet, const Mix& on_screen, const CornerDistances& corners) {
+    std::array<Rational, 3> shares;
+    Rational sum;
+    for (std::size_t i = 0; i < 3; ++i) {
+        shares[i] = on_screen.weights[i] / corners.distances[i];
+        sum += shares[i];
+    }
+    if (sgn(sum) <= 0)
+        return on_screen; // so far outside the triangle, a point has none in space
+    const auto listed = [](const std::array<Rational, 3>& of) {
+        return fmt::format("{}, {}, {}", text(of[0]), text(of[1]), text(of[2]));
+    };
+    const auto& names = sheet.primitive.vertices;
+    const std::array<Rational, 3> weights{shares[0] / sum, shares[1] / sum, shares[2] / sum};
+    return {weights,
+            {said({"weights of {}, {}, {}: {}, divided by {} = {}: {}, together {}",
+                   "pesos de {}, {}, {}: {}, divididos por {} = {}: {}, ao todo {}"},
+                  names[0], names[1], names[2], listed(on_screen.weights), corners.name,
+                  listed(corners.distances), listed(shares), text(sum)),
+             said({"divided by {}: {} of {}, {} of {}, {} of {}",
+                   "dividido por {}: {} de {}, {} de {}, {} de {}"},
+                  text(sum), text(weights[0]), names[0], text(weights[1]), names[1],
+                  text(weights[2]), names[2])}};
+}
+
+/// The level of each channel, mixed by these weights; nothing if the trace tells others.
+std::vector<std::string> levels_mixed(const Sheet& sheet, const std::array<Rational, 3>& weights,
+                                      Color told) {
     const auto names = sheet.trace().step(sheet.replay.primitive()).texts("colors");
-    if (!cross || names.size() != 3)
-        return;
-    const double u = nearest_double(cross->weights.x / cross->weights.z);
-    const double v = nearest_double(cross->weights.y / cross->weights.z);
-    const std::array weights{1 - u - v, u, v};
     std::vector<std::string> lines;
     for (const Channel& channel : channels) {
         const int level = (told.*channel.of)();
         std::vector<std::string> terms;
         double worked_out = 0;
         for (std::size_t i = 0; i < 3; ++i) {
-            const auto corner = parse_color(names[i]);
+            const auto corner = i < names.size() ? parse_color(names[i]) : std::nullopt;
             if (!corner)
-                return;
-            worked_out += weights[i] * ((*corner).*channel.of)();
-            terms.push_back(
-                fmt::format("{} ({})", six_places(weights[i]), ((*corner).*channel.of)()));
+                return {};
+            const double weight = nearest_double(weights[i]);
+            worked_out += weight * ((*corner).*channel.of)();
+            terms.push_back(fmt::format("{} ({})", six_places(weight), ((*corner).*channel.of)()));
         }
         if (!rounds_to(sheet.trace(), worked_out, level))
-            return; // in a perspective the weights in space are others
+            return {};
         lines.push_back(fmt::format("{} = {} = {} -> {}", channel.name.in(language_of_steps()),
                                     joined(terms, " + "), six_places(worked_out), level));
     }
-    for (std::string& line : lines)
-        sheet.put(std::move(line));
+    return lines;
+}
+
+/// The levels of a pixel in a triangle, mixed by the weights that its corners have there: on the screen, or in space
+/// where they are not equally far away.
+void put_mixed_color(Sheet& sheet, Color told) {
+    const auto corners = corners_of(sheet.primitive);
+    const auto p = sample_of(sheet.trace(), sheet.step);
+    const auto cross = corners && p ? cross_of_point(*corners, *p) : std::nullopt;
+    if (!cross)
+        return;
+    const Rational u = cross->weights.x / cross->weights.z;
+    const Rational v = cross->weights.y / cross->weights.z;
+    Mix mix{{Rational(1 - u - v), u, v}};
+    const bool is_affine = sheet.trace().method_value("shade") == "affine";
+    const auto distances = is_affine ? std::nullopt : distances_of_corners(sheet);
+    if (distances && distances->differ())
+        mix = in_space(sheet, mix, *distances);
+    std::vector<std::string> levels = levels_mixed(sheet, mix.weights, told);
+    if (levels.empty())
+        return;
+    for (auto* const lines : {&mix.lines, &levels})
+        for (std::string& line : *lines)
+            sheet.put(std::move(line));
 }
 
 void put_color(Sheet& sheet) {
