@@ -466,6 +466,19 @@ TEST(Check, TheViewIsTowardTheEyeWhateverCulls) {
     EXPECT_EQ(verdicts(check_claims(by_light, "view ABC: -2/3, -1/3, -3\n")), "r");
 }
 
+TEST(Check, AVerdictAndTheNumberBesideItAreOfOneTest) {
+    // The normal is (0, 0, -1). The eye sees ABC, by 3; the light comes from behind it, by -1.
+    const std::string by_light = R"({"canvas":{"width":8,"height":8},
+        "vertices":{"A":[0,0,3],"B":[1,1,3],"C":[1,0,3]},"triangles":["ABC"],
+        "projection":{"type":"pinhole","distance":1},"light":{"direction":[0,0,1]},
+        "method":{"scalar":"exact","cull":"light","shade":"lambert"}})";
+    EXPECT_EQ(verdicts(check_claims(by_light, "dot ABC: -1 culled\nABC: culled\ndot ABC: -1 ?\n")),
+              "rrr");
+    EXPECT_EQ(verdicts(check_claims(by_light, "dot ABC: 3\n")), "r"); // normal . view, alone
+    for (const std::string wrong : {"3 culled", "-1 drawn", "3 drawn"})
+        EXPECT_EQ(verdicts(check_claims(by_light, "dot ABC: " + wrong + "\n")), "w") << wrong;
+}
+
 TEST(Check, WhereNothingIsCulledAllIsDrawn) {
     const std::string turned = R"({"canvas":{"width":20,"height":20},
         "vertices":{"A":[-1,1,3],"B":[1,1,3],"C":[1,-1,3]},"triangles":["ACB"],
