@@ -86,6 +86,16 @@ TEST_F(CheckTest, WhatGoesOnFromAWrongNumberIsCountedApart) {
     EXPECT_EQ(checked.status, 1);
 }
 
+TEST_F(CheckTest, WhatGoesOnFromItsOwnLineNamesTheNumber) {
+    write("cut.txt", "y=2: 1/4, 25/8 -> 0..3\n");
+    EXPECT_THAT(shell("$rastertrace check scene.json cut.txt").out,
+                HasSubstr("\n    left: expected -1/4, found 1/4\n"
+                          "    from: expected -1, found 0; follows from left\n"));
+    write("two.txt", "edge AB: 4/3\ny=4: 2/3, 19/8\n");
+    EXPECT_THAT(shell("$rastertrace check scene.json two.txt").out,
+                HasSubstr("    left: expected 5/4, found 2/3; follows from line 1\n"));
+}
+
 TEST_F(CheckTest, APictureIsComparedPixelByPixel) {
     // Rounded toward 0; one row is left open.
     write("picture.txt", "picture:\n......#...\n.....##...\n....###...\n....####..\n...#####..\n"

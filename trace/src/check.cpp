@@ -227,7 +227,7 @@ private:
             claim.remarks.push_back(remark);
         // Who has rounded a number goes on from what is written.
         if (checked.verdict == ClaimVerdict::wrong || values != true_values(right))
-            wrong_.try_emplace(name, WrongNumber{values, order, line});
+            wrong_.try_emplace(name, WrongNumber{values, order, line, field.name});
     }
 
     /// What is told, as claimed_values has it.
@@ -265,22 +265,22 @@ private:
             const Values values = value_of(formula);
             return values != right && gives(values, field);
         };
-        const auto is_from = [&](std::size_t line, bool is_it) {
-            if (line == 0 || !is_it)
+        const auto is_from = [&](const WrongNumber* used, bool is_it) {
+            if (used == nullptr || !is_it)
                 return false;
             checked.verdict = ClaimVerdict::follows;
-            checked.follows_from = line;
+            checked.follows_from = used->line;
+            checked.follows_from_field = used->field;
             return true;
         };
         const Numbers& all = claimed_numbers(*subject.exact);
-        all.take_line_used();
+        all.take_used();
         const auto by_textbook = formulas_of(subject, all, field.name);
-        if (is_from(all.take_line_used(), !by_textbook.empty() && comes_to_it(by_textbook.front())))
+        if (is_from(all.take_used(), !by_textbook.empty() && comes_to_it(by_textbook.front())))
             return true;
         const Numbers before(*subject.exact, wrong_, order);
         const auto by_any = formulas_of(subject, before, field.name);
-        return is_from(before.take_line_used(),
-                       std::any_of(by_any.begin(), by_any.end(), comes_to_it));
+        return is_from(before.take_used(), std::any_of(by_any.begin(), by_any.end(), comes_to_it));
     }
 
     /// The numbers of a trace with all wrong ones in place of the right ones.

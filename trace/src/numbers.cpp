@@ -28,8 +28,8 @@ const WrongNumber* Numbers::replacement(const std::string& name) const {
     const auto found = wrong_->find(name);
     if (found == wrong_->end() || found->second.order > last_order_)
         return nullptr;
-    line_used_ = found->second.line;
-    return &found->second;
+    used_ = &found->second;
+    return used_;
 }
 
 const Numbers::WorkedOut& Numbers::worked_out(std::size_t step, std::string_view field,
@@ -38,11 +38,11 @@ const Numbers::WorkedOut& Numbers::worked_out(std::size_t step, std::string_view
     WorkedOut& result = place->second;
     if (!is_new)
         return result;
-    const std::size_t line_before = std::exchange(line_used_, 0);
+    const WrongNumber* const used_before = std::exchange(used_, nullptr);
     const auto formulas = formulas_of(*this, step, field);
-    if (line_used_ != 0 && !formulas.empty())
-        result = {value_of(formulas.front()), line_used_};
-    line_used_ = line_before;
+    if (used_ != nullptr && !formulas.empty())
+        result = {value_of(formulas.front()), used_};
+    used_ = used_before;
     return result;
 }
 
@@ -55,7 +55,7 @@ Values Numbers::of(std::size_t step, std::string_view field) const {
             return claimed->values;
         if (works_out_)
             if (const WorkedOut& again = worked_out(step, field, name); !again.values.empty()) {
-                line_used_ = again.line;
+                used_ = again.from;
                 return again.values;
             }
     }

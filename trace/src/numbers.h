@@ -26,6 +26,7 @@ struct WrongNumber {
     Values values;
     std::size_t order = 0; ///< of its claim
     std::size_t line = 0;
+    std::string field = {};
 };
 
 /// Those of a file of claims, by where they stand.
@@ -66,13 +67,13 @@ public:
     /// Where a vertex is in the world.
     std::optional<Vec<Rational, 3>> in_world(const std::string& vertex) const;
 
-    /// The line of the claim that a number was taken from last, 0 for none; then forgets it.
-    std::size_t take_line_used() const { return std::exchange(line_used_, 0); }
+    /// The wrong number that was taken last, nullptr for none; then forgets it.
+    const WrongNumber* take_used() const { return std::exchange(used_, nullptr); }
 
 private:
     struct WorkedOut {
         Values values; ///< empty: nothing that the number comes of has been replaced
-        std::size_t line = 0;
+        const WrongNumber* from = nullptr;
     };
 
     const WrongNumber* replacement(const std::string& name) const;
@@ -83,7 +84,7 @@ private:
     const WrongNumbers* wrong_ = nullptr;
     std::size_t last_order_ = 0;
     bool works_out_ = true;
-    mutable std::size_t line_used_ = 0;
+    mutable const WrongNumber* used_ = nullptr;
     mutable std::map<std::string, WorkedOut> worked_out_; ///< by the names of numbers
 };
 

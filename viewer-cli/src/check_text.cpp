@@ -33,12 +33,14 @@ std::string shown_expected(std::string_view text) {
     return shortened(printable(as_in_working(text)), shown_of_expected);
 }
 
-/// `left: expected -1/4, found 0 (follows from line 2)`
-std::string field_line(const CheckedField& field) {
+/// `from: expected -1, found 0; follows from line 2`, or from another field of its own line, by name
+std::string field_line(const CheckedField& field, std::size_t line_of_claim) {
     std::string line = fmt::format("    {}: expected {}, found {}", field.name,
                                    shown_expected(field.expected), shown(field.found));
     if (field.verdict == ClaimVerdict::follows)
-        line += fmt::format("; follows from line {}", field.follows_from);
+        line += field.follows_from == line_of_claim
+                    ? fmt::format("; follows from {}", field.follows_from_field)
+                    : fmt::format("; follows from line {}", field.follows_from);
     if (!field.remark.empty())
         line += fmt::format(" ({})", printable(field.remark));
     return line + "\n";
@@ -74,7 +76,7 @@ std::string wrong_claim(const CheckedFile& file, const CheckedClaim& claim,
     std::string text = place_of(file, claim) + "\n";
     for (const CheckedField& field : claim.fields)
         if (is_wrong(field.verdict))
-            text += field_line(field);
+            text += field_line(field, file.claim_of(claim).line);
     text += slip_lines(claim) + indented(claim.remarks, "    ") + indented(claim.picture, "    ");
     const auto [known, is_new] =
         line_of_working.try_emplace(claim.working, file.claim_of(claim).line);

@@ -93,7 +93,9 @@ struct CheckedField {
     /// Of a wrong one: most likely first, which is the one that explains most of the wrong fields.
     std::vector<LikelySlip> slips = {};
 
-    std::size_t follows_from = 0; ///< the line of the number that it goes on from; may be its own
+    /// Where the number stands that it goes on from: its line, which may be the field's own, and its field.
+    std::size_t follows_from = 0;
+    std::string follows_from_field = {};
 };
 
 struct CheckedClaim {
