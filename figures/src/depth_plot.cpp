@@ -177,6 +177,14 @@ std::optional<Depths> depths_of(const Panel& panel) {
     return depths;
 }
 
+/// What has a place in a plot: 1/z of z = 0 has none.
+void add_finite(const std::vector<Sample>& samples, double (*value)(double z),
+                std::vector<PlotMark>& marks) {
+    for (const Sample& sample : samples)
+        if (const double y = value(sample.z); std::isfinite(y))
+            marks.push_back({.x = sample.along, .y = y});
+}
+
 /// The truth, the straight line between the ends, and what is drawn; of z, or of 1/z.
 Plot plot_of(const Depths& depths, std::string_view name, double (*value)(double z)) {
     Plot plot{.width = 330,
@@ -184,20 +192,21 @@ Plot plot_of(const Depths& depths, std::string_view name, double (*value)(double
               .x = {.scale = PlotScale::linear, .label = depths.along},
               .y = {.scale = PlotScale::linear, .label = std::string(name)}};
     PlotCurve drawn{.name = "as drawn", .marks = {}, .has_line = false};
-    for (const Sample& sample : depths.drawn)
-        drawn.marks.push_back({.x = sample.along, .y = value(sample.z)});
+    add_finite(depths.drawn, value, drawn.marks);
     PlotCurve straight{.name = "straight between the ends", .marks = {}, .has_marks = false};
-    straight.marks = {drawn.marks.front(), drawn.marks.back()};
+    if (!drawn.marks.empty())
+        straight.marks = {drawn.marks.front(), drawn.marks.back()};
     PlotCurve truth{.name = "true", .marks = {}, .has_marks = false};
     if (depths.true_z) {
         constexpr int pieces = 60;
         const double from = depths.drawn.front().along;
         const double to = depths.drawn.back().along;
+        std::vector<Sample> on_curve;
         for (int i = 0; i <= pieces; ++i) {
             const double along = from + (to - from) * i / pieces;
-            if (const double z = depths.true_z(along); std::isfinite(z))
-                truth.marks.push_back({.x = along, .y = value(z)});
+            on_curve.push_back({.along = along, .z = depths.true_z(along)});
         }
+        add_finite(on_curve, value, truth.marks);
     }
     plot.curves = {std::move(truth), std::move(straight), std::move(drawn)};
     return plot;
@@ -209,8 +218,10 @@ std::vector<Plot> depth_plots(const Panel& panel) {
     const auto depths = depths_of(panel);
     if (!depths)
         return {};
-    return {plot_of(*depths, "z", [](double z) { return z; }),
-            plot_of(*depths, "1/z", [](double z) { return 1 / z; })};
+    std::vector<Plot> plots{plot_of(*depths, "z", [](double z) { return z; }),
+                            plot_of(*depths, "1/z", [](double z) { return 1 / z; })};
+    std::erase_if(plots, [](const Plot& plot) { return plot.curves.back().marks.size() < 2; });
+    return plots;
 }
 
 } // namespace rastertrace

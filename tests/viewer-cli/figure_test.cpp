@@ -202,6 +202,10 @@ TEST_F(FigureTest, PartsThatTheSceneCannotHave) {
     EXPECT_EQ(figure("--with half-planes --step \"primitive\" -o x.svg").status, 0);
     EXPECT_EQ(figure("--with rejected --fill barycentric -o x.svg").status, 0);
     EXPECT_EQ(figure("--with plot,depths --depth linear-z --keep depth -o x.svg").status, 0);
+    // All of its depths are 0: 1/z has no place in a plot.
+    const std::string plotted = shell("cat x.svg").out;
+    EXPECT_THAT(plotted, HasSubstr(">z</text>"));
+    EXPECT_THAT(plotted, Not(HasSubstr(">1/z</text>")));
     EXPECT_EQ(figure("--with weights --fill barycentric -o x.svg").status, 0);
     // Of several frames, those that have none of it go without.
     EXPECT_EQ(figure("--with row,half-planes --every edge --sheet 3x1 -o x.svg").status, 0);

@@ -146,7 +146,8 @@ pid() {
     pgrep -f "^$program play $scene"
 }
 for signal in TERM HUP ABRT SEGV; do
-    begin 80 24 "TERM=tmux-256color" "$scene"
+    # A program with the sanitizers would handle it by itself.
+    begin 80 24 "ASAN_OPTIONS=handle_segv=0 TERM=tmux-256color" "$scene"
     wait_for "step 0 of 62"
     kill -"$signal" "$(pid)"
     end $((128 + $(kill -l "$signal")))
