@@ -70,9 +70,15 @@ struct PrimitiveSurvey {
     PrimitiveKind kind = PrimitiveKind::triangle;
     int pieces = 0;
     PixelBox box = {};           ///< it draws no pixel outside of it
+    bool is_shared = false;      ///< another one may draw a pixel of it, for their boxes meet
     bool has_safe_depth = false; ///< no depth of it can lose against a clear buffer
     bool w_differs = false;
     bool colors_differ = false;
+
+    /// True if another primitive may hide a pixel of it, or the clear buffer.
+    bool may_be_hidden() const { return is_shared || !has_safe_depth; }
+    /// True if it may draw a pixel twice: the parts of a clipped triangle share pixels, and the sides of an outline.
+    bool has_parts() const { return pieces > 1; }
 };
 
 /// One of which nothing is known: it needs all stages.
@@ -231,13 +237,15 @@ std::vector<PrimitiveSurvey> survey_of(const Scene& scene, const AList& list) {
         const auto piece = piece_of(scene, list, one);
         if ((piece.kind != PrimitiveKind::triangle && !has_depth_buffer) || piece.is_skipped)
             return;
+        const bool is_first = triangle.pieces == 0;
         triangle.kind = piece.kind;
         triangle.pieces += piece.kind == PrimitiveKind::outline ? 3 : 1;
         // A face may hide a point of a line that it has only the next pixel of (line_painter.h).
         const int around = piece.kind == PrimitiveKind::triangle ? 0 : 1;
         triangle.box = triangle.box.join(box_of(piece, scene).grown(around));
         if constexpr (!std::same_as<AList, TypedVertices>) {
-            triangle.has_safe_depth = has_depth_buffer && has_safe_depth(piece, rule, scene);
+            triangle.has_safe_depth = has_depth_buffer && (is_first || triangle.has_safe_depth) &&
+                                      has_safe_depth(piece, rule, scene);
             const auto& [a, b, c] = piece.inverse_w;
             triangle.w_differs = triangle.w_differs || may_differ(a, b) || may_differ(a, c);
         }
@@ -249,11 +257,10 @@ std::vector<PrimitiveSurvey> survey_of(const Scene& scene, const AList& list) {
     return result;
 }
 
-/// Which primitives may share a pixel with another one: their boxes meet. Boxes are sorted into the
+/// Finds which primitives may share a pixel with another one: their boxes meet. Boxes are sorted into the
 /// cells of a grid and compared with the first few of each cell; where more crowd, they are taken to
 /// meet.
-inline std::vector<bool> shared_pixels(const std::vector<PrimitiveSurvey>& triangles,
-                                       const Canvas& canvas) {
+inline void find_shared(std::vector<PrimitiveSurvey>& triangles, const Canvas& canvas) {
     constexpr Index cell_side = 16;
     constexpr std::size_t crowd = 16;
     struct Cell {
@@ -264,23 +271,21 @@ inline std::vector<bool> shared_pixels(const std::vector<PrimitiveSurvey>& trian
     const Index columns = (canvas.width + cell_side - 1) / cell_side;
     const Index rows = (canvas.height + cell_side - 1) / cell_side;
     std::vector<Cell> cells(static_cast<std::size_t>(columns * rows));
-    std::vector<bool> is_shared(triangles.size());
     const auto look_into = [&](Cell& cell, std::size_t number) {
         const bool is_crowded = cell.count == crowd;
+        PrimitiveSurvey& triangle = triangles[number];
         if (!cell.is_decided) {
-            const PixelBox& box = triangles[number].box;
             bool all_share = true;
             for (std::size_t i = 0; i < cell.count; ++i) {
-                const std::size_t other = cell.triangles[i];
-                const bool other_shares = is_shared[other];
-                if (!(other_shares && is_shared[number]) && box.meets(triangles[other].box))
-                    is_shared[number] = is_shared[other] = true;
-                all_share = all_share && is_shared[other];
+                PrimitiveSurvey& other = triangles[cell.triangles[i]];
+                if (!(other.is_shared && triangle.is_shared) && triangle.box.meets(other.box))
+                    triangle.is_shared = other.is_shared = true;
+                all_share = all_share && other.is_shared;
             }
             cell.is_decided = is_crowded && all_share;
         }
         if (is_crowded)
-            is_shared[number] = true;
+            triangle.is_shared = true;
         else
             cell.triangles[cell.count++] = static_cast<std::uint32_t>(number);
     };
@@ -293,7 +298,6 @@ inline std::vector<bool> shared_pixels(const std::vector<PrimitiveSurvey>& trian
                  column <= (box.right - canvas.left()) / cell_side; ++column)
                 look_into(cells[static_cast<std::size_t>(row * columns + column)], number);
     }
-    return is_shared;
 }
 
 /// The stages of each primitive's pixels.
@@ -303,18 +307,14 @@ inline std::vector<PixelStages> pixel_stages(const Scene& scene,
     const bool mixes_colors = scene.mixes_colors();
     const bool mixes_in_perspective = scene.mixes_in_perspective();
     const PixelBox canvas = box_of(scene.canvas);
-    const std::vector<bool> is_shared =
-        has_depth_buffer ? shared_pixels(triangles, scene.canvas) : std::vector<bool>();
-
     std::vector<PixelStages> result(triangles.size());
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         const PrimitiveSurvey& triangle = triangles[i];
         PixelStages& stages = result[i];
         stages.tests_canvas = scene.keep.has(Stage::canvas) || !canvas.has(triangle.box);
         stages.is_painted = scene.primitives[i].is_painted;
-        // The parts of a clipped triangle share pixels, too, and the sides of an outline.
-        stages.tests_depth = has_depth_buffer && (scene.keep.has(Stage::depth) || is_shared[i] ||
-                                                  triangle.pieces > 1 || !triangle.has_safe_depth);
+        stages.tests_depth = has_depth_buffer && (scene.keep.has(Stage::depth) ||
+                                                  triangle.may_be_hidden() || triangle.has_parts());
         if (mixes_colors && (triangle.colors_differ || scene.keep.has(Stage::colors)))
             stages.colors =
                 mixes_in_perspective && (triangle.w_differs || scene.keep.has(Stage::perspective))
@@ -391,6 +391,34 @@ inline void decide_face_stages(const Scene& scene, std::vector<StageDecision>& d
     decisions.push_back({Stage::light, "", lights && has_triangles, why(lights)});
 }
 
+/// Why depths are tested, or not: what the primitives need, whatever was asked to be kept.
+inline std::string why_depth(const std::vector<PrimitiveSurvey>& triangles) {
+    std::uint64_t all = 0, hidden = 0, with_parts = 0;
+    bool are_triangles = true;
+    for (const PrimitiveSurvey& one : triangles) {
+        if (one.pieces == 0)
+            continue;
+        ++all;
+        hidden += one.may_be_hidden() ? 1 : 0;
+        with_parts += one.has_parts() && !one.may_be_hidden() ? 1 : 0;
+        are_triangles = are_triangles && one.kind == PrimitiveKind::triangle;
+    }
+    const std::string of_all = " of " + counted(all, are_triangles ? "triangle" : "primitive");
+    std::string why;
+    if (hidden > 0)
+        why = std::to_string(hidden) + of_all +
+              " may share a pixel with another, or may be as far as the buffer starts";
+    if (with_parts > 0)
+        why += (why.empty() ? "" : "; ") + std::to_string(with_parts) + of_all +
+               (with_parts == 1 ? " has" : " have") +
+               (are_triangles ? " parts, made by clipping, that may share a pixel"
+                              : " parts or sides that may share a pixel");
+    if (!why.empty())
+        return why;
+    return are_triangles ? "no two triangles can share a pixel"
+                         : "no two primitives can share a pixel";
+}
+
 /// Decides about the stages of pixels, from what was decided for each triangle.
 inline void decide_pixel_stages(const Scene& scene, const std::vector<PrimitiveSurvey>& triangles,
                                 std::size_t depth_size, Stages& stages) {
@@ -400,7 +428,7 @@ inline void decide_pixel_stages(const Scene& scene, const std::vector<PrimitiveS
         std::uint64_t saved_pixels = 0;
     };
     Count in_canvas, in_depth, in_perspective, in_colors;
-    std::uint64_t all = 0, thin = 0, beyond = 0, differ_in_w = 0, differ_in_color = 0;
+    std::uint64_t all = 0, beyond = 0, differ_in_w = 0, differ_in_color = 0;
     PixelBox tested;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         const PrimitiveSurvey& triangle = triangles[i];
@@ -411,7 +439,6 @@ inline void decide_pixel_stages(const Scene& scene, const std::vector<PrimitiveS
         if (pixels.tests_depth && !box.is_empty())
             tested = tested.join(box);
         if (triangle.kind != PrimitiveKind::triangle) {
-            ++thin;
             in_depth.kept += pixels.tests_depth ? 1 : 0;
             continue;
         }
@@ -446,20 +473,12 @@ inline void decide_pixel_stages(const Scene& scene, const std::vector<PrimitiveS
     stages.depth_region = {tested.left, tested.top, std::max(tested.right - tested.left + 1, 0),
                            std::max(tested.bottom - tested.top + 1, 0)};
     const bool has_depths = scene.has_depth_buffer();
-    decisions.push_back(
-        {Stage::depth,
-         "",
-         in_depth.kept > 0,
-         !has_depths ? "the method has no depth buffer"
-         : in_depth.kept == 0
-             ? (thin > 0 ? "no two primitives can share a pixel"
-                         : "no two triangles can share a pixel")
-             : (thin > 0 ? std::to_string(in_depth.kept) + " of " + counted(all + thin, "primitive")
-                         : of_all(in_depth.kept)) +
-                   " may share a pixel with another, or may be as far "
-                   "as the buffer starts",
-         {.bytes = has_depths ? (canvas.area() - tested.area()) * depth_size : 0,
-          .pixels = has_depths ? in_depth.saved_pixels : 0}});
+    decisions.push_back({Stage::depth,
+                         "",
+                         in_depth.kept > 0,
+                         has_depths ? why_depth(triangles) : "the method has no depth buffer",
+                         {.bytes = has_depths ? (canvas.area() - tested.area()) * depth_size : 0,
+                          .pixels = has_depths ? in_depth.saved_pixels : 0}});
 
     const bool mixes = scene.mixes_colors() && all > 0;
     const bool in_space = scene.mixes_in_perspective() && all > 0;
@@ -482,7 +501,9 @@ inline void decide_pixel_stages(const Scene& scene, const std::vector<PrimitiveS
 /// Decides about every stage. `depth_size` is that of a number of the depth buffer, in bytes.
 template <typename AList>
 Stages stages_of(const Scene& scene, const AList& list, std::size_t depth_size) {
-    const std::vector<PrimitiveSurvey> triangles = survey_of(scene, list);
+    std::vector<PrimitiveSurvey> triangles = survey_of(scene, list);
+    if (scene.has_depth_buffer())
+        find_shared(triangles, scene.canvas);
     Stages stages;
     stages.pixels = pixel_stages(scene, triangles);
     decide_vertex_stages(scene, list, stages.decisions);

@@ -283,6 +283,44 @@ TEST(Stages, DepthIsNeededIfTwoTrianglesMayShareAPixel) {
     EXPECT_EQ(plan.stages.depth_region.width * plan.stages.depth_region.height, 0);
 }
 
+/// Why the depths of a scene are tested, or not.
+std::string why_depth(const Scene& scene) {
+    for (const StageDecision& decision : plan_for(scene).stages.decisions)
+        if (decision.stage == Stage::depth)
+            return decision.why;
+    return "";
+}
+
+TEST(Stages, DepthThatIsKeptOnRequestHasTheReasonOfTheScene) {
+    const auto why = [](int x) {
+        return why_depth(
+            full(scene_in(two_triangles(x, 2, R"("depth":"linear-z","scalar":"exact")"))));
+    };
+    EXPECT_EQ(why(4), "asked to be kept; no two triangles can share a pixel");
+    EXPECT_EQ(why(3),
+              "asked to be kept; 2 of 2 triangles may share a pixel with another, or may be as far "
+              "as the buffer starts");
+}
+
+TEST(Stages, DepthOfTrianglesThatAreCutIsNeededForTheirParts) {
+    // Each reaches behind the eye, on its own side of the canvas.
+    const auto why = [](const std::string& primitives) {
+        return why_depth(scene_in(
+            R"({"canvas":{"width":33,"height":17,"origin":"top-left"},)"
+            R"("vertices":{"A":[-1,1,-2],"B":[-2,-1,-2],"C":[-1,-1,2],"D":[1,1,-2],"E":[2,-1,-2],"F":[1,-1,2]},)" +
+            primitives +
+            R"(,"projection":{"type":"frustum","left":-1,"right":1,"bottom":-1,"top":1,"near":1,"far":17},)"
+            R"("method":{"scalar":"exact","fill":"top-left","depth":"inverse-z"}})"));
+    };
+    EXPECT_EQ(why(R"("triangles":["ABC"])"),
+              "1 of 1 triangle has parts, made by clipping, that may share a pixel");
+    EXPECT_EQ(why(R"("triangles":["ABC","DEF"])"),
+              "2 of 2 triangles have parts, made by clipping, that may share a pixel");
+    EXPECT_EQ(why(R"("triangles":["ABC","DEF"],"outlines":["ABC"])"),
+              "2 of 3 primitives may share a pixel with another, or may be as far as the buffer "
+              "starts; 1 of 3 primitives has parts or sides that may share a pixel");
+}
+
 std::string colored(const std::string& z, const std::string& color) {
     return R"({"canvas":{"width":8,"height":8},"vertices":{"A":[0,0,2],"B":[1,0,2],"C":[0,1,)" + z +
            R"(]},"triangles":["ABC"],"colors":{"A":"#102030","B":"#102030","C":")" + color +
