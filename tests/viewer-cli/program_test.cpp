@@ -589,6 +589,18 @@ TEST_F(ProgramTest, StressTellsOfTJunctionsInAScene) {
                           R"((31, 25); 0 pixels in none")"));
 }
 
+TEST_F(ProgramTest, CommandsThatNeedASceneSayThatATraceIsDrawnAlready) {
+    ASSERT_EQ(
+        shell("$rastertrace trace $examples/t0-fill/first-triangle.json -o drawn.json").status, 0);
+    for (const char* const command : {"trace", "plan", "report", "stress"}) {
+        const Outcome outcome = shell(std::string("$rastertrace ") + command + " drawn.json");
+        EXPECT_EQ(outcome.status, 2) << command;
+        EXPECT_EQ(outcome.err, "rastertrace: drawn.json: expected a scene, found a trace\n"
+                               "hint: a trace is drawn already; `show` and `stats` read it\n")
+            << command;
+    }
+}
+
 TEST_F(ProgramTest, StressRefusesWhatItCannotRun) {
     const auto refusal = [this](const std::string& arguments) {
         const Outcome outcome = shell("$rastertrace stress " + arguments);

@@ -55,7 +55,7 @@ Source read_input(const std::string& path, const InputLimits& limits) {
 
 [[noreturn]] void refuse_trace(const Source& source) {
     throw problem_of(source.name, "expected a scene, found a trace",
-                     "a trace is what this command makes; `show` and `stats` read it");
+                     "a trace is drawn already; `show` and `stats` read it");
 }
 
 /// The text of a scene's trace; the scene is given up before the trace is read: both may be large.
