@@ -623,6 +623,9 @@ TEST_F(ProgramTest, StressRefusesWhatItCannotRun) {
     EXPECT_THAT(refusal("--case S1,S2 --scene"), HasSubstr("found \"S1,S2\"\n"));
     EXPECT_EQ(refusal("x.json --case S1"),
               "rastertrace: --case: expected cases, or a scene, not both, found \"x.json\"\n");
+    EXPECT_EQ(refusal("--case L1,L2 L4"),
+              "rastertrace: --case: expected cases, or a scene, not both, found \"L4\"\n"
+              "hint: several cases are one word: --case L1,L2,L4\n");
     EXPECT_THAT(
         refusal("--fan-passes 2"),
         StartsWith("rastertrace: --fan-passes: expected a scene to draw by another method"));

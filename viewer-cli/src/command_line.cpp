@@ -7,6 +7,7 @@
 #include "load.h"
 #include "player_screen.h"
 
+#include <rastertrace/numerics/stress.h>
 #include <rastertrace/trace/language.h>
 #include <rastertrace/trace/method_names.h>
 #include <rastertrace/trace/problem.h>
@@ -1024,7 +1025,7 @@ private:
                 "--case", stress_.cases,
                 "Only these cases, in full: L1 to L13, S1 to S14, C1 to C18, Z1 to Z14, P1 to "
                 "P12, X1 to X9")
-            ->type_name("ID")
+            ->type_name("ID,...")
             ->delimiter(',')
             ->allow_extra_args(false);
         stress_scene_ = command
@@ -1052,9 +1053,14 @@ private:
     void check_stress() {
         const bool has_scene = !stress_.scene.empty();
         if (has_scene && !stress_.cases.empty())
-            refuse("--case", "cases, or a scene, not both", stress_.scene);
+            refuse("--case", "cases, or a scene, not both", stress_.scene,
+                   find_stress_case(stress_.scene) != nullptr
+                       ? fmt::format("several cases are one word: --case {},{}",
+                                     joined(stress_.cases, ","), stress_.scene)
+                       : "");
         if (stress_.markdown && (has_scene || stress_.json))
-            refuse("--markdown", "cases to print as tables", has_scene ? stress_.scene : "--json");
+            refuse("--markdown", "cases to print as tables",
+                   has_scene ? stress_.scene : "--json");
         for (const auto& [key, value] : stress_.method) {
             if (!has_scene)
                 refuse(option_named(key), "a scene to draw by another method", "none",
