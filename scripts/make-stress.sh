@@ -1,5 +1,5 @@
 #!/bin/sh
-# Writes the tables between the marks of docs/stress.md anew, from a run of the cases. With --check it
+# Writes the entries between the marks of docs/stress.md anew, from a run of the cases. With --check it
 # only says whether they are what the program writes. Takes seconds; the same on every machine.
 #
 #     scripts/make-stress.sh [--check] [PROGRAM]
@@ -9,22 +9,22 @@ check=
 [ "${1:-}" = --check ] && check=yes && shift
 rastertrace=${1:-build/release/viewer-cli/rastertrace}
 page=$(mktemp)
-trap 'rm -f "$page" "$page.tables"' EXIT
+trap 'rm -f "$page" "$page.entries"' EXIT
 
 # Status 1: a row is not as documented in the code. Then the page would be wrong, too.
-"$rastertrace" stress --quick --markdown >"$page.tables" || {
+"$rastertrace" stress --quick --markdown >"$page.entries" || {
     status=$?
     "$rastertrace" stress --quick >&2 || true
     exit $status
 }
 
 # What stands between the marks is replaced.
-awk -v tables="$page.tables" '
+awk -v entries="$page.entries" '
     /<!-- stress: end -->/ { inside = 0 }
     !inside { print }
     /<!-- stress: begin/ {
         inside = 1
-        while ((getline line < tables) > 0) print line
+        while ((getline line < entries) > 0) print line
     }' docs/stress.md >"$page"
 
 if [ -z "$check" ]; then

@@ -375,7 +375,7 @@ constexpr auto catalogue = std::to_array<StressCase>({
     {.id = "L2",
      .title = "many ties",
      .input = "(0,0)-(60,10)",
-     .why = "gcd 10: ten pixels lie halfway between two rows",
+     .why = "the gcd is 10: ten pixels lie halfway between two rows",
      .holds = "61 pixels. Naive with half away from zero and Bresenham differ at the 10 ties, "
               "first (3,1) against (3,0); with the same tie rule they are one line, "
               "unless rounded sums miss the ties (dda).",

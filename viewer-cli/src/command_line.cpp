@@ -1036,7 +1036,7 @@ private:
         command.add_flag("--quick", stress_.quick, "Every case, the longest with one scalar only");
         command.add_flag("--json", stress_.json, "Print JSON");
         command.add_flag("--markdown", stress_.markdown,
-                         "Print the cases as tables of a page, with what is wrong or refused");
+                         "Print the cases as entries of a page, with what is wrong or refused");
         stress_method_.add_to(command);
         stress_input_.add_to(command);
         stress_frames_.add_to(command, first_frame);
@@ -1059,7 +1059,7 @@ private:
                                      joined(stress_.cases, ","), stress_.scene)
                        : "");
         if (stress_.markdown && (has_scene || stress_.json))
-            refuse("--markdown", "cases to print as tables",
+            refuse("--markdown", "cases to print as entries of a page",
                    has_scene ? stress_.scene : "--json");
         for (const auto& [key, value] : stress_.method) {
             if (!has_scene)

@@ -62,7 +62,7 @@ struct StressCommand {
     std::vector<std::string> cases;               ///< ids; none: all of them, as a table
     std::optional<std::size_t> scene_number = {}; ///< print this scene of the only case, from 1
     bool json = false;
-    bool markdown = false; ///< the tables of docs/stress.md
+    bool markdown = false; ///< the entries of docs/stress.md
     bool quick = false;
     MethodOverrides method; ///< for the scene
     InputLimits input;
