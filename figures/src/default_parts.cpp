@@ -93,8 +93,8 @@ void set_parts(const FigureOptions& options, Panel& panel) {
 
     // What needs room, and what is too much if there is too much of it.
     set(FigurePart::grid, lattice.cell >= cell_for_grid);
-    set(FigurePart::patterns,
-        panel.view == View::faces && panel.against == nullptr && lattice.cell >= cell_for_patterns);
+    set(FigurePart::patterns, panel.parts.has(FigurePart::pixels) && panel.view == View::faces &&
+                                  panel.against == nullptr && lattice.cell >= cell_for_patterns);
     set(FigurePart::samples, tests_samples(panel.trace()) && lattice.cell >= cell_for_samples &&
                                  !has_cell_texts(panel.parts));
     panel.has_all_edges = !is_step || wanted(options, FigurePart::edges) == true;

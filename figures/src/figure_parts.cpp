@@ -43,7 +43,7 @@ constexpr std::array parts{
                   "never"},
     FigurePartRow{FigurePart::patterns, "patterns",
                   "a pattern for each face, so that they differ without color",
-                  "in the view faces"},
+                  "in the view faces, with pixels"},
     FigurePartRow{FigurePart::half_planes, "half-planes",
                   "for each edge of a triangle the side where its function is not negative",
                   "never"},
