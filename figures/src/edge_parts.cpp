@@ -115,7 +115,8 @@ void add_vertices(const Panel& panel, std::vector<Shape>& shapes) {
     constexpr double size = 11;
     constexpr double radius = 2.6;
     Dots dots{.role = Role::vertex, .radius = radius};
-    Obstacles obstacles{.frame = panel.lattice.frame(), .sides = {}, .words = {}};
+    Obstacles obstacles{
+        .sheet = panel.sheet, .frame = panel.lattice.frame(), .sides = {}, .words = {}};
     constexpr std::size_t few_primitives = 50; // among more, there is no way around their sides
     const auto primitives = primitives_with_edges(panel);
     for (std::size_t i = 0; primitives.size() <= few_primitives && i < primitives.size(); ++i)

@@ -340,8 +340,10 @@ Drawing FigureMaker::figure(std::size_t n) {
     if (parts.has(FigurePart::title))
         y += add_title(sheet.title, panel, column, y, sheet.shapes);
     lattice.corner.y = std::ceil(y);
+    const double numbers_below = parts.has(FigurePart::axes) ? axis_height : 0;
+    y = lattice.corner.y + lattice.height() + numbers_below;
+    panel.sheet = {{}, sheet.width, y + margin};
     add_raster(panel, is_only ? options_.with : std::vector<FigurePart>(), sheet.shapes);
-    y = lattice.corner.y + lattice.height() + (parts.has(FigurePart::axes) ? axis_height : 0);
     y = std::max(y, lattice.corner.y + add_at_right(beside, lattice, beside_left, sheet));
     y += add_below(beside, lattice, column, y, sheet);
     if (parts.has(FigurePart::legend))

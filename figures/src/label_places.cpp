@@ -48,7 +48,7 @@ constexpr double of_other_words = 100;
 
 /// How bad a place for words is: nothing is 0.
 double badness_of(const Rectangle& box, const Obstacles& obstacles) {
-    constexpr double of_leaving = 4; // what leaves the pixels may be cut off, or cover the title
+    constexpr double of_leaving = 4; // what leaves the pixels may cover the title
     constexpr double of_axes = 1;    // or numbers
     constexpr double of_side = 1;
     const Rectangle& frame = obstacles.frame;
@@ -70,11 +70,15 @@ double badness_of(const Rectangle& box, const Obstacles& obstacles) {
 
 } // namespace
 
+double bold_width_of(std::string_view words, double size) {
+    constexpr double bold = 1.1; // against regular letters
+    return bold * width_of(words, size);
+}
+
 std::optional<Rectangle> words_beside(const WordsWish& wish, const Obstacles& obstacles) {
     constexpr double gap = 5;
-    constexpr double bold = 1.1; // about, against regular letters
     const auto& [mark, inside, words, size] = wish;
-    const double width = bold * width_of(words, size);
+    const double width = bold_width_of(words, size);
     const double away_x = mark.x - inside.x;
     const double away_y = mark.y - inside.y;
     const double away = std::max(1.0, std::sqrt(away_x * away_x + away_y * away_y));
@@ -87,6 +91,8 @@ std::optional<Rectangle> words_beside(const WordsWish& wish, const Obstacles& ob
             const double left = mark.x + right * gap + (right - 1) * width / 2;
             const double top = mark.y + down * gap + (down - 1) * size / 2;
             const Rectangle box{{left, top}, width, size};
+            if (!obstacles.sheet.has(box))
+                continue;
             const double inward = -(right * away_x + down * away_y) / away;
             const double badness = inward + badness_of(box, obstacles);
             if (badness >= least)

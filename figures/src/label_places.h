@@ -44,6 +44,9 @@ struct LabelPlace {
     std::optional<Path> leader = {}; ///< from the mark, if it does not stand beside it
 };
 
+/// How wide bold letters are, about.
+double bold_width_of(std::string_view words, double size);
+
 /// Words that look for their place beside a mark.
 struct WordsWish {
     Place mark;
@@ -54,12 +57,14 @@ struct WordsWish {
 
 /// What words keep away from.
 struct Obstacles {
-    Rectangle frame;                   ///< they rather stay within it
+    Rectangle sheet;                   ///< what is outside is cut off: they stay within it
+    Rectangle frame;                   ///< they rather stay within it, too
     std::vector<Path> sides = {};      ///< rather not on these lines of two places
     std::vector<Rectangle> words = {}; ///< not on other words
 };
 
-/// The best box for words, of eight around their mark. `nullopt` if each has other words below it.
+/// The best box for words, of eight around their mark. `nullopt` if each has other words below it, or does not fit on
+/// the sheet.
 std::optional<Rectangle> words_beside(const WordsWish& wish, const Obstacles& obstacles);
 
 /// Words in their box, beside the mark that they belong to.

@@ -25,6 +25,7 @@ struct Panel {
     const Replay& replay; ///< at the last step of the frame
     FigureFrame frame;
     Lattice lattice;
+    Rectangle sheet = {}; ///< at least as far down as the numbers of columns
     FigureParts parts;
     View view;
     const FaceGroups& groups;

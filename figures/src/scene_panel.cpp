@@ -178,7 +178,9 @@ double length_of_normals(const SpatialScene& space) {
 /// A label, which other words keep away from.
 void add_words(Label label, Obstacles& obstacles, std::vector<Shape>& shapes) {
     const double width = width_of(label.text, label.size);
-    const double left = label.anchor == Anchor::middle ? label.at.x - width / 2 : label.at.x;
+    const double left = label.at.x - (label.anchor == Anchor::end      ? width
+                                      : label.anchor == Anchor::middle ? width / 2
+                                                                       : 0);
     const double top = label.at.y - 0.85 * label.size;
     obstacles.words.push_back({{left, top}, width, label.size});
     shapes.push_back(std::move(label));
@@ -226,11 +228,18 @@ void add_normals(const SpatialScene& space, const SideView& side, const TipOf& t
         if (!has_angles || !face.cosine)
             continue;
         constexpr double degrees = 180 / std::numbers::pi;
+        const std::string angle =
+            fmt::format("{:.1f}\u00b0", std::acos(std::clamp(*face.cosine, -1.0, 1.0)) * degrees);
+        // At the right of the tip; or where that is cut off, at its left, above or below the arrow.
+        constexpr double away = 4;
+        const bool is_below = side.at(face.middle).y < tip.y;
+        const Place at_left{tip.x, tip.y + (is_below ? away + text_size : -2 * away)};
+        const bool fits = tip.x + away + bold_width_of(angle, text_size) <= obstacles.sheet.right();
         add_words({.role = Role::normal,
-                   .at = {tip.x + 4, tip.y - 3},
-                   .text = fmt::format("{:.1f}\u00b0",
-                                       std::acos(std::clamp(*face.cosine, -1.0, 1.0)) * degrees),
+                   .at = fits ? Place{tip.x + away, tip.y - 3} : at_left,
+                   .text = angle,
                    .size = text_size,
+                   .anchor = fits ? Anchor::start : Anchor::end,
                    .is_bold = true,
                    .has_rim = true},
                   obstacles, shapes);
@@ -338,7 +347,8 @@ Drawing scene_drawing(const SpatialScene& space, double width, double height) {
             side.include(tip_of(face));
     side.fit({{margin, margin}, width - 2 * margin, height - 2 * margin});
 
-    Obstacles obstacles{.frame = {{}, width, height}};
+    const Rectangle sheet{{}, width, height};
+    Obstacles obstacles{.sheet = sheet, .frame = sheet};
     const auto lines_of = [&](const auto& sides, Role role) {
         Lines lines{.role = role};
         for (const auto& [a, b] : sides)

@@ -488,6 +488,47 @@ TEST(Figures, NamesInSpaceCoverNoOthers) {
     }
 }
 
+TEST(Figures, WordsThatDoNotFitOnTheSheetAreAtTheOtherSideOfTheirPoint) {
+    // B and E lie on the upper right corner of the pixels: their words are as wide as an eighth of these.
+    const Drawing corner = whole_figure(trace_of_scene(R"({
+        "canvas": {"width": 64, "height": 64, "origin": "top-left"},
+        "vertices": {"A": [0, 0, 1], "B": [64, 0, 9], "C": [0, 64, 1],
+                     "D": [0, 0, 4], "E": [64, 0, 4], "F": [0, 64, 4]},
+        "triangles": ["ABC", "DEF"],
+        "method": {"scalar": "exact", "fill": "top-left", "depth": "inverse-z"}})"));
+    EXPECT_THAT(texts_of(corner, Role::strong_text),
+                testing::IsSupersetOf({"A, D(0, 0)", "B, E(64, 0)", "C, F(0, 64)"}));
+
+    // The last normal points to the right, and ends at the border of the scene in space.
+    const Drawing normals = whole_figure(trace_of_scene(R"({
+        "canvas": {"width": 15, "height": 13},
+        "vertices": {"P": [0, -2, 3], "Q": [-2, -2, 3], "R": [0, 1, 4], "S": [2, 1, 3]},
+        "triangles": ["PRQ", "PQS", "PSR", "QRS"],
+        "projection": {"type": "pinhole", "distance": 1}, "viewport": {"pixels_per_unit": 8},
+        "method": {"scalar": "exact", "cull": "back", "shade": "faces"}})"),
+                                         {.with = {FigurePart::scene}});
+    EXPECT_THAT(texts_of(normals, Role::normal), testing::Contains("157.6\u00b0"));
+
+    for (const Drawing* const drawing : {&corner, &normals})
+        for (const Role role : {Role::strong_text, Role::normal})
+            for (const Rectangle& box : boxes_of(*drawing, role))
+                EXPECT_TRUE((Rectangle{{}, drawing->width, drawing->height}).has(box))
+                    << box.left() << " to " << box.right() << " of " << drawing->width;
+}
+
+TEST(Figures, WordsThatFitNowhereOnTheSheetAreLeftOut) {
+    // The names of two vertices alone are wider than the sheet.
+    const std::string many(40, 'W');
+    const Drawing figure = whole_figure(
+        trace_of_scene(R"({"canvas": {"width": 9, "height": 9}, "vertices": {")" + many +
+                       R"(": [0, 0], "B": [4, 0], "C": [0, 4]}, "triangles": [[")" + many +
+                       R"(", "B", "C"]], "method": {"scalar": "exact"}})"));
+    EXPECT_THAT(texts_of(figure, Role::strong_text), testing::IsSupersetOf({"B(4, 0)", "C(0, 4)"}));
+    EXPECT_THAT(texts_of(figure, Role::strong_text),
+                testing::Each(testing::Not(testing::HasSubstr(many))));
+    EXPECT_EQ(shapes_of<Dots>(figure, Role::vertex).front().centers.size(), 3U);
+}
+
 TEST(Figures, WithoutPixelsThereAreNoPatterns) {
     const Trace trace =
         trace_of_scene(R"({"canvas": {"width": 7, "height": 7, "origin": "bottom-left"},
