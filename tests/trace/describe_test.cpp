@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 namespace rastertrace {
 namespace {
@@ -288,6 +289,24 @@ TEST(Describe, TheColorOfALinesPixel) {
     scene.method.color_lerp = ColorLerp::distance;
     EXPECT_EQ(description(scene, 4),
               "pixel (1, 0) #2b0000 (0.169545 of the distance)   d = -1 <= 0, straight on");
+}
+
+/// A trace has one word for both; the sentence is true of both.
+TEST(Describe, APointBesideTheEyeIsNotBehindIt) {
+    const Trace trace = trace_of(scene_in(R"({"canvas": {"width": 9, "height": 9},
+        "vertices": {"R": [1, 1, 0], "S": [1, 1, 2]}, "points": ["R", "S"],
+        "projection": {"type": "view-plane", "distance": 1}})"));
+    std::vector<std::string> told;
+    Replay replay(trace);
+    for (std::size_t n = 1; n <= trace.size(); ++n) {
+        replay.go_to(n);
+        if (trace.kind_of(n) == StepKind::skip) {
+            EXPECT_EQ(trace.step(n).text("why"), "behind the eye");
+            told.push_back(describe_step(replay));
+        }
+    }
+    EXPECT_THAT(told, testing::ElementsAre("point R: skipped, not in front of the eye",
+                                           "point S: skipped, not in front of the eye"));
 }
 
 /// A trace of some steps only does not know what kind of primitive was skipped.

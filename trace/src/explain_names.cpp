@@ -5,6 +5,7 @@
 #include "step_text.h"
 
 #include <rastertrace/core/scene/stages.h>
+#include <rastertrace/trace/language.h>
 #include <rastertrace/trace/text.h>
 
 #include <fmt/core.h>
@@ -123,7 +124,7 @@ std::map<std::string, Fate> fates_in(const Trace& trace, const std::vector<std::
 
 std::string text_of(const Fate& fate, bool lacks_depths) {
     if (!fate.skipped.empty() && fate.plotted.empty() && fate.hidden.empty())
-        return fmt::format("not drawn: {}", printable(fate.skipped));
+        return fmt::format("not drawn: {}", printable(in_language_of_steps(fate.skipped)));
     if (!fate.is_painted)
         return fmt::format("not painted: it only hides what lies behind it, at {}",
                            counted(fate.passed.size(), "pixel"));
@@ -305,7 +306,7 @@ std::string why_not_set_up(const Trace& trace, const std::set<std::string>& spel
         if (one.kind == StepKind::skip && owners.contains(name))
             why = fmt::format("no edge is set up: {} is {}{}", printable(name),
                               one.step.text("why") == "culled" ? "" : "skipped, ",
-                              printable(one.step.text("why")));
+                              printable(in_language_of_steps(one.step.text("why"))));
     });
     return why;
 }

@@ -13,8 +13,19 @@ constexpr std::array<std::string_view, language_count> codes{"en", "pt"};
 
 std::atomic<Language> told_in{Language::english};
 
+/// A word of traces, and how it is told: in English as it stands, where nothing else is said.
+struct TraceWord {
+    std::string_view word;
+    Words told;
+
+    constexpr TraceWord(std::string_view english, std::string_view portuguese)
+        : word(english), told(english, portuguese) {}
+    constexpr TraceWord(std::string_view word_of_traces, Words told_as)
+        : word(word_of_traces), told(told_as) {}
+};
+
 /// The words that traces have for kinds of primitives, matrices, spaces, planes, halves and reasons.
-constexpr Words words_of_traces[] = {
+constexpr TraceWord words_of_traces[] = {
     {"point", "ponto"},
     {"line", "segmento"},
     {"outline", "contorno"},
@@ -47,7 +58,8 @@ constexpr Words words_of_traces[] = {
     {"off canvas", "fora da tela"},
     {"zero area", "área zero"},
     {"culled", "eliminado pela orientação"},
-    {"behind the eye", "atrás do olho"},
+    // Or beside it: w = 0.
+    {"behind the eye", Words("not in front of the eye", "não está à frente do olho")},
     {"too near", "perto demais"},
     {"too far", "longe demais"},
     {"outside the view", "fora da vista"},
@@ -84,8 +96,8 @@ void tell_steps_in(Language language) {
 std::string_view in_language_of_steps(std::string_view word) {
     const auto* const found =
         std::find_if(std::begin(words_of_traces), std::end(words_of_traces),
-                     [word](const Words& words) { return words.in(Language::english) == word; });
-    return found == std::end(words_of_traces) ? word : found->in(language_of_steps());
+                     [word](const TraceWord& known) { return known.word == word; });
+    return found == std::end(words_of_traces) ? word : found->told.in(language_of_steps());
 }
 
 } // namespace rastertrace

@@ -3,6 +3,7 @@
 
 #include "step_text.h"
 
+#include <rastertrace/trace/language.h>
 #include <rastertrace/trace/text.h>
 
 #include <fmt/core.h>
@@ -42,9 +43,10 @@ WhyNot why_skipped(const Trace& trace, const PrimitiveSteps& steps) {
                                 : steps.face};
     if (is_clipped_away(steps.skip))
         return {.reason = "clipped",
-                .sentence = steps.clips.empty()
-                                ? steps.skip + ": all of it lies outside one plane of the view"
-                                : fmt::format("{}: {}", steps.skip, joined(steps.clips, "; "))};
+                .sentence =
+                    fmt::format("{}: {}", in_language_of_steps(steps.skip),
+                                steps.clips.empty() ? "all of it lies outside one plane of the view"
+                                                    : joined(steps.clips, "; "))};
     const std::string corners = corners_text(primitive_in(trace.step(steps.first)));
     return {.reason = "skipped",
             .sentence = corners.empty() ? steps.skip : fmt::format("{}: {}", steps.skip, corners)};
