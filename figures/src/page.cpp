@@ -6,8 +6,8 @@
 #include <rastertrace/figures/player_keys.h>
 #include <rastertrace/figures/svg.h>
 #include <rastertrace/trace/color_text.h>
-#include <rastertrace/trace/step_writer.h>
 #include <rastertrace/trace/language.h>
+#include <rastertrace/trace/step_writer.h>
 #include <rastertrace/trace/text.h>
 
 #include <fmt/core.h>

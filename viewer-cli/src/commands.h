@@ -110,7 +110,7 @@ struct PlayCommand {
     std::optional<View> view;
     bool follow = false;                        ///< the file may grow
     std::size_t bytes = Snapshots::usual_bytes; ///< for pictures that are kept for going back
-    std::optional<TextSize> screen; ///< only print that of a terminal of this size
+    std::optional<TextSize> screen;             ///< only print that of a terminal of this size
     ColorChoice color = ColorChoice::automatic;
     MethodOverrides method;
     InputLimits input;
