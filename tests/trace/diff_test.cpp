@@ -221,6 +221,14 @@ void change_every_field(const std::string& name, const std::string& trace) {
                 });
             if (kind == "primitive" && is_key)
                 continue; // all its steps are those of another primitive
+            const auto is_like_this = [&step](const std::string& line) {
+                const Json other_step = Json::parse(line);
+                return other_step["step"] == "matrix" && other_step["name"] == step["name"] &&
+                       other_step.value("object", "") == step.value("object", "");
+            };
+            if (kind == "matrix" && is_key &&
+                std::count_if(lines.steps.begin(), lines.steps.end(), is_like_this) > 1)
+                continue; // those of meshes without names: nothing says which is which
             EXPECT_THAT(counts_of(found), ElementsAre(kind + (is_key ? " 0 1 1 0" : " 1 0 0 0")));
             if (!is_key) {
                 ASSERT_EQ(found.first->fields.size(), 1U);

@@ -339,7 +339,7 @@ TEST(Working, TheColorsOfATriangleInAPerspective) {
     const Trace ramp = example("tutorial/light/ramp.json");
     EXPECT_THAT(
         working(ramp, StepKind::pixel, 0, 0),
-        IsSupersetOf(Working{"weights of A, B, C: 1/4, 1/4, 1/2, divided by w = 1, 1, 3: 1/4, 1/4, "
+        IsSupersetOf(Working{"weights of A, B, C: 1/4, 1/4, 1/2, divided by z = 1, 1, 3: 1/4, 1/4, "
                              "1/6, together 2/3",
                              "divided by 2/3: 3/8 of A, 3/8 of B, 1/4 of C",
                              "red = 0.375 (0) + 0.375 (0) + 0.25 (255) = 63.75 -> 64"}));
@@ -349,10 +349,10 @@ TEST(Working, TheColorsOfATriangleInAPerspective) {
     affine.method.shade = Shade::affine;
     const Working flat = working(trace_of(affine), StepKind::pixel, 0, 0);
     EXPECT_THAT(flat, Contains("red = 0.25 (0) + 0.25 (0) + 0.5 (255) = 127.5 -> 128"));
-    EXPECT_THAT(flat, Not(Contains(HasSubstr("divided by w"))));
+    EXPECT_THAT(flat, Not(Contains(HasSubstr("divided by z"))));
 }
 
-/// A corner that clipping makes has a w, too.
+/// A corner that clipping makes has a z, too.
 TEST(Working, TheColorsOfAClippedTriangleInAPerspective) {
     for (const std::string scalar : {"exact", "double"}) {
         const Trace trace = trace_of(scene_in(R"({
@@ -364,7 +364,7 @@ TEST(Working, TheColorsOfAClippedTriangleInAPerspective) {
                                               scalar + R"("}})"));
         const std::size_t pixel =
             step_of(trace, [](const StepView& step) { return step.kind() == StepKind::pixel; });
-        EXPECT_THAT(working(trace, pixel), Contains(HasSubstr(", divided by w = 0.001, 4, 3: ")))
+        EXPECT_THAT(working(trace, pixel), Contains(HasSubstr(", divided by z = 0.001, 4, 3: ")))
             << scalar;
         EXPECT_EQ(first_unexplained(trace), 0U) << scalar;
     }

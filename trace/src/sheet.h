@@ -77,15 +77,15 @@ void write_vertex(Sheet& sheet);
 void write_face(Sheet& sheet);
 void write_light(Sheet& sheet);
 
-/// How far the corners of a triangle are from the eye: w in clip space, or else z.
+/// How far the corners of a triangle are from the eye.
 struct CornerDistances {
-    std::string_view name;
     std::array<Rational, 3> distances;
 
     bool differ() const { return distances[0] != distances[1] || distances[0] != distances[2]; }
 };
 
-/// As `vertex` steps tell them; or as depths of 1/z do, where something converges. None of them is 0.
+/// As depths of 1/z tell them, in a perspective. (The w of `vertex` steps would do as well, but who asks about one pixel
+/// of a long trace does not have those.)
 std::optional<CornerDistances> distances_of_corners(const Sheet& sheet);
 
 /// z of a pixel from the plane of its face in the camera's space, A x + B y + C z + D = 0, and from where

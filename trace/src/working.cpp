@@ -422,7 +422,7 @@ struct Mix {
     std::vector<std::string> lines = {};
 };
 
-/// From their weights on the screen those in space: each is divided by the w of its corner, and all by their sum.
+/// From their weights on the screen those in space: each is divided by the z of its corner, and all by their sum.
 Mix in_space(const Sheet& sheet, const Mix& on_screen, const CornerDistances& corners) {
     std::array<Rational, 3> shares;
     Rational sum;
@@ -438,9 +438,9 @@ Mix in_space(const Sheet& sheet, const Mix& on_screen, const CornerDistances& co
     const auto& names = sheet.primitive.vertices;
     const std::array<Rational, 3> weights{shares[0] / sum, shares[1] / sum, shares[2] / sum};
     return {weights,
-            {said({"weights of {}, {}, {}: {}, divided by {} = {}: {}, together {}",
-                   "pesos de {}, {}, {}: {}, divididos por {} = {}: {}, ao todo {}"},
-                  names[0], names[1], names[2], listed(on_screen.weights), corners.name,
+            {said({"weights of {}, {}, {}: {}, divided by z = {}: {}, together {}",
+                   "pesos de {}, {}, {}: {}, divididos por z = {}: {}, ao todo {}"},
+                  names[0], names[1], names[2], listed(on_screen.weights),
                   listed(corners.distances), listed(shares), text(sum)),
              said({"divided by {}: {} of {}, {} of {}, {} of {}",
                    "dividido por {}: {} de {}, {} de {}, {} de {}"},

@@ -409,19 +409,6 @@ void write_light(Sheet& sheet) {
 }
 
 std::optional<CornerDistances> distances_of_corners(const Sheet& sheet) {
-    const auto& names = sheet.primitive.vertices;
-    if (names.size() != 3)
-        return std::nullopt;
-    std::array<Rational, 3> w;
-    for (std::size_t i = 0; i < 3; ++i)
-        for (const std::size_t n : sheet.replay.places_of(names[i]))
-            if (const StepView vertex = sheet.trace().step(n); vertex.text("space") == "clip")
-                if (const auto at = numbers_in<4>(vertex.texts("at")))
-                    w[i] = (*at)[3];
-    if (sgn(w[0]) != 0 && sgn(w[1]) != 0 && sgn(w[2]) != 0)
-        return CornerDistances{"w", w};
-
-    // A corner that clipping has made has no such step.
     const auto projection = matrix_named(sheet, "projection");
     const auto inverse_z =
         numbers_in<3>(sheet.trace().step(sheet.replay.primitive()).texts("depths"));
@@ -431,7 +418,7 @@ std::optional<CornerDistances> distances_of_corners(const Sheet& sheet) {
     const auto& [a, b, c] = *inverse_z;
     if (sgn(a) == 0 || sgn(b) == 0 || sgn(c) == 0)
         return std::nullopt;
-    return CornerDistances{"z", {Rational(1 / a), Rational(1 / b), Rational(1 / c)}};
+    return CornerDistances{{Rational(1 / a), Rational(1 / b), Rational(1 / c)}};
 }
 
 void write_plane_in_camera_space(Sheet& sheet, const Vec2& sample, const Rational& told) {
