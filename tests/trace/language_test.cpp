@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Steps told in Portuguese: nothing is missing, and only words differ from English.
 
+#include "effort.h"
 #include "random_scene.h"
 #include "traces.h"
 
@@ -102,7 +103,7 @@ const std::set<std::string> shared_words{
 TEST(Language, NoEnglishWordIsLeftInPortugueseAndNoNumberDiffers) {
     std::set<StepKind> met;
     std::map<std::string, std::string> left; // and where
-    for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+    for (std::uint64_t seed = 1; seed <= random_cases(400u); ++seed) {
         const auto read = read_scene({"scene.json", RandomScene(seed).text()});
         if (!read)
             continue;
