@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/figures/theme.h>
 
-#include "named_value.h"
+#include <rastertrace/trace/named_value.h>
 
-#include <algorithm>
 #include <array>
 #include <cassert>
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/figures/view.h>
 
-#include "named_value.h"
-
 #include <rastertrace/figures/corners.h>
 #include <rastertrace/figures/face_groups.h>
 #include <rastertrace/trace/color_text.h>
 #include <rastertrace/trace/describe.h>
+#include <rastertrace/trace/named_value.h>
 #include <rastertrace/trace/text.h>
 
 #include <fmt/core.h>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/trace/language.h>
 
+#include <rastertrace/trace/named_value.h>
+
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -79,10 +81,7 @@ std::string_view code_of(Language language) {
 }
 
 std::optional<Language> language_with_code(std::string_view code) {
-    const auto* const found = std::find(codes.begin(), codes.end(), code);
-    if (found == codes.end())
-        return std::nullopt;
-    return static_cast<Language>(found - codes.begin());
+    return value_named<Language>(codes, code);
 }
 
 Language language_of_steps() {

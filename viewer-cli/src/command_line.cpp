@@ -10,6 +10,7 @@
 #include <rastertrace/numerics/stress.h>
 #include <rastertrace/trace/language.h>
 #include <rastertrace/trace/method_names.h>
+#include <rastertrace/trace/named_value.h>
 #include <rastertrace/trace/problem.h>
 #include <rastertrace/trace/stage_name.h>
 #include <rastertrace/trace/text.h>
@@ -657,11 +658,11 @@ private:
         return value;
     }
 
-    /// What one of several names stands for; nothing if there is none.
-    template <typename Value>
-    static std::optional<Value> one_of(std::string_view option, const std::string& text,
-                                       const std::vector<std::string_view>& names,
-                                       std::optional<Value> (*named)(std::string_view)) {
+    /// What one of several names stands for, as `named` has it; nothing if there is none.
+    template <typename Named>
+    static auto one_of(std::string_view option, const std::string& text,
+                       const std::vector<std::string_view>& names, const Named& named)
+        -> decltype(named(std::string_view())) {
         if (text.empty())
             return std::nullopt;
         const auto value = named(text);
@@ -669,6 +670,14 @@ private:
             refuse(option, fmt::format("one of {}", joined(names, ", ")), text,
                    did_you_mean(text, names));
         return value;
+    }
+
+    /// The same where the names are in the order of the values.
+    template <typename Value>
+    static std::optional<Value> one_of(std::string_view option, const std::string& text,
+                                       const std::vector<std::string_view>& names) {
+        return one_of(option, text, names,
+                      [&names](std::string_view name) { return value_named<Value>(names, name); });
     }
 
     /// The views that have colors.
@@ -915,13 +924,8 @@ private:
         if (is_json_check_)
             check_format_ = "json";
         const std::vector<std::string_view> names{"text", "json", "junit", "csv"};
-        const auto found = check_format_.empty()
-                               ? names.begin()
-                               : std::find(names.begin(), names.end(), check_format_);
-        if (found == names.end())
-            refuse("--format", fmt::format("one of {}", joined(names, ", ")), check_format_,
-                   did_you_mean(check_format_, names));
-        check_.format = static_cast<CheckFormat>(found - names.begin());
+        check_.format =
+            one_of<CheckFormat>("--format", check_format_, names).value_or(CheckFormat::text);
         if (!check_.is_template)
             return;
         if (check_.files.size() > 1)
@@ -1111,14 +1115,8 @@ private:
         report_input_.add_to(command);
         report_frames_.add_to(command, first_frame);
         command.callback([this] {
-            if (!report_format_.empty()) {
-                const std::vector<std::string_view> names{"text", "json", "csv", "svg", "html"};
-                const auto found = std::find(names.begin(), names.end(), report_format_);
-                if (found == names.end())
-                    refuse("--format", fmt::format("one of {}", joined(names, ", ")),
-                           report_format_, did_you_mean(report_format_, names));
-                report_.format = static_cast<ReportFormat>(found - names.begin());
-            }
+            const std::vector<std::string_view> formats{"text", "json", "csv", "svg", "html"};
+            report_.format = one_of<ReportFormat>("--format", report_format_, formats);
             if (!report_jobs_text_.empty())
                 report_.jobs =
                     list_in("--jobs", "jobs", report_jobs_text_, job_names(), report_job_named);

@@ -4,11 +4,11 @@
 #include "csv.h"
 
 #include <rastertrace/trace/describe.h>
+#include <rastertrace/trace/named_value.h>
 #include <rastertrace/trace/text.h>
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -53,10 +53,7 @@ std::vector<std::string_view> table_format_names() {
 }
 
 std::optional<TableFormat> table_format_named(std::string_view name) {
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end())
-        return std::nullopt;
-    return static_cast<TableFormat>(found - names.begin());
+    return value_named<TableFormat>(names, name);
 }
 
 bool is_told_as_table(StepKind kind) {
