@@ -4,6 +4,7 @@
 #include "command_line.h"
 
 #include "commands.h"
+#include "environment.h"
 #include "load.h"
 #include "player_screen.h"
 
@@ -21,7 +22,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cstdlib>
 #include <exception>
 #include <functional>
 #include <limits>
@@ -314,10 +314,11 @@ private:
     /// Never by the locale: a command prints the same on every machine.
     void choose_language() const {
         constexpr const char* variable = "RASTERTRACE_LANGUAGE";
-        const char* const said = std::getenv(variable);
-        const auto language = one_of(language_.empty() ? variable : "--language",
-                                     language_.empty() && said != nullptr ? said : language_,
-                                     language_codes(), language_with_code);
+        const bool is_option = !language_.empty();
+        const auto language =
+            one_of(is_option ? "--language" : variable,
+                   is_option ? language_ : std::string(environment_variable(variable)),
+                   language_codes(), language_with_code);
         if (language)
             tell_steps_in(*language);
     }

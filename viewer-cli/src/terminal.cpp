@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "terminal.h"
 
+#include "environment.h"
+
 #include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <charconv>
-#include <cstdlib>
 #include <string_view>
 
 namespace rastertrace {
@@ -14,11 +15,8 @@ namespace {
 
 /// A size from the environment; `otherwise` if it is not set or makes no sense.
 std::size_t from_environment(const char* name, std::size_t otherwise) {
-    const char* const text = std::getenv(name);
-    if (text == nullptr)
-        return otherwise;
     std::size_t value = 0;
-    const std::string_view digits = text;
+    const std::string_view digits = environment_variable(name);
     const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     const bool is_number = read.ec == std::errc{} && read.ptr == digits.data() + digits.size();
     return is_number && value > 0 ? value : otherwise;

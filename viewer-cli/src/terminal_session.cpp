@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "terminal_session.h"
 
+#include "environment.h"
 #include "load.h"
 
 #include <rastertrace/trace/problem.h>
@@ -16,7 +17,6 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
-#include <cstdlib>
 #include <string_view>
 
 namespace rastertrace {
@@ -151,9 +151,8 @@ void give_back_terminal() noexcept {
 }
 
 bool TerminalSession::is_possible() {
-    const char* const kind = std::getenv("TERM");
-    if (::isatty(STDOUT_FILENO) == 0 || kind == nullptr || std::string_view(kind) == "dumb" ||
-        *kind == '\0')
+    const std::string_view kind = environment_variable("TERM");
+    if (::isatty(STDOUT_FILENO) == 0 || kind.empty() || kind == "dumb")
         return false;
     return ::isatty(STDIN_FILENO) != 0 ||
            Descriptor(::open("/dev/tty", O_RDONLY | O_CLOEXEC)).is_open();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "terminal_text.h"
 
+#include "environment.h"
+
 #include <rastertrace/trace/color_text.h>
 #include <rastertrace/trace/text.h>
 
@@ -10,18 +12,12 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdlib>
 #include <limits>
 #include <vector>
 
 namespace rastertrace {
 
 namespace {
-
-std::string_view environment(const char* name) {
-    const char* const value = std::getenv(name);
-    return value == nullptr ? std::string_view() : std::string_view(value);
-}
 
 /// The number of the palette's color that is nearest, of those that `color_of(number)` gives.
 template <std::size_t count>
@@ -91,14 +87,14 @@ std::string code_of(Color color, int ground, ColorDepth colors) {
 } // namespace
 
 ColorDepth output_colors(ColorChoice choice) {
-    const std::string_view terminal = environment("TERM");
+    const std::string_view terminal = environment_variable("TERM");
     if (choice == ColorChoice::never)
         return ColorDepth::none;
     if (choice == ColorChoice::automatic &&
         (::isatty(STDOUT_FILENO) == 0 || terminal.empty() || terminal == "dumb" ||
-         !environment("NO_COLOR").empty()))
+         !environment_variable("NO_COLOR").empty()))
         return ColorDepth::none;
-    const std::string_view depth = environment("COLORTERM");
+    const std::string_view depth = environment_variable("COLORTERM");
     if (depth == "truecolor" || depth == "24bit")
         return ColorDepth::truecolor;
     return terminal.find("256color") != std::string_view::npos ? ColorDepth::palette256
@@ -107,7 +103,7 @@ ColorDepth output_colors(ColorChoice choice) {
 
 bool output_has_unicode() {
     for (const char* const name : {"LC_ALL", "LC_CTYPE", "LANG"})
-        if (const std::string_view locale = environment(name); !locale.empty())
+        if (const std::string_view locale = environment_variable(name); !locale.empty())
             return locale.find("UTF-8") != std::string_view::npos ||
                    locale.find("utf8") != std::string_view::npos;
     return false;
