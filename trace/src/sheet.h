@@ -77,6 +77,9 @@ void write_vertex(Sheet& sheet);
 void write_face(Sheet& sheet);
 void write_light(Sheet& sheet);
 
+/// The levels of a pixel's color (working_of_color.cpp).
+void write_color(Sheet& sheet);
+
 /// How far the corners of a triangle are from the eye.
 struct CornerDistances {
     std::array<Rational, 3> distances;
