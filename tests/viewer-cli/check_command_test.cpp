@@ -49,7 +49,7 @@ TEST_F(CheckTest, AWrongLineIsToldWithItsValueItsWorkingAndTheSlip) {
     EXPECT_EQ(checked.status, 1);
     EXPECT_EQ(checked.err, "");
     EXPECT_THAT(checked.out, StartsWith("anna.txt:2: y=2: -1/4, 25/8 -> 0..3\n"
-                                        "    from: expected -1, found 0\n"
+                                        "    first pixel: expected -1, found 0\n"
                                         "    likely slip truncate-for-floor: rounded toward 0"));
     EXPECT_THAT(checked.out, HasSubstr("\n        left AB: x = (x2 - x1)/(y2 - y1) (y - y1) + x1 = "
                                        "(-4 - 2)/(-3 - 5) (2 - 5) + 2 = "));
@@ -67,7 +67,7 @@ TEST_F(CheckTest, ARoundedDecimalIsRightAndSaysSo) {
     write("rounded.txt", "y=4: 1.25, 2.38\n");
     EXPECT_EQ(shell("$rastertrace check scene.json rounded.txt").out,
               "rounded.txt:1: y=4: 1.25, 2.38\n"
-              "    right: right, rounded to 2 digits\n"
+              "    right end: right, rounded to 2 digits\n"
               "\n"
               "1 right, 0 wrong\n");
     write("cut.txt", "y=0: -1.75, 3.8\n");
@@ -89,11 +89,34 @@ TEST_F(CheckTest, WhatGoesOnFromAWrongNumberIsCountedApart) {
 TEST_F(CheckTest, WhatGoesOnFromItsOwnLineNamesTheNumber) {
     write("cut.txt", "y=2: 1/4, 25/8 -> 0..3\n");
     EXPECT_THAT(shell("$rastertrace check scene.json cut.txt").out,
-                HasSubstr("\n    left: expected -1/4, found 1/4\n"
-                          "    from: expected -1, found 0; follows from left\n"));
+                HasSubstr("\n    left end: expected -1/4, found 1/4\n"
+                          "    first pixel: expected -1, found 0; follows from its left end\n"));
     write("two.txt", "edge AB: 4/3\ny=4: 2/3, 19/8\n");
     EXPECT_THAT(shell("$rastertrace check scene.json two.txt").out,
-                HasSubstr("    left: expected 5/4, found 2/3; follows from line 1\n"));
+                HasSubstr("    left end: expected 5/4, found 2/3; follows from line 1\n"));
+}
+
+TEST_F(CheckTest, ARightNumberThatWasRoundedIsSaidToBeWhereItComesFrom) {
+    write("rounded.txt", "edge AC: -0.38\ny=-3: -4, 5.04\n"); // 2 + 8 (0.38), where 2 + 8 (3/8) = 5
+    EXPECT_THAT(shell("$rastertrace check scene.json rounded.txt").out,
+                HasSubstr("    right end: expected 5, found 5.04; follows from line 1, which is "
+                          "rounded\n"));
+}
+
+TEST_F(CheckTest, ATableIsAnsweredInItsWordsAndJsonInNamesOfFields) {
+    write("table.txt", "(1,4): off\n(5,5): inside\n");
+    EXPECT_THAT(shell("$rastertrace check scene.json table.txt").out,
+                AllOf(HasSubstr("\n    pixel: expected on, found off\n"),
+                      HasSubstr("\n    pixel: expected outside, found inside\n")));
+    const std::string json = R"({"claims":[{"step":"pixel","x":1,"y":4,"plotted":false},
+        {"step":"scanline","y":2,"from":0}]})";
+    write("claims.json", json);
+    EXPECT_THAT(shell("$rastertrace check scene.json claims.json").out,
+                AllOf(HasSubstr("\n    plotted: expected true, found false\n"),
+                      HasSubstr("\n    from: expected -1, found 0\n")));
+    const std::string faces = "$examples/tutorial/hidden/view-turned-round.claims";
+    EXPECT_THAT(shell("$rastertrace check " + faces).out,
+                HasSubstr("\n    face: expected drawn, found culled; follows from its dot\n"));
 }
 
 TEST_F(CheckTest, APictureIsComparedPixelByPixel) {
@@ -102,7 +125,7 @@ TEST_F(CheckTest, APictureIsComparedPixelByPixel) {
                          "...#####..\n..#######.\n??????????\n##########\n");
     EXPECT_EQ(shell("$rastertrace check scene.json picture.txt").out,
               "picture.txt:1: picture:\n"
-              "    picture: expected the picture, found 0 too many, 3 missing\n"
+              "    picture: 0 too many, 3 missing\n"
               "       5  ......#...\n"
               "       4  .....##...\n"
               "       3  ....###...\n"
@@ -145,7 +168,7 @@ TEST_F(CheckTest, JUnitIsXmlWithATestCaseForEachClaim) {
     EXPECT_THAT(xml, HasSubstr("<testsuite name=\"anna.txt\" tests=\"5\" failures=\"1\" "
                                "errors=\"0\" skipped=\"1\">"));
     EXPECT_THAT(xml, HasSubstr("name=\"line 2: y=2: -1/4, 25/8 -&gt; 0..3\">\n"
-                               "      <failure message=\"from: expected -1, found 0\">"));
+                               "      <failure message=\"first pixel: expected -1, found 0\">"));
     EXPECT_THAT(xml, HasSubstr("name=\"line 4: (3,2): ?\"><skipped/></testcase>\n"));
 }
 

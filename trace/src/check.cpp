@@ -143,7 +143,8 @@ private:
             if (!has_open(field))
                 checked.remark = fmt::format("the scene's `{}` has {}, exact arithmetic {}",
                                              truth_.decided().trace().method_value("scalar"),
-                                             checked.expected, joined(*exact, ", "));
+                                             as_written(field, checked.expected),
+                                             as_written(field, joined(*exact, ", ")));
             if (!comparison.is_right)
                 comparison = compare(field, *exact, held, is_vertex);
         }
@@ -156,8 +157,13 @@ private:
             checked.verdict = ClaimVerdict::open;
         else if (!comparison.is_right)
             checked.verdict = ClaimVerdict::wrong;
-        note_number(field, right, order, checked, claim);
+        note_number(field, right, order, comparison.fit, checked, claim);
         return checked;
+    }
+
+    /// A value as the claims would have it.
+    std::string as_written(const ClaimedField& field, const std::string& value) const {
+        return claims_.is_table ? std::string(word_for_value(field.name, value)) : value;
     }
 
     static bool has_open(const ClaimedField& field) {
@@ -209,7 +215,7 @@ private:
 
     /// Remembers what is claimed of a number, and tells if somebody claims two things of one.
     void note_number(const ClaimedField& field, const std::vector<std::string>& right,
-                     std::size_t order, CheckedField& checked, CheckedClaim& claim) {
+                     std::size_t order, Fit fit, CheckedField& checked, CheckedClaim& claim) {
         const Subject& subject = *subjects_.back();
         const std::string name = name_of_number(subject, field);
         const Values values = claimed_values(field, right);
@@ -227,7 +233,8 @@ private:
             claim.remarks.push_back(remark);
         // Who has rounded a number goes on from what is written.
         if (checked.verdict == ClaimVerdict::wrong || values != true_values(right))
-            wrong_.try_emplace(name, WrongNumber{values, order, line, field.name});
+            wrong_.try_emplace(
+                name, WrongNumber{values, order, line, field.name, is_right && fit != Fit::exact});
     }
 
     /// What is told, as claimed_values has it.
@@ -271,6 +278,7 @@ private:
             checked.verdict = ClaimVerdict::follows;
             checked.follows_from = used->line;
             checked.follows_from_field = used->field;
+            checked.follows_from_rounded = used->is_rounded;
             return true;
         };
         const Numbers& all = claimed_numbers(*subject.exact);

@@ -54,6 +54,25 @@ constexpr std::array<VerdictWord, 4> words_of_table{{{"on", "plotted", "true"},
                                                      {"passes", "pass", "true"},
                                                      {"fails", "pass", "false"}}};
 
+/// What fields are called by who has not seen their names, because in a table they have none.
+struct FieldWords {
+    std::string_view field;
+    std::string_view words;
+};
+constexpr std::array<FieldWords, 13> field_words{{{"left", "left end"},
+                                                  {"right", "right end"},
+                                                  {"from", "first pixel"},
+                                                  {"to", "last pixel"},
+                                                  {"left_depth", "depth at the left end"},
+                                                  {"right_depth", "depth at the right end"},
+                                                  {"dx_dy", "dx/dy"},
+                                                  {"plotted", "pixel"},
+                                                  {"inside", "pixel"},
+                                                  {"inverse_z", "1/z"},
+                                                  {"pass", "depth test"},
+                                                  {"culled", "face"},
+                                                  {"names", "order"}}};
+
 /// What a word says of a field, or nullptr.
 const VerdictWord* find_verdict(const ClaimWord& word, std::string_view field) {
     const auto says = [&](const VerdictWord& known) {
@@ -354,6 +373,24 @@ std::vector<std::string_view> first_words() {
 
 void read_claim(ClaimLine& line, Claim& claim) {
     ClaimReader(line, claim).read();
+}
+
+std::string_view words_for_field(std::string_view field) {
+    const auto known =
+        std::find_if(field_words.begin(), field_words.end(),
+                     [field](const FieldWords& words) { return words.field == field; });
+    return known == field_words.end() ? field : known->words;
+}
+
+std::string_view word_for_value(std::string_view field, std::string_view value) {
+    const auto stands_for = [&](const VerdictWord& known) {
+        return known.field == field && known.value == value;
+    };
+    const auto own = std::find_if(words_of_table.begin(), words_of_table.end(), stands_for);
+    if (own != words_of_table.end())
+        return own->word;
+    const auto shared = std::find_if(verdict_words.begin(), verdict_words.end(), stands_for);
+    return shared == verdict_words.end() ? value : shared->word;
 }
 
 } // namespace rastertrace

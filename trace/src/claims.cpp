@@ -239,6 +239,7 @@ Result<Claims> read_claims(Source source) {
             JsonClaimsReader(claims).read();
         else
             read_claims_table(claims);
+        claims.is_table = first != '{' && first != '[';
     } catch (const Problem& problem) {
         return problem;
     }

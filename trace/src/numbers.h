@@ -27,6 +27,7 @@ struct WrongNumber {
     std::size_t order = 0; ///< of its claim
     std::size_t line = 0;
     std::string field = {};
+    bool is_rounded = false; ///< no more than that: it counts as right
 };
 
 /// Those of a file of claims, by where they stand.

@@ -12,23 +12,23 @@ namespace rastertrace {
 
 namespace {
 
-/// `left: expected -1/4, found 0; right: ...`
-std::string message_of(const CheckedClaim& claim) {
+/// `left end: expected -1/4, found 0; right end: ...`
+std::string message_of(const CheckedFile& file, const CheckedClaim& claim) {
     std::vector<std::string> parts;
     for (const CheckedField& field : claim.fields)
         if (is_wrong(field.verdict))
-            parts.push_back(
-                fmt::format("{}: expected {}, found {}", field.name, field.expected, field.found));
+            parts.push_back(file.difference(field, field.expected, field.found));
     parts.insert(parts.end(), claim.remarks.begin(), claim.remarks.end());
     return parts.empty() ? "wrong" : joined(parts, "; ");
 }
 
 /// The likely slips, the picture and the working, a line each.
-std::string body_of(const CheckedClaim& claim) {
+std::string body_of(const CheckedFile& file, const CheckedClaim& claim) {
     std::string text;
     for (const CheckedField& field : claim.fields)
         for (const LikelySlip& slip : field.slips)
-            text += fmt::format("{}: likely slip {}: {}\n", field.name, slip.name, slip.meaning);
+            text += fmt::format("{}: likely slip {}: {}\n", file.in_words(field.name), slip.name,
+                                slip.meaning);
     for (const auto* lines : {&claim.picture, &claim.working})
         for (const std::string& line : *lines)
             text += line + "\n";
@@ -52,8 +52,8 @@ std::string test_case(const CheckedFile& file, const CheckedClaim& claim, bool h
     if (!is_wrong(claim.verdict))
         return head + "/>\n";
     return head + fmt::format(">\n      <failure message=\"{}\">{}</failure>\n    </testcase>\n",
-                              has_answers ? escaped(message_of(claim)) : "wrong",
-                              has_answers ? escaped_lines(body_of(claim)) : "");
+                              has_answers ? escaped(message_of(file, claim)) : "wrong",
+                              has_answers ? escaped_lines(body_of(file, claim)) : "");
 }
 
 std::string test_suite(const CheckedFile& file, bool has_answers) {

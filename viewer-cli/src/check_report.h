@@ -4,7 +4,7 @@
 // What `check` has found about files of claims, in each of its formats.
 //
 //     const CheckedFile file{.name = "anna.txt", .claims = claims, .checked = check(truth, claims)};
-//     check_text({file}, true);  // "anna.txt:3: y=2: ... \n    left: expected -1/4, found 0\n..."
+//     check_text({file}, true);  // "anna.txt:3: y=2: ... \n    left end: expected -1/4, found 0\n..."
 
 #include <rastertrace/trace/check.h>
 #include <rastertrace/trace/claims.h>
@@ -27,6 +27,15 @@ struct CheckedFile {
     const Claim& claim_of(const CheckedClaim& checked_claim) const {
         return claims.claims[checked_claim.claim];
     }
+
+    /// The name of a field in the words that the claims are written in: `first pixel` in a table, `from` in JSON.
+    std::string_view in_words(std::string_view field) const {
+        return claims.is_table ? words_for_field(field) : field;
+    }
+
+    /// "first pixel: expected -1, found 0", in the same words.
+    std::string difference(const CheckedField& field, std::string_view expected,
+                           std::string_view found) const;
 };
 
 /// right, wrong, follows, open

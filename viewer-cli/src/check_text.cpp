@@ -33,14 +33,23 @@ std::string shown_expected(std::string_view text) {
     return shortened(printable(as_in_working(text)), shown_of_expected);
 }
 
-/// `from: expected -1, found 0; follows from line 2`, or from another field of its own line, by name
-std::string field_line(const CheckedField& field, std::size_t line_of_claim) {
-    std::string line = fmt::format("    {}: expected {}, found {}", field.name,
-                                   shown_expected(field.expected), shown(field.found));
+/// `; follows from line 2`, or `from its left end`, which is in the same line
+std::string origin_of(const CheckedFile& file, const CheckedField& field,
+                      std::size_t line_of_claim) {
+    const std::string origin = field.follows_from == line_of_claim
+                                   ? fmt::format("its {}", file.in_words(field.follows_from_field))
+                                   : fmt::format("line {}", field.follows_from);
+    return fmt::format("; follows from {}{}", origin,
+                       field.follows_from_rounded ? ", which is rounded" : "");
+}
+
+/// `first pixel: expected -1, found 0; follows from line 2`
+std::string field_line(const CheckedFile& file, const CheckedField& field,
+                       std::size_t line_of_claim) {
+    std::string line =
+        "    " + file.difference(field, shown_expected(field.expected), shown(field.found));
     if (field.verdict == ClaimVerdict::follows)
-        line += field.follows_from == line_of_claim
-                    ? fmt::format("; follows from {}", field.follows_from_field)
-                    : fmt::format("; follows from line {}", field.follows_from);
+        line += origin_of(file, field, line_of_claim);
     if (!field.remark.empty())
         line += fmt::format(" ({})", printable(field.remark));
     return line + "\n";
@@ -76,7 +85,7 @@ std::string wrong_claim(const CheckedFile& file, const CheckedClaim& claim,
     std::string text = place_of(file, claim) + "\n";
     for (const CheckedField& field : claim.fields)
         if (is_wrong(field.verdict))
-            text += field_line(field, file.claim_of(claim).line);
+            text += field_line(file, field, file.claim_of(claim).line);
     text += slip_lines(claim) + indented(claim.remarks, "    ") + indented(claim.picture, "    ");
     const auto [known, is_new] =
         line_of_working.try_emplace(claim.working, file.claim_of(claim).line);
@@ -90,8 +99,8 @@ std::string remarks_on(const CheckedFile& file, const CheckedClaim& claim) {
     std::string text;
     for (const CheckedField& field : claim.fields)
         if (!field.remark.empty())
-            text += fmt::format("    {}: {}, {}\n", field.name, name_of(field.verdict),
-                                printable(field.remark));
+            text += fmt::format("    {}: {}, {}\n", file.in_words(field.name),
+                                name_of(field.verdict), printable(field.remark));
     text += indented(claim.remarks, "    ");
     return text.empty() ? "" : place_of(file, claim) + "\n" + text;
 }
@@ -120,6 +129,17 @@ std::string line_of_pile(const CheckedFile& file, bool has_answers) {
 }
 
 } // namespace
+
+std::string CheckedFile::difference(const CheckedField& field, std::string_view expected,
+                                    std::string_view found) const {
+    if (field.name == "picture")
+        return fmt::format("{}: {}", field.name, found);
+    const auto as_written = [&](std::string_view value) {
+        return claims.is_table ? word_for_value(field.name, value) : value;
+    };
+    return fmt::format("{}: expected {}, found {}", in_words(field.name), as_written(expected),
+                       as_written(found));
+}
 
 std::string_view name_of(ClaimVerdict verdict) {
     switch (verdict) {

@@ -96,6 +96,7 @@ struct CheckedField {
     /// Where the number stands that it goes on from: its line, which may be the field's own, and its field.
     std::size_t follows_from = 0;
     std::string follows_from_field = {};
+    bool follows_from_rounded = false; ///< that number is right, but rounded
 };
 
 struct CheckedClaim {

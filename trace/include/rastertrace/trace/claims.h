@@ -48,6 +48,7 @@ struct Claim {
 struct Claims {
     Source source;
     std::string scene;      ///< the file that they are about, as it is written there; may be empty
+    bool is_table = false;  ///< not JSON
     bool truncates = false; ///< "round": "truncate": decimals may be cut off instead of rounded
     std::vector<Claim> claims;
 };
@@ -55,6 +56,13 @@ struct Claims {
 /// Reads claims in either layout, found by its content: one that begins with `{` is JSON. Claims about
 /// kinds and fields that no step has are a problem.
 Result<Claims> read_claims(Source source);
+
+/// What a field is called where somebody reads it who has written a table, and no names of fields: "first pixel" for
+/// the `from` of a row.
+std::string_view words_for_field(std::string_view field);
+
+/// A value of a field as such a table has it: "on" where `plotted` is true.
+std::string_view word_for_value(std::string_view field, std::string_view value);
 
 /// True if a source holds claims rather than a scene or a trace: an object with the key "claims", or
 /// text that is no JSON.
