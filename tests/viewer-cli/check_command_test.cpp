@@ -119,6 +119,34 @@ TEST_F(CheckTest, ATableIsAnsweredInItsWordsAndJsonInNamesOfFields) {
                 HasSubstr("\n    face: expected drawn, found culled; follows from its dot\n"));
 }
 
+TEST_F(CheckTest, EndsOfARowThatWereExchangedAreToldWithTheSlipOfEach) {
+    const auto check_row = [this](const std::string& row) {
+        write("row.txt", "scene: whose-slip.json\n" + row + "\n");
+        return shell("$rastertrace check row.txt").out;
+    };
+    fs::copy(fs::path(RASTERTRACE_EXAMPLES) / "tutorial/filling/whose-slip.json",
+             folder_ / "whose-slip.json");
+    // Row y = 1 of A(1, 3) B(-3, -3) C(6, -2) goes from -1/3 to 3.
+    EXPECT_THAT(check_row("y=1: 3, -1/3"), AllOf(HasSubstr("    right end: expected 3, found -1/3\n"
+                                                           "    left and right are exchanged\n"),
+                                                 Not(HasSubstr("likely slip"))));
+    // y1 - y for y - y1 gives 7/3 on the left and -1 on the right; then somebody has sorted them.
+    EXPECT_THAT(check_row("y=1: -1, 7/3"),
+                HasSubstr("    right end: expected 3, found 7/3\n"
+                          "    likely slip sign: a minus lost, or one too many\n"
+                          "    left and right are exchanged\n"));
+    EXPECT_THAT(check_row("y=1: 7/3, -1"),
+                AllOf(HasSubstr("    likely slip sign: "), Not(HasSubstr("exchanged"))));
+    // The same of the left end alone, which still is the smaller one.
+    EXPECT_THAT(check_row("y=1: 7/3, 3"),
+                AllOf(HasSubstr("    likely slip sign: "), Not(HasSubstr("exchanged"))));
+    // dx/dy turned over gives 1 + 3/2 (-2) = -2 on the left.
+    EXPECT_THAT(check_row("y=1: 3, -2"),
+                HasSubstr("    likely slip dx-dy-inverted: (y2 - y1) / (x2 - x1) where (x2 - x1) / "
+                          "(y2 - y1) belongs\n    left and right are exchanged\n"));
+    EXPECT_THAT(check_row("y=1: 17, 19"), Not(HasSubstr("exchanged")));
+}
+
 TEST_F(CheckTest, APictureIsComparedPixelByPixel) {
     // Rounded toward 0; one row is left open.
     write("picture.txt", "picture:\n......#...\n.....##...\n....###...\n....####..\n...#####..\n"

@@ -43,6 +43,8 @@ public:
     }
 
 private:
+    using Slips = std::vector<LikelySlip>;
+
     /// What was claimed of a number first.
     struct Said {
         Values values;
@@ -260,6 +262,67 @@ private:
                 checked.slips =
                     slips_that_give(formulas.front(), name_of_number(subject, field), field);
         }
+        explain_exchanged_ends(subject, claim);
+    }
+
+    /// An end of a row that is wrong, and its formula.
+    struct WrongEnd {
+        CheckedField* checked = nullptr;
+        const ClaimedField* field = nullptr;
+        Formula formula = {};
+    };
+
+    std::optional<WrongEnd> wrong_end(const Subject& subject, CheckedClaim& claim,
+                                      std::string_view name) {
+        for (std::size_t k = 0; k < claim.fields.size() && k < subject.fields.size(); ++k) {
+            if (claim.fields[k].name != name || claim.fields[k].verdict != ClaimVerdict::wrong)
+                continue;
+            auto formulas = formulas_of(subject, Numbers(*subject.exact), name);
+            if (!formulas.empty() &&
+                gives_what_is_told(formulas.front(), subject, *subject.fields[k]))
+                return WrongEnd{&claim.fields[k], subject.fields[k], std::move(formulas.front())};
+        }
+        return std::nullopt;
+    }
+
+    /// Who takes one end of a row for the other, perhaps because one of them is wrong and they were sorted, has in
+    /// each what comes of the other's formula.
+    void explain_exchanged_ends(const Subject& subject, CheckedClaim& claim) {
+        if (subject.kind != StepKind::scanline)
+            return;
+        const auto left = wrong_end(subject, claim, "left");
+        const auto right = wrong_end(subject, claim, "right");
+        if (!left || !right)
+            return;
+        const auto is_other = [](const WrongEnd& end, const WrongEnd& other) {
+            return gives(value_of(other.formula), *end.field);
+        };
+        const auto slips_of_other = [&](const WrongEnd& end, const WrongEnd& other) {
+            return slips_that_give(other.formula, name_of_number(subject, *other.field),
+                                   *end.field);
+        };
+        const bool left_is_right = is_other(*left, *right);
+        const bool right_is_left = is_other(*right, *left);
+        const bool are_exchanged = left_is_right && right_is_left;
+        if (!are_exchanged && share_slip(left->checked->slips, right->checked->slips))
+            return;
+        Slips slips_of_left = left_is_right ? Slips{} : slips_of_other(*left, *right);
+        Slips slips_of_right = right_is_left ? Slips{} : slips_of_other(*right, *left);
+        const bool is_explained = are_exchanged || (left_is_right && !slips_of_right.empty()) ||
+                                  (right_is_left && !slips_of_left.empty()) ||
+                                  share_slip(slips_of_left, slips_of_right);
+        if (!is_explained)
+            return;
+        claim.remarks.emplace_back("left and right are exchanged");
+        left->checked->slips = std::move(slips_of_left);
+        right->checked->slips = std::move(slips_of_right);
+    }
+
+    static bool share_slip(const Slips& some, const Slips& others) {
+        return std::any_of(some.begin(), some.end(), [&others](const LikelySlip& one) {
+            return std::any_of(others.begin(), others.end(),
+                               [&one](const LikelySlip& other) { return other.name == one.name; });
+        });
     }
 
     /// True if redoing a formula from the numbers of other claims gives what is claimed: the textbook's formula
@@ -321,9 +384,9 @@ private:
         return place->second;
     }
 
-    std::vector<LikelySlip> slips_that_give(const Formula& formula, const std::string& number,
-                                            const ClaimedField& field) {
-        std::vector<LikelySlip> found;
+    Slips slips_that_give(const Formula& formula, const std::string& number,
+                          const ClaimedField& field) {
+        Slips found;
         const auto& results = redone(number, formula);
         for (std::size_t i = 0; i < results.size(); ++i)
             if (std::any_of(results[i].begin(), results[i].end(),
