@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The tutorial's exercises: what a student gets is all open, what stands in the answers is all right, and both ask the
-// same. That pages show what commands print is another test's (docs-are-up-to-date).
+// same; and a table of a page that no command prints. That pages show what commands print is another test's (docs-are-up-to-date).
 
 #include "program.h"
 
@@ -8,8 +8,13 @@
 #include <nlohmann/json.hpp>
 
 #include <cctype>
+#include <cmath>
+#include <fstream>
 #include <map>
 #include <set>
+#include <sstream>
+#include <string>
+#include <vector>
 
 namespace rastertrace {
 namespace {
@@ -132,6 +137,59 @@ TEST_F(TutorialTest, ChaptersHaveTheSamePartsAndLinkTheirAnswers) {
         EXPECT_THAT(text_of(pages / "answers" / name), HasSubstr("(../" + name)) << name;
         EXPECT_THAT(text_of(pages / "README.md"), HasSubstr("(" + name + ")"));
     }
+}
+
+/// The cells of a row of a table, without the blanks and backquotes around them.
+std::vector<std::string> cells_of(const std::string& row) {
+    std::vector<std::string> cells;
+    std::istringstream rest(row.substr(1));
+    for (std::string cell; std::getline(rest, cell, '|');) {
+        const std::size_t first = cell.find_first_not_of(" `");
+        cells.push_back(first == std::string::npos
+                            ? ""
+                            : cell.substr(first, cell.find_last_not_of(" `") + 1 - first));
+    }
+    return cells;
+}
+
+/// True if a decimal is a number, rounded to the digits that it has.
+bool is_rounded(const std::string& decimal, double number) {
+    const std::size_t point = decimal.find('.');
+    const auto places =
+        point == std::string::npos ? 0 : static_cast<int>(decimal.size() - point - 1);
+    return std::abs(std::stod(decimal) - number) <= 0.5000001 * std::pow(10.0, -places);
+}
+
+TEST_F(TutorialTest, TheTableOfSumsHasTheNumbersOfTheStressCatalogue) {
+    const std::string page = text_of(pages / "7-numbers-that-go-wrong.md");
+    std::istringstream lines(page.substr(page.find("| case | numbers | added: wrong |")));
+    std::string row;
+    std::getline(lines, row); // the head
+    std::getline(lines, row); // and the line under it
+    nlohmann::json measured;
+    std::size_t checked_rows = 0;
+    while (std::getline(lines, row) && row.starts_with('|')) {
+        const std::vector<std::string> cells = cells_of(row);
+        ASSERT_EQ(cells.size(), 6u) << row;
+        if (!cells[0].empty()) {
+            const std::string id = cells[0].substr(0, cells[0].find(':'));
+            measured = nlohmann::json::parse(
+                shell("$rastertrace stress --json --case " + id).out)["cases"][0]["rows"];
+        }
+        // What adds comes first of each scalar, then what multiplies.
+        std::vector<nlohmann::json> of_scalar;
+        for (const auto& one : measured)
+            if (one["scalar"] == cells[1] && one.contains("worst"))
+                of_scalar.push_back(one);
+        ASSERT_GE(of_scalar.size(), 2u) << row;
+        for (const std::size_t i : {0u, 1u}) {
+            EXPECT_EQ(cells[2 + 2 * i], of_scalar[i]["wrong"].dump()) << row;
+            EXPECT_TRUE(is_rounded(cells[3 + 2 * i], of_scalar[i]["worst"]))
+                << row << of_scalar[i]["worst"];
+        }
+        ++checked_rows;
+    }
+    EXPECT_EQ(checked_rows, 6u);
 }
 
 } // namespace
