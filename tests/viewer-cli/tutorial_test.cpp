@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The tutorial's exercises: what a student gets is all open, what stands in the answers is all right, and both ask the
-// same; and a table of a page that no command prints. That pages show what commands print is another test's (docs-are-up-to-date).
+// same; and a table of a page that no command prints. That pages show what commands print is another test's
+// (docs-are-up-to-date).
 
 #include "program.h"
 
