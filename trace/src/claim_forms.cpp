@@ -73,16 +73,19 @@ constexpr std::array<FieldWords, 13> field_words{{{"left", "left end"},
                                                   {"culled", "face"},
                                                   {"names", "order"}}};
 
-/// What a word says of a field, or nullptr.
-const VerdictWord* find_verdict(const ClaimWord& word, std::string_view field) {
-    const auto says = [&](const VerdictWord& known) {
-        return known.field == field && word.is(known.word);
-    };
-    const auto own = std::find_if(words_of_table.begin(), words_of_table.end(), says);
+/// The first word for which that holds, those of tables first; or nullptr.
+template <typename Holds> const VerdictWord* find_verdict_word(const Holds& holds) {
+    const auto own = std::find_if(words_of_table.begin(), words_of_table.end(), holds);
     if (own != words_of_table.end())
         return &*own;
-    const auto shared = std::find_if(verdict_words.begin(), verdict_words.end(), says);
+    const auto shared = std::find_if(verdict_words.begin(), verdict_words.end(), holds);
     return shared == verdict_words.end() ? nullptr : &*shared;
+}
+
+/// What a word says of a field, or nullptr.
+const VerdictWord* find_verdict(const ClaimWord& word, std::string_view field) {
+    return find_verdict_word(
+        [&](const VerdictWord& known) { return known.field == field && word.is(known.word); });
 }
 
 /// Reads the claim of one line. What is wrong is thrown as a Problem.
@@ -383,14 +386,9 @@ std::string_view words_for_field(std::string_view field) {
 }
 
 std::string_view word_for_value(std::string_view field, std::string_view value) {
-    const auto stands_for = [&](const VerdictWord& known) {
-        return known.field == field && known.value == value;
-    };
-    const auto own = std::find_if(words_of_table.begin(), words_of_table.end(), stands_for);
-    if (own != words_of_table.end())
-        return own->word;
-    const auto shared = std::find_if(verdict_words.begin(), verdict_words.end(), stands_for);
-    return shared == verdict_words.end() ? value : shared->word;
+    const VerdictWord* const known = find_verdict_word(
+        [&](const VerdictWord& word) { return word.field == field && word.value == value; });
+    return known == nullptr ? value : known->word;
 }
 
 } // namespace rastertrace

@@ -235,11 +235,11 @@ Result<Claims> read_claims(Source source) {
         if (const auto problem = zero_byte_in(claims.source))
             return *problem;
         const char first = first_character(claims.source.text);
-        if (first == '{' || first == '[')
-            JsonClaimsReader(claims).read();
-        else
-            read_claims_table(claims);
         claims.is_table = first != '{' && first != '[';
+        if (claims.is_table)
+            read_claims_table(claims);
+        else
+            JsonClaimsReader(claims).read();
     } catch (const Problem& problem) {
         return problem;
     }
