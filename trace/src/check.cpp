@@ -3,12 +3,10 @@
 
 #include "claim_comparison.h"
 #include "claim_subject.h"
-#include "derivation.h"
 #include "picture_claim.h"
-#include "step_text.h"
+#include "wrong_explainer.h"
 
 #include <rastertrace/trace/describe.h>
-#include <rastertrace/trace/slips.h>
 #include <rastertrace/trace/text.h>
 #include <rastertrace/trace/working.h>
 
@@ -33,9 +31,11 @@ public:
     Checked run() {
         for (std::size_t i = 0; i < claims_.claims.size(); ++i)
             compare_claim(i);
+        WrongExplainer explainer(wrong_);
         for (std::size_t i = 0; i < claims_.claims.size(); ++i)
-            explain_claim(i);
-        rank_slips();
+            if (subjects_[i])
+                explainer.explain(*subjects_[i], i, checked_.claims[i]);
+        rank_slips(checked_);
         for (CheckedClaim& claim : checked_.claims)
             settle(claim);
         write_workings();
@@ -43,8 +43,6 @@ public:
     }
 
 private:
-    using Slips = std::vector<LikelySlip>;
-
     /// What was claimed of a number first.
     struct Said {
         Values values;
@@ -154,7 +152,7 @@ private:
         if (!comparison.is_right && !comparison.is_open)
             note_count(field, right, checked);
         if (!comparison.is_right && field.name == "culled" && subject.decided_step == 0)
-            claim.remarks.push_back("the scene culls nothing");
+            claim.remarks.emplace_back("the scene culls nothing");
         if (comparison.is_open)
             checked.verdict = ClaimVerdict::open;
         else if (!comparison.is_right)
@@ -244,172 +242,6 @@ private:
         return claimed_values({.name = {}, .values = told}, told);
     }
 
-    /// Finds what a wrong field goes on from, or the slip behind it.
-    void explain_claim(std::size_t i) {
-        if (!subjects_[i])
-            return;
-        const Subject& subject = *subjects_[i];
-        CheckedClaim& claim = checked_.claims[i];
-        for (std::size_t k = 0; k < claim.fields.size() && k < subject.fields.size(); ++k) {
-            CheckedField& checked = claim.fields[k];
-            const ClaimedField& field = *subject.fields[k];
-            if (checked.verdict != ClaimVerdict::wrong)
-                continue;
-            if (follows(subject, field, i, checked))
-                continue;
-            const auto formulas = formulas_of(subject, Numbers(*subject.exact), field.name);
-            if (!formulas.empty() && gives_what_is_told(formulas.front(), subject, field))
-                checked.slips =
-                    slips_that_give(formulas.front(), name_of_number(subject, field), field);
-        }
-        explain_exchanged_ends(subject, claim);
-    }
-
-    /// An end of a row that is wrong, and its formula.
-    struct WrongEnd {
-        CheckedField* checked = nullptr;
-        const ClaimedField* field = nullptr;
-        Formula formula = {};
-    };
-
-    std::optional<WrongEnd> wrong_end(const Subject& subject, CheckedClaim& claim,
-                                      std::string_view name) {
-        for (std::size_t k = 0; k < claim.fields.size() && k < subject.fields.size(); ++k) {
-            if (claim.fields[k].name != name || claim.fields[k].verdict != ClaimVerdict::wrong)
-                continue;
-            auto formulas = formulas_of(subject, Numbers(*subject.exact), name);
-            if (!formulas.empty() &&
-                gives_what_is_told(formulas.front(), subject, *subject.fields[k]))
-                return WrongEnd{&claim.fields[k], subject.fields[k], std::move(formulas.front())};
-        }
-        return std::nullopt;
-    }
-
-    /// Who takes one end of a row for the other, perhaps because one of them is wrong and they were sorted, has in
-    /// each what comes of the other's formula.
-    void explain_exchanged_ends(const Subject& subject, CheckedClaim& claim) {
-        if (subject.kind != StepKind::scanline)
-            return;
-        const auto left = wrong_end(subject, claim, "left");
-        const auto right = wrong_end(subject, claim, "right");
-        if (!left || !right)
-            return;
-        const auto is_other = [](const WrongEnd& end, const WrongEnd& other) {
-            return gives(value_of(other.formula), *end.field);
-        };
-        const auto slips_of_other = [&](const WrongEnd& end, const WrongEnd& other) {
-            return slips_that_give(other.formula, name_of_number(subject, *other.field),
-                                   *end.field);
-        };
-        const bool left_is_right = is_other(*left, *right);
-        const bool right_is_left = is_other(*right, *left);
-        const bool are_exchanged = left_is_right && right_is_left;
-        if (!are_exchanged && share_slip(left->checked->slips, right->checked->slips))
-            return;
-        Slips slips_of_left = left_is_right ? Slips{} : slips_of_other(*left, *right);
-        Slips slips_of_right = right_is_left ? Slips{} : slips_of_other(*right, *left);
-        const bool is_explained = are_exchanged || (left_is_right && !slips_of_right.empty()) ||
-                                  (right_is_left && !slips_of_left.empty()) ||
-                                  share_slip(slips_of_left, slips_of_right);
-        if (!is_explained)
-            return;
-        claim.remarks.emplace_back("left and right are exchanged");
-        left->checked->slips = std::move(slips_of_left);
-        right->checked->slips = std::move(slips_of_right);
-    }
-
-    static bool share_slip(const Slips& some, const Slips& others) {
-        return std::any_of(some.begin(), some.end(), [&others](const LikelySlip& one) {
-            return std::any_of(others.begin(), others.end(),
-                               [&one](const LikelySlip& other) { return other.name == one.name; });
-        });
-    }
-
-    /// True if redoing a formula from the numbers of other claims gives what is claimed: the textbook's formula
-    /// from all of them, any other from those claimed before.
-    bool follows(const Subject& subject, const ClaimedField& field, std::size_t order,
-                 CheckedField& checked) {
-        const Values right =
-            subject.step == 0 ? Values{} : subject.exact->numbers(subject.step, field.name);
-        const auto comes_to_it = [&](const Formula& formula) {
-            const Values values = value_of(formula);
-            return values != right && gives(values, field);
-        };
-        const auto is_from = [&](const WrongNumber* used, bool is_it) {
-            if (used == nullptr || !is_it)
-                return false;
-            checked.verdict = ClaimVerdict::follows;
-            checked.follows_from = used->line;
-            checked.follows_from_field = used->field;
-            checked.follows_from_rounded = used->is_rounded;
-            return true;
-        };
-        const Numbers& all = claimed_numbers(*subject.exact);
-        all.take_used();
-        const auto by_textbook = formulas_of(subject, all, field.name);
-        if (is_from(all.take_used(), !by_textbook.empty() && comes_to_it(by_textbook.front())))
-            return true;
-        const Numbers before(*subject.exact, wrong_, order);
-        const auto by_any = formulas_of(subject, before, field.name);
-        return is_from(before.take_used(), std::any_of(by_any.begin(), by_any.end(), comes_to_it));
-    }
-
-    /// The numbers of a trace with all wrong ones in place of the right ones.
-    const Numbers& claimed_numbers(const StepIndex& index) {
-        return numbers_.try_emplace(&index, index, wrong_).first->second;
-    }
-
-    /// True if a formula is the one that the number was worked out by: no slip is named by any other.
-    static bool gives_what_is_told(const Formula& formula, const Subject& subject,
-                                   const ClaimedField& field) {
-        const ToldValues told = told_exactly(subject, field);
-        const Values right = value_of(formula);
-        if (!told || told->size() != right.size())
-            return false;
-        for (std::size_t i = 0; i < right.size(); ++i) {
-            const auto number = number_in((*told)[i]);
-            if (number && !agrees(right[i], *number, subject.exact->trace()))
-                return false;
-        }
-        return true;
-    }
-
-    /// What a formula comes to with each slip in it. Several claims may be about one number.
-    const std::vector<std::vector<Values>>& redone(const std::string& number,
-                                                   const Formula& formula) {
-        const auto [place, is_new] = redone_.try_emplace(number);
-        if (is_new)
-            for (const Slip& slip : slips())
-                place->second.push_back(slip.redo(formula));
-        return place->second;
-    }
-
-    Slips slips_that_give(const Formula& formula, const std::string& number,
-                          const ClaimedField& field) {
-        Slips found;
-        const auto& results = redone(number, formula);
-        for (std::size_t i = 0; i < results.size(); ++i)
-            if (std::any_of(results[i].begin(), results[i].end(),
-                            [&](const Values& values) { return gives(values, field); }))
-                found.push_back({std::string(slips()[i].name), std::string(slips()[i].meaning)});
-        return found;
-    }
-
-    /// Puts first what explains most of the wrong fields.
-    void rank_slips() {
-        std::map<std::string, std::size_t> explains;
-        for (const CheckedClaim& claim : checked_.claims)
-            for (const CheckedField& field : claim.fields)
-                for (const LikelySlip& slip : field.slips)
-                    ++explains[slip.name];
-        for (CheckedClaim& claim : checked_.claims)
-            for (CheckedField& field : claim.fields)
-                std::stable_sort(field.slips.begin(), field.slips.end(),
-                                 [&](const LikelySlip& a, const LikelySlip& b) {
-                                     return explains.at(a.name) > explains.at(b.name);
-                                 });
-    }
-
     /// What a claim's fields make of it.
     void settle(CheckedClaim& claim) {
         const auto has = [&claim](ClaimVerdict verdict) {
@@ -466,8 +298,6 @@ private:
         meant_;                           ///< claims that are about something else than was read
     std::map<std::string, Said> claimed_; ///< first, by number
     WrongNumbers wrong_;
-    std::map<const StepIndex*, Numbers> numbers_; ///< once all wrong ones are known
-    std::map<std::string, std::vector<std::vector<Values>>> redone_; ///< by number, for each slip
 };
 
 } // namespace
