@@ -12,8 +12,8 @@
 //   - and it is nearer there: of equals the thinner one passes, a line before a face, a point before both;
 //   - and the line is none of its sides, the point none of its corners. That is known by the vertices.
 //
-// Between lines, as between faces, depths decide, and of equals the first one stays. What is drawn although the
-// buffer has something nearer leaves that stored, and is remembered beside it.
+// Between points and lines, depths decide: of equals the thinner one passes, and of those the first stays. The
+// buffer keeps them beside the faces, so which pixels they have does not depend on their order.
 //
 // Source: T1, "Remoção de linhas e superfícies ocultas", by a depth buffer.
 //
@@ -148,11 +148,6 @@ std::array<std::size_t, 2> ends_in_scene(const Scene& scene, const Piece<Coordin
     return {corners[from], corners[(from + 1) % corners.size()]};
 }
 
-/// How thick a primitive is: a point 0, a line 1, a face 2.
-inline int thickness_of(PrimitiveKind kind) {
-    return kind == PrimitiveKind::point ? 0 : kind == PrimitiveKind::triangle ? 2 : 1;
-}
-
 /// True if the line between two vertices is a side of a triangle, or of the polygon that it is a part of; or
 /// the vertex a corner of it, if both are the same; or an end of a line. A side of a polygon is one of a single
 /// triangle: its diagonals are those of two.
@@ -209,37 +204,35 @@ public:
 private:
     using PixelDepth = DepthOf<OfPixels>;
 
-    /// Decides about a turned depth, and keeps it if nothing in its pixel is nearer.
+    /// Decides about a turned depth, and keeps it if it passes.
     template <typename Cell>
     DepthVerdict verdict_on(Pixel pixel, int row, Cell& cell, const PixelDepth& depth) const {
-        const auto owner = buffer_.owner_of(cell);
-        const ScenePrimitive* const other = owner ? &primitive_of(*owner) : nullptr;
-        const bool is_thicker = other && thickness_of(other->kind) > thickness_;
-        const auto drawn_because = [&](DepthReason reason) -> DepthVerdict {
-            if (!buffer_.hides(cell, depth)) {
-                buffer_.keep(cell, depth);
-                return {true};
-            }
-            if (buffer_.is_behind_thin(cell, depth, thickness_ == 0))
-                return {false};
-            buffer_.keep_thin(cell, depth);
-            return {true, reason, other->name};
-        };
         const auto [face, is_exact] = face_before(pixel, row);
-        DepthVerdict verdict;
-        if (face)
-            verdict = {false, DepthReason::behind, primitive_of(*face).name};
-        else if (is_thicker && is_side_of(*owner))
-            verdict = drawn_because(DepthReason::side_of);
-        else if (is_thicker && other->kind == PrimitiveKind::triangle)
-            verdict = drawn_because(DepthReason::beside);
-        else if (is_thicker && !buffer_.hides(cell, depth)) {
-            buffer_.keep(cell, depth);
-            verdict = {true};
-        } else {
-            verdict = {buffer_.keep_if_nearer(cell, depth)};
+        DepthVerdict verdict{.passes = false, .is_exact = is_exact};
+        if (face) {
+            verdict.reason = DepthReason::behind;
+            verdict.other = primitive_of(*face).name;
+            return verdict;
         }
-        verdict.is_exact = is_exact;
+        const auto pass_because = [&](DepthReason reason, std::uint32_t owner) {
+            verdict.passes = true;
+            verdict.reason = reason;
+            verdict.other = primitive_of(owner).name;
+        };
+        const auto owner = buffer_.owner_of(cell);
+        if (buffer_.is_behind_thin(cell, depth, thickness_)) {
+            // A line does not hide its own ends.
+            const std::uint32_t thin = *buffer_.thin_owner_of(cell);
+            verdict.is_by_thin = true;
+            if (thickness_ < thickness_of(primitive_of(thin).kind) && is_side_of(thin))
+                pass_because(DepthReason::side_of, thin);
+        } else if (owner && buffer_.hides(cell, depth)) {
+            pass_because(is_side_of(*owner) ? DepthReason::side_of : DepthReason::beside, *owner);
+        } else {
+            verdict.passes = owner || buffer_.is_nearer(cell, depth);
+        }
+        if (verdict.passes)
+            buffer_.keep_thin(cell, depth, thickness_);
         return verdict;
     }
 
@@ -262,7 +255,7 @@ private:
                 if (!owner || std::find(seen.begin(), end, *owner) != end)
                     continue;
                 *end++ = *owner;
-                if (primitive_of(*owner).kind != PrimitiveKind::triangle || is_side_of(*owner))
+                if (is_side_of(*owner))
                     continue;
                 const Hiding hiding = hiding_of(*owner, pixel);
                 result.is_exact = result.is_exact || hiding.is_exact;
@@ -318,7 +311,7 @@ private:
     Target<Scalar, OfPixels>& target_;
     DepthBuffer<PixelDepth>& buffer_;
     LinePoints<DepthOf<Scalar>> points_;
-    int thickness_;
+    Thickness thickness_;
     std::array<std::size_t, 2> ends_;
     mutable std::uint32_t asked_polygon_ = 0; ///< none
     mutable bool is_side_of_asked_ = false;

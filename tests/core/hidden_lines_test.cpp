@@ -281,6 +281,122 @@ TEST(HiddenLines, OfEqualsTheThinnerOnePasses) {
     }
 }
 
+TEST(HiddenLines, MeetTheDepthBufferWithoutAnyFace) {
+    // AB at z = 2 lies before CD at z = 9; a point before both, and the sides of a triangle behind all.
+    for (const ScalarKind scalar :
+         {ScalarKind::double_precision, ScalarKind::adaptive, ScalarKind::exact, ScalarKind::fixed})
+        for (const bool nearest_first : {false, true}) {
+            FlatScene flat({.scalar = scalar});
+            const auto add = [&flat](int number) {
+                if (number == 0)
+                    flat.add(PrimitiveKind::point, {{"5", "3", "1"}}, green);
+                if (number == 1)
+                    flat.add(PrimitiveKind::line, {{"0", "3", "2"}, {"10", "3", "2"}}, red);
+                if (number == 2)
+                    flat.add(PrimitiveKind::line, {{"5", "0", "9"}, {"5", "6", "9"}}, blue);
+                if (number == 3)
+                    flat.add(PrimitiveKind::outline,
+                             {{"2", "3", "20"}, {"8", "3", "20"}, {"5", "9", "20"}},
+                             Color{9, 9, 9});
+            };
+            for (int i = 0; i < 4; ++i)
+                add(nearest_first ? i : 3 - i);
+            const Image picture = draw_as_planned(flat.scene);
+            EXPECT_EQ(picture.at({5, 3}), green);
+            EXPECT_EQ(picture.at({4, 3}), red);
+            EXPECT_EQ(picture.at({8, 3}), red);
+            EXPECT_EQ(picture.at({5, 4}), blue);
+            EXPECT_EQ(picture.at({5, 9}), (Color{9, 9, 9}));
+        }
+}
+
+TEST(HiddenLines, TheirPixelsAreTheSameInAnyOrder) {
+    Random random(23);
+    for (int i = 0; i < 300; ++i) {
+        FlatScene flat({.scalar = random.pick({ScalarKind::double_precision, ScalarKind::adaptive,
+                                               ScalarKind::exact, ScalarKind::fixed}),
+                        .fill = random.pick({Fill::scanline, Fill::top_left, Fill::barycentric})});
+        const auto coordinate = [&] { return std::to_string(random.whole(-8, 5 * 30)) + "/5"; };
+        const auto place = [&]() -> std::array<std::string, 3> {
+            return {coordinate(), coordinate(), std::to_string(random.whole(1, 9))};
+        };
+        for (int face = random.whole(1, 4); face > 0; --face)
+            flat.add(PrimitiveKind::triangle, {place(), place(), place()}, red);
+        const auto first = static_cast<std::ptrdiff_t>(flat.scene.primitives.size());
+        for (int thin = random.whole(2, 5); thin > 0; --thin) {
+            if (random.chance(4))
+                flat.add(PrimitiveKind::point, {place()}, green);
+            else if (random.chance(4))
+                flat.add(PrimitiveKind::outline, {place(), place(), place()}, green);
+            else
+                flat.add(PrimitiveKind::line, {place(), place()}, green);
+        }
+        // A side of the first face, too.
+        flat.scene.primitives.push_back(
+            {.kind = PrimitiveKind::line, .name = "side", .vertices = {0, 1}, .color = green});
+        const std::string there = picture_of(draw_as_planned(flat.scene));
+        const std::size_t drawn = count_of(draw_as_planned(flat.scene), green);
+        std::reverse(flat.scene.primitives.begin() + first, flat.scene.primitives.end());
+        ASSERT_EQ(count_of(draw_as_planned(flat.scene), green), drawn)
+            << scene_text(flat.scene) << there;
+        ASSERT_EQ(picture_of(draw_as_planned(flat.scene)), there) << scene_text(flat.scene);
+    }
+}
+
+TEST(HiddenLines, ALineThatIsDrawnLeavesTheFaceToTheNextOne) {
+    // RS lies behind the face ABC. PQ, before it, crosses RS in column 5.
+    for (const bool near_first : {false, true}) {
+        FlatScene flat(
+            {.scalar = ScalarKind::exact, .fill = Fill::top_left, .sample = Sample::integer});
+        flat.add(PrimitiveKind::triangle,
+                 {{"21/5", "41/10", "5"}, {"31/5", "49/10", "5"}, {"24/5", "26/5", "5"}}, red);
+        const auto add_near = [&flat] {
+            flat.add(PrimitiveKind::line, {{"5", "0", "1"}, {"5", "9", "1"}}, green);
+        };
+        if (near_first)
+            add_near();
+        flat.add(PrimitiveKind::line, {{"0", "49/10", "9"}, {"11", "49/10", "9"}}, blue);
+        if (!near_first)
+            add_near();
+        const Image picture = draw_as_planned(flat.scene);
+        EXPECT_NE(picture.at({6, 5}), blue);
+        EXPECT_EQ(picture.at({5, 5}), green);
+        EXPECT_EQ(picture.at({7, 5}), blue);
+    }
+}
+
+TEST(HiddenLines, ALineInAFacesPlaneIsWhole) {
+    Random random(31);
+    for (int i = 0; i < 200; ++i) {
+        FlatScene flat({.scalar = random.pick({ScalarKind::exact, ScalarKind::adaptive}),
+                        .fill = random.pick({Fill::scanline, Fill::top_left, Fill::barycentric})});
+        std::array<Vec<Rational, 3>, 3> face;
+        for (auto& corner : face)
+            corner = {Rational(random.whole(0, 230), 10), Rational(random.whole(0, 230), 10),
+                      Rational(random.whole(10, 900), 9)};
+        const auto text = [](const Vec<Rational, 3>& at) -> std::array<std::string, 3> {
+            const auto lowest = [](Rational number) {
+                number.canonicalize();
+                return number.get_str();
+            };
+            return {lowest(at.x), lowest(at.y), lowest(at.z)};
+        };
+        const auto inside = [&] {
+            const Rational u(random.whole(0, 12), 24);
+            const Rational v(random.whole(0, 12), 24);
+            return Vec<Rational, 3>{
+                face[0].x + u * (face[1].x - face[0].x) + v * (face[2].x - face[0].x),
+                face[0].y + u * (face[1].y - face[0].y) + v * (face[2].y - face[0].y),
+                face[0].z + u * (face[1].z - face[0].z) + v * (face[2].z - face[0].z)};
+        };
+        flat.add(PrimitiveKind::triangle, {text(face[0]), text(face[1]), text(face[2])}, red);
+        flat.add(PrimitiveKind::line, {text(inside()), text(inside())}, green);
+        LineSink sink;
+        draw_as_planned(flat.scene, sink);
+        ASSERT_EQ(sink.drawn.back(), sink.asked.back()) << scene_text(flat.scene);
+    }
+}
+
 TEST(HiddenLines, AreAsDeepAsTheLineIsThere) {
     // From z = 4 before the face at z = 5 to z = 8 behind it: it goes through at a quarter of its way.
     FlatScene flat({.scalar = ScalarKind::exact});

@@ -560,30 +560,41 @@ private:
         if (knows_all)
             expect(depth_at(x, y), depth, "depth: depth");
         const std::string stored = step.text("stored");
-        const auto before = stored_.find({x, y});
-        const bool is_thinner = before != stored_.end() && thickness() < before->second.thickness;
+        const bool is_face = kind_ == "triangle";
+        const auto is_nearer = [this](const std::string& a, const std::string& b) {
+            const auto one = number_of<Depth>(a);
+            const auto other = number_of<Depth>(b);
+            return larger_passes() ? other < one : one < other;
+        };
+        const auto face = face_depths_.find({x, y});
+        const auto thin = thin_depths_.find({x, y});
+        const bool has_face = face != face_depths_.end();
+        const bool has_thin = thin != thin_depths_.end();
+        const bool is_thin_nearer =
+            has_thin && !(has_face && is_nearer(face->second, thin->second.depth));
         const bool lets_pass = step.field("side_of") || step.field("beside");
+        const bool is_by_thin = has_thin && (is_thin_nearer || (!is_face && !passes)) && !lets_pass;
         if (step.field("behind")) {
             expect(false, passes, "depth: behind");
             if (knows_all)
                 redo_behind(step.text("behind"), x, y);
         } else if (stored == "null") {
             expect(true, passes, "depth");
+        } else if (lets_pass) {
+            expect(is_nearer(stored, step.text("depth")), passes, "depth: passes a nearer one");
         } else {
-            const auto other = number_of<Depth>(stored);
-            const bool is_nearer = larger_passes() ? other < depth : depth < other;
-            const bool is_farther = larger_passes() ? depth < other : other < depth;
-            if (lets_pass)
-                expect(is_farther, passes, "depth: passes a nearer one");
-            else
-                expect(is_thinner ? !is_farther : is_nearer, passes, "depth");
+            const bool is_thinner =
+                is_by_thin ? thickness() < thin->second.thickness : has_face && !is_face;
+            expect(is_thinner ? !is_nearer(stored, step.text("depth"))
+                              : is_nearer(step.text("depth"), stored),
+                   passes, "depth");
+            if (knows_all && (has_thin || has_face))
+                expect(is_by_thin ? thin->second.depth : face->second, stored, "depth: stored");
         }
-        if (knows_all && before != stored_.end() && before->second.thickness > 0)
-            expect(before->second.depth, stored, "depth: stored");
-        if (passes && !lets_pass)
-            stored_[{x, y}] = {step.text("depth"), thickness()};
-        else if (before == stored_.end())
-            stored_[{x, y}] = {stored, 0};
+        if (is_face && (passes || (has_face && is_nearer(step.text("depth"), face->second))))
+            face_depths_[{x, y}] = step.text("depth");
+        else if (!is_face && passes)
+            thin_depths_[{x, y}] = {step.text("depth"), thickness()};
     }
 
     /// A point 1, a line 2, a face 3.
@@ -655,13 +666,7 @@ private:
         const std::size_t across = 1 - along;
         At from = at_[side_.from];
         At to = at_[side_.to];
-        const auto nearest = [](const At& p, std::size_t i) {
-            return nearest_of(exactly(p[i]), Ties::up);
-        };
-        const Index columns = nearest(to, 0) - nearest(from, 0);
-        const Index rows = nearest(to, 1) - nearest(from, 1);
-        if (method_.from == LineStart::low &&
-            (std::abs(columns) >= std::abs(rows) ? columns < 0 : rows < 0))
+        if (method_.from == LineStart::low && to[along] < from[along])
             std::swap(from, to);
 
         const Index at = *step.whole(is_x_major ? "x" : "y");
@@ -839,11 +844,12 @@ private:
     Ends side_{};
     std::optional<std::pair<Index, Real>> along_before_;
     std::vector<Real> weights_;
-    struct Stored {
+    struct Thin {
         std::string depth;
-        int thickness; ///< of whose it is; 0 if that was not told
+        int thickness;
     };
-    std::map<std::pair<Index, Index>, Stored> stored_;
+    std::map<std::pair<Index, Index>, std::string> face_depths_; ///< the nearest face's
+    std::map<std::pair<Index, Index>, Thin> thin_depths_;        ///< the nearest point's or line's
     struct FaceOnScreen {
         std::array<std::array<Depth, 2>, 3> corners;
         std::array<Depth, 3> depths;

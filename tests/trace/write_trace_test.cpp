@@ -73,7 +73,7 @@ TEST(WriteTrace, ABackgroundIsToldAndDrawsNothing) {
                 testing::HasSubstr("expected a color like \"#ff8000\", found"));
 }
 
-// 1/z of a point or a line is not needed, and behind the eye a triangle has none.
+// At the eye and behind it there is no 1/z, whatever is drawn there.
 TEST(WriteTrace, NothingIsDividedByADistanceOfNothing) {
     const auto scene_with = [](const std::string& rest, const std::string& scalar) {
         return read_scene({"s.json", R"({"canvas":{"width":8,"height":8,"origin":"top-left"},)" +
@@ -81,11 +81,14 @@ TEST(WriteTrace, NothingIsDividedByADistanceOfNothing) {
                                          scalar + "\"}}"});
     };
     for (const char* const scalar : {"double", "adaptive", "exact"}) {
-        const auto points = scene_with(
-            R"("vertices":{"A":[1,1,0],"B":[3,1,2]},"points":["A"],"lines":["AB"],)", scalar);
-        ASSERT_TRUE(points) << scalar;
-        EXPECT_THAT(trace_text(points.value().scene), testing::HasSubstr(R"("pixels":3)"))
-            << scalar;
+        for (const char* const drawn : {R"("points":["A"],)", R"("lines":["AB"],)"})
+            for (const bool is_before : {false, true}) {
+                const auto scene =
+                    scene_with(std::string(R"("vertices":{"A":[1,1,)") + (is_before ? "1" : "0") +
+                                   R"(],"B":[3,1,2]},)" + drawn,
+                               scalar);
+                EXPECT_EQ(bool(scene), is_before) << scalar << drawn;
+            }
     }
     // A's distance is 3 z and the way: 0, just above, just below; its double has either sign.
     const auto can_be_drawn = [&](const std::string& z, const std::string& way,
@@ -205,7 +208,7 @@ Scene small_pipeline() {
     scene.camera = Camera{.position = {0, 0, 4}, .look_at = {0, 0, 0}, .up = {0, 1, 0}};
     scene.projection = {.type = ProjectionType::view_plane, .distance = 1};
     scene.viewport = {.type = ViewportType::fit, .pixels_per_unit = 1};
-    scene.method = {.scalar = ScalarKind::exact, .snap = Snap::floor};
+    scene.method = {.scalar = ScalarKind::exact, .snap = Snap::floor, .depth = Depth::none};
     scene.primitives = {{.kind = PrimitiveKind::point, .name = "A", .vertices = {0}, .color = {}},
                         {.kind = PrimitiveKind::point, .name = "B", .vertices = {1}, .color = {}}};
     return scene;

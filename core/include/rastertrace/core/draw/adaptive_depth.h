@@ -14,6 +14,7 @@
 #include <rastertrace/core/numbers/vec.h>
 #include <rastertrace/core/raster/canvas.h>
 #include <rastertrace/core/raster/depth.h>
+#include <rastertrace/core/raster/sink.h>
 #include <rastertrace/core/raster/steps.h>
 
 #include <algorithm>
@@ -78,73 +79,64 @@ public:
                (x - region_.left);
     }
 
-    [[gnu::always_inline]] bool keep_if_nearer(double& cell, Adaptive depth) {
+    /// The same as in depth.h, but for what doubles leave open: that is asked exactly.
+    [[gnu::always_inline]] bool is_nearer(const double& cell, Adaptive depth) {
         const double difference = cell - depth.value();
         const double error = (depth.error() + largest_error_) * Adaptive::widening;
-        const auto index = static_cast<std::size_t>(&cell - cells_.data());
-        bool passes = difference > error;
-        if (!passes && !(-difference > error)) [[unlikely]]
-            passes = passes_when_near(index, error == 0);
-        if (passes)
-            keep(cell, depth);
-        return passes;
-    }
-
-    /// True if a point or a line has been drawn here over something nearer, and a turned depth does not pass
-    /// that: it is farther, or as near and no `thinner` one.
-    bool is_behind_thin(const double& cell, Adaptive depth, bool is_thinner) {
-        const auto index = static_cast<std::size_t>(&cell - cells_.data());
-        const auto found = thin_.find(index);
-        if (found == thin_.end())
+        if (difference > error)
+            return true;
+        if (-difference > error) [[likely]]
             return false;
-        const auto& [other, piece] = found->second;
-        if (const auto order = order_of(depth, other))
-            return is_thinner ? *order > 0 : *order >= 0;
-        return is_thinner ? is_nearer_exactly(piece, piece_, index)
-                          : !is_nearer_exactly(piece_, piece, index);
+        return passes_when_near(index_of(cell), error == 0);
     }
 
-    /// Remembers the turned depth of a point or a line that is drawn over something nearer, which stays stored.
-    void keep_thin(const double& cell, Adaptive depth) {
-        thin_[static_cast<std::size_t>(&cell - cells_.data())] = {depth, piece_};
-    }
+    bool hides(const double& cell, Adaptive depth) { return hides(cell, depth, piece_); }
 
-    /// True if what is stored is nearer than a turned depth. Something must be stored.
-    bool hides(const double& cell, Adaptive depth) {
-        const double difference = depth.value() - cell;
-        const double error = (depth.error() + largest_error_) * Adaptive::widening;
-        if (difference > error || -difference > error)
-            return difference > error;
-        const auto index = static_cast<std::size_t>(&cell - cells_.data());
-        return error != 0 && is_nearer_exactly(pieces_[index], piece_, index);
-    }
-
-    /// Stores a turned depth.
-    [[gnu::always_inline]] void keep(double& cell, Adaptive depth) {
+    [[gnu::always_inline]] bool keep_if_nearer(double& cell, Adaptive depth) {
+        if (!is_nearer(cell, depth))
+            return false;
         cell = depth.value();
-        pieces_[static_cast<std::size_t>(&cell - cells_.data())] = piece_;
-        if (!(depth.error() <= largest_error_)) [[unlikely]]
-            largest_error_ = std::isfinite(depth.error()) ? depth.error()
-                                                          : std::numeric_limits<double>::infinity();
+        pieces_[index_of(cell)] = piece_;
+        widen_largest_error(depth.error());
+        return !is_behind_thin(cell, depth, Thickness::face);
     }
 
-    /// The same for a row, all of whose depths have one error: calls `keep(x)` where it passes. No pixel
-    /// has a depth of this piece yet.
+    bool is_behind_thin(const double& cell, Adaptive depth, Thickness thickness) {
+        const Thin* const thin = thin_in(cell);
+        if (!thin)
+            return false;
+        const bool is_thinner = thickness < thin->thickness;
+        if (const auto order = order_of(depth, thin->depth))
+            return is_thinner ? *order > 0 : *order >= 0;
+        return is_thinner ? is_nearer_exactly(thin->piece, piece_, index_of(cell))
+                          : !is_nearer_exactly(piece_, thin->piece, index_of(cell));
+    }
+
+    std::optional<std::uint32_t> thin_owner_of(const double& cell) const {
+        const Thin* const thin = thin_in(cell);
+        return thin ? std::optional(thin->piece) : std::nullopt;
+    }
+
+    void keep_thin(const double& cell, Adaptive depth, Thickness thickness) {
+        thin_[index_of(cell)] = {depth, thickness, piece_};
+    }
+
+    /// Tests a face's row, all of whose depths have one error: calls `keep(x)` where they pass. No pixel has a
+    /// depth of this piece yet.
     template <typename Keep>
     void keep_nearer(int row, int first, int last, const DepthRow<Adaptive>& depths, Keep&& keep);
 
     std::optional<Adaptive> stored(const double& cell) const {
-        const auto index = static_cast<std::size_t>(&cell - cells_.data());
-        if (!rule_.cleared && pieces_[index] == no_piece)
+        if (!rule_.cleared && pieces_[index_of(cell)] == no_piece)
             return std::nullopt;
         return Adaptive(rule_.larger_passes ? -cell : cell, largest_error_);
     }
 
     bool has(int x, int row) const { return region_.has(x, row); }
 
-    /// The piece that a cell has its depth from, if one has been drawn there.
+    /// The face that a cell has its depth from, if one has been drawn there.
     std::optional<std::uint32_t> owner_of(const double& cell) const {
-        const std::uint32_t piece = pieces_[static_cast<std::size_t>(&cell - cells_.data())];
+        const std::uint32_t piece = pieces_[index_of(cell)];
         return piece == no_piece ? std::nullopt : std::optional(piece);
     }
 
@@ -153,10 +145,21 @@ public:
     template <typename Test, typename Sink>
     bool decide_and_tell(Pixel pixel, int row, const double& cell, Adaptive depth, Test&& test,
                          Sink&& sink) {
-        const std::optional<Adaptive> stored_depth = stored(cell);
-        const std::optional<std::uint32_t> stored_piece = owner_of(cell);
+        if (!takes<DepthTested<Adaptive>>(sink))
+            return test().passes;
         const std::uint64_t exact_before = exact_tests_;
-        const auto [passes, reason, other, is_exact] = test();
+        std::optional<Thin> thin;
+        if (const Thin* const found = thin_in(cell))
+            thin = *found;
+        std::optional<Adaptive> stored_depth = stored(cell);
+        std::optional<std::uint32_t> stored_piece = owner_of(cell);
+        const bool is_thin_nearer =
+            thin && (!stored_piece || !hides(cell, thin->depth, thin->piece));
+        const auto [passes, reason, other, is_by_thin, is_exact] = test();
+        if (is_thin_nearer || is_by_thin) {
+            stored_depth = turned(thin->depth);
+            stored_piece = thin->piece;
+        }
         const bool told_by_doubles = !is_exact && exact_tests_ == exact_before &&
                                      std::isfinite(depth.value()) &&
                                      (!stored_depth || std::isfinite(stored_depth->value()));
@@ -182,7 +185,37 @@ public:
     }
 
 private:
+    /// A point or a line, as it was drawn in a pixel.
+    struct Thin {
+        Adaptive depth;
+        Thickness thickness;
+        std::uint32_t piece;
+    };
+    const Thin* thin_in(const double& cell) const {
+        const auto found = thin_.empty() ? thin_.end() : thin_.find(index_of(cell));
+        return found == thin_.end() ? nullptr : &found->second;
+    }
+
     static constexpr std::uint32_t no_piece = std::numeric_limits<std::uint32_t>::max();
+
+    std::size_t index_of(const double& cell) const {
+        return static_cast<std::size_t>(&cell - cells_.data());
+    }
+
+    void widen_largest_error(double error) {
+        if (!(error <= largest_error_)) [[unlikely]]
+            largest_error_ = std::isfinite(error) ? error : std::numeric_limits<double>::infinity();
+    }
+
+    /// True if the face in a cell is nearer than a turned depth of a piece.
+    bool hides(const double& cell, Adaptive depth, std::uint32_t piece) {
+        const double difference = depth.value() - cell;
+        const double error = (depth.error() + largest_error_) * Adaptive::widening;
+        if (difference > error || -difference > error)
+            return difference > error;
+        const std::size_t index = index_of(cell);
+        return error != 0 && is_nearer_exactly(pieces_[index], piece, index);
+    }
 
     [[gnu::noinline]] bool passes_when_near(std::size_t index, bool is_equal) {
         return !is_equal && is_nearer_exactly(piece_, pieces_[index], index);
@@ -204,11 +237,7 @@ private:
     double largest_error_; ///< of a depth that has been stored
     std::uint32_t piece_ = no_piece;
     std::uint64_t exact_tests_ = 0;
-    struct Thin {
-        Adaptive depth;
-        std::uint32_t piece;
-    };
-    std::unordered_map<std::size_t, Thin> thin_; ///< by cell
+    std::unordered_map<std::size_t, Thin> thin_; ///< the nearest of each cell that has one
     IsNearer is_nearer_;
     ExactDepth exact_depth_;
 };
@@ -251,11 +280,11 @@ DepthBuffer<Adaptive>::keep_nearer(int row, int first, int last, const DepthRow<
         cells[x] = depth;
         pieces[x] = piece;
         has_kept = true;
-        keep(x);
+        if (!is_behind_thin(cells[x], near.at(x), Thickness::face))
+            keep(x);
     }
-    if (has_kept && !(near.error <= largest_error_))
-        largest_error_ =
-            std::isfinite(near.error) ? near.error : std::numeric_limits<double>::infinity();
+    if (has_kept)
+        widen_largest_error(near.error);
 }
 
 inline const DepthRow<Adaptive>& DepthBuffer<Adaptive>::compared(const DepthRow<Adaptive>& row, int,

@@ -17,7 +17,8 @@
 // exact, and turning twice gives the depth back.
 //
 // A primitive that can share no pixel with another one is not tested (pixel_stages in src/stages_of.h).
-// Points and lines are tested as draw/line_painter.h says: for them, the buffer remembers who is nearest.
+// Points and lines are tested as src/line_painter.h says: for them, the buffer remembers whose each depth is.
+// What they are drawn at is kept beside the depths of faces, so no line takes a face away from the next one.
 //
 //     DepthBuffer<double> buffer(region, {.larger_passes = true, .cleared = 0.0});
 //     buffer.keep_if_nearer(*buffer.row_from(x, row), buffer.turned(0.25));
@@ -25,6 +26,7 @@
 #include <rastertrace/core/numbers/scalar.h>
 #include <rastertrace/core/numbers/vec.h>
 #include <rastertrace/core/raster/canvas.h>
+#include <rastertrace/core/raster/sink.h>
 #include <rastertrace/core/raster/steps.h>
 #include <rastertrace/core/raster/triangle.h>
 
@@ -67,15 +69,34 @@ struct DepthRegion {
 
 template <typename Scalar> struct DepthRow;
 
+/// Of equal depths the thinner primitive passes.
+enum class Thickness : std::uint8_t { point, line, face };
+
+inline Thickness thickness_of(PrimitiveKind kind) {
+    switch (kind) {
+    case PrimitiveKind::point:
+        return Thickness::point;
+    case PrimitiveKind::line:
+    case PrimitiveKind::outline:
+        return Thickness::line;
+    case PrimitiveKind::triangle:
+        break;
+    }
+    return Thickness::face;
+}
+
 /// What was decided about a pixel, as in DepthTested.
 struct DepthVerdict {
     bool passes;
     DepthReason reason = DepthReason::stored;
     std::string_view other = {};
+    bool is_by_thin =
+        false;             ///< a point or a line in the pixel has decided, even if a face is nearer
     bool is_exact = false; ///< with `adaptive`: doubles have left it open
 };
 
-/// One number per pixel of its region.
+/// One number per pixel of its region, that of the nearest face; and where points and lines are drawn, that of
+/// the nearest of them.
 template <typename Scalar> class DepthBuffer {
 public:
     DepthBuffer(const DepthRegion& region, const DepthRule<Scalar>& rule,
@@ -95,7 +116,7 @@ public:
     /// True if the region has a pixel.
     bool has(int x, int row) const { return region_.has(x, row); }
 
-    /// The one that a cell of row_from(...) has its depth from, if one has been drawn there.
+    /// The face that a cell of row_from(...) has its depth from, if one has been drawn there.
     std::optional<std::uint32_t> owner_of(const Scalar& cell) const {
         const std::uint32_t owner = owners_[index_of(cell)];
         return owner == no_owner ? std::nullopt : std::optional(owner);
@@ -116,60 +137,76 @@ public:
                (x - region_.left);
     }
 
-    /// Tests a turned depth against a cell of row_from(...), and keeps it if it passes.
-    bool keep_if_nearer(Scalar& cell, const Scalar& depth) {
+    /// True if a turned depth is nearer than a cell of row_from(...) has it.
+    bool is_nearer(const Scalar& cell, const Scalar& depth) const {
         if constexpr (!std::floating_point<Scalar>)
-            if (is_clear(cell)) {
-                keep(cell, depth);
+            if (is_clear(cell))
                 return true;
-            }
-        const bool passes = depth < cell;
-        if (passes)
-            keep(cell, depth);
-        return passes;
+        return depth < cell;
     }
 
-    /// True if what is stored is nearer than a turned depth.
+    /// True if a face in the cell is nearer than a turned depth.
     bool hides(const Scalar& cell, const Scalar& depth) const {
         return !is_clear(cell) && cell < depth;
     }
 
-    /// True if a point or a line has been drawn here over something nearer, and a turned depth does not pass
-    /// that: it is farther, or as near and no `thinner` one.
-    bool is_behind_thin(const Scalar& cell, const Scalar& depth, bool is_thinner) const {
-        const auto found = thin_.find(index_of(cell));
-        return found != thin_.end() &&
-               (is_thinner ? found->second < depth : !(depth < found->second));
-    }
-
-    /// Remembers the turned depth of a point or a line that is drawn over something nearer, which stays stored.
-    void keep_thin(const Scalar& cell, const Scalar& depth) { thin_[index_of(cell)] = depth; }
-
-    /// Stores a turned depth.
-    void keep(Scalar& cell, const Scalar& depth) {
+    /// Tests a turned depth of a face, and keeps it if no face in the cell is as near. True if no point or
+    /// line is as near either.
+    bool keep_if_nearer(Scalar& cell, const Scalar& depth) {
+        if (!is_nearer(cell, depth))
+            return false;
         cell = depth;
         if (has_clear_cells())
             is_clear_[index_of(cell)] = false;
-        if (remembers_owners()) [[unlikely]]
+        if (remembers_owners()) [[unlikely]] {
             owners_[index_of(cell)] = owner_;
+            return !is_behind_thin(cell, depth, Thickness::face);
+        }
+        return true;
+    }
+
+    /// True if the point or line that is kept for a cell is nearer than a turned depth, or as near and no
+    /// thicker.
+    bool is_behind_thin(const Scalar& cell, const Scalar& depth, Thickness thickness) const {
+        const Thin* const thin = thin_in(cell);
+        return thin && (thickness < thin->thickness ? thin->depth < depth : !(depth < thin->depth));
+    }
+
+    /// The point or line that is kept for a cell.
+    std::optional<std::uint32_t> thin_owner_of(const Scalar& cell) const {
+        const Thin* const thin = thin_in(cell);
+        return thin ? std::optional(thin->owner) : std::nullopt;
+    }
+
+    /// Keeps the turned depth of a point or a line that is drawn.
+    void keep_thin(const Scalar& cell, const Scalar& depth, Thickness thickness) {
+        thin_[index_of(cell)] = {depth, thickness, owner_};
     }
 
     /// Decides about a turned depth by `test()`, and tells both depths and what was decided.
     template <typename Test, typename Sink>
     bool decide_and_tell(Pixel pixel, int, const Scalar& cell, const Scalar& depth, Test&& test,
                          Sink&& sink) {
-        const std::optional<Scalar> before = stored(cell);
+        if (!takes<DepthTested<Scalar>>(sink))
+            return test().passes;
+        std::optional<Scalar> of_thin;
+        std::optional<Scalar> nearest = stored(cell);
+        if (const Thin* const thin = thin_in(cell)) {
+            of_thin = turned(thin->depth);
+            if (!owner_of(cell) || !(cell < thin->depth))
+                nearest = of_thin;
+        }
         const DepthVerdict verdict = test();
         sink(DepthTested<Scalar>{.pixel = pixel,
                                  .depth = turned(depth),
-                                 .stored = before,
+                                 .stored = verdict.is_by_thin ? of_thin : nearest,
                                  .passes = verdict.passes,
                                  .reason = verdict.reason,
                                  .other = verdict.other});
         return verdict.passes;
     }
 
-    /// The same for a row of turned depths: calls `keep(x)` where it passes.
+    /// Tests the turned depths of a face's row: calls `keep(x)` where they pass.
     template <typename Keep>
     [[gnu::always_inline]] void keep_nearer(int row, int first, int last,
                                             const DepthRow<Scalar>& depths, Keep&& keep) {
@@ -203,6 +240,17 @@ private:
         return has_clear_cells() && is_clear_[index_of(cell)];
     }
 
+    /// A point or a line, as it was drawn in a pixel.
+    struct Thin {
+        Scalar depth;
+        Thickness thickness;
+        std::uint32_t owner;
+    };
+    const Thin* thin_in(const Scalar& cell) const {
+        const auto found = thin_.empty() ? thin_.end() : thin_.find(index_of(cell));
+        return found == thin_.end() ? nullptr : &found->second;
+    }
+
     /// Floating point has a number beyond all others; exact numbers remember which cells are clear.
     bool has_clear_cells() const { return !std::floating_point<Scalar> && !rule_.cleared; }
 
@@ -221,7 +269,7 @@ private:
     std::vector<bool> is_clear_;
     std::vector<std::uint32_t> owners_; ///< of the cells, if it remembers them
     std::uint32_t owner_ = no_owner;
-    std::unordered_map<std::size_t, Scalar> thin_; ///< by cell
+    std::unordered_map<std::size_t, Thin> thin_; ///< the nearest of each cell that has one
 };
 
 /// The turned depths of a row of a triangle: linear in x.

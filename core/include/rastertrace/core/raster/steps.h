@@ -203,12 +203,13 @@ enum class DepthReason : std::uint8_t {
 };
 
 /// A pixel met the depth buffer. Of equal depths the first one stays, but what is thinner passes: a line
-/// before a face, a point before both. What passes although the stored depth is nearer leaves it stored.
+/// before a face, a point before both. Points and lines are kept apart from faces (line_painter.h).
 template <typename Scalar> struct DepthTested {
     Pixel pixel;
-    Scalar depth;                 ///< of the primitive at this pixel
-    std::optional<Scalar> stored; ///< what the buffer has; none if nothing was drawn, and no number
-                                  ///< is farther than all others
+    Scalar depth; ///< of the primitive at this pixel
+    std::optional<Scalar>
+        stored; ///< of the nearest face, point or line; of the nearest point or line if
+                ///< that decides; none if nothing was drawn, and no number is farther
     bool passes;
     DepthReason reason = DepthReason::stored;
     std::string_view other = {}; ///< the primitive that `reason` is about

@@ -119,8 +119,8 @@ struct Scene {
 
     /// How hidden surfaces are found.
     Depth depth() const {
-        if (method.depth || !has(PrimitiveKind::triangle))
-            return method.depth.value_or(Depth::none);
+        if (method.depth)
+            return *method.depth;
         return is_perspective(projection.type)                   ? Depth::inverse_z
                : projection.type == ProjectionType::orthographic ? Depth::linear_z
                                                                  : Depth::none;
@@ -135,8 +135,7 @@ struct Scene {
     /// True if pixels are tested against a buffer of depths. The fan's are not.
     bool has_depth_buffer() const {
         const Depth in_force = depth();
-        return in_force != Depth::none && in_force != Depth::painter && method.fill != Fill::fan &&
-               has(PrimitiveKind::triangle);
+        return in_force != Depth::none && in_force != Depth::painter && method.fill != Fill::fan;
     }
 
     /// True if points or lines are tested against it, too.
