@@ -68,12 +68,18 @@ Vec<Rational, 3> exact(const Numbers3& numbers) {
     return {numbers[0].exact(), numbers[1].exact(), numbers[2].exact()};
 }
 
+namespace {
+
+/// A number divided by the square root of another one; rounded once.
+Rational over_root(const Rational& number, const Rational& square) {
+    return sgn(number) * square_root(number * number / square);
+}
+
+} // namespace
+
 Vec<Rational, 3> unit_vector(const Vec<Rational, 3>& vector) {
     const Rational square = dot(vector, vector);
-    const auto component = [&square](const Rational& length) {
-        return Rational(sgn(length) * square_root(length * length / square));
-    };
-    return {component(vector.x), component(vector.y), component(vector.z)};
+    return {over_root(vector.x, square), over_root(vector.y, square), over_root(vector.z, square)};
 }
 
 bool has_irrational_length(const Vec<Rational, 3>& vector) {
@@ -196,7 +202,14 @@ std::vector<MatrixFactor<Rational>> factors_of(const Camera& camera, ViewAxis ax
 }
 
 Matrix<Rational> view_matrix(const Camera& camera, ViewAxis axis) {
-    return product_of(factors_of(camera, axis));
+    Matrix<Rational> view = factors_of(camera, axis).front().matrix;
+    const CameraAxes axes = axes_of(camera);
+    const Vec<Rational, 3> position = exact(camera.position);
+    const std::array rows{axes.right, axes.up,
+                          axis == ViewAxis::minus_z ? axes.back : Vec<Rational, 3>{} - axes.back};
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        view.rows[i][3] = over_root(-dot(rows[i], position), dot(rows[i], rows[i]));
+    return view;
 }
 
 // projection.h

@@ -49,7 +49,8 @@ bool is_rounded(const Camera& camera);
 /// moves a point first. The camera must have no fault.
 std::vector<MatrixFactor<Rational>> factors_of(const Camera& camera, ViewAxis axis);
 
-/// The product of the factors.
+/// The product of the factors. Of an axis whose length is no fraction, the shift -position . axis is divided by
+/// that length last, and rounded once: a position at right angles to the axis gives 0.
 Matrix<Rational> view_matrix(const Camera& camera, ViewAxis axis);
 
 } // namespace rastertrace
