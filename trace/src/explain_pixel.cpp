@@ -15,6 +15,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -134,14 +135,39 @@ private:
         PrimitiveSteps& current = *drawing();
         if (kind == StepKind::face)
             current.face = sentence_of(n);
+        if (kind == StepKind::face && step.text("culled") == "true")
+            culled_faces_.push_back({current.first, n});
         if (kind == StepKind::clip)
             named_by(step).clips.push_back(sentence_of(n));
         if (kind == StepKind::skip)
             named_by(step).skip = step.text("why");
+        if (kind == StepKind::skip && step.text("why") == "culled" && current.face.empty())
+            current.face = culled_with(trace_.step(current.first).texts("vertices"));
         const bool is_of_pixel =
             kind == StepKind::scanline ? step.whole("y") == pixel_.y : kind == StepKind::sample;
         if (is_of_pixel && sentences_ == nullptr)
             current.working = working_of(replay_to(n));
+    }
+
+    /// A line that is a side of faces is culled with them: which, and what their tests say. "" if no face is
+    /// known to have it.
+    std::string culled_with(std::vector<std::string> ends) {
+        for (const auto& [primitive, face] : std::exchange(culled_faces_, {})) {
+            std::vector<std::string> corners = trace_.step(primitive).texts("vertices");
+            std::sort(corners.begin(), corners.end());
+            const StepView test = trace_.step(face);
+            const std::string text =
+                fmt::format("{} (normal . view = {})", test.text("name"), test.text("dot"));
+            for (std::size_t from = 0; from < corners.size(); ++from)
+                for (std::size_t to = from + 1; to < corners.size(); ++to) {
+                    std::string& faces = faces_of_side_[{corners[from], corners[to]}];
+                    faces += (faces.empty() ? "" : ", ") + text;
+                }
+        }
+        std::sort(ends.begin(), ends.end());
+        const auto found =
+            ends.size() == 2 ? faces_of_side_.find({ends[0], ends[1]}) : faces_of_side_.end();
+        return found == faces_of_side_.end() ? "" : "culled with " + found->second;
     }
 
     /// The primitive that a clip or skip step is about: that of an outline may come after its first part.
@@ -244,6 +270,12 @@ private:
     std::size_t place_ = 0;              ///< in why_not: that of the primitive, before its parts
     bool part_has_drawn_ = false;
     bool is_at_end_ = false;
+    struct CulledFace {
+        std::size_t primitive; ///< its step
+        std::size_t face;      ///< that of the test
+    };
+    std::vector<CulledFace> culled_faces_; ///< that are not in faces_of_side_ yet
+    std::map<std::pair<std::string, std::string>, std::string> faces_of_side_; ///< of culled ones
     std::vector<WhyNot> covering_;      ///< those that reach the pixel and have not drawn it
     std::vector<std::string> painters_; ///< who has drawn the pixel, first to last
     std::size_t last_drawn_ = 0;        ///< the step that did
