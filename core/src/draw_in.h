@@ -51,28 +51,56 @@ template <typename Sink> Sink sink_to(const Listener& listener) {
         return {};
 }
 
+/// The line between two vertices of a primitive, from the end at which it is drawn first: its true ends, and
+/// the pixels nearest to them.
+template <typename Scalar> struct DirectedLine {
+    Segment<Scalar> segment;
+    GridLine pixels;
+};
+
+/// With `from: low`, the end that has the lower coordinate along the major axis comes first. Bresenham's line
+/// goes from pixel to pixel, and its ends are compared as pixels; the others go along the true line.
+template <typename Scalar>
+DirectedLine<Scalar> directed_line(const Piece<Scalar>& primitive, EdgeName side,
+                                   const Method& method) {
+    const Vec<Scalar, 2>& from = primitive.positions[side.from];
+    const Vec<Scalar, 2>& to = primitive.positions[side.to];
+    // One after the other: of ends that filtered doubles leave open, the first one is told.
+    const GridPoint to_pixel = nearest_pixel(to.x, to.y);
+    const GridPoint from_pixel = nearest_pixel(from.x, from.y);
+    const DirectedLine<Scalar> forward{
+        {from, to}, {from_pixel, to_pixel, primitive.colors[side.from], primitive.colors[side.to]}};
+    if (method.from == LineStart::first)
+        return forward;
+
+    const auto runs_down = [](const auto& a, const auto& b, bool is_x_major) {
+        return is_x_major ? b.x < a.x : b.y < a.y;
+    };
+    const Index columns = std::abs(to_pixel.x - from_pixel.x);
+    const Index rows = std::abs(to_pixel.y - from_pixel.y);
+    const bool is_reversed = method.line == LineMethod::bresenham
+                                 ? runs_down(from_pixel, to_pixel, columns >= rows)
+                                 : runs_down(from, to, is_longer_in_x(forward.segment));
+    return is_reversed ? DirectedLine<Scalar>{{to, from}, reversed(forward.pixels)} : forward;
+}
+
+/// The octant in which it is drawn.
+template <typename Scalar>
+int octant_of(const Piece<Scalar>& primitive, EdgeName side, const Method& method) {
+    const GridLine line = directed_line(primitive, side, method).pixels;
+    return octant_of(line.from, line.to);
+}
+
 /// Draws the line between two vertices of a primitive; false if it has no pixel to draw.
 template <typename Scalar, typename Sink>
 bool draw_line(const Piece<Scalar>& primitive, EdgeName side, const Method& method,
                const Canvas& canvas, Sink&& sink) {
-    Segment<Scalar> segment{primitive.positions[side.from], primitive.positions[side.to]};
-    GridLine line{nearest_pixel(segment.from.x, segment.from.y),
-                  nearest_pixel(segment.to.x, segment.to.y), primitive.colors[side.from],
-                  primitive.colors[side.to]};
-
-    // From the low end, if that is asked for.
-    const bool is_x_major = std::abs(line.to.x - line.from.x) >= std::abs(line.to.y - line.from.y);
-    const bool runs_down = is_x_major ? line.to.x < line.from.x : line.to.y < line.from.y;
-    if (method.from == LineStart::low && runs_down) {
-        line = reversed(line);
-        std::swap(segment.from, segment.to);
-    }
-
+    const auto [segment, pixels] = directed_line(primitive, side, method);
     if (method.line == LineMethod::bresenham)
-        return draw_bresenham(line, line_rules(method), canvas, sink);
+        return draw_bresenham(pixels, line_rules(method), canvas, sink);
     return draw_line_by_lerp(segment,
                              method.line == LineMethod::naive ? LineForm::naive : LineForm::dda,
-                             line_rounding(method), line, line_rules(method), canvas, sink);
+                             line_rounding(method), pixels, line_rules(method), canvas, sink);
 }
 
 /// Doubles can tell the depths along an edge only if they hold the difference of its ends, with some to spare
@@ -152,17 +180,6 @@ private:
     std::optional<DepthPlane<DepthOf<Scalar>>> plane_;
 };
 
-/// The pixel that a vertex is nearest to.
-template <typename Scalar> GridPoint pixel_of(const Piece<Scalar>& primitive, std::size_t corner) {
-    return nearest_pixel(primitive.positions[corner].x, primitive.positions[corner].y);
-}
-template <typename Scalar> int octant_of(const Piece<Scalar>& primitive, EdgeName side) {
-    // One after the other: of ends that filtered doubles leave open, the first one is told.
-    const GridPoint to = pixel_of(primitive, side.to);
-    const GridPoint from = pixel_of(primitive, side.from);
-    return octant_of(from, to);
-}
-
 /// Draws what is no triangle: a point, a line, or the three lines of an outline. `painter_of(side)` makes the
 /// painter of each; a point's side leads from its corner to itself.
 template <typename Scalar, typename PainterOf>
@@ -170,8 +187,8 @@ void draw_lines(const Piece<Scalar>& primitive, const Method& method, const Canv
                 PainterOf&& painter_of) {
     switch (primitive.kind) {
     case PrimitiveKind::point:
-        return draw_point(pixel_of(primitive, 0), primitive.colors[0], canvas,
-                          painter_of(EdgeName{0, 0}));
+        return draw_point(nearest_pixel(primitive.positions[0].x, primitive.positions[0].y),
+                          primitive.colors[0], canvas, painter_of(EdgeName{0, 0}));
     case PrimitiveKind::line: {
         auto&& painter = painter_of(EdgeName{0, 1});
         if (!draw_line(primitive, {0, 1}, method, canvas, painter))
@@ -182,7 +199,7 @@ void draw_lines(const Piece<Scalar>& primitive, const Method& method, const Canv
         bool has_pixels = false;
         for (const EdgeName side : {EdgeName{0, 1}, EdgeName{1, 2}, EdgeName{2, 0}}) {
             auto&& painter = painter_of(side);
-            painter(SideBegan{.edge = side, .octant = octant_of(primitive, side)});
+            painter(SideBegan{.edge = side, .octant = octant_of(primitive, side, method)});
             has_pixels = draw_line(primitive, side, method, canvas, painter) || has_pixels;
             if (side.to == 0 && !has_pixels)
                 painter(PrimitiveSkipped{.why = SkipReason::last_pixel_only});
@@ -197,7 +214,7 @@ void draw_lines(const Piece<Scalar>& primitive, const Method& method, const Canv
 /// Tells that a piece begins. `told` are its corners in the numbers that they are told in.
 template <typename Scalar, typename Told, typename Sink>
 void tell_beginning(const Piece<Scalar>& piece, const PieceNames& names, const Piece<Told>& told,
-                    bool has_depths, const Plan& plan, Sink&& sink) {
+                    bool has_depths, const Scene& scene, const Plan& plan, Sink&& sink) {
     sink(PrimitiveBegan<Told>{
         .kind = piece.kind,
         .name = names.piece,
@@ -205,7 +222,7 @@ void tell_beginning(const Piece<Scalar>& piece, const PieceNames& names, const P
         .positions = std::span(told.positions).first(piece.count),
         .color = piece.color,
         .colors = std::span(piece.colors).first(plan.mixes_colors ? piece.count : 0),
-        .octant = piece.kind == PrimitiveKind::line ? octant_of(piece, {0, 1}) : 0,
+        .octant = piece.kind == PrimitiveKind::line ? octant_of(piece, {0, 1}, scene.method) : 0,
         .is_part = piece.is_part,
         .depths = std::span(told.depths).first(has_depths ? piece.count : 0),
         .is_painted = plan.stages.pixels[piece.primitive].is_painted});
@@ -248,11 +265,15 @@ void tell_and_draw(const AList& list, const ScreenPrimitive& one, const AFace& f
                    Target<Scalar, OfPixels>& target, const Sink& sink) {
     const PieceNames names(scene, list, one); // a listener may refer to them until the piece ends
     const bool has_depths = target.depth != nullptr;
-    if constexpr (!std::same_as<Scalar, Adaptive>)
-        tell_beginning(piece, names, piece, has_depths, plan, sink);
-    else if (takes<PrimitiveBegan<Adaptive>>(sink))
-        tell_beginning(piece, names, target.exactness->pieces.piece(target.exactness->drawn.back()),
-                       has_depths, plan, sink);
+    bool is_told = false;
+    if constexpr (std::same_as<Scalar, Adaptive>)
+        if (sink.reads_corners()) {
+            const auto exact = target.exactness->pieces.piece(target.exactness->drawn.back());
+            tell_beginning(piece, names, exact, has_depths, scene, plan, sink);
+            is_told = true;
+        }
+    if (!is_told)
+        tell_beginning(piece, names, piece, has_depths, scene, plan, sink);
     tell_face(face, sink);
     if (!piece.is_skipped)
         draw_piece(piece, scene, plan, target, sink);

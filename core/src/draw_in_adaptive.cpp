@@ -73,6 +73,39 @@ private:
     bool is_told_ = false;
 };
 
+/// Tells a listener of a piece that doubles decide about: each slope as the double nearest to it.
+class NearestSlopes {
+public:
+    NearestSlopes(const Listener& listener, const Piece<Adaptive>& piece, Exactness& exactness)
+        : sink_(listener), piece_(piece), exactness_(exactness) {}
+
+    template <typename Step> bool takes() const { return sink_.takes<Step>(); }
+    bool reads_corners() const { return sink_.reads_corners(); }
+
+    template <typename Step> void operator()(const Step& step) const { sink_(step); }
+    void operator()(const EdgeSetUp<Adaptive>& step) const {
+        EdgeSetUp<Adaptive> told = step;
+        if (takes<EdgeSetUp<Adaptive>>() && step.dx_dy.error() != 0)
+            told.dx_dy = Adaptive(slope_of(step.edge));
+        sink_(told);
+    }
+
+private:
+    double slope_of(EdgeName edge) const {
+        if (const auto slope =
+                nearest_slope(piece_.positions[edge.from], piece_.positions[edge.to]))
+            return *slope;
+        const auto exact = exactness_.pieces.piece(exactness_.drawn.back());
+        const auto& from = exact.positions[edge.from];
+        const auto& to = exact.positions[edge.to];
+        return nearest_double(Rational((to.x - from.x) / (to.y - from.y)));
+    }
+
+    ListenerSink sink_;
+    const Piece<Adaptive>& piece_;
+    Exactness& exactness_;
+};
+
 /// Draws the pieces of a scene, with a sink or without one.
 template <typename Sink> class AdaptiveDrawing {
 public:
@@ -190,7 +223,8 @@ private:
             TellingUndecided telling(listener, *open);
             draw_exactly(list, one, face, Listener(telling));
         } else if constexpr (keeps_steps<Sink>) {
-            tell_and_draw(list, one, face, piece, scene_, plan_, target_, ListenerSink(listener));
+            tell_and_draw(list, one, face, piece, scene_, plan_, target_,
+                          NearestSlopes(listener, piece, exactness_));
         }
     }
 
@@ -210,7 +244,7 @@ private:
         const ListenerSink sink(certifying_);
         return left_open_by([&] {
             if (piece.kind == PrimitiveKind::line)
-                octant_of(piece, {0, 1}); // that is told even if it is not drawn
+                octant_of(piece, {0, 1}, scene_.method); // that is told even if it is not drawn
             if (!tell_face(face, sink))
                 return;
             if (piece.kind == PrimitiveKind::triangle)

@@ -159,6 +159,8 @@ public:
 
     template <typename Step> bool takes() const { return listener_.takes<Step>(); }
 
+    bool reads_corners() const { return listener_.reads_corners(); }
+
     template <typename Step> void operator()(const Step& step) const {
         if (listener_.takes<Step>())
             tell(step, listener_);

@@ -113,6 +113,47 @@ int scenes_to_draw() {
     return asked ? std::atoi(asked) : random_cases(4000);
 }
 
+/// The slopes of all edges, in double.
+std::vector<double> slopes_of(Scene scene, ScalarKind scalar) {
+    scene.method.scalar = scalar;
+    std::vector<double> slopes;
+    draw_as_planned(scene, [&slopes](const EdgeSetUp<Quantity>& step) {
+        if (!step.is_horizontal)
+            slopes.push_back(nearest_double(step.dx_dy.exact()));
+    });
+    return slopes;
+}
+
+TEST(Adaptive, TellsASlopeAsTheDoubleNearestToIt) {
+    // (0.4 - 0.1)/(0.6 - 0.7) = -3; in doubles -3.0000000000000004.
+    Scene first = small_first_triangle({.scalar = ScalarKind::adaptive});
+    first.vertices = {{"A", number("0.1"), number("0.7")},
+                      {"B", number("0.4"), number("0.6")},
+                      {"C", number("-3.1"), number("-5.3")}};
+    EXPECT_EQ(slopes_of(first, ScalarKind::adaptive).front(), -3);
+
+    EdgeScenes scenes(29);
+    std::mt19937_64 random(29);
+    for (int i = 0; i < random_cases(1000); ++i) {
+        Scene scene = scenes.next();
+        if (random() % 2 == 0)
+            scene = nudged(scene, random);
+        scene.method.fill = random() % 2 == 0 ? Fill::scanline : Fill::two_halves;
+        scene.method.scalar = ScalarKind::exact;
+        if (find_unfit(scene))
+            continue;
+        ASSERT_EQ(slopes_of(scene, ScalarKind::adaptive), slopes_of(scene, ScalarKind::exact))
+            << scene_text(scene);
+    }
+}
+
+TEST(Adaptive, ZeroIsExactWhateverDividesIt) {
+    const Adaptive length(3.1, 1e-16);
+    EXPECT_EQ((Adaptive(0) / length).error(), 0);
+    EXPECT_EQ((length / Adaptive(1)).error(), length.error());
+    EXPECT_GT((Adaptive(1) / length).error(), 0);
+}
+
 TEST(Adaptive, DecidesAsExact) {
     EdgeScenes scenes(7);
     std::mt19937_64 random(7);

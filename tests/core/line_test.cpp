@@ -414,6 +414,41 @@ TEST(LineEndPixels, TheLastOneOfTheDrawnOrderIsLeftOut) {
     EXPECT_EQ(why, SkipReason::last_pixel_only);
 }
 
+TEST(LineStart, ItIsTheLowEndOfTheTrueLine) {
+    // A (1/2, 23/5) and B (0, 11/2): |dy| = 9/10 is longer than |dx| = 1/2, so A is the low end, though both
+    // nearest pixels, (1, 5) and (0, 6), are one column and one row apart.
+    for (const LineMethod method : {LineMethod::naive, LineMethod::dda}) {
+        const Method rules{.scalar = ScalarKind::exact,
+                           .line = method,
+                           .from = LineStart::low,
+                           .ends = EndPixels::first};
+        for (const auto& ends : {std::vector<std::string>{"1/2", "23/5", "0", "11/2"},
+                                 std::vector<std::string>{"0", "11/2", "1/2", "23/5"}})
+            EXPECT_EQ(line(line_scene(ends, rules)).pixels, (Points{{0, 5}}));
+    }
+}
+
+TEST(LineStart, WhicheverEndIsTypedFirstTheLineIsTheSame) {
+    Random random(7);
+    for (int i = 0; i < 500; ++i) {
+        const auto coordinate = [&random] {
+            return std::to_string(random.whole(-40, 40)) + random.pick<const char*>({"/2", "/5"});
+        };
+        const std::string ax = coordinate(), ay = coordinate(), bx = coordinate(),
+                          by = coordinate();
+        const Method method{
+            .scalar = random.pick({ScalarKind::exact, ScalarKind::adaptive}),
+            .line = random.pick({LineMethod::bresenham, LineMethod::naive, LineMethod::dda}),
+            .from = LineStart::low,
+            .ends = random.pick({EndPixels::both, EndPixels::first})};
+        const LineRecorder there = line(line_scene({ax, ay, bx, by}, method));
+        const LineRecorder back = line(line_scene({bx, by, ax, ay}, method));
+        ASSERT_EQ(there.pixels, back.pixels) << ax << ' ' << ay << ' ' << bx << ' ' << by;
+        ASSERT_EQ(there.octant, back.octant) << "the octant is that of the line as it is drawn";
+    }
+    EXPECT_EQ(line(line_scene({"8", "3", "0", "0"}, {.from = LineStart::low})).octant, 1);
+}
+
 // ---- Colors and points
 // ----------------------------------------------------------------------------
 

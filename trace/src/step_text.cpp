@@ -239,23 +239,21 @@ std::optional<ColorOnLine> color_on_line(const Replay& replay, const PrimitiveTe
     const auto y = number_in(pixel, "y");
     if (!exact_ends || !first || !second || !x || !y)
         return std::nullopt;
+    // Which direction is the longer one, the step that led to the pixel says: doubles may not tell.
+    const auto& [from, to] = *exact_ends;
+    const std::size_t reason = reason_of_pixel(replay);
+    const bool along_x = reason != 0 && replay.trace().kind_of(reason) == StepKind::along
+                             ? replay.trace().step(reason).field("x").has_value()
+                             : abs(to.x - from.x) >= abs(to.y - from.y);
     // Colors are mixed between the pixels of the ends, from the one that is drawn first.
     auto [start, end] = between_nearest_pixels(*exact_ends);
-    const auto is_x_major = [](const Vec2& a, const Vec2& b) {
-        return abs(b.x - a.x) >= abs(b.y - a.y);
-    };
-    const bool runs_down = is_x_major(start, end) ? end.x < start.x : end.y < start.y;
+    const bool runs_down = along_x ? to.x < from.x : to.y < from.y;
     const bool is_reversed = replay.trace().method_value("from") == "low" && runs_down;
     if (is_reversed)
         std::swap(start, end);
     const auto square_of = [](const Rational& dx, const Rational& dy) {
         return Rational(dx * dx + dy * dy);
     };
-    // Which direction is the longer one, the step that led to the pixel says: doubles may not tell.
-    const std::size_t reason = reason_of_pixel(replay);
-    const bool along_x = reason != 0 && replay.trace().kind_of(reason) == StepKind::along
-                             ? replay.trace().step(reason).field("x").has_value()
-                             : is_x_major(exact_ends->from, exact_ends->to);
     ColorOnLine color{.from = is_reversed ? *second : *first,
                       .to = is_reversed ? *first : *second,
                       .from_name = primitive.vertices[is_reversed ? 1 : 0],

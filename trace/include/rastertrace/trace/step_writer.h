@@ -102,6 +102,9 @@ public:
             return true;
     }
 
+    /// Of a primitive that is not written, only the names count.
+    bool reads_corners() const { return wanted_[static_cast<std::size_t>(StepKind::primitive)]; }
+
     void operator()(const MatrixSetUp<Quantity>& step) {
         if (!wants(StepKind::matrix))
             return;
@@ -352,10 +355,17 @@ private:
         return wanted_[static_cast<std::size_t>(kind)] && is_in_primitive_;
     }
 
-    // The kinds that an algorithm asks about.
+    // Steps with numbers, which need not be put together if they are left out.
+    static StepKind kind_of(const MatrixSetUp<Quantity>*) { return StepKind::matrix; }
     static StepKind kind_of(const VertexPlaced<Quantity>*) { return StepKind::vertex; }
+    static StepKind kind_of(const FaceTested<Quantity>*) { return StepKind::face; }
+    static StepKind kind_of(const FaceLit<Quantity>*) { return StepKind::light; }
+    static StepKind kind_of(const EdgeSetUp<Quantity>*) { return StepKind::edge; }
     static StepKind kind_of(const EdgeFunctionSetUp<Quantity>*) { return StepKind::edge; }
     static StepKind kind_of(const ScanlineSpanned<Quantity>*) { return StepKind::scanline; }
+    static StepKind kind_of(const LineSampled<Quantity>*) { return StepKind::along; }
+    static StepKind kind_of(const SampleTested<Quantity>*) { return StepKind::sample; }
+    static StepKind kind_of(const DepthTested<Quantity>*) { return StepKind::depth; }
 
     /// ABC/1 is a part of ABC.
     static bool is_part_of(std::string_view name, std::string_view whole) {

@@ -16,6 +16,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
 namespace rastertrace {
 
@@ -63,6 +64,26 @@ inline Edge<Adaptive> edge_between(const Vertex<Adaptive>& from, const Vertex<Ad
             .is_horizontal = is_horizontal,
             .dx_dy = dx_dy,
             .bound = bound_of_x(from.position, dx_dy, dy)};
+}
+
+/// The double nearest to dx/dy of an edge, if its vertices are doubles and one more step tells it: what is left
+/// of the division, dx - q dy, has no error but that of the last digits of dx and dy.
+inline std::optional<double> nearest_slope(const Vec<Adaptive, 2>& from,
+                                           const Vec<Adaptive, 2>& to) {
+    if (from.x.error() + from.y.error() + to.x.error() + to.y.error() != 0)
+        return std::nullopt;
+    const Adaptive dx = to.x - from.x;
+    const Adaptive dy = to.y - from.y;
+    const double quotient = dx.value() / dy.value();
+    const double magnitude = std::abs(quotient);
+    // Far from where digits are lost at either end of the range.
+    if (!(magnitude > 0x1p-400 && magnitude < 0x1p400 && std::abs(dy.value()) > 0x1p-100))
+        return std::nullopt;
+    const double rest = std::fma(-quotient, dy.value(), dx.value());
+    const double off = (std::abs(rest) + dx.error() + magnitude * dy.error()) * Adaptive::widening;
+    const double to_next = magnitude - std::nextafter(magnitude, 0.0);
+    const double smallest_dy = (std::abs(dy.value()) - dy.error()) / Adaptive::widening;
+    return off < to_next / 2 * smallest_dy ? std::optional(quotient) : std::nullopt;
 }
 
 /// Filtered doubles may be moved by the offset: then samples have whole coordinates, as

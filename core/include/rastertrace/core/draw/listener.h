@@ -7,7 +7,8 @@
 //     int plotted = 0;
 //     draw(scene, plan, [&](const PixelPlotted&) { ++plotted; });
 //
-// Which kinds it takes is asked once; no other is put together.
+// Which kinds it takes is asked once; no other is put together. One that takes PrimitiveBegan for its names alone
+// says so by reads_corners().
 
 #include <rastertrace/core/numbers/quantity.h>
 #include <rastertrace/core/raster/sink.h>
@@ -44,6 +45,8 @@ public:
         static_assert(takes_any<std::remove_reference_t<Callable>>(static_cast<Ways*>(nullptr)),
                       "it can be called with no kind of step (steps.h), over Quantity");
         std::apply([&callable](auto&... ways) { (find_way(callable, ways), ...); }, ways_);
+        if constexpr (requires { callable.reads_corners(); })
+            reads_corners_ = callable.reads_corners();
     }
 
     /// True if there is no kind of step that it takes.
@@ -55,6 +58,10 @@ public:
     template <typename Step> bool takes() const {
         return std::get<Way<Told<Step>>>(ways_) != nullptr;
     }
+
+    /// True if it takes PrimitiveBegan, and may read its positions and depths. For one that does not,
+    /// `adaptive` need not work them out exactly.
+    bool reads_corners() const { return reads_corners_ && takes<PrimitiveBegan<Quantity>>(); }
 
     /// Hands a step over Quantity, or one without numbers, to the callable if it takes such.
     template <typename Step> void operator()(const Step& step) const {
@@ -90,6 +97,7 @@ private:
 
     void* callable_ = nullptr;
     Ways ways_{};
+    bool reads_corners_ = true;
 };
 
 } // namespace rastertrace

@@ -76,6 +76,9 @@ public:
         const double nearest_to_zero = (std::abs(b.value_) - b.error_) / widening;
         if (!(nearest_to_zero > smallest_divisor)) [[unlikely]]
             leave_open(b.value_, b.error_);
+        // A coordinate typed as 0 stays one, and what is divided by a w of 1 stays what it is.
+        if ((a.value_ == 0 && a.error_ == 0) || (b.value_ == 1 && b.error_ == 0))
+            return a;
         // The product may be too small for a double, and the divisor smaller still.
         const double of_terms = (a.error_ + std::abs(quotient) * b.error_ + smallest_product) *
                                 widening / nearest_to_zero;
