@@ -69,6 +69,38 @@ std::vector<std::string> groups_of(const std::vector<std::size_t>& primitives,
     return groups;
 }
 
+/// Puts primitives into groups: those that there are, and others as long as there are fewer than `most`.
+void add_members(FaceGroups& groups, const std::vector<std::size_t>& primitives, const Trace& trace,
+                 std::size_t most) {
+    std::unordered_map<std::string, std::size_t> places;
+    for (const std::string& name : groups.names)
+        places.emplace(name, places.size());
+    for (const std::size_t primitive : primitives) {
+        std::string name = groups.name_of(trace.step(primitive));
+        auto place = places.find(name);
+        if (place == places.end() && groups.names.size() < most) {
+            place = places.emplace(name, places.size()).first;
+            groups.names.push_back(std::move(name));
+        }
+        if (place != places.end())
+            groups.group_of.emplace(primitive, place->second);
+    }
+}
+
+/// The primitives of which a step so far plots a pixel.
+std::vector<std::size_t> plotting_primitives(const Replay& replay) {
+    std::vector<std::size_t> plotting;
+    std::size_t primitive = 0; // that has plotted none
+    for (std::size_t n = 1; n <= replay.step(); ++n) {
+        const auto kind = replay.trace().kind_of(n);
+        if (kind == StepKind::primitive)
+            primitive = n;
+        else if (kind == StepKind::pixel && primitive != 0)
+            plotting.push_back(std::exchange(primitive, 0));
+    }
+    return plotting;
+}
+
 } // namespace
 
 std::string face_of(const StepView& primitive) {
@@ -90,20 +122,32 @@ FaceGroups face_groups(const Trace& trace, std::vector<std::size_t> primitives, 
     sort_as_listed(primitives, trace, order);
     FaceGroups result;
     result.faces = primitives.size();
-    const Grouping* grouping = nullptr;
     for (const Grouping& one : groupings) {
         result.names = groups_of(primitives, one, trace);
-        grouping = &one;
+        result.heading = one.heading;
+        result.name_of = one.group_of;
         // One mesh says no more than that something is drawn; one face has a name.
         if (result.names.size() <= most && (result.names.size() > 1 || &one == groupings.data()))
             break;
     }
-    result.heading = grouping->heading;
-    std::unordered_map<std::string, std::size_t> places;
-    for (const std::string& name : result.names)
-        places.emplace(name, places.size());
-    for (const std::size_t primitive : primitives)
-        result.group_of.emplace(primitive, places.at(grouping->group_of(trace.step(primitive))));
+    add_members(result, primitives, trace, result.names.size());
+    return result;
+}
+
+FaceGroups face_groups_of_all_frames(const Replay& at_end, std::size_t most,
+                                     const FaceGroups& before) {
+    const Trace& trace = at_end.trace();
+    auto visible = visible_primitives(at_end);
+    FaceGroups result = face_groups(trace, visible, at_end.order(), most);
+    if (result.name_of == before.name_of && result.names.size() <= most) {
+        result.names = before.names;
+        result.group_of.clear();
+        sort_as_listed(visible, trace, at_end.order());
+        add_members(result, visible, trace, most);
+    }
+    auto plotting = plotting_primitives(at_end);
+    sort_as_listed(plotting, trace, at_end.order());
+    add_members(result, plotting, trace, most);
     return result;
 }
 

@@ -2,7 +2,6 @@
 #include <rastertrace/figures/view.h>
 
 #include <rastertrace/figures/corners.h>
-#include <rastertrace/figures/face_groups.h>
 #include <rastertrace/trace/color_text.h>
 #include <rastertrace/trace/describe.h>
 #include <rastertrace/trace/named_value.h>
@@ -129,7 +128,12 @@ View default_view(const Trace& trace) {
                                                                                  : View::faces;
 }
 
-FrameCells::FrameCells(View view, const Replay& replay, std::size_t room) : replay_(replay) {
+FaceGroups lettered_faces(const Replay& at_end, const FaceGroups& before) {
+    return face_groups_of_all_frames(at_end, face_letters.size(), before);
+}
+
+FrameCells::FrameCells(View view, const Replay& replay, std::size_t room, const FaceGroups* faces)
+    : replay_(replay) {
     const Frame& frame = replay.frame();
     switch (view) {
     case View::plotted:
@@ -138,7 +142,7 @@ FrameCells::FrameCells(View view, const Replay& replay, std::size_t room) : repl
         };
         break;
     case View::faces:
-        set_up_faces();
+        set_up_faces(faces);
         break;
     case View::shade:
         set_up_shade();
@@ -165,27 +169,41 @@ Cell FrameCells::at(Pixel pixel) const {
     return cell_(replay_.trace().canvas.offset_of(pixel), pixel);
 }
 
-/// A letter for each face that can be seen; if there are too many, for each mesh, or for each color.
-void FrameCells::set_up_faces() {
+/// A letter for each face; if too many can be seen at the end, for each mesh, or for each color.
+void FrameCells::set_up_faces(const FaceGroups* faces) {
     const Frame& frame = replay_.frame();
-    FaceGroups groups = face_groups(replay_.trace(), visible_primitives(replay_), replay_.order(),
-                                    face_letters.size());
-    const bool has_letters = groups.names.size() <= face_letters.size();
-    if (has_letters) {
-        for (std::size_t i = 0; i < groups.names.size(); ++i)
-            legend_.push_back(fmt::format("{} {}", face_letters[i], printable(groups.names[i])));
-        if (!legend_.empty())
-            legend_.front().insert(0, groups.heading);
-    } else {
-        legend_ = {fmt::format("{} faces, {} colors: too many for letters", groups.faces,
-                               groups.names.size())};
+    if (faces == nullptr) {
+        Replay at_end(replay_.trace());
+        at_end.go_to(replay_.trace().size());
+        faces = &own_faces_.emplace(lettered_faces(at_end));
     }
-    cell_ = [this, &frame, has_letters, groups = std::move(groups)](std::size_t offset, Pixel) {
+    const bool has_letters = faces->names.size() <= face_letters.size();
+    std::set<std::size_t> seen;
+    bool has_others = false;
+    for (const std::size_t primitive : visible_primitives(replay_)) {
+        const auto group = faces->group_of.find(primitive);
+        if (group == faces->group_of.end())
+            has_others = true;
+        else
+            seen.insert(group->second);
+    }
+    if (has_letters) {
+        for (const std::size_t i : seen)
+            legend_.push_back(fmt::format("{} {}", face_letters[i], printable(faces->names[i])));
+        if (has_others)
+            legend_.emplace_back("# others");
+        if (!legend_.empty())
+            legend_.front().insert(0, faces->heading);
+    } else {
+        legend_ = {fmt::format("{} faces, {} colors: too many for letters", faces->faces,
+                               faces->names.size())};
+    }
+    cell_ = [this, &frame, has_letters, faces](std::size_t offset, Pixel) {
         const std::size_t drawn_by = frame.drawn_by[offset];
         if (drawn_by == 0)
             return Cell{std::string(empty_cell)};
-        const auto group = groups.group_of.find(replay_.primitive_of(drawn_by));
-        const bool has_letter = has_letters && group != groups.group_of.end();
+        const auto group = faces->group_of.find(replay_.primitive_of(drawn_by));
+        const bool has_letter = has_letters && group != faces->group_of.end();
         return Cell{.text = std::string(1, has_letter ? face_letters[group->second] : '#'),
                     .color = frame.image.colors()[offset]};
     };

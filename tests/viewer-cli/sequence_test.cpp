@@ -50,6 +50,18 @@ TEST_F(SequenceTest, ShowPrintsEveryFrameUnderItsLabel) {
     EXPECT_EQ(shell("$rastertrace show - --bare <scene.json").out, "#..\n\n.#.\n\n..#\n");
 }
 
+TEST_F(SequenceTest, AFaceKeepsItsLetterFromFrameToFrame) {
+    // In the second frame B lies on A.
+    write("two.json", R"({"canvas": {"width": 3, "height": 1, "origin": "top-left"},
+"vertices": {"A": [0, 0], "B": [1, 0]}, "points": ["A", "B"], "vary": {"/vertices/B/0": [1, 0, 2]}})");
+    EXPECT_EQ(shell("$rastertrace show two.json --bare --view faces").out, "ab.\n\nb..\n\na.b\n");
+    const Outcome told =
+        shell("$rastertrace figure two.json --view faces -o two.txt; cat two*.txt");
+    EXPECT_THAT(told.out, HasSubstr("\n\nb B\n"));
+    EXPECT_THAT(told.out, HasSubstr("\n\na A  b B\n"));
+    EXPECT_THAT(told.out, Not(HasSubstr("a B")));
+}
+
 TEST_F(SequenceTest, ATableForAnotherProgramIsOfOneFrame) {
     EXPECT_THAT(shell("$rastertrace show scene.json --every pixel --format table").out,
                 HasSubstr("3 of 3: A/0 2\nA point\n\n"));

@@ -89,6 +89,40 @@ TEST(Views, FacesAreLettersOfWhatIsSeen) {
         ".....\n");
 }
 
+TEST(Views, AFaceKeepsItsLetterInAllFrames) {
+    // A1 is drawn over by T10; in the end T10 and T9 can be seen.
+    const Trace trace = trace_in(primitive("A1") + pixel(0, 0) + "," + primitive("T10") +
+                                 pixel(0, 0) + pixel(1, 0) + "," + primitive("T9") + pixel(2, 0));
+    const auto frame_at = [&](std::size_t n) {
+        Replay replay(trace, parts_for(View::faces, trace));
+        replay.go_to(n);
+        FrameText about{.view = View::faces};
+        const std::string text = frame_text(replay, about, {});
+        return bare_frame_text(replay, View::faces).substr(0, 5) + text.substr(text.rfind("\n\n"));
+    };
+    EXPECT_EQ(frame_at(2), "c....\n\nc A1\n");
+    EXPECT_EQ(frame_at(4), "a....\n\na T10\n");
+    EXPECT_EQ(frame_at(7), "aab..\n\na T10  b T9\n");
+}
+
+TEST(Views, WhatIsDrawnOverTakesNoLetterFromWhatIsSeen) {
+    // 36 faces over each other and one beside them: two can be seen at the end, and 33 more have letters.
+    std::string steps = primitive("first") + pixel(1, 0);
+    for (int i = 0; i < 36; ++i)
+        steps += "," + primitive("T" + std::to_string(i)) + pixel(0, 0);
+    const Trace trace = trace_in(steps);
+    const auto cell_at = [&](std::size_t n) {
+        Replay replay(trace, parts_for(View::faces, trace));
+        replay.go_to(n);
+        return bare_frame_text(replay, View::faces).substr(0, 2);
+    };
+    EXPECT_EQ(cell_at(2), ".a");
+    EXPECT_EQ(cell_at(4), "ca");
+    EXPECT_EQ(cell_at(2 + 2 * 33), "9a");
+    EXPECT_EQ(cell_at(2 + 2 * 34), "#a");
+    EXPECT_EQ(cell_at(2 + 2 * 36), "ba");
+}
+
 TEST(Views, PartsOfAClippedFaceShareItsLetter) {
     const Trace trace = trace_in(primitive("ABC/1", "#000000", R"(,"part":true)") + pixel(0, 0) +
                                  "," + primitive("ABC/2", "#000000", R"(,"part":true)") +

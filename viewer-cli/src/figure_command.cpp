@@ -111,18 +111,25 @@ public:
 
     Drawing drawing(std::size_t n) { return maker_->figure(n); }
 
-    /// The same frame as `show` prints it.
-    TextFrame text(std::size_t n, ColorDepth colors) {
+    /// The same frame as `show` prints it. Faces that have had letters in another scene of the
+    /// sequence keep them.
+    TextFrame text(std::size_t n, ColorDepth colors, FaceGroups& lettered) {
         const FigureFrame& frame = frames_[n];
         const View view = command_.options.view.value_or(default_view(trace_));
-        if (!replay_)
+        if (!replay_) {
             replay_.emplace(trace_, parts_for(view, trace_));
+            if (view == View::faces) {
+                replay_->go_to(trace_.size());
+                faces_ = lettered = lettered_faces(*replay_, lettered);
+            }
+        }
         FrameText about{.caption = printable(command_.options.caption.value_or("")),
                         .first_step = frame.steps.first,
                         .last_step = frame.steps.last,
                         .view = view,
                         .colors = colors,
-                        .region = command_.options.region};
+                        .region = command_.options.region,
+                        .faces = &faces_};
         if (frame.is_question) {
             about.first_step = about.last_step = frame.steps.first - 1;
         } else {
@@ -148,7 +155,8 @@ private:
     std::optional<Trace> against_;
     std::vector<FigureFrame> frames_;
     std::unique_ptr<FigureMaker> maker_;
-    std::optional<Replay> replay_;
+    std::optional<Replay> replay_; ///< of frames as text
+    FaceGroups faces_;
 };
 
 /// All frames that were asked for: of one trace, or of each in a sequence.
@@ -170,7 +178,7 @@ public:
 
     Drawing drawing(std::size_t i) { return of(places_[i].scene).drawing(places_[i].frame); }
     TextFrame text(std::size_t i, ColorDepth colors) {
-        return of(places_[i].scene).text(places_[i].frame, colors);
+        return of(places_[i].scene).text(places_[i].frame, colors, lettered_);
     }
 
     FigureFrames frames_of_one_size() {
@@ -205,6 +213,7 @@ private:
     std::map<std::size_t, std::unique_ptr<TraceFigures>> kept_; ///< so that no scene is drawn twice
     std::size_t room_ = 200'000'000;                            ///< for more of them, in bytes
     std::vector<PlaceInSequence> places_;
+    FaceGroups lettered_;
     ExitStatus status_ = exit_fine;
 };
 

@@ -276,7 +276,7 @@ struct MarkedCell {
 class MarkedCells {
 public:
     MarkedCells(const Replay& replay, const FrameText& about, std::size_t room)
-        : replay_(replay), about_(about), cells_(about.view, replay, room),
+        : replay_(replay), about_(about), cells_(about.view, replay, room, about.faces),
           not_drawn_(pixels_not_drawn(replay.trace(), {about.first_step, about.last_step})) {
         if (about.view == View::plotted)
             for (const VertexMark& mark : vertex_marks(replay)) {
@@ -614,13 +614,14 @@ std::string bare_frame_text(const Frame& frame) {
     return text;
 }
 
-std::string bare_frame_text(const Replay& replay, View view, const std::optional<Region>& region) {
+std::string bare_frame_text(const Replay& replay, View view, const std::optional<Region>& region,
+                            const FaceGroups* faces) {
     if (view == View::plotted && !region)
         return bare_frame_text(replay.frame());
     const Canvas& canvas = replay.trace().canvas;
     const Window window = region ? window_of(canvas, *region)
                                  : Window{.columns = canvas.width, .rows = canvas.height};
-    const FrameCells cells(view, replay, std::string::npos);
+    const FrameCells cells(view, replay, std::string::npos, faces);
     std::string text;
     for (int row = window.first_row; row < window.first_row + window.rows; ++row) {
         for (int column = 0; column < window.columns; ++column) {

@@ -41,6 +41,7 @@ struct FrameText {
     std::optional<Pixel> cursor = {}; ///< a pixel that is marked
     std::size_t scale = 1; ///< lines of a cell; if it is more than one, twice as many columns
     bool has_half_blocks = false; ///< two pixels above each other to a character, in their colors
+    const FaceGroups* faces = nullptr; ///< that have letters, see FrameCells
 };
 
 /// What of a canvas a frame shows: columns and rows of cells, counted from its left and top. A cell is a block of
@@ -99,6 +100,7 @@ std::optional<Pixel> pixel_looked_at(const Replay& replay, std::size_t n);
 /// Only the grid, or a part of it, top row first: `.` empty, `#` plotted; or the cells of another view.
 std::string bare_frame_text(const Frame& frame);
 std::string bare_frame_text(const Replay& replay, View view,
-                            const std::optional<Region>& region = {});
+                            const std::optional<Region>& region = {},
+                            const FaceGroups* faces = nullptr);
 
 } // namespace rastertrace

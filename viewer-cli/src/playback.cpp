@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "playback.h"
 
-#include <rastertrace/figures/view.h>
 #include <rastertrace/trace/describe.h>
 
 #include <algorithm>
@@ -22,10 +21,10 @@ constexpr std::size_t most_sentences = 200;
 
 } // namespace
 
-Playback::Playback(GrowingTrace trace, std::size_t bytes)
+Playback::Playback(GrowingTrace trace, std::size_t bytes, FaceGroups lettered)
     : growing_(std::move(trace)), parts_(parts_for(View::writes, growing_.trace())),
       snapshots_(growing_.trace(), parts_, bytes), replay_(growing_.trace(), parts_),
-      around_(growing_.trace(), parts_) {}
+      around_(growing_.trace(), parts_), lettered_(std::move(lettered)) {}
 
 bool Playback::read_on() {
     const bool has_read = growing_.read_on();
@@ -41,6 +40,17 @@ void Playback::go_to(std::size_t n) {
         sentence_of(before);
     replay_.go_to_place_of(around_);
     replay_.go_to(n);
+}
+
+const FaceGroups& Playback::faces() const {
+    const Replay& farthest = snapshots_.farthest();
+    const bool is_at_end = growing_.is_whole() && farthest.step() == trace().size();
+    const bool has_doubled = farthest.step() >= 2 * steps_of_faces_;
+    if (steps_of_faces_ != farthest.step() && (is_at_end || has_doubled)) {
+        faces_ = lettered_faces(farthest, lettered_);
+        steps_of_faces_ = farthest.step();
+    }
+    return faces_;
 }
 
 const std::string& Playback::sentence_of(std::size_t n) const {

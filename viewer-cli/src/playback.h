@@ -8,6 +8,7 @@
 //     playback.go_to(31);
 //     playback.sentence_of(30);
 
+#include <rastertrace/figures/view.h>
 #include <rastertrace/trace/frame.h>
 #include <rastertrace/trace/growing_trace.h>
 #include <rastertrace/trace/snapshots.h>
@@ -20,8 +21,8 @@ namespace rastertrace {
 
 class Playback {
 public:
-    /// `bytes`: what pictures may take that are kept for going back.
-    Playback(GrowingTrace trace, std::size_t bytes);
+    /// `bytes`: what pictures may take that are kept for going back. Faces that have `lettered` keep their letters.
+    Playback(GrowingTrace trace, std::size_t bytes, FaceGroups lettered = {});
     Playback(const Playback&) = delete;
     Playback& operator=(const Playback&) = delete;
 
@@ -46,6 +47,9 @@ public:
     /// takes as long as going there.
     const std::string& sentence_of(std::size_t n) const;
 
+    /// The faces that have letters. As long as the trace is read, they may change.
+    const FaceGroups& faces() const;
+
 private:
     GrowingTrace growing_;
     FrameParts parts_;
@@ -56,6 +60,10 @@ private:
     // over, so that the steps between two kept pictures are gone through once.
     mutable Replay around_;
     mutable std::map<std::size_t, std::string> sentences_; ///< of some steps, by number
+
+    FaceGroups lettered_;
+    mutable FaceGroups faces_;
+    mutable std::size_t steps_of_faces_ = 0; ///< they were found in so many
 };
 
 } // namespace rastertrace

@@ -62,7 +62,8 @@ void Player::begin_at(const std::string& text) {
 void Player::open(std::size_t frame) {
     const bool was_last = playback_ && step() == trace().size();
     const std::size_t before = playback_ ? step() : 0;
-    auto opened = std::make_unique<Playback>(input_.open(frame), options_.bytes);
+    auto opened = std::make_unique<Playback>(input_.open(frame), options_.bytes,
+                                             playback_ ? playback_->faces() : FaceGroups());
     opened->read_on();
     search_.reset();
     question_.reset();

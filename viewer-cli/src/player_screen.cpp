@@ -201,7 +201,8 @@ FrameText frame_options(const Player& player, const ScreenAbility& ability) {
             .center = player.looks_at_cursor() ? player.cursor() : std::nullopt,
             .cursor = player.cursor(),
             .scale = std::max<std::size_t>(player.scale(), 1),
-            .has_half_blocks = has_half_blocks};
+            .has_half_blocks = has_half_blocks,
+            .faces = player.view() == View::faces ? &player.playback().faces() : nullptr};
 }
 
 /// A line, and from a column on another one beside it.

@@ -120,7 +120,8 @@ void check_sequence(const ShowCommand& command, const InputFrames& input) {
                          "--frame 1 makes a table of the first");
 }
 
-ExitStatus show(const Trace& trace, const ShowCommand& command) {
+/// `faces` have letters; those of the frame before, then those of this one.
+ExitStatus show(const Trace& trace, const ShowCommand& command, FaceGroups& faces) {
     const auto shown = steps_to_show(command, trace);
     if (is_table(command, trace, shown)) {
         print_table(trace, shown, command);
@@ -135,6 +136,10 @@ ExitStatus show(const Trace& trace, const ShowCommand& command) {
 
     const std::string below = command.bare ? std::string() : text_below(trace);
     Replay replay(trace, parts_for(view, trace));
+    if (view == View::faces) {
+        replay.go_to(trace.size());
+        faces = lettered_faces(replay, faces);
+    }
     bool is_first = true;
     for (const ShownSteps& steps : shown) {
         FrameText about{.caption = {},
@@ -144,7 +149,8 @@ ExitStatus show(const Trace& trace, const ShowCommand& command) {
                         .colors = output_colors(command.color),
                         .region = command.region,
                         .is_overview = command.is_overview,
-                        .below = below};
+                        .below = below,
+                        .faces = &faces};
         if (!command.bare) {
             replay.go_to(steps.first);
             about.caption = describe_step(replay);
@@ -164,8 +170,9 @@ ExitStatus show(const Trace& trace, const ShowCommand& command) {
         }
         replay.go_to(steps.last);
         const std::string blank_line = is_first ? "" : "\n";
-        print(blank_line + (command.bare ? bare_frame_text(replay, view, command.region)
-                                         : frame_text(replay, about, size)));
+        print(blank_line + (command.bare
+                                ? bare_frame_text(replay, view, command.region, about.faces)
+                                : frame_text(replay, about, size)));
         is_first = false;
     }
     print(below);
@@ -180,12 +187,13 @@ int run(const ShowCommand& command) {
         {.method = command.method, .limits = command.input, .frames = command.frames});
     check_sequence(command, input);
     ExitStatus status = exit_fine;
+    FaceGroups faces;
     for (std::size_t frame = input.first(); frame <= input.last(); ++frame) {
         if (frame > input.first())
             print("\n");
         if (input.is_sequence() && !command.bare)
             print(printable(input.label(frame)) + "\n");
-        status = show(input.trace(frame), command);
+        status = show(input.trace(frame), command, faces);
     }
     return status;
 }

@@ -23,12 +23,20 @@ struct FaceGroups {
     std::size_t faces = 0; ///< how many they are
     /// The group, from 0, of each of these faces, by the step of its primitive.
     std::unordered_map<std::size_t, std::size_t> group_of;
+    std::string (*name_of)(const StepView& primitive) =
+        nullptr; ///< the name of a primitive's group
 };
 
 /// Primitives, by their steps, in at most `most` groups if there is a way. `order` is the step that tells how the
 /// painter has sorted them; 0 if there is none.
 FaceGroups face_groups(const Trace& trace, std::vector<std::size_t> primitives, std::size_t order,
                        std::size_t most);
+
+/// The groups for all frames of a trace, where each keeps its place: those of the faces that can be seen at the end, and
+/// behind them those of others that plot a pixel. What finds no place among `most` is in no group. `before` are those
+/// of another trace of the same scene, which keep their places if the groups are of the same kind.
+FaceGroups face_groups_of_all_frames(const Replay& at_end, std::size_t most,
+                                     const FaceGroups& before);
 
 /// The primitives of which pixels can be seen in the frame that a replay has reached, by their steps.
 std::vector<std::size_t> visible_primitives(const Replay& replay);

@@ -4,7 +4,7 @@
 // What a cell of a frame shows of its pixel:
 //
 //     plotted    # where the pixel is drawn
-//     faces      a letter for each primitive that can be seen
+//     faces      a letter for each primitive, the same in all frames
 //     shade      a ramp from dark to light, or the color itself
 //     depth      what the depth buffer holds
 //     writes     how often the pixel was written
@@ -14,6 +14,7 @@
 //     cells.at({3, 2}).text;  // "a"
 
 #include <rastertrace/core/raster/image.h>
+#include <rastertrace/figures/face_groups.h>
 #include <rastertrace/trace/frame.h>
 
 #include <cstddef>
@@ -44,6 +45,10 @@ FrameParts parts_for(View view, const Trace& trace);
 /// A number of a trace as it was written if that is short, at most six characters; else by its first digits.
 std::string short_number(const std::string& text);
 
+/// The faces that have letters, in the order of the letters, of the trace whose end a replay has reached. Those that had
+/// one before, in another frame of a sequence, keep it.
+FaceGroups lettered_faces(const Replay& at_end, const FaceGroups& before = {});
+
 struct Cell {
     std::string text;
     std::optional<Color> color = {};       ///< of the pixel, where the view shows it
@@ -53,8 +58,10 @@ struct Cell {
 /// The cells of the frame that a replay has reached. The replay must live as long, and stay there.
 class FrameCells {
 public:
-    /// A cell of `depth` is a number if it takes at most `room` columns; else a ramp from far to near.
-    FrameCells(View view, const Replay& replay, std::size_t room);
+    /// A cell of `depth` is a number if it takes at most `room` columns; else a ramp from far to near. Who shows many
+    /// frames in letters finds out once which faces have them, and keeps that for as long.
+    FrameCells(View view, const Replay& replay, std::size_t room,
+               const FaceGroups* faces = nullptr);
     FrameCells(const FrameCells&) = delete;
     FrameCells& operator=(const FrameCells&) = delete;
 
@@ -68,12 +75,13 @@ public:
     const std::vector<std::string>& legend() const { return legend_; }
 
 private:
-    void set_up_faces();
+    void set_up_faces(const FaceGroups* faces);
     void set_up_shade();
     void set_up_depths(std::size_t room);
     void set_up_coverage();
 
     const Replay& replay_;
+    std::optional<FaceGroups> own_faces_;
     std::function<Cell(std::size_t offset, Pixel pixel)> cell_;
     std::size_t width_ = 1;
     std::vector<std::string> legend_;

@@ -37,6 +37,9 @@ public:
     /// The last step that it went through: up to here a replay comes quickly.
     std::size_t reach() const { return ahead_.step(); }
 
+    /// A replay at that step.
+    const Replay& farthest() const { return ahead_; }
+
     /// The primitive that a step belongs to, of those that it went through; 0 if there is none.
     std::size_t primitive_of(std::size_t step) const { return ahead_.primitive_of(step); }
 
