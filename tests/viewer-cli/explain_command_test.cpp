@@ -37,6 +37,15 @@ TEST_F(ExplainTest, APixelThatIsNotDrawn) {
               "2 = (-3/8) (-3) + 2 = 25/8 -> floor -> 3\n");
 }
 
+TEST_F(ExplainTest, TakesAPixelAsItIsPrinted) {
+    const std::string told = explain("--pixel 4,2").out;
+    for (const char* const pixel : {"(4,2)", "(4, 2)", "4, 2", " ( 4 , 2 ) "})
+        EXPECT_EQ(explain("--pixel '" + std::string(pixel) + "'").out, told) << pixel;
+    EXPECT_THAT(explain("--pixel '(-1, 2)'").out, HasSubstr("\npixel (-1, 2): drawn by ABC"));
+    for (const char* const other : {"(4,2", "4,2)", "(4 2)", "((4,2))", "()", "4,2,1", "1 4,2"})
+        EXPECT_EQ(explain("--pixel '" + std::string(other) + "'").status, 2) << other;
+}
+
 TEST_F(ExplainTest, AColorInAPerspectiveIsWorkedOutFromTheDepths) {
     // Who asks for one pixel has no vertices in clip space, but the 1/z of the corners.
     const std::string ramp = "$rastertrace explain $examples/tutorial/light/ramp.json --pixel 0,0";

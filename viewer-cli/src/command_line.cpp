@@ -97,6 +97,17 @@ Region region_in(const std::string& text) {
     return {numbers[0], numbers[1], numbers[2], numbers[3]};
 }
 
+/// 4,2, or (4, 2) as it is printed.
+std::optional<Pixel> pixel_in(std::string_view text) {
+    text = without_blanks(text);
+    if (text.starts_with('(') && text.ends_with(')'))
+        text = text.substr(1, text.size() - 2);
+    const auto words = split_at(text, ',');
+    const auto x = whole_in<int>(without_blanks(words.front()));
+    const auto y = words.size() == 2 ? whole_in<int>(without_blanks(words.back())) : std::nullopt;
+    return x && y ? std::optional(Pixel{*x, *y}) : std::nullopt;
+}
+
 ColorChoice color_choice_in(const std::string& text) {
     if (text == "always")
         return ColorChoice::always;
@@ -820,12 +831,10 @@ private:
     /// What `explain` is asked.
     Question explain_question() const {
         if (!explain_pixel_.empty()) {
-            const auto words = split_at(explain_pixel_, ',');
-            const auto x = whole_in<int>(words.front());
-            const auto y = words.size() == 2 ? whole_in<int>(words.back()) : std::nullopt;
-            if (!x || !y)
+            const auto pixel = pixel_in(explain_pixel_);
+            if (!pixel)
                 refuse("--pixel", "a pixel as x,y, like 4,2", explain_pixel_);
-            return {.about = Topic::pixel, .pixel = {*x, *y}};
+            return {.about = Topic::pixel, .pixel = *pixel};
         }
         if (!explain_row_.empty()) {
             const auto y = whole_in<int>(explain_row_);
