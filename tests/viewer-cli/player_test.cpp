@@ -269,6 +269,10 @@ TEST(Player, BeginsWithTheViewAndTheStepThatWereAskedFor) {
     EXPECT_THROW(player_of(first_triangle(), {.step = "63"}), Problem);
     EXPECT_THROW(player_of(first_triangle(), {.step = "scanline y=200"}), Problem);
     EXPECT_THROW(player_of(first_triangle(), {.step = "scan"}), Problem);
+    // Of several, it is not for the player to choose: as for `show`.
+    EXPECT_EQ(player_of(first_triangle(), {.step = "first"}).playback().step(), 1U);
+    EXPECT_EQ(player_of(first_triangle(), {.step = "pixel x=3 y=2"}).playback().step(), 19U);
+    EXPECT_THROW(player_of(first_triangle(), {.step = "scanline"}), Problem);
 }
 
 TEST(Player, DoesWhatANumberInFrontSays) {

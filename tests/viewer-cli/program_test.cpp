@@ -1641,6 +1641,21 @@ TEST_F(ProgramTest, StepsOutOfRangeAndKindsThatAreNotThere) {
               "scanline\n"
               "^\n"
               "hint: say which, or use --every\n");
+    // The player takes the same, with the same meaning.
+    const std::string play =
+        "$rastertrace play $examples/t0-fill/first-triangle.json --print 80x24 ";
+    EXPECT_EQ(shell(play + "--step scanline").err,
+              "rastertrace: --step: expected one step, found 9: 5, 7, 10, 14, 20, ...\n"
+              "scanline\n"
+              "^\n"
+              "hint: say which\n");
+    for (const char* const step :
+         {"0", "14", "first", "last", "'scanline y=2'", "'pixel in=ABC x=3 y=2'"}) {
+        const std::string shown = shell(show + "--step " + step).out;
+        EXPECT_EQ(shell(play + "--step " + step).out.substr(0, 79), shown.substr(0, 79)) << step;
+    }
+    for (const char* const step : {"63", "-1", "scan", "scanline", "'scanline y=9'"})
+        EXPECT_EQ(shell(play + "--step " + step).status, 2) << step;
     const Outcome none = shell(show + "--every 'scanline y=9'");
     EXPECT_EQ(none.status, 2);
     EXPECT_EQ(none.err, "rastertrace: --every: expected a step of the trace, found none with y=9\n"

@@ -493,8 +493,7 @@ private:
             command.add_option("trace", play_.trace, std::string(trace_input))->type_name("TRACE");
         command.add_flag("--keys", lists_keys_, "List the keys, and play nothing")->excludes(trace);
         command
-            .add_option("--step", play_.step,
-                        "Begin at the first such step; before the first if not given")
+            .add_option("--step", play_.step, "Begin at this step; before the first if not given")
             ->type_name("STEP");
         add_view_to(command);
         command.add_flag("--follow", play_.follow,

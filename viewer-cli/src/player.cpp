@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "player.h"
 
+#include "load.h"
+
 #include <rastertrace/figures/shown_steps.h>
 #include <rastertrace/trace/text.h>
 
@@ -29,30 +31,20 @@ Player::Player(PlayerInput input, const PlayerOptions& options)
         begin_at(options.step);
 }
 
-/// Of a long trace so much is read that the step is there.
+/// Of a long trace so much is read that a step with a number is there. Of what is told otherwise there may be more than
+/// one, up to the end.
 void Player::begin_at(const std::string& text) {
-    std::size_t looked_at = 0;
+    const bool has_number = number_text::is_digit(text.front());
     for (;;) {
         const bool has_news = playback_->read_on();
-        const bool is_whole = playback_->growing().is_whole();
-        const bool is_last = is_whole || (!has_news && playback_->growing().pipe() < 0);
-        const auto selector = parse_selector({"--step", text, {}}, trace());
-        if (!selector && is_last)
-            throw selector.problem();
-        // "last" is the last of all; of a kind, the first one will do.
-        const bool is_number = selector && selector.value().number;
-        if (selector && !is_number)
-            for (; looked_at < trace().size(); ++looked_at)
-                if (matches(selector.value(), trace(), looked_at + 1,
-                            playback_->snapshots().primitive_of(looked_at + 1))) {
-                    searched_for_ = selector.value();
-                    return move_to(looked_at + 1);
-                }
-        if (is_number &&
-            (is_last || (text != "last" && *selector.value().number <= trace().size())))
-            return move_to(*selector.value().number);
-        if (is_last)
-            throw matching_steps(selector.value(), trace()).problem();
+        const bool is_last =
+            playback_->growing().is_whole() || (!has_news && playback_->growing().pipe() < 0);
+        if (is_last || has_number) {
+            const auto selector = parse_selector({"--step", text, {}}, trace());
+            if (is_last || selector)
+                return move_to(
+                    value_or_throw(matching_step(value_or_throw(selector), trace(), "say which")));
+        }
         if (!has_news)
             playback_->growing().wait_for_pipe();
     }
