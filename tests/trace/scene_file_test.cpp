@@ -571,6 +571,25 @@ TEST(SceneFile, FacesOffTheirPlaneAreToldOnceAMesh) {
         "hint: it is cut as it is seen along x, y or z, whichever its normal is nearest to\n");
 }
 
+TEST(SceneFile, ACameraWithoutAProjectionIsRemarked) {
+    const auto scene_with = [](const std::string& keys) {
+        return R"({"canvas": {"width": 9, "height": 9}, "vertices": {"A": [0, 0, 0]}, "points": ["A"],
+"camera": )" + keys +
+               "}";
+    };
+    const std::string camera = R"({"position": [3, 4, 12]})";
+    EXPECT_EQ(remarks_on(scene_with(camera)),
+              "scene.json:2:11: remark: expected a projection for the camera, found none: x and y "
+              "in the camera's space are places on the screen, and what lies behind it is drawn\n"
+              "\"camera\": {\"position\": [3, 4, 12]}}\n"
+              "          ^\n"
+              "hint: say \"projection\": {\"type\": \"pinhole\", \"distance\": 1}, or {\"type\": "
+              "\"none\"} if that is meant\n");
+    for (const char* const projection :
+         {R"({"type": "none"})", R"({"type": "pinhole", "distance": 1})"})
+        EXPECT_EQ(remarks_on(scene_with(camera + R"(, "projection": )" + projection)), "");
+}
+
 TEST(SceneFile, FacesThatAreNoPolygonAreToldAndStayTheFan) {
     const std::string text = R"({"meshes": [{"name": "tie",
 "vertices": {"A": [0, 0], "B": [4, 4], "C": [4, 0], "D": [0, 3], "E": [8, 8]},

@@ -151,6 +151,8 @@ public:
         if (const auto* unfit = std::get_if<Unfit>(&plan))
             refuse(*unfit);
         std::vector<Problem> remarks = remarks_on_z();
+        if (place_of_camera_)
+            remarks.push_back(remark_on_camera());
         std::move(remarks_on_meshes_.begin(), remarks_on_meshes_.end(),
                   std::back_inserter(remarks));
         return {std::move(scene_), std::get<Plan>(std::move(plan)), std::move(files_),
@@ -166,6 +168,15 @@ private:
                            "remark: expected [x, y] as of other vertices, found three numbers; "
                            "nothing in this scene uses z",
                            "a decimal comma? JSON has a point: 5.5")};
+    }
+
+    Problem remark_on_camera() const {
+        return problem_at(
+            source_, *place_of_camera_,
+            "remark: expected a projection for the camera, found none: x and y in the "
+            "camera's space are places on the screen, and what lies behind it is drawn",
+            R"(say "projection": {"type": "pinhole", "distance": 1}, or )"
+            R"({"type": "none"} if that is meant)");
     }
 
     void remember(const Source& source) {
@@ -574,6 +585,8 @@ private:
                            "without \"projection\", it is a frustum");
         } else if (place_of_fit_) {
             scene_.projection = {.type = ProjectionType::frustum, .fov_y = fitted_fov_y};
+        } else if (camera) {
+            place_of_camera_ = camera->begin;
         }
         if (const auto viewport = root.find("viewport"))
             scene_.viewport = read_viewport(json_, *viewport);
@@ -827,6 +840,7 @@ private:
     const InputLimits& limits_;
     Scene scene_;
     std::optional<std::size_t> place_of_fit_;     ///< offset of a camera that is to be fitted
+    std::optional<std::size_t> place_of_camera_;  ///< offset of a camera without a projection
     std::vector<std::size_t> places_of_vertices_; ///< offsets of their names in the source
     std::optional<std::size_t> first_with_z_;     ///< offset of the first vertex of three numbers
     std::optional<std::size_t> first_without_z_;  ///< and of the first of two
