@@ -119,7 +119,8 @@ TraceMatcher fails_depth(Pixel pixel, const std::string& primitive, Caller calle
                                           [&](const StepView& step) { return is_at(step, pixel); });
             if (tests.empty()) {
                 expect_told(trace, {StepKind::depth, StepKind::pixel}, pixel, primitive);
-                return {false, "no such test; " + told_of_pixel(trace, pixel, primitive)};
+                return {.why = "no such test; " + told_of_pixel(trace, pixel, primitive),
+                        .is_open = true};
             }
             const bool holds = std::any_of(tests.begin(), tests.end(), [&](std::size_t n) {
                 return trace.step(n).text("pass") == "false";

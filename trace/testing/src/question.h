@@ -22,7 +22,8 @@ namespace rastertrace::matchers {
 /// What was found out.
 struct Verdict {
     bool holds = false;
-    std::string why{}; ///< what the trace says, several lines; for who expected something else
+    std::string why{};    ///< what the trace says, several lines; for who expected something else
+    bool is_open = false; ///< neither it nor its opposite holds: fails the test, as a Problem does
 };
 
 /// How a matcher is called in messages.

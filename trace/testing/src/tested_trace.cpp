@@ -44,17 +44,12 @@ public:
                          ::testing::MatchResultListener* listener) const override {
         try {
             const Verdict verdict = decide_(tested);
+            if (verdict.is_open)
+                return refuse(tested, verdict.why, listener);
             *listener << verdict.why;
             return verdict.holds;
         } catch (const Problem& problem) {
-            // GoogleTest asks again to explain a test that failed, and Not() would turn a refusal into success.
-            const std::string text =
-                fmt::format("cannot tell if it {}: {}", wording_.is, to_text(problem));
-            if (!std::exchange(has_told_, true))
-                ADD_FAILURE_AT(caller_.file(), caller_.line())
-                    << fmt::format("{}\n{}", printable(tested.name), text);
-            *listener << text;
-            return true;
+            return refuse(tested, to_text(problem), listener);
         }
     }
 
@@ -62,6 +57,17 @@ public:
     void DescribeNegationTo(std::ostream* out) const override { *out << wording_.is_not; }
 
 private:
+    /// GoogleTest asks again to explain a test that failed, and Not() would turn a refusal into success.
+    bool refuse(const TestedTrace& tested, const std::string& why,
+                ::testing::MatchResultListener* listener) const {
+        const std::string text = fmt::format("cannot tell if it {}: {}", wording_.is, why);
+        if (!std::exchange(has_told_, true))
+            ADD_FAILURE_AT(caller_.file(), caller_.line())
+                << fmt::format("{}\n{}", printable(tested.name), text);
+        *listener << text;
+        return true;
+    }
+
     Wording wording_;
     Caller caller_;
     std::function<Verdict(const TestedTrace&)> decide_;
