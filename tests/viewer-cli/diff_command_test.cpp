@@ -135,6 +135,10 @@ TEST_F(DiffTest, WhatIsWrongIsSaid) {
     EXPECT_THAT(cut.out, HasSubstr("the same, as far as they go\n"));
     EXPECT_EQ(cut.err, "rastertrace: cut.json:21:1: expected the rest of the trace, found the end "
                        "of the file: the trace is truncated after 19 whole steps\n");
+    for (const char* const cut_off : {"a.json cut.json", "cut.json a.json", "cut.json cut.json"})
+        EXPECT_TRUE(
+            nlohmann::json::parse(diff(cut_off + std::string(" --json")).out)["same"].is_null())
+            << cut_off;
     const auto error = [this](const std::string& arguments) {
         const Outcome told = diff(arguments);
         EXPECT_EQ(told.status, 2) << arguments;

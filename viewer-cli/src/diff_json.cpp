@@ -112,16 +112,17 @@ std::string diff_json(const TraceDiff& found) {
     const auto quoted = [](const std::string& remark) { return json_quoted(remark); };
     std::vector<FieldDifference> header = found.header;
     header.insert(header.end(), found.end.begin(), found.end.end());
-    return fmt::format(R"({{"same":{},"a":{},"b":{},"header":{},"first":{},"kinds":{},)"
-                       R"("picture":{},"remarks":{},"damage":{}}})"
-                       "\n",
-                       found.is_same, json_quoted(found.name_a), json_quoted(found.name_b),
-                       list_json(header, field_json), first_json(found),
-                       list_json(found.kinds, kind_json), picture_json(found.picture),
-                       list_json(found.remarks, quoted),
-                       list_json(found.damage, [](const Problem& problem) {
-                           return json_quoted(to_text(problem));
-                       }));
+    // What is missing of a trace that breaks off may differ.
+    const std::string_view same = !found.is_same ? "false" : found.damage.empty() ? "true" : "null";
+    return fmt::format(
+        R"({{"same":{},"a":{},"b":{},"header":{},"first":{},"kinds":{},)"
+        R"("picture":{},"remarks":{},"damage":{}}})"
+        "\n",
+        same, json_quoted(found.name_a), json_quoted(found.name_b), list_json(header, field_json),
+        first_json(found), list_json(found.kinds, kind_json), picture_json(found.picture),
+        list_json(found.remarks, quoted), list_json(found.damage, [](const Problem& problem) {
+            return json_quoted(to_text(problem));
+        }));
 }
 
 } // namespace rastertrace
