@@ -321,6 +321,33 @@ TEST(Describe, ASkippedPrimitiveOfUnknownKind) {
     EXPECT_EQ(describe_step(replay), "primitive DGH: skipped, culled");
 }
 
+TEST(Describe, OnlyWhatIsCutIsCalledClipped) {
+    const auto said_of_first = [](const std::string& next, const std::string& header = "") {
+        const auto trace =
+            read_trace({"t", R"({"rastertrace":1,"canvas":{"width":3,"height":3})" + header +
+                                 "}\n" + R"({"step":"primitive","kind":"triangle","name":"ABC"})" +
+                                 "\n" + next + R"({"end":{}})" + "\n"});
+        EXPECT_TRUE(trace);
+        Replay replay(trace.value());
+        replay.go_to(1);
+        return describe_step(replay);
+    };
+    const std::string clipped = "triangle ABC: not all of it can be seen, it is clipped";
+    const std::string untold = "triangle ABC: the trace does not tell where it is";
+    const std::string pixel = R"({"step":"pixel","x":0,"y":0})"
+                              "\n";
+    const std::string clip = R"({"step":"clip","name":"ABC","plane":"near"})"
+                             "\n";
+    const std::string stages =
+        R"(,"stages":[{"stage":"clip","plane":"near","kept":true,"why":""}])";
+    EXPECT_EQ(said_of_first(pixel), untold);
+    EXPECT_EQ(said_of_first(""), untold);
+    EXPECT_EQ(said_of_first(pixel, stages), untold);
+    EXPECT_EQ(said_of_first(clip), clipped);
+    EXPECT_EQ(said_of_first(pixel, stages + R"(,"only":["primitive","pixel"])"), clipped);
+    EXPECT_EQ(said_of_first("", stages), clipped);
+}
+
 TEST(Describe, StepsThatAreUnknown) {
     const auto trace = read_trace(
         {"t", "{\"rastertrace\":1,\"canvas\":{\"width\":3,\"height\":3}}\n"

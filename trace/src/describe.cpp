@@ -40,6 +40,18 @@ std::string name_of_primitive(const Context& context) {
                : context.primitive.name;
 }
 
+/// True if the primitive of the current step is cut: steps of kind `clip` follow it. Where the next step is not at hand,
+/// the stages tell.
+bool is_clipped(const Replay& replay) {
+    const Trace& trace = replay.trace();
+    const std::size_t n = replay.step();
+    const bool has_next = n < trace.size() && !trace.lacks(StepKind::clip) &&
+                          trace.number_of(n + 1) == trace.number_of(n) + 1;
+    if (has_next)
+        return trace.kind_of(n + 1) == StepKind::clip;
+    return std::find(trace.stages.begin(), trace.stages.end(), "clip") != trace.stages.end();
+}
+
 std::string corners(const Context& context) {
     const auto& [replay, step, primitive] = context;
     const auto colors = step.texts("colors");
@@ -50,8 +62,11 @@ std::string corners(const Context& context) {
             text += fmt::format(" {}", colors[i]);
     }
     if (primitive.positions.empty())
-        text += said(
-            {": not all of it can be seen, it is clipped", ": nem tudo se pode ver, é recortado"});
+        text +=
+            is_clipped(replay)
+                ? said({": not all of it can be seen, it is clipped",
+                        ": nem tudo se pode ver, é recortado"})
+                : said({": the trace does not tell where it is", ": o rastro não diz onde está"});
     return text;
 }
 
