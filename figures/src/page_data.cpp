@@ -410,18 +410,18 @@ private:
         const bool is_on_canvas = canvas.contains(canvas.left(), y);
         rows_.add(is_on_canvas ? canvas.row_of(y) : -1);
         for (const std::string_view end : {"left", "right"})
-            rows_.add(held(nearest_double_in(step.text(end)).value_or(0)));
+            rows_.add(held(nearest_double_in(step.text(end)).value_or(farthest)));
         for (const std::string_view pixel : {"from", "to"})
             rows_.add(step.whole(pixel).value_or(0) - canvas.left());
         for (const std::string_view end : {"left", "right"})
             rows_.add(printable_word(as_in_working(step.text(end))));
     }
 
+    /// Beyond any canvas: there an end lies that is not finite, which a page does not draw.
+    static constexpr double farthest = 1e9;
+
     /// A number that JSON readers have.
-    static double held(double number) {
-        constexpr double farthest = 1e9;
-        return std::clamp(number, -farthest, farthest);
-    }
+    static double held(double number) { return std::clamp(number, -farthest, farthest); }
 
     void add_edge(const std::string& edge) {
         for (std::size_t i = 0; i < names_.size(); ++i)

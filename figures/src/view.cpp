@@ -241,7 +241,7 @@ void FrameCells::set_up_depths(std::size_t room) {
             largest = std::max(largest.value_or(*depth), *depth);
         }
     }
-    if (!least) {
+    if (numbers.empty()) {
         legend_ = {"the buffer is clear: no depth was tested (a scene is, with --keep depth)"};
         width_ = 1;
         cell_ = [](std::size_t, Pixel) { return Cell{std::string(empty_cell)}; };
@@ -249,11 +249,13 @@ void FrameCells::set_up_depths(std::size_t room) {
     }
     // The nearest is the brightest.
     const bool larger = larger_is_nearer(trace);
-    const auto brightness = [&trace, larger, least = *least,
-                             range = *largest - *least](std::size_t step) {
-        const double depth = nearest_double_in(trace.step(step).text("depth")).value_or(least);
-        const double share = range > 0 ? (depth - least) / range : 1;
-        return larger ? share : 1 - share;
+    const auto brightness = [&trace, larger, least, largest](std::size_t step) {
+        const auto depth = nearest_double_in(trace.step(step).text("depth"));
+        if (!depth)
+            return std::optional<double>(); // not finite
+        const double range = *largest - *least;
+        const double share = range > 0 ? (*depth - *least) / range : 1;
+        return std::optional(larger ? share : 1 - share);
     };
     if (width_ <= room) {
         cell_ = [&frame, brightness, numbers = std::move(numbers),
@@ -269,14 +271,18 @@ void FrameCells::set_up_depths(std::size_t room) {
 
     // A ramp.
     width_ = 1;
-    legend_ = {fmt::format("far {:.4g} {} {:.4g} near", larger ? *least : *largest, ramp,
-                           larger ? *largest : *least)};
+    if (least)
+        legend_.push_back(fmt::format("far {:.4g} {} {:.4g} near", larger ? *least : *largest, ramp,
+                                      larger ? *largest : *least));
+    if (std::any_of(numbers.begin(), numbers.end(),
+                    [&](const auto& number) { return !brightness(number.first); }))
+        legend_.emplace_back("? not finite");
     cell_ = [&frame, brightness](std::size_t offset, Pixel) {
         const std::size_t step = frame.stored_by[offset];
         if (step == 0)
             return Cell{std::string(empty_cell)};
-        const double share = brightness(step);
-        return Cell{.text = std::string(1, ramp_at(share)), .brightness = share};
+        const auto share = brightness(step);
+        return Cell{.text = std::string(1, share ? ramp_at(*share) : '?'), .brightness = share};
     };
 }
 

@@ -217,7 +217,7 @@ SCENE_CANNOT_KNOW = [
     r"^expected at least one (face|primitive), found none", r"^expected a distance above 0", r"^expected a whole number of steps",
     r"^expected an OBJ file in the scene's folder", r"^expected one of 1, 2, 3", r"^expected a number up to", r"^expected 0 or a number from",
 ]
-WRONG = [None, True, 5, -1, 0, 0.5, "x", "", "12", "1/0", "red", "fit", [], {}, [[]], [1, 2, 3], {"x": 1}]
+WRONG = [None, True, 5, -1, 0, 0.5, "x", "", "12", "1/0", "red", "#f00", "#12", "NaN", "-inf", "fit", [], {}, [[]], [1, 2, 3], {"x": 1}]
 
 
 def paths_of(value, path=()):

@@ -128,6 +128,31 @@ TEST_F(DiffTest, JsonHasTheSame) {
     EXPECT_EQ(nlohmann::json::parse(safe)["header"][0]["b"], "\302\233");
 }
 
+TEST_F(DiffTest, NaNEqualsNaN) {
+    const auto with = [this](const std::string& name, const std::string& left,
+                             const std::string& more = "") {
+        write(name, R"({"rastertrace":1,"canvas":{"width":3,"height":1,"origin":"top-left"}})"
+                    "\n"
+                    R"({"step":"scanline","y":0,"left":)" +
+                        left + R"(,"right":"inf","from":0,"to":1)" + more + "}\n{\"end\":{}}\n");
+    };
+    with("a.jsonl", R"("NaN")");
+    with("b.jsonl", R"("NaN")", R"(,"mine":1)");
+    with("c.jsonl", "1");
+    with("d.jsonl", R"("-inf")");
+    EXPECT_EQ(diff("a.jsonl b.jsonl --ignore scanline.mine").out,
+              "a: a.jsonl\nb: b.jsonl\n"
+              "not compared: scanline.mine\nthe same\n");
+    for (const char* const other : {"c.jsonl", "d.jsonl"}) {
+        const auto told = nlohmann::json::parse(
+            diff(std::string("a.jsonl ") + other + " --tolerance 1e9 --json").out);
+        EXPECT_EQ(told["same"], false);
+        EXPECT_EQ(told["first"]["fields"].size(), 1U);
+        EXPECT_EQ(told["first"]["fields"][0]["a"], "NaN");
+        EXPECT_FALSE(told["first"]["fields"][0].contains("distance"));
+    }
+}
+
 TEST_F(DiffTest, WhatIsWrongIsSaid) {
     shell("head -c 2000 a.json > cut.json; echo nothing > empty.json");
     const Outcome cut = diff("a.json cut.json");

@@ -192,6 +192,63 @@ TEST_F(ValidateTest, WhatAForeignRasterizerAddsIsARemark) {
                            "have: edge.slope (1)\n");
 }
 
+TEST_F(ValidateTest, AColorIsOneThatCanBeDrawn) {
+    // Each digit of #rgb counts twice: it is the red of #ff0000.
+    const Outcome red = changed("2s/#000000/#f00/;$s/\"frame\":\"[^\"]*\"/\"title\":\"\"/");
+    EXPECT_EQ(red.err, "");
+    EXPECT_EQ(red.status, 0);
+    const std::string view = "$rastertrace explain bad.json --pixel 3,2 --json";
+    EXPECT_THAT(shell(view).out, testing::HasSubstr("\"after\":\"ABC #ff0000\""));
+
+    for (const char* const color : {"\"blurple\"", "\"#12\"", "\"#ff00f\"", "\"\"", "7", "null"}) {
+        const std::string message =
+            std::string("rastertrace: bad.json:2:125: expected a color like \"#ff8000\", found ") +
+            color + "\n";
+        const Outcome told = changed("2s/\"#000000\"/" + std::string(color) + "/");
+        EXPECT_THAT(told.err, testing::StartsWith(message));
+        EXPECT_EQ(told.status, 2);
+        for (const char* const reader :
+             {"show bad.json", "figure bad.json -o x.svg", "explain bad.json --pixel 3,2",
+              "stats bad.json", "play bad.json --print 80x24", "diff trace.jsonl bad.json"}) {
+            const Outcome read = shell(std::string("$rastertrace ") + reader);
+            EXPECT_THAT(read.err, testing::HasSubstr("expected a color like")) << reader;
+            EXPECT_EQ(read.status, 2) << reader;
+        }
+    }
+    EXPECT_THAT(changed("7s/\"y\":5/\"y\":5,\"color\":\"blurple\"/").err,
+                testing::HasSubstr("bad.json:7:37: expected a color"));
+    EXPECT_THAT(
+        changed("2s/\"color\"/\"colors\":[\"red\",\"#12\",\"#fff\"],\"color\"/").err,
+        testing::HasSubstr("expected an array of colors like \"#ff8000\", found [\"red\","));
+}
+
+TEST_F(ValidateTest, ANumberThatIsNotFiniteIsARemark) {
+    const Outcome told = changed("8s/\"left\":\"[^\"]*\"/\"left\":\"NaN\"/;3s/3.4/-inf/;"
+                                 "11s/\"right\":\"[^\"]*\"/\"right\":\"inf\"/");
+    EXPECT_EQ(told.out, "bad.json: a trace of version 1, 62 steps, complete\n");
+    EXPECT_EQ(told.err,
+              "rastertrace: bad.json:3:36: remark: expected a finite number for dx_dy, found "
+              "\"-inf\"; 2 more steps have such a number\n"
+              "{\"step\":\"edge\",\"edge\":\"AB\",\"dx_dy\":\"-inf\"}\n"
+              "                                   ^\n"
+              "hint: it is told as it stands; formulas, figures and counts leave it out\n");
+    EXPECT_EQ(told.status, 0);
+    for (const char* const reader :
+         {"show bad.json", "figure bad.json -o x.svg", "explain bad.json --pixel 3,2",
+          "explain bad.json --edge AB", "stats bad.json", "play bad.json --print 80x24",
+          "check bad.json claims.txt"})
+        EXPECT_THAT(shell(std::string("$rastertrace ") + reader).err, testing::HasSubstr(told.err))
+            << reader;
+    EXPECT_THAT(shell("$rastertrace show bad.json --step \"edge dx_dy=-inf\"").out,
+                testing::HasSubstr("\nedge AB: dx/dy = (-4 - 2) / (-3 - 5) = -inf"));
+    EXPECT_THAT(shell("$rastertrace explain bad.json --pixel -3,4").out,
+                testing::HasSubstr("at x = NaN -> floor -> "));
+    // JSON has no such number, and names may be called so.
+    EXPECT_EQ(changed("8s/\"left\":\"[^\"]*\"/\"left\":NaN/").status, 2);
+    EXPECT_EQ(changed("8s/\"left\":\"[^\"]*\"/\"left\":\"nan\"/").status, 2);
+    EXPECT_EQ(changed("2s/\"name\":\"ABC\"/\"name\":\"NaN\"/").err, "");
+}
+
 TEST_F(ValidateTest, ClaimsAreAboutWhatTheirSceneHas) {
     write("lost.txt", "scene: nowhere.json\ny=2: 1, 2\n");
     write("names.txt", "scene: scene.json\nedge AQ: 3/4\n");

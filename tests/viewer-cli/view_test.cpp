@@ -179,6 +179,16 @@ TEST(Views, ABackgroundIsSeenInShadeAlone) {
     EXPECT_NE(shown(trace, View::shade).find("background & #ffffff"), std::string::npos);
 }
 
+TEST(Views, ADepthThatIsNotFiniteIsShownAsItStands) {
+    const Trace trace =
+        trace_in(primitive("ABC") + depth_test(1, R"("NaN")", "null", true) + pixel(1, 0));
+    EXPECT_EQ(grid(trace, View::depth), "  . NaN   .   .   .\n  .   .   .   .   .\n");
+    // Where numbers have no room.
+    const std::string narrow = shown(trace, View::depth, {}, {.columns = 12, .lines = 20});
+    EXPECT_NE(narrow.find("? not finite\n"), std::string::npos) << narrow;
+    EXPECT_NE(narrow.find(".?..."), std::string::npos) << narrow;
+}
+
 TEST(Views, DepthIsTheBuffer) {
     // T0, figure 10: infinity, 3, 2.
     const std::string steps = primitive("ABC") + depth_test(1, "3", "null", true) + pixel(1, 0) +

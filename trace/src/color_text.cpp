@@ -46,7 +46,12 @@ std::optional<Color> parse_color(std::string_view text) {
         if (name == text)
             return color;
 
-    if (!text.starts_with('#') || (text.size() != 7 && text.size() != 9))
+    if (!text.starts_with('#'))
+        return std::nullopt;
+    // Each digit of #rgb counts twice.
+    if (text.size() == 4)
+        return parse_color(fmt::format("#{0}{0}{1}{1}{2}{2}", text[1], text[2], text[3]));
+    if (text.size() != 7 && text.size() != 9)
         return std::nullopt;
     std::array<std::uint8_t, 4> channels{0, 0, 0, 255};
     for (std::size_t i = 0; 2 * i + 1 < text.size(); ++i) {

@@ -227,7 +227,8 @@ std::string depth_rule(const Context& context) {
                 (stored && *stored != 0
                      ? said({" against {}", " contra {}"}, inverse_of(step.text("stored")))
                      : "");
-    if (step.text("depth") == step.text("stored") && !step.field("behind"))
+    if (step.text("depth") == step.text("stored") && step.text("depth") != "NaN" &&
+        !step.field("behind"))
         text +=
             replay.stored_before() == 0
                 ? said({"; equal to the empty buffer", "; igual ao buffer vazio"})
@@ -429,6 +430,8 @@ std::string level(const Context& context) {
 /// Which side of 0 Bresenham's d lies on, and where it goes for that.
 std::string sign_of_d(const Trace& trace, const StepView& step) {
     const std::string d = step.text("d");
+    if (d == "NaN")
+        return said({"(neither above 0 nor below)", "(nem acima de 0 nem abaixo)"});
     const bool is_diagonal =
         steps_at_ties(trace) ? !d.starts_with('-') : !d.starts_with('-') && d != "0";
     const std::string_view compared = steps_at_ties(trace) ? is_diagonal ? ">= 0" : "< 0"

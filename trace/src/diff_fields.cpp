@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "diff_fields.h"
 
+#include "field_type.h"
 #include "json_scanner.h"
 #include "value_difference.h"
 

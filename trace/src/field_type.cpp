@@ -4,6 +4,7 @@
 #include "json_scanner.h"
 
 #include <rastertrace/core/numbers/number.h>
+#include <rastertrace/trace/color_text.h>
 
 #include <charconv>
 #include <system_error>
@@ -13,15 +14,19 @@ namespace rastertrace {
 
 namespace {
 
-/// True if a list holds values of a type, or lists of them.
-bool has_elements(std::string_view json, FieldType type) {
+/// True if a value, or each value of a list and of the lists in it, is as `is_fine` says.
+template <typename IsFine> bool all_in(std::string_view json, IsFine&& is_fine) {
+    if (!json.starts_with('['))
+        return is_fine(json);
     JsonScanner elements(json);
-    while (elements.next_element()) {
-        const std::string_view value = elements.value();
-        if (!has_type(value, type) && !(value.starts_with('[') && has_elements(value, type)))
+    while (elements.next_element())
+        if (!all_in(elements.value(), is_fine))
             return false;
-    }
     return true;
+}
+
+bool is_color(std::string_view json) {
+    return json.starts_with('"') && parse_color(plain_text(json));
 }
 
 } // namespace
@@ -36,6 +41,24 @@ std::optional<Index> whole_in(std::string_view json) {
     if (value < -farthest_index - 1 || value > farthest_index + 1)
         return std::nullopt;
     return value;
+}
+
+bool is_not_finite(std::string_view json) {
+    return json == R"("NaN")" || json == R"("inf")" || json == R"("-inf")";
+}
+
+std::optional<std::string_view> not_finite_in(std::string_view json) {
+    std::optional<std::string_view> found;
+    all_in(json, [&found](std::string_view value) {
+        if (is_not_finite(value))
+            found = value;
+        return !found;
+    });
+    return found;
+}
+
+bool holds_color(std::string_view name) {
+    return name == "color" || name == "colors" || name == "background";
 }
 
 bool has_type(std::string_view json, FieldType type) {
@@ -54,14 +77,20 @@ bool has_type(std::string_view json, FieldType type) {
     }
     if (!is_string)
         return json.starts_with('-') || (!json.empty() && number_text::is_digit(json.front()));
-    return std::holds_alternative<Number>(parse_number(plain_text(json), NumberSize::any));
+    return is_not_finite(json) ||
+           std::holds_alternative<Number>(parse_number(plain_text(json), NumberSize::any));
 }
 
 bool has_type_of(std::string_view json, const StepField& field) {
     if (field.may_be_null && json == "null")
         return true;
-    return has_type(json, field.type) &&
-           (field.type != FieldType::list || has_elements(json, element_type_of(field)));
+    const bool is_list = field.type == FieldType::list;
+    if (is_list != json.starts_with('['))
+        return false;
+    if (holds_color(field.name))
+        return all_in(json, is_color);
+    const FieldType type = is_list ? element_type_of(field) : field.type;
+    return all_in(json, [type](std::string_view value) { return has_type(value, type); });
 }
 
 std::string_view expected_for(FieldType type) {
@@ -81,6 +110,9 @@ std::string_view expected_for(FieldType type) {
 }
 
 std::string_view expected_for(const StepField& field) {
+    if (holds_color(field.name))
+        return field.type == FieldType::list ? R"(an array of colors like "#ff8000")"
+                                             : R"(a color like "#ff8000")";
     if (field.type != FieldType::list)
         return field.may_be_null ? R"(a number, an exact one like "25/8", or null)"
                                  : expected_for(field.type);

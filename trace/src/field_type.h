@@ -16,6 +16,15 @@ namespace rastertrace {
 /// A JSON number that is a whole number within +-farthest_index, written without point or exponent.
 std::optional<Index> whole_in(std::string_view json);
 
+/// True for a quantity that a foreign rasterizer has recorded and that is not finite: "NaN", "inf", "-inf".
+bool is_not_finite(std::string_view json);
+
+/// The first such value of a field, or of a list; none if all are finite.
+std::optional<std::string_view> not_finite_in(std::string_view json);
+
+/// True for the fields that hold a color, or a list of them.
+bool holds_color(std::string_view name);
+
 /// True if the JSON of a value is of a type.
 bool has_type(std::string_view json, FieldType type);
 

@@ -156,6 +156,7 @@ bool GrowingTrace::State::read_on() {
     if (trace.size() > most_steps)
         throw problem_of(name, "expected a trace of at most 4,294,967,295 steps, found more");
     trace.damage = steps->damage();
+    trace.not_finite = steps->not_finite();
     const bool is_at_end = trace.size() < before + steps_in_piece;
     const bool may_grow = pipe || follows;
     if (is_at_end && (!may_grow || steps->is_behind_end())) {

@@ -701,7 +701,7 @@ private:
         if (!color) {
             std::string hint = did_you_mean(value.text, color_names(), "\"");
             if (value.text.starts_with('#'))
-                hint = "8 bits a channel: #rrggbb or #rrggbbaa";
+                hint = "8 bits a channel: #rrggbb or #rrggbbaa; 4 bits: #rgb";
             json_.fail_expecting(value, expected, std::move(hint));
         }
         if (color->alpha() == 0)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The schema of traces: of a document, and of each line of JSON Lines.
 
+#include "field_type.h"
 #include "schemas.h"
 #include "trace_keys.h"
 
@@ -51,9 +52,11 @@ std::string_view meaning_of_role(FieldRole role) {
 }
 
 Json schema_of_field(const StepField& field) {
-    const std::string form = field.type == FieldType::list
-                                 ? fmt::format("list-of-{}", form_of(element_type_of(field)))
-                                 : std::string(form_of(field.type));
+    const bool is_list = field.type == FieldType::list;
+    const std::string_view value = holds_color(field.name) ? "color"
+                                   : is_list               ? form_of(element_type_of(field))
+                                                           : form_of(field.type);
+    const std::string form = is_list ? fmt::format("list-of-{}", value) : std::string(value);
     if (!field.may_be_null)
         return reference_to(form, meaning_of_role(field.role));
     const Json null{{"type", "null"}};
@@ -114,11 +117,13 @@ Json whole(Index least) {
     return {{"type", "integer"}, {"minimum", least}, {"maximum", farthest_index + 1}};
 }
 
-/// A JSON number, or an exact one of any size.
+/// A JSON number, or an exact one of any size; of a foreign rasterizer also what is not finite.
 Json quantity() {
-    Json schema = number_schema();
-    schema.erase("maxLength");
-    return schema;
+    Json number = number_schema();
+    number.erase("maxLength");
+    const Json not_finite{{"description", "Of a foreign rasterizer"},
+                          {"enum", {"NaN", "inf", "-inf"}}};
+    return {{"anyOf", Json::array({std::move(number), not_finite})}};
 }
 
 void define_header(Json& definitions) {
@@ -143,8 +148,8 @@ void define_steps(Json& definitions) {
     definitions["quantity"] = quantity();
     definitions["string"] = {{"type", "string"}};
     definitions["boolean"] = {{"type", "boolean"}};
-    for (const FieldType type : {FieldType::quantity, FieldType::string, FieldType::boolean})
-        definitions[fmt::format("list-of-{}", form_of(type))] = nested_list(form_of(type));
+    for (const std::string_view form : {"quantity", "string", "boolean", "color"})
+        definitions[fmt::format("list-of-{}", form)] = nested_list(form);
 }
 
 /// The layouts: all in one document, or in three kinds of lines.

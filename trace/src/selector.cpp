@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/trace/selector.h>
 
+#include "field_type.h"
 #include "json_scanner.h"
 #include "verdict_words.h"
 
@@ -186,7 +187,8 @@ private:
         case FieldType::whole:
             return condition.number && condition.number->exact().get_den() == 1;
         case FieldType::quantity:
-            return condition.number || value == "null";
+            return condition.number || value == "null" ||
+                   is_not_finite(fmt::format("\"{}\"", value));
         case FieldType::boolean:
             return value == "true" || value == "false";
         case FieldType::list:

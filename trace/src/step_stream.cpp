@@ -59,6 +59,7 @@ struct StepStream::State {
     std::optional<Problem> fault; ///< what stands behind the current block
     std::vector<Problem> damage;
     std::vector<Problem> passed_over; ///< in the header and the end record
+    NotFiniteSteps not_finite;
 
     bool tells_all = false;         ///< useless steps are damage, and the picture is drawn
     bool has_useless_steps = false; ///< nobody knows what they should have been
@@ -100,6 +101,10 @@ struct StepStream::State {
             throw moved(read.problem());
         for (Problem& problem : read.value().damage)
             damage.push_back(moved(std::move(problem)));
+        NotFiniteSteps& more = read.value().not_finite;
+        if (not_finite.count == 0 && more.first)
+            not_finite.first = moved(*std::move(more.first));
+        not_finite.count += more.count;
         return std::move(read.value());
     }
 
@@ -278,6 +283,10 @@ std::vector<Problem> StepStream::faults_in_step() const {
 
 const std::vector<Problem>& StepStream::passed_over() const {
     return state_->passed_over;
+}
+
+const NotFiniteSteps& StepStream::not_finite() const {
+    return state_->not_finite;
 }
 
 StepStream::StepStream(StepStream&&) noexcept = default;

@@ -181,6 +181,19 @@ void check_fields(StepKind kind, const Source& source, std::size_t begin, std::s
     }
 }
 
+/// Throws a Problem if a step has something else where a color belongs.
+void check_colors(StepKind kind, const Source& source, std::size_t begin, std::string_view json) {
+    const StepView step(json);
+    for (const StepField& field : row_of(kind).fields) {
+        const auto value = holds_color(field.name) ? step.field(field.name) : std::nullopt;
+        if (value && !has_type_of(*value, field))
+            throw problem_at(
+                source, begin + static_cast<std::size_t>(value->data() - json.data()),
+                fmt::format("expected {}, found {}", expected_for(field), shortened(*value, 40)),
+                "or #rgb, #rrggbbaa, or a CSS basic name");
+    }
+}
+
 } // namespace
 
 std::optional<StepKind> checked_kind(const Source& source, std::size_t begin, std::size_t size) {
@@ -191,10 +204,12 @@ std::optional<StepKind> checked_kind(const Source& source, std::size_t begin, st
     std::size_t key_count = 0;
     std::string_view kind_json;
     bool is_plain = true;
+    bool has_color = false;
     JsonScanner fields(json);
     while (fields.next_field()) {
         if (fields.key() == "step")
             kind_json = fields.value();
+        has_color = has_color || holds_color(fields.key());
         const auto seen = keys.begin() + static_cast<std::ptrdiff_t>(key_count);
         if (key_count == most_keys || std::find(keys.begin(), seen, fields.key()) != seen)
             is_plain = false;
@@ -215,7 +230,41 @@ std::optional<StepKind> checked_kind(const Source& source, std::size_t begin, st
     const auto kind = step_kind_named(plain_text(kind_json));
     if (kind)
         check_fields(*kind, source, begin, json);
+    if (kind && has_color)
+        check_colors(*kind, source, begin, json);
     return kind;
+}
+
+void note_not_finite(NotFiniteSteps& noted, const Source& source, std::size_t begin,
+                     std::string_view json, StepKind kind) {
+    constexpr std::string_view nan = "NaN\"";
+    constexpr std::string_view infinity = "inf\"";
+    if (json.find(nan) == std::string_view::npos && json.find(infinity) == std::string_view::npos)
+        return; // nearly always
+    const StepView step(json);
+    for (const StepField& field : row_of(kind).fields) {
+        const FieldType type = field.type == FieldType::list ? element_type_of(field) : field.type;
+        const auto value = type == FieldType::quantity ? step.field(field.name) : std::nullopt;
+        const auto found = value ? not_finite_in(*value) : std::nullopt;
+        if (!found)
+            continue;
+        if (noted.count++ == 0)
+            noted.first =
+                problem_at(source, begin + static_cast<std::size_t>(found->data() - json.data()),
+                           fmt::format("remark: expected a finite number for {}, found {}",
+                                       field.name, *found));
+        return;
+    }
+}
+
+std::optional<Problem> NotFiniteSteps::remark() const {
+    std::optional<Problem> remark = first;
+    if (count > 1)
+        remark->message += fmt::format("; {} more {} such a number", count - 1,
+                                       count == 2 ? "step has" : "steps have");
+    if (remark)
+        remark->hint = "it is told as it stands; formulas, figures and counts leave it out";
+    return remark;
 }
 
 bool tells_picture(const EndRecord& end) {
@@ -555,6 +604,8 @@ private:
         const auto kind = checked_kind(source(), begin, size);
         if (kind == StepKind::pixel)
             check_pixel(begin, StepView(json));
+        if (kind)
+            note_not_finite(trace_.not_finite, source(), begin, json, *kind);
         trace_.steps_.push_back({begin, static_cast<std::uint32_t>(size), kind});
     }
 

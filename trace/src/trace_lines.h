@@ -37,6 +37,10 @@ bool is_end_line(std::string_view line);
 /// understood.
 std::optional<StepKind> checked_kind(const Source& source, std::size_t begin, std::size_t size);
 
+/// Counts a step, if it has a quantity that is not finite.
+void note_not_finite(NotFiniteSteps& noted, const Source& source, std::size_t begin,
+                     std::string_view json, StepKind kind);
+
 /// That so many steps are whole, and then the file ends.
 std::string truncation_after(std::size_t steps);
 

@@ -83,10 +83,6 @@ Differs differ_as_lists(std::string_view a, std::string_view b, const ValueCompa
 
 } // namespace
 
-bool holds_color(std::string_view name) {
-    return name == "color" || name == "colors" || name == "background";
-}
-
 Differs differ(std::string_view a, std::string_view b, const ValueComparison& by) {
     if (a == b)
         return std::nullopt;

@@ -30,7 +30,4 @@ using Differs = std::optional<ValueDifference>;
 /// How the JSON of two values differs, lists element by element.
 Differs differ(std::string_view a, std::string_view b, const ValueComparison& by);
 
-/// True for fields, and keys of a header, that hold colors.
-bool holds_color(std::string_view name);
-
 } // namespace rastertrace

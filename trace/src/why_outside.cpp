@@ -92,7 +92,8 @@ WhyNot beyond_end(const Case& c, const StepView& row, bool is_left) {
                          : is_left ? Rational(*end - c.sample.x)
                                    : Rational(c.sample.x - *end);
     const std::string where =
-        sgn(gap) > 0 ? fmt::format("lies {} it by {}", is_left ? "before" : "beyond", text(gap))
+        !end           ? fmt::format("lies {} that pixel", is_left ? "before" : "beyond")
+        : sgn(gap) > 0 ? fmt::format("lies {} it by {}", is_left ? "before" : "beyond", text(gap))
         : sgn(gap) == 0
             ? std::string("lies on it, and the rule leaves it out")
             : fmt::format("lies {} within it, and the rule leaves it out", text(abs(gap)));

@@ -36,6 +36,7 @@ Trace steps_of_pixel(StepStream& stream, const ExplainCommand& command) {
     excerpt.title = shown_title(excerpt.title, command.trace);
     excerpt.end = stream.end();
     excerpt.damage = stream.damage();
+    excerpt.not_finite = stream.not_finite();
     return excerpt;
 }
 

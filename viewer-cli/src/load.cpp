@@ -231,6 +231,8 @@ Source load_page(const std::string& path) {
 ExitStatus report_damage(const Trace& trace) {
     for (const Problem& problem : trace.damage)
         print_error(fmt::format("rastertrace: {}\n", to_text(problem)));
+    if (const auto remark = trace.not_finite.remark())
+        print_error(fmt::format("rastertrace: {}\n", to_text(*remark)));
     return trace.damage.empty() ? exit_fine : exit_bad_input;
 }
 

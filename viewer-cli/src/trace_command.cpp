@@ -71,8 +71,9 @@ void write_part(const Source& given, const TraceCommand& command, Output& output
     for (const StepKind kind : command.filter.only.value_or(std::vector<StepKind>{}))
         kinds.emplace_back(name_of(kind));
     const TraceText text(given);
-    write_excerpt(value_or_throw(read_trace(given)), text.header_json(), kinds, layout_of(command),
-                  output);
+    const Trace trace = value_or_throw(read_trace(given));
+    write_excerpt(trace, text.header_json(), kinds, layout_of(command), output);
+    report_damage(trace);
 }
 
 } // namespace

@@ -90,13 +90,16 @@ std::string about_trace(const Trace& header, std::uint64_t steps) {
 
 /// Behind the last step: what is wrong with the whole, and what this program does not know.
 void finish_trace(const std::vector<Problem>& passed_over, const std::vector<Problem>& damage,
-                  const UnknownNames& unknown, ValidatedFile& file) {
+                  const UnknownNames& unknown, const NotFiniteSteps& not_finite,
+                  ValidatedFile& file) {
     file.add(passed_over);
     file.add(damage);
     std::stable_sort(file.problems.begin(), file.problems.end(),
                      [](const Problem& a, const Problem& b) { return a.line < b.line; });
     for (const std::string& remark : unknown.remarks())
         file.remarks.push_back(problem_of(file.name, "remark: " + remark));
+    if (auto remark = not_finite.remark())
+        file.remarks.push_back(*std::move(remark));
 }
 
 /// A trace of one step a line, which may have any size.
@@ -115,7 +118,7 @@ void validate_steps(StepStream& steps, ValidatedFile& file) {
         file.add(steps.damage());
         throw;
     }
-    finish_trace(steps.passed_over(), steps.damage(), unknown, file);
+    finish_trace(steps.passed_over(), steps.damage(), unknown, steps.not_finite(), file);
     file.about = about_trace(steps.header(), count);
 }
 
@@ -128,7 +131,7 @@ void validate_trace(Source source, ValidatedFile& file) {
             file.add(trace.faults_in_step(n));
         unknown.add(trace.step(n), trace.kind_of(n));
     }
-    finish_trace(trace.passed_over, trace.damage, unknown, file);
+    finish_trace(trace.passed_over, trace.damage, unknown, trace.not_finite, file);
     file.about = about_trace(trace, trace.size());
 }
 

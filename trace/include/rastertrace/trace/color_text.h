@@ -12,7 +12,7 @@
 
 namespace rastertrace {
 
-/// The color that `text` names: #rrggbb, #rrggbbaa, or one of the sixteen CSS basic names.
+/// The color that `text` names: #rgb, #rrggbb, #rrggbbaa, or one of the sixteen CSS basic names.
 std::optional<Color> parse_color(std::string_view text);
 
 /// #rrggbb, or #rrggbbaa where alpha is not 255.

@@ -65,6 +65,9 @@ public:
     /// only after tell_all.
     const std::vector<Problem>& damage() const;
 
+    /// Of the steps that have been read.
+    const NotFiniteSteps& not_finite() const;
+
     /// Fields of the current step that have another type than step_kind.h says, though the step can be understood.
     std::vector<Problem> faults_in_step() const;
 

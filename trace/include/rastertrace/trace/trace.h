@@ -79,6 +79,16 @@ struct LeftOut {
     bool has_places_missing = false;              ///< by `region` or `primitive`
 };
 
+/// Steps of a foreign rasterizer with a quantity that is not finite: "NaN", "inf" or "-inf". Nothing is worked out from
+/// such a number.
+struct NotFiniteSteps {
+    std::uint64_t count = 0;
+    std::optional<Problem> first; ///< where the first of them is, and what it has
+
+    /// What is said of them, if there are any.
+    std::optional<Problem> remark() const;
+};
+
 class Trace {
 public:
     Index version = 0; ///< of the format
@@ -94,6 +104,8 @@ public:
     /// What is wrong with the trace though its whole steps can be used: cut short, pixels off the
     /// canvas, counts that do not agree. Empty for a sound trace.
     std::vector<Problem> damage;
+
+    NotFiniteSteps not_finite;
 
     /// Known keys of the header and the end record that are not as the format says, and that nobody reads.
     std::vector<Problem> passed_over;
