@@ -15,17 +15,16 @@ mpq_class quotient_of(const mpz_class& above, const mpz_class& below) {
 
 namespace {
 
-/// Numbers below are whole multiples of 2^-fraction_bits: the smallest double is 2^-1074, and has
-/// more than 200 bits here.
-constexpr unsigned fraction_bits = 1300;
+/// Numbers below are whole multiples of 2^-bits. With so many bits the smallest double, 2^-1074, has more than 200.
+constexpr unsigned most_bits = 1344;
 
-mpz_class fixed_one() {
-    return mpz_class(1) << fraction_bits;
+mpz_class fixed_one(unsigned bits) {
+    return mpz_class(1) << bits;
 }
 
 /// arctan(1/n) = 1/n - 1/(3 n^3) + 1/(5 n^5) - ...
 mpz_class arctangent_of_inverse(unsigned long n) {
-    mpz_class power = fixed_one() / n;
+    mpz_class power = fixed_one(most_bits) / n;
     mpz_class sum = power;
     for (unsigned long i = 3; power != 0; i += 2) {
         power /= -static_cast<long>(n * n);
@@ -34,7 +33,7 @@ mpz_class arctangent_of_inverse(unsigned long n) {
     return sum;
 }
 
-/// Machin's formula: pi = 16 arctan(1/5) - 4 arctan(1/239).
+/// Machin's formula: pi = 16 arctan(1/5) - 4 arctan(1/239). A multiple of 2^-most_bits.
 const mpz_class& fixed_pi() {
     static const mpz_class pi = 16 * arctangent_of_inverse(5) - 4 * arctangent_of_inverse(239);
     return pi;
@@ -42,22 +41,38 @@ const mpz_class& fixed_pi() {
 
 /// The sum of first, first * -x^2/(i (i + 1)), ...: the series of the cosine (first = 1, i = 1) and
 /// of the sine (first = x, i = 2).
-mpz_class alternating_series(const mpz_class& first, const mpz_class& x, unsigned long i) {
+mpz_class alternating_series(const mpz_class& first, const mpz_class& x, unsigned long i,
+                             unsigned bits) {
     mpz_class term = first;
     mpz_class sum = first;
     for (; term != 0; i += 2) {
-        term = (((term * x) >> fraction_bits) * x) >> fraction_bits;
+        term = (((term * x) >> bits) * x) >> bits;
         term /= -static_cast<long>(i * (i + 1));
         sum += term;
     }
     return sum;
 }
 
-/// Sine and cosine as multiples of 2^-fraction_bits. Exact where they are 0, 1 or -1.
+/// Sine and cosine as multiples of 2^-bits. Exact where they are 0, 1 or -1.
 struct FixedSineCosine {
     mpz_class sine;
     mpz_class cosine;
+    unsigned bits;
 };
+
+/// So many bits that the smaller of sine and cosine has 256 or more; of a share of a quarter turn, below 1.
+unsigned bits_for(const mpq_class& share) {
+    constexpr unsigned in_limb = 64;
+    constexpr unsigned needed = 256;
+    const mpq_class smaller = std::min(share, mpq_class(1 - share));
+    const auto size = [](const mpz_class& whole) {
+        return static_cast<unsigned>(mpz_sizeinbase(whole.get_mpz_t(), 2));
+    };
+    const unsigned above = size(smaller.get_num());
+    const unsigned below = size(smaller.get_den());
+    const unsigned zeros = sgn(smaller) == 0 || below < above ? 0 : below - above;
+    return std::min(most_bits, (needed + zeros + in_limb - 1) / in_limb * in_limb);
+}
 
 FixedSineCosine sine_cosine(const mpq_class& degrees) {
     // Quarter turns are taken off exactly; an angle from 0 to 90 degrees is left.
@@ -65,18 +80,20 @@ FixedSineCosine sine_cosine(const mpq_class& degrees) {
     const mpq_class in_quarters = degrees / 90;
     mpz_fdiv_q(quarters.get_mpz_t(), in_quarters.get_num_mpz_t(), in_quarters.get_den_mpz_t());
     const mpq_class rest = in_quarters - quarters;
-    const mpz_class radians = fixed_pi() * rest.get_num() / (2 * rest.get_den());
-    const mpz_class sine = alternating_series(radians, radians, 2);
-    const mpz_class cosine = alternating_series(fixed_one(), radians, 1);
+    const unsigned bits = bits_for(rest);
+    const mpz_class pi = fixed_pi() >> (most_bits - bits);
+    const mpz_class radians = pi * rest.get_num() / (2 * rest.get_den());
+    const mpz_class sine = alternating_series(radians, radians, 2, bits);
+    const mpz_class cosine = alternating_series(fixed_one(bits), radians, 1, bits);
     switch (mpz_fdiv_ui(quarters.get_mpz_t(), 4)) {
     case 0:
-        return {sine, cosine};
+        return {sine, cosine, bits};
     case 1:
-        return {cosine, -sine};
+        return {cosine, -sine, bits};
     case 2:
-        return {-sine, -cosine};
+        return {-sine, -cosine, bits};
     default:
-        return {-cosine, sine};
+        return {-cosine, sine, bits};
     }
 }
 
@@ -87,15 +104,17 @@ bool is_quarter_turn(const mpq_class& degrees) {
 }
 
 double sine_of_degrees(const mpq_class& degrees) {
-    return nearest_double(quotient_of(sine_cosine(degrees).sine, fixed_one()));
+    const auto [sine, cosine, bits] = sine_cosine(degrees);
+    return nearest_double(quotient_of(sine, fixed_one(bits)));
 }
 
 double cosine_of_degrees(const mpq_class& degrees) {
-    return nearest_double(quotient_of(sine_cosine(degrees).cosine, fixed_one()));
+    const auto [sine, cosine, bits] = sine_cosine(degrees);
+    return nearest_double(quotient_of(cosine, fixed_one(bits)));
 }
 
 double cotangent_of_degrees(const mpq_class& degrees) {
-    const auto [sine, cosine] = sine_cosine(degrees);
+    const auto [sine, cosine, bits] = sine_cosine(degrees);
     return nearest_double(quotient_of(cosine, sine));
 }
 
