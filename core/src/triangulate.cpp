@@ -6,8 +6,14 @@
 #include <cassert>
 #include <cmath>
 #include <concepts>
+#include <cstdint>
 #include <initializer_list>
+#include <iterator>
+#include <limits>
 #include <numeric>
+#include <set>
+#include <span>
+#include <tuple>
 #include <utility>
 
 namespace rastertrace {
@@ -159,18 +165,21 @@ template <typename Whole> struct Polygon {
     }
 
     /// Which way three corners turn: 1 to the left, -1 to the right, 0 straight on or back.
-    int turn(std::size_t a, std::size_t b, std::size_t c) const {
+    int turn(std::size_t a, std::size_t b, std::size_t c) const { return turn(a, b, c, c); }
+
+    /// The same for a third place that has its x from one corner and its y from another.
+    int turn(std::size_t a, std::size_t b, std::size_t column, std::size_t row) const {
         if constexpr (std::same_as<Whole, std::int64_t>) {
             const Int128 cross =
-                Int128{x(b) - x(a)} * (y(c) - y(a)) - Int128{y(b) - y(a)} * (x(c) - x(a));
+                Int128{x(b) - x(a)} * (y(row) - y(a)) - Int128{y(b) - y(a)} * (x(column) - x(a));
             return cross < 0 ? -1 : cross > 0 ? 1 : 0;
         } else {
             // Doubles decide most of them.
-            const auto order = order_of((near[b][0] - near[a][0]) * (near[c][1] - near[a][1]),
-                                        (near[b][1] - near[a][1]) * (near[c][0] - near[a][0]));
+            const auto order = order_of((near[b][0] - near[a][0]) * (near[row][1] - near[a][1]),
+                                        (near[b][1] - near[a][1]) * (near[column][0] - near[a][0]));
             if (order)
                 return *order < 0 ? -1 : *order > 0 ? 1 : 0;
-            return sgn(Whole((x(b) - x(a)) * (y(c) - y(a)) - (y(b) - y(a)) * (x(c) - x(a))));
+            return sgn(Whole((x(b) - x(a)) * (y(row) - y(a)) - (y(b) - y(a)) * (x(column) - x(a))));
         }
     }
 };
@@ -257,12 +266,93 @@ struct RankBox {
             high = {std::max(high.x, point.x), std::max(high.y, point.y)};
         }
     }
-    bool has(Rank point) const {
-        return low.x <= point.x && point.x <= high.x && low.y <= point.y && point.y <= high.y;
+    bool overlaps(const RankBox& other) const {
+        return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y &&
+               other.low.y <= high.y;
     }
-    bool overlaps_in_y(const RankBox& other) const {
-        return low.y <= other.high.y && other.low.y <= high.y;
+    void include(const RankBox& other) { *this = RankBox{low, high, other.low, other.high}; }
+};
+
+/// Boxes, found by where they are: a binary tree, whose halves lie beside one another as far as the boxes do
+/// (J. Goldsmith and J. Salmon, Automatic Creation of Object Hierarchies for Ray Tracing, 1987).
+class BoxTree {
+public:
+    /// Box i of these is called names[i].
+    BoxTree(const std::vector<RankBox>& boxes, std::vector<std::size_t> names)
+        : names_(std::move(names)),
+          leaf_of_(names_.empty() ? 0 : 1 + *std::max_element(names_.begin(), names_.end())) {
+        if (boxes.empty())
+            return;
+        std::vector<std::size_t> order(boxes.size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        nodes_.reserve(2 * boxes.size());
+        build(boxes, order, no_node);
     }
+
+    void remove(std::size_t name) {
+        for (std::size_t node = leaf_of_[name]; node != no_node; node = nodes_[node].parent)
+            --nodes_[node].count;
+    }
+
+    /// True if `is_wanted` is true of a box, by its name. Boxes are passed over that lie in one of which `may_have` is
+    /// false.
+    template <typename MayHave, typename IsWanted>
+    bool any(MayHave&& may_have, IsWanted&& is_wanted) const {
+        return !nodes_.empty() && any(0, may_have, is_wanted);
+    }
+
+private:
+    static constexpr std::size_t no_node = std::numeric_limits<std::size_t>::max();
+
+    struct Node {
+        RankBox box;
+        std::size_t parent;
+        std::size_t count;            ///< of boxes that have not been removed
+        std::size_t second = no_node; ///< half; the first one follows its parent
+        std::size_t name = 0;         ///< of a leaf
+    };
+
+    std::size_t build(const std::vector<RankBox>& boxes, std::span<std::size_t> order,
+                      std::size_t parent) {
+        const std::size_t place = nodes_.size();
+        RankBox all = boxes[order.front()];
+        for (const std::size_t i : order)
+            all.include(boxes[i]);
+        nodes_.push_back({.box = all, .parent = parent, .count = order.size()});
+        if (order.size() == 1) {
+            nodes_[place].name = names_[order.front()];
+            leaf_of_[nodes_[place].name] = place;
+            return place;
+        }
+        const bool is_wide = all.high.x - all.low.x > all.high.y - all.low.y;
+        const auto middle_of = [&](std::size_t i) {
+            const RankBox& box = boxes[i];
+            return is_wide ? std::uint64_t{box.low.x} + box.high.x
+                           : std::uint64_t{box.low.y} + box.high.y;
+        };
+        const std::size_t half = order.size() / 2;
+        std::nth_element(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(half),
+                         order.end(),
+                         [&](std::size_t a, std::size_t b) { return middle_of(a) < middle_of(b); });
+        build(boxes, order.first(half), place);
+        const std::size_t second = build(boxes, order.subspan(half), place);
+        nodes_[place].second = second;
+        return place;
+    }
+
+    template <typename MayHave, typename IsWanted>
+    bool any(std::size_t place, MayHave& may_have, IsWanted& is_wanted) const {
+        const Node& node = nodes_[place];
+        if (node.count == 0 || !may_have(node.box))
+            return false;
+        if (node.second == no_node)
+            return is_wanted(node.name);
+        return any(place + 1, may_have, is_wanted) || any(node.second, may_have, is_wanted);
+    }
+
+    std::vector<std::size_t> names_;
+    std::vector<std::size_t> leaf_of_; ///< by name
+    std::vector<Node> nodes_;
 };
 
 /// True if two edges whose boxes overlap have a point in common: neither has both of its ends on one side
@@ -273,6 +363,78 @@ bool edges_meet(const Polygon<Whole>& polygon, std::size_t i, std::size_t j) {
     const std::size_t to_j = polygon.after(j);
     return polygon.turn(i, to_i, j) * polygon.turn(i, to_i, to_j) <= 0 &&
            polygon.turn(j, to_j, i) * polygon.turn(j, to_j, to_i) <= 0;
+}
+
+template <typename Whole>
+bool are_neighbors(const Polygon<Whole>& polygon, std::size_t i, std::size_t j) {
+    return polygon.after(i) == j || polygon.after(j) == i;
+}
+
+/// True if no edges meet that are no neighbors; neighbors may have only their corner in common. A line goes from the
+/// left to the right, and those that it crosses are kept from the lowest to the highest: two edges that meet lie side
+/// by side before they do (M. I. Shamos and D. Hoey, Geometric Intersection Problems, 1976).
+template <typename Whole>
+bool has_no_meeting(const Polygon<Whole>& polygon, const std::vector<Rank>& ranks) {
+    const auto is_before = [&ranks](std::size_t a, std::size_t b) {
+        return std::pair(ranks[a].x, ranks[a].y) < std::pair(ranks[b].x, ranks[b].y);
+    };
+    const auto left_end = [&](std::size_t edge) {
+        return is_before(edge, polygon.after(edge)) ? edge : polygon.after(edge);
+    };
+    const auto right_end = [&](std::size_t edge) {
+        return is_before(edge, polygon.after(edge)) ? polygon.after(edge) : edge;
+    };
+    /// Where b lies, as seen from a, which begins no later: 1 above it.
+    const auto side_of = [&](std::size_t a, std::size_t b) {
+        const int begin = polygon.turn(left_end(a), right_end(a), left_end(b));
+        return begin != 0 ? begin : polygon.turn(left_end(a), right_end(a), right_end(b));
+    };
+    const auto is_below = [&](std::size_t a, std::size_t b) {
+        if (a == b)
+            return false;
+        const int side = is_before(left_end(b), left_end(a)) ? -side_of(b, a) : side_of(a, b);
+        return side != 0 ? side > 0 : a < b;
+    };
+
+    // At one corner, edges begin before others end.
+    std::vector<std::pair<std::size_t, bool>> events;
+    for (std::size_t edge = 0; edge < polygon.size(); ++edge)
+        for (const bool ends : {false, true})
+            events.emplace_back(edge, ends);
+    const auto place_of = [&](const std::pair<std::size_t, bool>& event) {
+        return event.second ? right_end(event.first) : left_end(event.first);
+    };
+    std::sort(events.begin(), events.end(), [&](const auto& a, const auto& b) {
+        const Rank& one = ranks[place_of(a)];
+        const Rank& other = ranks[place_of(b)];
+        return std::tuple(one.x, one.y, a.second, a.first) <
+               std::tuple(other.x, other.y, b.second, b.first);
+    });
+
+    const auto meet = [&](std::size_t i, std::size_t j) {
+        return !are_neighbors(polygon, i, j) &&
+               RankBox{ranks[i], ranks[polygon.after(i)]}.overlaps(
+                   RankBox{ranks[j], ranks[polygon.after(j)]}) &&
+               edges_meet(polygon, i, j);
+    };
+    std::set<std::size_t, decltype(is_below)> crossed(is_below);
+    std::vector<decltype(crossed.begin())> place_in_crossed(polygon.size());
+    for (const auto& [edge, ends] : events) {
+        if (!ends) {
+            const auto [here, is_new] = crossed.insert(edge);
+            if (!is_new)
+                return false;
+            place_in_crossed[edge] = here;
+            if ((here != crossed.begin() && meet(*std::prev(here), edge)) ||
+                (std::next(here) != crossed.end() && meet(edge, *std::next(here))))
+                return false;
+            continue;
+        }
+        const auto above = crossed.erase(place_in_crossed[edge]);
+        if (above != crossed.begin() && above != crossed.end() && meet(*std::prev(above), *above))
+            return false;
+    }
+    return true;
 }
 
 /// The first edge that meets another one which begins later, and the first of those. None: the polygon is
@@ -294,25 +456,25 @@ std::optional<std::array<std::size_t, 2>> first_meeting(const Polygon<Whole>& po
             note(before, i);
     }
 
-    // Others are compared from left to right, as long as the next one begins left of this one's end.
-    std::vector<std::pair<RankBox, std::size_t>> edges;
-    edges.reserve(polygon.size());
-    for (std::size_t i = 0; i < polygon.size(); ++i)
-        edges.emplace_back(RankBox{ranks[i], ranks[polygon.after(i)]}, i);
-    std::sort(edges.begin(), edges.end(), [](const auto& a, const auto& b) {
-        return std::pair(a.first.low.x, a.second) < std::pair(b.first.low.x, b.second);
-    });
-    for (auto one = edges.begin(); one != edges.end(); ++one)
-        for (auto other = one + 1; other != edges.end() && other->first.low.x <= one->first.high.x;
-             ++other) {
-            const std::size_t i = one->second;
-            const std::size_t j = other->second;
-            const bool are_neighbors = polygon.after(i) == j || polygon.after(j) == i;
-            const bool is_too_late = first && std::min(i, j) > first->front();
-            if (one->first.overlaps_in_y(other->first) && !are_neighbors && !is_too_late &&
-                edges_meet(polygon, i, j))
-                note(i, j);
-        }
+    if (!first && has_no_meeting(polygon, ranks))
+        return std::nullopt;
+
+    // Each of the others is compared with those that begin later.
+    std::vector<RankBox> boxes;
+    std::vector<std::size_t> names(polygon.size());
+    std::iota(names.begin(), names.end(), std::size_t{0});
+    for (const std::size_t i : names)
+        boxes.push_back(RankBox{ranks[i], ranks[polygon.after(i)]});
+    BoxTree later(boxes, names);
+    for (std::size_t i = 0; i < polygon.size() && (!first || i <= first->front()); ++i) {
+        later.remove(i);
+        later.any([&](const RankBox& box) { return box.overlaps(boxes[i]); },
+                  [&](std::size_t j) {
+                      if (!are_neighbors(polygon, i, j) && edges_meet(polygon, i, j))
+                          note(i, j);
+                      return false;
+                  });
+    }
     return first;
 }
 
@@ -320,11 +482,14 @@ std::optional<std::array<std::size_t, 2>> first_meeting(const Polygon<Whole>& po
 template <typename Whole> class EarCutter {
 public:
     EarCutter(const Polygon<Whole>& polygon, std::vector<Rank> ranks)
-        : polygon_(polygon), ranks_(std::move(ranks)), before_(polygon.size()),
-          after_(polygon.size()) {
+        : polygon_(polygon), ranks_(std::move(ranks)), columns_(polygon.size()),
+          rows_(polygon.size()), before_(polygon.size()), after_(polygon.size()),
+          is_reflex_(polygon.size()) {
         for (std::size_t i = 0; i < polygon.size(); ++i) {
             before_[i] = polygon.before(i);
             after_[i] = polygon.after(i);
+            columns_[ranks_[i].x] = i;
+            rows_[ranks_[i].y] = i;
         }
     }
 
@@ -336,9 +501,15 @@ public:
         std::vector<std::size_t> line(count);
         std::iota(line.begin(), line.end(), std::size_t{0});
         std::vector<std::size_t> place_in_line = line;
+        std::vector<std::size_t> reflex;
+        std::vector<RankBox> places;
         for (std::size_t i = 0; i < count; ++i)
-            if (!turns_left(i))
-                reflex_.push_back(i);
+            if (!turns_left(i)) {
+                reflex.push_back(i);
+                places.push_back(RankBox{ranks_[i]});
+                is_reflex_[i] = true;
+            }
+        reflex_ = BoxTree(places, std::move(reflex));
 
         std::vector<std::array<std::size_t, 3>> ears;
         ears.reserve(count - 2);
@@ -354,8 +525,10 @@ public:
             for (const std::size_t neighbor : {before_[corner], after_[corner]}) {
                 place_in_line[neighbor] = line.size();
                 line.push_back(neighbor);
-                if (turns_left(neighbor))
-                    std::erase(reflex_, neighbor);
+                if (is_reflex_[neighbor] && turns_left(neighbor)) {
+                    is_reflex_[neighbor] = false;
+                    reflex_.remove(neighbor);
+                }
             }
             last = after_[corner];
         }
@@ -379,18 +552,32 @@ private:
         if (!turns_left(corner))
             return false;
         const RankBox box{ranks_[a], ranks_[corner], ranks_[c]};
-        return std::none_of(reflex_.begin(), reflex_.end(), [&](std::size_t other) {
-            return box.has(ranks_[other]) && other != a && other != c &&
-                   polygon_.turn(a, corner, other) >= 0 && polygon_.turn(corner, c, other) >= 0 &&
-                   polygon_.turn(c, a, other) >= 0;
-        });
+        return !reflex_.any(
+            [&](const RankBox& other) {
+                return other.overlaps(box) && reaches_left_of(a, corner, other) &&
+                       reaches_left_of(corner, c, other) && reaches_left_of(c, a, other);
+            },
+            [&](std::size_t other) {
+                return other != a && other != c && polygon_.turn(a, corner, other) >= 0 &&
+                       polygon_.turn(corner, c, other) >= 0 && polygon_.turn(c, a, other) >= 0;
+            });
+    }
+
+    /// True if a part of a box lies to the left of the line from a to b, or on it.
+    bool reaches_left_of(std::size_t a, std::size_t b, const RankBox& box) const {
+        const Rank farthest{ranks_[a].y < ranks_[b].y ? box.low.x : box.high.x,
+                            ranks_[a].x < ranks_[b].x ? box.high.y : box.low.y};
+        return polygon_.turn(a, b, columns_[farthest.x], rows_[farthest.y]) >= 0;
     }
 
     const Polygon<Whole>& polygon_;
     std::vector<Rank> ranks_;
+    std::vector<std::size_t> columns_; ///< a corner for each place from the left
+    std::vector<std::size_t> rows_;    ///< and from below
     std::vector<std::size_t> before_;
     std::vector<std::size_t> after_;
-    std::vector<std::size_t> reflex_; ///< the corners that do not turn left
+    std::vector<bool> is_reflex_; ///< of each corner: it does not turn left
+    BoxTree reflex_{{}, {}};      ///< those corners
 };
 
 mpz_class whole(Int128 number) {
