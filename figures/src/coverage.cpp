@@ -81,10 +81,11 @@ void PixelCoverage::add_line(std::int64_t line, int weight) {
             const double x =
                 std::clamp(edge.x + (y - edge.y) * edge.slope, 0.0, static_cast<double>(width_));
             crossings_.push_back(
-                {static_cast<std::int64_t>(std::floor(x * parts_per_pixel + 0.5)), edge.winding});
+                {static_cast<std::int64_t>(x * parts_per_pixel + 0.5), edge.winding});
         }
-    std::sort(crossings_.begin(), crossings_.end(),
-              [](const Crossing& a, const Crossing& b) { return a.x < b.x; });
+    const auto is_left = [](const Crossing& a, const Crossing& b) { return a.x < b.x; };
+    if (!std::is_sorted(crossings_.begin(), crossings_.end(), is_left))
+        std::sort(crossings_.begin(), crossings_.end(), is_left);
 
     // From a crossing on, all of what is to the right is covered: of its own pixel a part, of the others all.
     const auto step = [this, weight](std::int64_t x, int sign) {
@@ -140,6 +141,12 @@ void PixelCoverage::for_each_run(const std::function<void(const CoverageRun&)>& 
         const std::int64_t end = first + lines_per_pixel;
         for (; next < edges_.size() && edges_[next].first < end; ++next)
             active_.push_back(edges_[next]);
+
+        // Most lines of the row meet the edges in the order in which its middle does.
+        const double middle = static_cast<double>(row) + 0.5;
+        std::sort(active_.begin(), active_.end(), [middle](const Edge& a, const Edge& b) {
+            return a.x + (middle - a.y) * a.slope < b.x + (middle - b.y) * b.slope;
+        });
 
         // Where all edges run straight down through the row, one line tells what the others would.
         if (std::all_of(active_.begin(), active_.end(), [&](const Edge& edge) {

@@ -26,8 +26,13 @@ struct ColorCount {
 /// The colors, by their words.
 std::vector<ColorCount> color_counts(std::span<const Color> pixels) {
     std::unordered_map<std::uint32_t, std::size_t> counts;
-    for (const Color color : pixels)
-        ++counts[word_of(color)];
+    for (std::size_t i = 0; i < pixels.size();) {
+        std::size_t end = i + 1; // of pixels of one color, which are counted together
+        while (end < pixels.size() && pixels[end] == pixels[i])
+            ++end;
+        counts[word_of(pixels[i])] += end - i;
+        i = end;
+    }
     std::vector<ColorCount> colors;
     for (const auto& [word, count] : counts)
         colors.push_back({word, count});
@@ -60,10 +65,16 @@ void reduce_colors(std::span<Color> pixels) {
         mask = (mask << 1) & 0xFEFEFE & mask; // one more bit of each
         groups = most_frequent(colors, mask);
     } while (groups.size() > Palette::most);
+    Color before{}; // the last one that was looked up
+    Color found{};
     for (Color& color : pixels) {
-        const std::uint32_t word = groups.at(word_of(color) & mask).word;
-        color = {static_cast<std::uint8_t>(word >> 16), static_cast<std::uint8_t>(word >> 8),
-                 static_cast<std::uint8_t>(word)};
+        if (&color == pixels.data() || color != before) {
+            before = color;
+            const std::uint32_t word = groups.at(word_of(color) & mask).word;
+            found = {static_cast<std::uint8_t>(word >> 16), static_cast<std::uint8_t>(word >> 8),
+                     static_cast<std::uint8_t>(word)};
+        }
+        color = found;
     }
 }
 
