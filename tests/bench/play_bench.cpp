@@ -59,7 +59,7 @@ const std::string& long_trace_path() {
 }
 
 std::unique_ptr<Playback> opened() {
-    auto trace = GrowingTrace::open(long_trace_path(), {}, false);
+    auto trace = GrowingTrace::open(long_trace_path(), {});
     return std::make_unique<Playback>(std::get<GrowingTrace>(std::move(trace)), bytes);
 }
 
@@ -93,7 +93,7 @@ void play_first_frame(benchmark::State& state) {
         Player player({.open =
                            [](std::size_t) {
                                return std::get<GrowingTrace>(
-                                   GrowingTrace::open(long_trace_path(), {}, false));
+                                   GrowingTrace::open(long_trace_path(), {}));
                            }},
                       {});
         benchmark::DoNotOptimize(player_screen(player, {80, 24}, {}));
@@ -104,7 +104,7 @@ Player player_at_end() {
     Player player({.open =
                        [](std::size_t) {
                            return std::get<GrowingTrace>(
-                               GrowingTrace::open(long_trace_path(), {}, false));
+                               GrowingTrace::open(long_trace_path(), {}));
                        }},
                   {.bytes = bytes});
     while (player.work()) {

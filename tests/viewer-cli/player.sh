@@ -183,13 +183,3 @@ keys Left r
 wait_for "truncated after"
 keys q
 end 2
-
-# A file that grows.
-"$program" trace "$scene" -o "$folder/whole.jsonl"
-head -n 20 "$folder/whole.jsonl" >"$folder/growing.jsonl"
-begin 80 24 "TERM=tmux-256color" "$folder/growing.jsonl --follow"
-wait_for "step 0 of 19"
-tail -n +21 "$folder/whole.jsonl" >>"$folder/growing.jsonl"
-wait_for "step 0 of 62"
-keys q
-end 0

@@ -61,7 +61,6 @@ struct GrowingTrace::State {
     std::string name;
     std::string path; ///< "" of standard input
     int descriptor = -1;
-    bool follows = false;
     struct stat status {}; ///< when it was opened
 
     std::optional<InputFile> pipe; ///< until its end
@@ -75,7 +74,7 @@ struct GrowingTrace::State {
             return;
         if (!pipe->read_into(from_pipe)) {
             pipe.reset();
-            steps->follow(false);
+            steps->let_grow(false);
             return;
         }
         write_to_spool();
@@ -158,8 +157,7 @@ bool GrowingTrace::State::read_on() {
     trace.damage = steps->damage();
     trace.not_finite = steps->not_finite();
     const bool is_at_end = trace.size() < before + steps_in_piece;
-    const bool may_grow = pipe || follows;
-    if (is_at_end && (!may_grow || steps->is_behind_end())) {
+    if (is_at_end && (!pipe || steps->is_behind_end())) {
         trace.end = steps->end();
         is_whole = true;
         pipe.reset();
@@ -184,13 +182,13 @@ std::optional<std::string> GrowingTrace::change() const {
         return state_->path + " was cut short";
     const bool is_written = now.st_mtim.tv_sec != before.st_mtim.tv_sec ||
                             now.st_mtim.tv_nsec != before.st_mtim.tv_nsec;
-    if (is_written && !state_->follows)
+    if (is_written)
         return state_->path + " was changed";
     return std::nullopt;
 }
 
 std::variant<GrowingTrace, Source> GrowingTrace::open(const std::string& path,
-                                                      const InputLimits& limits, bool follows) {
+                                                      const InputLimits& limits) {
     auto [input, source, layout] =
         open_first_line(path, InputCheck::Kind::scene_trace_or_claims, limits);
     if (layout == LineLayout::other)
@@ -198,7 +196,6 @@ std::variant<GrowingTrace, Source> GrowingTrace::open(const std::string& path,
 
     auto state = std::make_unique<GrowingTrace::State>();
     state->name = source.name;
-    state->follows = follows;
     if (source.file && path != "-") {
         state->path = path;
         state->steps = StepStream(std::move(input), layout, source.text);
@@ -212,9 +209,9 @@ std::variant<GrowingTrace, Source> GrowingTrace::open(const std::string& path,
         ::lseek(file.to_read.number(), static_cast<off_t>(source.text.size()), SEEK_SET);
         state->steps =
             StepStream(InputFile(source.name, std::move(file.to_read)), layout, source.text);
+        state->steps->let_grow(true);
         state->descriptor = state->steps->descriptor();
     }
-    state->steps->follow(follows || state->pipe);
     state->status = status_of(state->descriptor, state->name);
     state->trace = state->steps->header().without_steps();
     state->trace.passed_over = state->steps->passed_over();

@@ -42,7 +42,7 @@ struct StepStream::State {
     std::string header_line;
     std::string text; ///< what has been read and is in no block yet, from the beginning of a line
     bool has_all = false;       ///< the file has come to its end
-    bool follows = false;       ///< the end of the file is not the end: more may be added
+    bool may_grow = false;      ///< the end of the file is not the end: more may be added
     std::size_t text_begin = 0; ///< of `text` in the file
     std::size_t block_begin = 0;
     std::size_t lines_before = 1; ///< lines of the file in front of `text`
@@ -74,7 +74,7 @@ struct StepStream::State {
         if (has_all)
             return false;
         const bool has_read = file.read_into(text);
-        has_all = !has_read && !follows;
+        has_all = !has_read && !may_grow;
         return has_read;
     }
 
@@ -145,7 +145,7 @@ struct StepStream::State {
             if (text.size() > longest_line)
                 throw moved(line_too_long({file.name(), header_line + "\n" + text, {}},
                                           header_line.size() + 1));
-            if (!read_more() && follows)
+            if (!read_more() && may_grow)
                 return false; // not a whole line yet
             std::tie(size, is_last) = end_of_steps();
         }
@@ -345,8 +345,8 @@ bool StepStream::is_behind_end() const {
     return state_->is_behind && state_->place == state_->block.size();
 }
 
-void StepStream::follow(bool more_may_come) {
-    state_->follows = more_may_come;
+void StepStream::let_grow(bool may_grow) {
+    state_->may_grow = may_grow;
 }
 
 std::variant<StepStream, Source> StepStream::open(FirstLine first) {

@@ -496,8 +496,6 @@ private:
             .add_option("--step", play_.step, "Begin at this step; before the first if not given")
             ->type_name("STEP");
         add_view_to(command);
-        command.add_flag("--follow", play_.follow,
-                         "The trace is still being written: show new steps, too");
         command
             .add_option(
                 "--memory", memory_,

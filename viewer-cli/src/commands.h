@@ -108,7 +108,6 @@ struct PlayCommand {
     std::string trace;
     std::string step; ///< to begin with, see selector.h; empty: before the first
     std::optional<View> view;
-    bool follow = false;                        ///< the file may grow
     std::size_t bytes = Snapshots::usual_bytes; ///< for pictures that are kept for going back
     std::optional<TextSize> screen;             ///< only print that of a terminal of this size
     ColorChoice color = ColorChoice::automatic;

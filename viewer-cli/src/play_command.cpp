@@ -26,9 +26,6 @@ using Clock = std::chrono::steady_clock;
 /// A screen is drawn so often while nothing is pressed.
 constexpr std::chrono::milliseconds between_screens{50};
 
-/// How long to wait for a key before a growing file is looked at again, in milliseconds.
-constexpr int between_looks = 200;
-
 /// While it plays.
 constexpr int between_steps = 15;
 
@@ -46,7 +43,7 @@ PlayerInput input_from(std::shared_ptr<InputFrames> frames) {
 
 /// What the file holds; a trace has a title.
 std::variant<GrowingTrace, Source> opened(const PlayCommand& command) {
-    auto opened = GrowingTrace::open(command.trace, command.input, command.follow);
+    auto opened = GrowingTrace::open(command.trace, command.input);
     if (auto* const trace = std::get_if<GrowingTrace>(&opened))
         trace->name_untitled(shown_title("", command.trace));
     return opened;
@@ -78,9 +75,6 @@ PlayerInput open_input_of(const PlayCommand& command) {
         refuse_scene_options({.name = command.trace, .text = {}}, scene_options(command));
         return input_from(command, std::move(*trace));
     }
-    if (command.follow)
-        throw problem_of(command.trace,
-                         "--follow: expected a trace of one step a line, found something else");
     Source& source = std::get<Source>(input);
     std::string path = command.trace;
     if (is_claims(source)) { // what they claim something of
@@ -129,9 +123,7 @@ int print_screen(const PlayCommand& command) {
 int time_to_wait(const Player& player, bool has_worked, bool is_shown) {
     if (has_worked)
         return 0;
-    if (player.is_playing() || !is_shown)
-        return between_steps;
-    return player.playback().growing().is_whole() ? -1 : between_looks;
+    return player.is_playing() || !is_shown ? between_steps : -1;
 }
 
 /// Keys, time and screens, until somebody leaves.

@@ -3,7 +3,7 @@
 
 // A trace that is read piece by piece, so that its first steps are there while the rest is read.
 //
-//     auto opened = GrowingTrace::open("trace.jsonl", {}, false);  // throws a Problem
+//     auto opened = GrowingTrace::open("trace.jsonl", {});  // throws a Problem
 //     if (auto* growing = std::get_if<GrowingTrace>(&opened))
 //         while (!growing->is_whole())
 //             growing->read_on();  // growing->trace() has more steps each time
@@ -25,9 +25,9 @@ namespace rastertrace {
 class GrowingTrace {
 public:
     /// Opens a file ("-" for standard input): a trace to be read; or, if it has not one step a line, all that the
-    /// file holds. `follows`: it may grow. Throws a Problem.
+    /// file holds. Throws a Problem.
     static std::variant<GrowingTrace, Source> open(const std::string& path,
-                                                   const InputLimits& limits, bool follows);
+                                                   const InputLimits& limits);
 
     /// A trace that has been read already.
     explicit GrowingTrace(Trace trace);
@@ -46,7 +46,7 @@ public:
     /// is damage, and the end.
     bool read_on();
 
-    /// All has been read. One that is followed is never whole without an end record.
+    /// All has been read.
     bool is_whole() const;
 
     /// How much of the file has been read, from 0 to 1; of a pipe nobody knows: 0.

@@ -46,10 +46,6 @@ public:
     /// Goes to the next step; false behind the last. Throws a Problem.
     bool next();
 
-    /// Whether more may be added to the file: then next() is false where it ends now, and may be true later. Only what
-    /// ends with a newline is a step then.
-    void follow(bool more_may_come);
-
     /// The current step, valid until the next one is asked for.
     StepView step() const;
     std::optional<StepKind> kind() const;
@@ -85,6 +81,10 @@ private:
     friend std::variant<StepStream, Source> open_steps_or_claims(const std::string& path,
                                                                  const InputLimits& limits);
     int descriptor() const;
+
+    /// Whether more may be added to the file, as to that which keeps a pipe: then next() is false where it ends, and may
+    /// be true later. Only what ends with a newline is a step then.
+    void let_grow(bool may_grow);
     bool is_behind_end() const; ///< an end record, or the end of a file that does not grow
     struct State;
     static std::variant<StepStream, Source> open(FirstLine first);
