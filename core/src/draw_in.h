@@ -257,13 +257,12 @@ void draw_piece(const Piece<Scalar>& piece, const Scene& scene, const Plan& plan
         draw_thin(piece, scene, plan, target, sink);
 }
 
-/// Tells of a piece and draws it. The corners of `adaptive` are told as what they stand for: all
-/// decisions are about those.
-template <typename AList, typename AFace, typename Scalar, typename OfPixels, typename Sink>
-void tell_and_draw(const AList& list, const ScreenPrimitive& one, const AFace& face,
-                   const Piece<Scalar>& piece, const Scene& scene, const Plan& plan,
-                   Target<Scalar, OfPixels>& target, const Sink& sink) {
-    const PieceNames names(scene, list, one); // a listener may refer to them until the piece ends
+/// Tells of a piece. The corners of `adaptive` are told as what they stand for: all decisions are about
+/// those.
+template <typename AFace, typename Scalar, typename OfPixels, typename Sink>
+void tell_piece(const PieceNames& names, const AFace& face, const Piece<Scalar>& piece,
+                const Scene& scene, const Plan& plan, const Target<Scalar, OfPixels>& target,
+                const Sink& sink) {
     const bool has_depths = target.depth != nullptr;
     bool is_told = false;
     if constexpr (std::same_as<Scalar, Adaptive>)
@@ -275,6 +274,15 @@ void tell_and_draw(const AList& list, const ScreenPrimitive& one, const AFace& f
     if (!is_told)
         tell_beginning(piece, names, piece, has_depths, scene, plan, sink);
     tell_face(face, sink);
+}
+
+/// Tells of a piece and draws it.
+template <typename AList, typename AFace, typename Scalar, typename OfPixels, typename Sink>
+void tell_and_draw(const AList& list, const ScreenPrimitive& one, const AFace& face,
+                   const Piece<Scalar>& piece, const Scene& scene, const Plan& plan,
+                   Target<Scalar, OfPixels>& target, const Sink& sink) {
+    const PieceNames names(scene, list, one); // a listener may refer to them until the piece ends
+    tell_piece(names, face, piece, scene, plan, target, sink);
     if (!piece.is_skipped)
         draw_piece(piece, scene, plan, target, sink);
 }

@@ -218,13 +218,19 @@ private:
                   const Listener& listener) {
         begin(one.primitive, &one);
         const auto piece = piece_in<Adaptive>(piece_of(scene_, list, one), plan_);
-        const auto open = keeps_steps<Sink> ? undecided_in(piece, face) : paint_if_decided(piece);
+        const auto open = decide_about(piece, face);
         if (open) {
             TellingUndecided telling(listener, *open);
             draw_exactly(list, one, face, Listener(telling));
         } else if constexpr (keeps_steps<Sink>) {
-            tell_and_draw(list, one, face, piece, scene_, plan_, target_,
-                          NearestSlopes(listener, piece, exactness_));
+            if (takes_pixels_)
+                return tell_and_draw(list, one, face, piece, scene_, plan_, target_,
+                                     NearestSlopes(listener, piece, exactness_));
+            const PieceNames names(scene_, list, one);
+            const ListenerSink sink(listener);
+            tell_piece(names, face, piece, scene_, plan_, target_, sink);
+            if (rows_.skipped())
+                sink(*rows_.skipped());
         }
     }
 
@@ -238,26 +244,32 @@ private:
                       sink_to<Sink>(listener));
     }
 
-    /// Takes all decisions about a piece, and looks at every step that the listener would be told.
+    /// Takes all decisions about a piece; what is left open, if any. A listener that takes no pixels is told of it
+    /// when all are painted; for one that does, nothing is painted yet.
     template <typename AFace>
-    std::optional<Undecided> undecided_in(const Piece<Adaptive>& piece, const AFace& face) {
-        const ListenerSink sink(certifying_);
-        return left_open_by([&] {
-            if (piece.kind == PrimitiveKind::line)
-                octant_of(piece, {0, 1}, scene_.method); // that is told even if it is not drawn
-            if (!tell_face(face, sink))
-                return;
-            if (piece.kind == PrimitiveKind::triangle)
-                TrianglePaint<Adaptive, Adaptive>(piece, scene_, plan_, target_);
-            decide(piece, sink);
-        });
+    std::optional<Undecided> decide_about(const Piece<Adaptive>& piece, const AFace& face) {
+        rows_.clear();
+        if constexpr (keeps_steps<Sink>) {
+            const ListenerSink sink(certifying_);
+            const auto open = left_open_by([&] {
+                if (piece.kind == PrimitiveKind::line)
+                    octant_of(piece, {0, 1}, scene_.method); // that is told even if it is not drawn
+                if (!tell_face(face, sink) || !takes_pixels_)
+                    return;
+                if (piece.kind == PrimitiveKind::triangle)
+                    TrianglePaint<Adaptive, Adaptive>(piece, scene_, plan_, target_);
+                decide(piece, sink);
+            });
+            if (open || takes_pixels_)
+                return open;
+        }
+        return paint_if_decided(piece);
     }
 
-    /// The same for nobody. What is certain is painted at once.
+    /// Paints a piece if doubles decide all about it, and tells nobody.
     std::optional<Undecided> paint_if_decided(const Piece<Adaptive>& piece) {
         if (piece.is_skipped)
             return std::nullopt;
-        rows_.clear();
         std::optional<TrianglePaint<Adaptive, Adaptive>> paint;
         const auto open = left_open_by([&] {
             if (piece.kind == PrimitiveKind::triangle)
@@ -299,6 +311,7 @@ private:
     const Listener& listener_;
     const Certifier certifier_;
     const Listener certifying_; ///< tells the certifier
+    const bool takes_pixels_ = listener_.takes_pixels();
     CertainRows rows_;
     std::size_t parts_ = 0; ///< of the primitive, so far
 };

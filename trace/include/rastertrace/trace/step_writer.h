@@ -355,7 +355,7 @@ private:
         return wanted_[static_cast<std::size_t>(kind)] && is_in_primitive_;
     }
 
-    // Steps with numbers, which need not be put together if they are left out.
+    // Steps that need not be put together if they are left out. PrimitiveBegan says whose the others are.
     static StepKind kind_of(const MatrixSetUp<Quantity>*) { return StepKind::matrix; }
     static StepKind kind_of(const VertexPlaced<Quantity>*) { return StepKind::vertex; }
     static StepKind kind_of(const FaceTested<Quantity>*) { return StepKind::face; }
@@ -366,6 +366,13 @@ private:
     static StepKind kind_of(const LineSampled<Quantity>*) { return StepKind::along; }
     static StepKind kind_of(const SampleTested<Quantity>*) { return StepKind::sample; }
     static StepKind kind_of(const DepthTested<Quantity>*) { return StepKind::depth; }
+    static StepKind kind_of(const SideBegan*) { return StepKind::edge; }
+    static StepKind kind_of(const HalfBegan*) { return StepKind::half; }
+    static StepKind kind_of(const RayBegan*) { return StepKind::ray; }
+    static StepKind kind_of(const LineDecided*) { return StepKind::decide; }
+    static StepKind kind_of(const PixelPlotted*) { return StepKind::pixel; }
+    static StepKind kind_of(const PixelsRejected*) { return StepKind::reject; }
+    static StepKind kind_of(const RowsRejected*) { return StepKind::reject; }
 
     /// ABC/1 is a part of ABC.
     static bool is_part_of(std::string_view name, std::string_view whole) {

@@ -34,13 +34,18 @@ public:
     void operator()(const ScanlineSpanned<Adaptive>& span) { spans_.push_back(span); }
     void operator()(const SampleTested<Adaptive>&) { has_pixels_ = true; }
     void operator()(const PixelPlotted&) { has_pixels_ = true; }
+    void operator()(const PrimitiveSkipped& step) { skipped_ = step; }
 
     template <typename Step> bool takes() const { return false; }
 
     void clear() {
         spans_.clear();
         has_pixels_ = false;
+        skipped_.reset();
     }
+
+    /// Why the primitive draws nothing, if it does not.
+    const std::optional<PrimitiveSkipped>& skipped() const { return skipped_; }
 
     /// Hands all of it to a painter; `yield_again(painter)` if not all has been kept.
     template <typename Painter, typename YieldAgain>
@@ -54,6 +59,7 @@ public:
 private:
     std::vector<ScanlineSpanned<Adaptive>> spans_;
     bool has_pixels_ = false;
+    std::optional<PrimitiveSkipped> skipped_;
 };
 
 } // namespace rastertrace

@@ -59,6 +59,16 @@ public:
         return std::get<Way<Told<Step>>>(ways_) != nullptr;
     }
 
+    /// True if it takes a step that fires while a primitive is drawn, but for PrimitiveSkipped.
+    bool takes_pixels() const {
+        return takes<EdgeSetUp<Quantity>>() || takes<EdgeFunctionSetUp<Quantity>>() ||
+               takes<SideBegan>() || takes<HalfBegan>() || takes<RayBegan>() ||
+               takes<ScanlineSpanned<Quantity>>() || takes<LineSampled<Quantity>>() ||
+               takes<LineDecided>() || takes<SampleTested<Quantity>>() ||
+               takes<DepthTested<Quantity>>() || takes<PixelPlotted>() || takes<PixelsRejected>() ||
+               takes<RowsRejected>();
+    }
+
     /// True if it takes PrimitiveBegan, and may read its positions and depths. For one that does not,
     /// `adaptive` need not work them out exactly.
     bool reads_corners() const { return reads_corners_ && takes<PrimitiveBegan<Quantity>>(); }
