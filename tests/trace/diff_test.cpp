@@ -619,6 +619,40 @@ TEST(Diff, AStepThatCannotBeUnderstoodIsRefusedWhereItDiffers) {
     }
 }
 
+// A row takes 6 MB here: more than the steps in front of a difference that are kept.
+TEST(Diff, TheRowOfAPixelIsToldHoweverFarBehindTheBeginningOfItsPrimitive) {
+    const std::string padding = R"(,"note":")" + std::string(100'000, '-') + "\"}\n";
+    std::string text = R"({"rastertrace":1,"canvas":{"width":60,"height":3,"origin":"top-left"}}
+{"step":"primitive","kind":"triangle","name":"ABC","vertices":["A","B","C"]}
+)";
+    for (int y = 0; y < 3; ++y) {
+        text += R"({"step":"scanline","y":)" + std::to_string(y) +
+                R"(,"left":0,"right":59,"from":0,"to":59,"left_edge":"AB","right_edge":"AC"})"
+                "\n";
+        for (int x = 0; x < 60; ++x)
+            text += R"({"step":"pixel","x":)" + std::to_string(x) + R"(,"y":)" + std::to_string(y) +
+                    padding;
+    }
+    text += "{\"end\":{}}\n";
+    const auto without = [&text](const std::string& pixel) {
+        std::string other = text;
+        const std::size_t begin = other.find(R"({"step":"pixel",)" + pixel);
+        other.erase(begin, other.find('\n', begin) + 1 - begin);
+        return diff_of(text, other);
+    };
+    for (const auto& [x, y] : {std::pair{58, 0}, {4, 1}, {58, 1}, {58, 2}}) {
+        const std::string row = std::to_string(y);
+        const TraceDiff found = without(R"("x":)" + std::to_string(x) + R"(,"y":)" + row + ",");
+        const auto sentence = [&row](int column) {
+            return "pixel (" + std::to_string(column) + ", " + row + ")   row y=" + row +
+                   ": 0 to 59";
+        };
+        ASSERT_TRUE(found.first && found.first->a && !found.before_b.empty());
+        EXPECT_EQ(found.first->a->sentence, sentence(x));
+        EXPECT_EQ(found.before_b.back().sentence, sentence(x - 1));
+    }
+}
+
 // More steps than are looked ahead, or kept until they come later, in another order.
 TEST(Diff, StepsInAnotherOrderAreFoundFarApart) {
     const std::string scene = R"({"canvas":{"width":64,"height":64},

@@ -4,8 +4,10 @@
 #include <rastertrace/trace/describe.h>
 #include <rastertrace/trace/frame.h>
 
-#include <algorithm>
+#include <cstddef>
+#include <map>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -13,9 +15,10 @@ namespace rastertrace {
 
 namespace {
 
-/// So many bytes of steps in front of the primitive, and of its own, are read again for the sentences. Steps farther
-/// back are not missed but by a sentence that refers to them.
-constexpr std::size_t most_read_again = 4'000'000;
+/// So many bytes of steps are kept for the sentences: in front of all primitives, from the
+/// beginning of the primitive, and in front of the spot. Between the last two, the last step of each
+/// kind is kept.
+constexpr std::size_t most_kept = 4'000'000;
 
 /// So many steps are told before and behind the one that differs.
 constexpr std::size_t steps_around = 1;
@@ -40,13 +43,30 @@ public:
     /// Adds the steps from a place on, as long as `wants` says so.
     template <typename Wants> void add(LinePlace from, const Wants& wants) {
         StepLines lines(text_, from);
-        while (const StepLine* const line = lines.front()) {
+        for (; const StepLine* const line = lines.front(); lines.pass()) {
             if (!wants(*line))
                 break;
-            trace_.add_to_excerpt(StepView(line->json), line->kind, line->number);
-            lines_.push_back(line->place.lines);
-            lines.pass();
+            add(*line);
         }
+    }
+
+    /// Adds the steps of a primitive up to an offset. The row of the last pixel may stand far behind
+    /// the beginning.
+    void add_primitive(LinePlace from, std::size_t end) {
+        std::map<std::optional<StepKind>, StepLine> last; // of each kind, between the parts kept
+        StepLines lines(text_, from);
+        for (; const StepLine* const line = lines.front(); lines.pass()) {
+            const std::size_t offset = line->place.offset;
+            if (offset >= end)
+                break;
+            if (offset >= from.offset + most_kept && offset + most_kept < end) {
+                last.insert_or_assign(line->kind, *line);
+                continue;
+            }
+            add_in_order(std::exchange(last, {}));
+            add(*line);
+        }
+        add_in_order(std::move(last));
     }
 
     /// What there is around a spot, the last of the steps that have been added.
@@ -74,6 +94,19 @@ public:
     }
 
 private:
+    void add(const StepLine& line) {
+        trace_.add_to_excerpt(StepView(line.json), line.kind, line.number);
+        lines_.push_back(line.place.lines);
+    }
+
+    void add_in_order(const std::map<std::optional<StepKind>, StepLine>& steps) {
+        std::map<std::size_t, const StepLine*> by_number;
+        for (const auto& [kind, line] : steps)
+            by_number.emplace(line.number, &line);
+        for (const auto& [number, line] : by_number)
+            add(*line);
+    }
+
     const TraceText& text_;
     Trace trace_;
     std::vector<std::size_t> lines_; ///< of the text in front of each step
@@ -82,20 +115,15 @@ private:
 Around around(const TraceText& text, LinePlace primitive, const Spot& spot) {
     Excerpt excerpt(text);
     const std::size_t offset = spot.place.offset;
-    const auto has_room = [](const StepLine& line, std::size_t from) {
-        return line.place.offset < from + most_read_again;
-    };
     // What stands in front of all primitives: matrices, vertices, the painter's order.
     const std::size_t begin = text.begin();
     excerpt.add({}, [&](const StepLine& line) {
         return line.kind != StepKind::primitive && line.place.offset < offset &&
-               has_room(line, begin);
+               line.place.offset < begin + most_kept;
     });
     // The primitive, up to the spot.
-    if (primitive.offset != 0 && primitive.offset < offset)
-        excerpt.add(primitive, [&](const StepLine& line) {
-            return line.place.offset < offset && has_room(line, primitive.offset);
-        });
+    if (primitive.offset != 0)
+        excerpt.add_primitive(primitive, offset);
     std::size_t rest = steps_around + (spot.is_step ? 1 : 0);
     excerpt.add(spot.place, [&rest](const StepLine&) { return rest-- > 0; });
     return excerpt.around(spot);
