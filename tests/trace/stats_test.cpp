@@ -209,6 +209,49 @@ RC_GTEST_PROP(Coverage, AgreesWithEveryPixelTestedByItself, ()) {
     RC_ASSERT(stats.primitives[0].coverage->outside.kept == outside);
 }
 
+// What a fill decides in double or float, it decides right in these numbers: its corners are the
+// doubles or floats that the trace has, and what rounding leaves open is no fault.
+RC_GTEST_PROP(Coverage, AFillInDoubleOrFloatIsFaultless, ()) {
+    const auto scalar =
+        *rc::gen::element(ScalarKind::double_precision, ScalarKind::single_precision);
+    Method method{.scalar = scalar};
+    method.fill =
+        *rc::gen::element(Fill::top_left, Fill::barycentric, Fill::scanline, Fill::two_halves);
+    method.sample = *rc::gen::element(Sample::integer, Sample::center);
+    method.rounding = Rounding::inside;
+    const auto parts = *rc::gen::inRange(1, 15);
+    auto coordinates = any_triangle(12 * parts, parts);
+    // Samples lie on edges often where corners lie in rows of samples.
+    const bool has_whole_rows = *rc::gen::arbitrary<bool>();
+    for (const std::size_t i : {1U, 3U, 5U})
+        if (has_whole_rows)
+            coordinates[i] = std::to_string(*rc::gen::inRange(-12, 13));
+    const auto origin = *rc::gen::element(Origin::center, Origin::bottom_left, Origin::top_left);
+    const Scene scene =
+        triangle_scene(coordinates, {.width = 20, .height = 18, .origin = origin}, method);
+    log_scene(scene);
+    const Stats stats = stats_of_scene(scene);
+    if (const auto& coverage = stats.primitives[0].coverage) {
+        RC_ASSERT(coverage->holes.count == 0u);
+        RC_ASSERT(coverage->outside.count == 0u);
+    }
+}
+
+// Row 0 lies 1/1024 pixel inside the edge AB. That is 2^14 roundings of a number below 1 in float.
+TEST(Coverage, WhatAFloatCanTellIsJudged) {
+    std::string text = R"({"rastertrace":1,"canvas":{"width":24,"height":24,"origin":"top-left"},)"
+                       R"("method":{"scalar":"float","sample":"integer"}}
+{"step":"primitive","kind":"triangle","name":"ABC","at":[[0,-0.0009765625],[20,-0.0009765625],[0,20]]}
+)";
+    for (int y = 1; y < 20; ++y)
+        for (int x = 0; x + y < 20; ++x)
+            text += R"({"step":"pixel","x":)" + std::to_string(x) + R"(,"y":)" + std::to_string(y) +
+                    "}\n";
+    const Stats stats = stats_of(readable_trace(text + "{\"end\":{}}\n"));
+    EXPECT_EQ(stats.primitives[0].coverage->holes.count, 19u);
+    EXPECT_EQ(stats.primitives[0].coverage->outside.count, 0u);
+}
+
 TEST(Coverage, IsOnlyOfTrianglesWithAreaAndNumbers) {
     const Scene line = triangle_scene({"0", "0", "2", "2", "4", "4"}, ten_by_ten);
     EXPECT_FALSE(stats_of_scene(line).primitives[0].coverage);
@@ -315,6 +358,10 @@ RC_GTEST_PROP(SharedEdge, AgreesWithEveryPixelTestedByItself, ()) {
     const bool runs_along_x = std::abs(bx - ax) >= std::abs(by - ay);
     const int reach = std::max(std::abs(bx - ax), std::abs(by - ay));
 
+    // Folded over the edge, both lie on one side of it.
+    const bool is_fold =
+        (turn(coordinates[4], coordinates[5]) > 0) == (turn(coordinates[6], coordinates[7]) > 0);
+
     // What each of the two draws by itself.
     Scene alone = scene;
     alone.primitives.resize(1);
@@ -328,14 +375,14 @@ RC_GTEST_PROP(SharedEdge, AgreesWithEveryPixelTestedByItself, ()) {
         for (int x = 0; x < 10; ++x) {
             const bool by_one = one.at({x, y}) != no_color;
             const bool by_other = other.at({x, y}) != no_color;
-            if (by_one && by_other)
+            if (by_one && by_other && !is_fold)
                 twice.push_back({x, y});
             const auto [low, high] = runs_along_x ? std::minmax({ax, bx}) : std::minmax({ay, by});
             const int along = runs_along_x ? x : y;
             const bool is_near = low <= along && along <= high && std::abs(turn(x, y)) <= reach;
             const bool is_on_edge = turn(x, y) == 0 && low < along && along < high;
-            if (is_near && (is_on_edge || is_inside(x, y, 2) || is_inside(x, y, 3)) && !by_one &&
-                !by_other)
+            if (is_near && ((is_on_edge && !is_fold) || is_inside(x, y, 2) || is_inside(x, y, 3)) &&
+                !by_one && !by_other)
                 never.push_back({x, y});
         }
     const Stats stats = stats_of_scene(scene);
@@ -358,6 +405,17 @@ TEST(SharedEdge, HorizontalAndVerticalOnesToo) {
         EXPECT_EQ(stats.edges[0].twice.count, 0u);
         EXPECT_EQ(stats.edges[0].never.count, 0u);
     }
+}
+
+TEST(SharedEdge, AFoldIsNotDrawnTwice) {
+    // ABC and ABD lie both below AB, and share pixels.
+    const Scene fold = mesh({1, 2, 9, 2, 4, 9, 8, 9}, {{0, 1, 2}, {0, 1, 3}}, ten_by_ten,
+                            {.scalar = ScalarKind::exact, .fill = Fill::top_left});
+    const Stats stats = stats_of_scene(fold);
+    ASSERT_EQ(stats.edges.size(), 1u);
+    EXPECT_LT(stats.pixels, stats.writes);
+    EXPECT_EQ(stats.edges[0].twice.count, 0u);
+    EXPECT_EQ(stats.edges[0].never.count, 0u);
 }
 
 TEST(SharedEdge, OfThreeTrianglesEveryPairIsCompared) {
@@ -421,6 +479,115 @@ TEST(WrongRows, CountWhatIsMissingAndWhatIsTooMuch) {
     EXPECT_EQ(wrong(rejected + hidden + pixel(2, 3)), "0 missing, 1 others");
     EXPECT_EQ(wrong(""), "3 missing, 0 others");
     EXPECT_EQ(wrong(pixel(1, 2), ""), "");
+}
+
+/// The findings that cannot be judged, and why: "holes, twice, outside: expected ..."
+std::vector<std::string> unjudged(const std::string& steps, const std::string& header = "") {
+    std::vector<std::string> all;
+    const Stats stats = stats_of(
+        readable_trace(R"({"rastertrace":1,"canvas":{"width":8,"height":8,"origin":"top-left"})" +
+                       header + "}\n" + steps + "{\"end\":{}}\n"));
+    for (const auto& [findings, lacks] : stats.unjudged)
+        all.push_back(names_of(findings) + ": " + lacks);
+    return all;
+}
+
+TEST(Unjudged, IsWhatStepsLackFieldsFor) {
+    const auto triangle = [](const std::string& more, const std::string& kind = "triangle") {
+        return R"({"step":"primitive","kind":")" + kind + R"(","name":"ABC")" + more + "}\n";
+    };
+    const std::string at = R"(,"at":[[0,0],["7/2",0],[0,3.5]])";
+    const std::string row = R"({"step":"scanline","y":1,"left":1,"right":1,"from":1,"to":1})"
+                            "\n";
+    const std::string pixel = R"({"step":"pixel","x":1,"y":1})"
+                              "\n";
+    const std::string corners = "holes, twice, outside: expected ";
+    const std::string of_abc = R"("at", three pairs of numbers, of triangle ABC (step 1), found )";
+    EXPECT_THAT(unjudged(triangle(at) + row + pixel), IsEmpty());
+    EXPECT_THAT(unjudged(triangle("") + row + pixel), ElementsAre(corners + of_abc + "none"));
+    EXPECT_THAT(unjudged(triangle("") + row), ElementsAre(corners + of_abc + "none"));
+    EXPECT_THAT(unjudged(triangle(R"(,"at":[[0,0],[3,0]])") + row + pixel),
+                ElementsAre(corners + of_abc + "[[0,0],[3,0]]"));
+    EXPECT_THAT(unjudged(triangle(R"(,"at":[[0,0],[3,0],[0,"x"]])") + row + pixel),
+                ElementsAre(corners + of_abc + R"([[0,0],[3,0],[0,"x"]])"));
+    EXPECT_THAT(unjudged(triangle(at + R"(,"within":1e-300)") + row + pixel),
+                ElementsAre(corners +
+                            R"(an exact "at" of triangle ABC (step 1), found one with "within")"));
+    EXPECT_THAT(
+        unjudged(triangle(at, "quad") + row + pixel),
+        ElementsAre(corners + "a triangle, outline, line or point, found quad ABC (step 1)"));
+    EXPECT_THAT(unjudged(triangle(at) + pixel),
+                ElementsAre(R"(rows: expected a "scanline" in front of step 2, found none)"));
+    EXPECT_THAT(unjudged(pixel),
+                ElementsAre(corners + R"(a "primitive" in front of step 1, found none)",
+                            R"(rows: expected a "scanline" in front of step 1, found none)"));
+    EXPECT_THAT(unjudged(pixel, R"(,"only":["pixel"])"),
+                ElementsAre("holes, twice, outside, rows: expected a trace with all its steps, "
+                            "found one that steps were left out of"));
+    // The first one that lacks something is told.
+    EXPECT_THAT(
+        unjudged(triangle(at) + row + pixel + triangle("") + pixel),
+        ElementsAre(corners +
+                        R"("at", three pairs of numbers, of triangle ABC (step 4), found none)",
+                    R"(rows: expected a "scanline" in front of step 5, found none)"));
+    // What has no inside, or draws nothing, lacks nothing.
+    EXPECT_THAT(unjudged(triangle("", "line") + pixel), IsEmpty());
+    EXPECT_THAT(unjudged(triangle("") + R"({"step":"skip","why":"culled"})"
+                                        "\n"),
+                IsEmpty());
+}
+
+TEST(Unjudged, IsNothingOfWhatIsDrawnHere) {
+    for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+        const auto read = read_scene({"scene.json", RandomScene(seed).text()});
+        if (!read)
+            continue;
+        for (const Unjudged& one : stats_of(trace_of(read.value().scene)).unjudged)
+            ADD_FAILURE() << "seed " << seed << ": " << names_of(one.findings) << ": " << one.lacks;
+    }
+}
+
+/// The trace of a scene as a rasterizer writes it that says nothing of samples.
+Stats without_sample(const Scene& scene) {
+    std::string text = trace_text(scene);
+    const std::size_t begin = text.find(R"(,"sample":)");
+    return stats_of(readable_trace(text.erase(begin, text.find('}', begin) - begin)));
+}
+
+TEST(FoundSample, IsTheOnlyOneThatExplainsAllPixels) {
+    for (const Sample sample : {Sample::integer, Sample::center}) {
+        const Stats stats = without_sample(triangle_scene(
+            {"1/2", "1/2", "15/2", "1/2", "1/2", "15/2"}, ten_by_ten,
+            {.scalar = ScalarKind::exact, .fill = Fill::barycentric, .sample = sample}));
+        ASSERT_TRUE(stats.sample);
+        EXPECT_EQ(stats.sample->is_center, sample == Sample::center);
+        EXPECT_TRUE(stats.sample->explains_all);
+        for (const PrimitiveStats& primitive : stats.primitives) {
+            EXPECT_EQ(missing(*primitive.coverage), 0u);
+            EXPECT_EQ(primitive.coverage->outside.count, 0u);
+        }
+    }
+}
+
+// By the top-left rule the square from (0, 0) to (8, 8) has the pixels 0 to 7, whichever of their
+// samples are tested: those that are missing lie on its boundary.
+TEST(FoundSample, IsNotToldWhereBothExplainAllPixels) {
+    EXPECT_FALSE(
+        without_sample(square({.scalar = ScalarKind::exact, .fill = Fill::top_left})).sample);
+}
+
+TEST(FoundSample, IsIntegerWhereNeitherExplainsAllPixels) {
+    std::string text = R"({"rastertrace":1,"canvas":{"width":8,"height":8,"origin":"top-left"}}
+{"step":"primitive","kind":"triangle","name":"ABC","at":[[0,0],[4,0],[0,4]]}
+{"step":"pixel","x":7,"y":7}
+{"end":{}}
+)";
+    const Stats stats = stats_of(readable_trace(text));
+    ASSERT_TRUE(stats.sample);
+    EXPECT_FALSE(stats.sample->is_center);
+    EXPECT_FALSE(stats.sample->explains_all);
+    // Strictly inside: (1, 1), (2, 1), (1, 2).
+    EXPECT_EQ(stats.primitives[0].coverage->holes.count, 3u);
 }
 
 TEST(OutlineOnFill, TheFloorRuleLeavesPixelsOfTheOutlineUncovered) {

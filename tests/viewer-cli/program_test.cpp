@@ -332,7 +332,7 @@ TEST_F(ProgramTest, StatsHoldsEveryRowAgainstItsPixels) {
 {"step":"pixel","x":-1,"y":0},
 {"step":"reject","x":1,"y":0,"why":"stencil"}
 ],"end":{"steps":6}})");
-    const Outcome foreign = shell("$rastertrace stats foreign.json --fail-on holes,rows");
+    const Outcome foreign = shell("$rastertrace stats foreign.json --fail-on rows");
     EXPECT_EQ(foreign.status, 1);
     EXPECT_THAT(foreign.out,
                 EndsWith("scanline y=0 of ABC (step 2), -2 to 1: 1 pixel neither drawn "
@@ -368,6 +368,84 @@ TEST_F(ProgramTest, StatsFailsOnRequest) {
     EXPECT_EQ(partial.status, 2);
     EXPECT_EQ(partial.err, "rastertrace: -: --fail-on: expected a trace with all its steps, found "
                            "one that steps were left out of\n");
+}
+
+// In double, E of BC is -2.2e-15 at the center of (3, 9). In fractions, the center lies on BC, which
+// is no left edge.
+TEST_F(ProgramTest, StatsReadsTheDecimalsOfATraceAsItsDoubles) {
+    write("doubles.json", R"({"canvas":{"width":8,"height":18,"origin":"top-left"},
+        "vertices":{"A":["10/7",12],"B":["20/7",5],"C":["30/7",15]},"triangles":["ABC"],
+        "method":{"fill":"top-left"}})");
+    const Outcome told =
+        shell("$rastertrace stats doubles.json --fail-on holes,twice,outside,rows");
+    EXPECT_EQ(told.status, 0);
+    EXPECT_EQ(told.err, "");
+    EXPECT_THAT(told.out, EndsWith("triangle ABC: 10 writes\n"));
+}
+
+// A corner of the cube points at the viewer: three faces are in front, three behind. All six sides
+// of its outline are folds.
+TEST_F(ProgramTest, StatsDoesNotCountTheFoldsOfAClosedMeshAsDrawnTwice) {
+    write("cube.json", R"({"canvas":{"width":40,"height":40,"origin":"top-left"},
+        "meshes":[{"name":"cube","vertices":{"A":[-1,-1,-1],"B":[1,-1,-1],"C":[1,1,-1],
+                   "D":[-1,1,-1],"E":[-1,-1,1],"F":[1,-1,1],"G":[1,1,1],"H":[-1,1,1]},
+                   "faces":["ADCB","EFGH","ABFE","BCGF","CDHG","DAEH"]}],
+        "camera":{"position":[3,4,5],"look_at":[0,0,0],"up":[0,1,0]},
+        "projection":{"type":"frustum","fov_y":40,"near":1,"far":20},
+        "method":{"depth":"painter","fill":"top-left"}})");
+    const std::string stats = "$rastertrace stats cube.json --fail-on holes,twice,outside ";
+    const Outcome sound = shell(stats);
+    EXPECT_EQ(sound.err, "");
+    EXPECT_EQ(sound.status, 0);
+    EXPECT_THAT(sound.out, HasSubstr("mesh cube: 12 primitives, "));
+    // What lies on two sides of an edge still counts.
+    EXPECT_EQ(shell(stats + "--fill barycentric --snap nearest --sample integer").err,
+              "rastertrace: --fail-on: found twice\n");
+}
+
+TEST_F(ProgramTest, StatsPassesNothingThatItCannotJudge) {
+    shell("sed 's/\"at\":\\[.*\\]\\],//' $examples/regression/fast.jsonl > fast.jsonl");
+    const Outcome lacking =
+        shell("$rastertrace stats fast.jsonl --fail-on holes,twice,outside,rows");
+    EXPECT_EQ(lacking.status, 2);
+    EXPECT_EQ(
+        lacking.err,
+        "rastertrace: fast.jsonl: --fail-on: holes, twice, outside cannot be judged: expected "
+        "\"at\", three pairs of numbers, of triangle ABC (step 1), found none\n");
+    EXPECT_EQ(shell("$rastertrace stats fast.jsonl --fail-on rows").status, 0);
+    EXPECT_EQ(shell("$rastertrace stats fast.jsonl").status, 0);
+
+    // What was found is told as well.
+    shell(
+        "sed '0,/pixel/{/pixel/d}' fast.jsonl | sed 's/\"steps\":.*/\"steps\":54}}/' > less.jsonl");
+    const Outcome both = shell("$rastertrace stats less.jsonl --fail-on outside,rows");
+    EXPECT_EQ(both.status, 2);
+    EXPECT_THAT(both.err, HasSubstr("rastertrace: --fail-on: found rows\n"));
+    EXPECT_THAT(both.err, HasSubstr("--fail-on: outside cannot be judged: expected \"at\""));
+}
+
+// The corners are the centers of the three pixels. The integer point of (0, 0) lies outside.
+TEST_F(ProgramTest, StatsFindsTheSampleOfATraceThatDoesNotTellIt) {
+    write("foreign.jsonl", R"({"rastertrace":1,"canvas":{"width":3,"height":3,"origin":"top-left"}}
+{"step":"primitive","kind":"triangle","name":"ABC","at":[[0.5,0.5],[1.5,0.5],[0.5,1.5]]}
+{"step":"pixel","x":0,"y":0}
+{"step":"pixel","x":1,"y":0}
+{"step":"pixel","x":0,"y":1}
+{"end":{"steps":4}}
+)");
+    const Outcome found = shell("$rastertrace stats foreign.jsonl --fail-on holes,outside");
+    EXPECT_EQ(found.err, "");
+    EXPECT_EQ(found.status, 0);
+    EXPECT_THAT(found.out, EndsWith("sample      center: the header has no method.sample, and only "
+                                    "this one explains all pixels\n"
+                                    "triangle ABC: 3 writes\n"));
+    EXPECT_THAT(shell("$rastertrace stats foreign.jsonl --json").out,
+                HasSubstr(R"(,"sample":{"judged_by":"center","explains_all":true},"primitives":)"));
+
+    shell("sed 's/\"x\":1/\"x\":2/' foreign.jsonl > wrong.jsonl");
+    EXPECT_THAT(shell("$rastertrace stats wrong.jsonl").out,
+                HasSubstr("sample      integer: the header has no method.sample, and neither "
+                          "integer nor center explains all pixels\n"));
 }
 
 // None of them has one but those that the tutorial has made for it: what lies beside each other there shares its

@@ -40,16 +40,30 @@ TEST_F(ValidateTest, SaysWhatEachFileIs) {
     const Outcome all = shell("$rastertrace trace scene.json --only pixel -o part.json; "
                               "$rastertrace validate scene.json trace.json trace.jsonl part.json "
                               "turn.json claims.txt loose.txt");
-    EXPECT_EQ(all.out,
-              "scene.json: a scene, 1 triangle, 17 x 14 pixels\n"
-              "trace.json: a trace of version 1, 62 steps, complete\n"
-              "trace.jsonl: a trace of version 1, 62 steps, complete\n"
-              "part.json: a trace of version 1, 49 steps (others were left out), complete\n"
-              "turn.json: a scene of 3 frames, 1 line, 2 points, 9 x 9 pixels\n"
-              "claims.txt: 2 claims about scene.json\n"
-              "loose.txt: 1 claim, which name no scene\n");
+    EXPECT_EQ(all.out, "scene.json: a scene, 1 triangle, 17 x 14 pixels\n"
+                       "trace.json: a trace of version 1, 62 steps, complete; stats can judge "
+                       "holes, twice, outside, rows\n"
+                       "trace.jsonl: a trace of version 1, 62 steps, complete; stats can judge "
+                       "holes, twice, outside, rows\n"
+                       "part.json: a trace of version 1, 49 steps (others were left out), "
+                       "complete; stats can judge nothing of it\n"
+                       "turn.json: a scene of 3 frames, 1 line, 2 points, 9 x 9 pixels\n"
+                       "claims.txt: 2 claims about scene.json\n"
+                       "loose.txt: 1 claim, which name no scene\n");
     EXPECT_EQ(all.err, "");
     EXPECT_EQ(all.status, 0);
+}
+
+TEST_F(ValidateTest, SaysWhatOfATraceCanBeJudged) {
+    for (const std::string trace : {"trace.jsonl", "trace.json"}) {
+        const Outcome lacking = changed(R"(s/"at":.*\]\],//)", trace);
+        EXPECT_EQ(lacking.out,
+                  "bad.json: a trace of version 1, 62 steps, complete; stats can judge rows\n");
+        EXPECT_EQ(lacking.err, "rastertrace: bad.json: remark: stats cannot judge holes, twice, "
+                               "outside: expected \"at\", three pairs of numbers, of triangle ABC "
+                               "(step 1), found none\n");
+        EXPECT_EQ(lacking.status, 0);
+    }
 }
 
 TEST_F(ValidateTest, OneFileThatIsNotValidDoesNotStopTheOthers) {
@@ -185,7 +199,8 @@ TEST_F(ValidateTest, WhatAForeignRasterizerAddsIsARemark) {
         changed("6s/\"step\":\"scanline\"/\"step\":\"wobble\"/;3s/\"AB\"/\"AB\",\"slope\":3/;"
                 "$s/\"scanline\":9/\"scanline\":8/");
     EXPECT_EQ(foreign.status, 0);
-    EXPECT_EQ(foreign.out, "bad.json: a trace of version 1, 62 steps, complete\n");
+    EXPECT_EQ(foreign.out, "bad.json: a trace of version 1, 62 steps, complete; stats can judge "
+                           "holes, twice, outside, rows\n");
     EXPECT_EQ(foreign.err, "rastertrace: bad.json: remark: kinds of step that this program does "
                            "not know: wobble (1)\n"
                            "rastertrace: bad.json: remark: fields that steps of these kinds do not "
@@ -281,7 +296,8 @@ TEST_F(ValidateTest, ReadsStandardInputOnce) {
     EXPECT_EQ(shell("$rastertrace validate - < scene.json").out,
               "standard input: a scene, 1 triangle, 17 x 14 pixels\n");
     EXPECT_EQ(shell("cat trace.jsonl | $rastertrace validate -").out,
-              "standard input: a trace of version 1, 62 steps, complete\n");
+              "standard input: a trace of version 1, 62 steps, complete; stats can judge holes, "
+              "twice, outside, rows\n");
     EXPECT_EQ(shell("$rastertrace validate - -").err,
               "rastertrace: validate: expected standard input once, found \"-\"\n");
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "coverage.h"
 
-#include <rastertrace/core/numbers/number.h>
+#include "json_scanner.h"
+#include "step_text.h"
+
 #include <rastertrace/trace/scene_file.h>
 #include <rastertrace/trace/t_junctions.h>
 
@@ -89,11 +91,12 @@ HalfPlane half_plane(const mpq_class& a, const mpq_class& b, const mpq_class& c,
 }
 
 /// Left of the line from one point to another, where y points up: the edge function, twice the
-/// signed area that a sample point makes with the edge. Pineda 1988.
-HalfPlane left_of(const Position& from, const Position& to, const Grid& grid) {
+/// signed area that a sample point makes with the edge, is at least -`widening`. Pineda 1988.
+HalfPlane left_of(const Position& from, const Position& to, const Grid& grid,
+                  const mpq_class& widening = 0) {
     const mpq_class dx = to.x - from.x;
     const mpq_class dy = to.y - from.y;
-    return half_plane(-dy, dx, dy * from.x - dx * from.y, grid);
+    return half_plane(-dy, dx, dy * from.x - dx * from.y + widening, grid);
 }
 
 /// The other side of the line.
@@ -171,18 +174,44 @@ mpq_class area2(const std::array<Position, 3>& at) {
     return (at[1].x - at[0].x) * (at[2].y - at[0].y) - (at[2].x - at[0].x) * (at[1].y - at[0].y);
 }
 
-/// The closed triangle, whichever way its vertices turn.
-Region region_of(const std::array<Position, 3>& at, const Grid& grid) {
+/// The closed triangle, whichever way its vertices turn: the half planes of the edges from its
+/// first, second and third corner. Their edge functions are at least -`widening`.
+Region region_of(const std::array<Position, 3>& at, const Grid& grid,
+                 const mpq_class& widening = 0) {
     const bool turns_left = sgn(area2(at)) > 0;
     Region region;
     for (std::size_t i = 0; i < 3; ++i) {
-        const HalfPlane left = left_of(at[i], at[(i + 1) % 3], grid);
-        region.push_back(turns_left ? left : opposite(left));
+        const Position& from = at[i];
+        const Position& to = at[(i + 1) % 3];
+        region.push_back(turns_left ? left_of(from, to, grid, widening)
+                                    : left_of(to, from, grid, widening));
     }
     return region;
 }
 
+/// How far rounding may put an edge function of a triangle off, at a sample in its box, when all is
+/// worked out in the numbers of the trace; 0 if these do not round. Weights and edge functions are
+/// sums of products of a length in x and one in y, none larger than the box: of up to 32 roundings,
+/// each puts them off by half an ulp of such a product. The ends of a row are a coordinate plus a
+/// length, with up to four roundings, and count times a side of the box.
+mpq_class rounding_error(const std::array<Position, 3>& at, const Trace& trace) {
+    const std::string scalar = trace.method_value("scalar");
+    if (scalar == "exact" || scalar == "adaptive" || scalar == "fixed")
+        return 0;
+    const auto [left, right] = std::minmax<mpq_class>({at[0].x, at[1].x, at[2].x});
+    const auto [low, high] = std::minmax<mpq_class>({at[0].y, at[1].y, at[2].y});
+    const mpq_class width = right - left;
+    const mpq_class height = high - low;
+    const mpq_class farthest = std::max<mpq_class>({abs(left), abs(right), abs(low), abs(high)});
+    const mpq_class one_rounding = scalar == "float" ? 0x1p-24 : 0x1p-53;
+    return one_rounding * (32 * width * height + 4 * (width + height) * farthest);
+}
+
 // What the trace says: corners, and the pixels of a row.
+
+bool has_floats(const Trace& trace) {
+    return trace.method_value("scalar") == "float";
+}
 
 /// A triangle or an outline, with its corners.
 struct Cornered {
@@ -190,27 +219,35 @@ struct Cornered {
     std::size_t place = 0; ///< in Stats::primitives
     std::array<Position, 3> at;
     std::array<std::uint32_t, 3> corners{}; ///< numbers of the positions; the same for equal ones
-    Region closed = {};                     ///< of a triangle with area
-    Region interior = {};
+    mpq_class error = {};     ///< see rounding_error; of a triangle with area, like the regions
+    Region closed = {};       ///< the triangle
+    Region interior = {};     ///< so far inside that no rounding matters
+    Region within_error = {}; ///< and so much wider than it
 };
 
 /// Numbers positions: equal ones have the same number.
 using PositionNumbers = std::unordered_map<std::string, std::uint32_t>;
 
-/// The corners that a primitive's step gives, if they are three pairs of numbers and given exactly.
-std::optional<Cornered> corners_of(const StepView& step, PositionNumbers& numbers) {
-    const auto rows = step.text_rows("at");
-    if (rows.size() != 3 || !step.text("within").empty())
+/// The place that a point of a step stands for, if it is a pair of numbers.
+std::optional<Position> position_in(std::string_view json, bool is_float) {
+    std::vector<mpq_class> values;
+    JsonScanner elements(json);
+    while (elements.next_element())
+        if (const auto value = stored_number_in(elements.value(), is_float))
+            values.push_back(*value);
+        else
+            return std::nullopt;
+    return values.size() == 2 ? std::optional(Position{values[0], values[1]}) : std::nullopt;
+}
+
+/// The corners that a primitive's step gives, numbered.
+std::optional<Cornered> corners_of(const StepView& step, const Trace& trace,
+                                   PositionNumbers& numbers) {
+    const auto at = positions_in(step, trace);
+    if (!at)
         return std::nullopt;
-    Cornered result;
+    Cornered result{.at = *at};
     for (std::size_t i = 0; i < 3; ++i) {
-        if (rows[i].size() != 2)
-            return std::nullopt;
-        const auto x = parse_number(rows[i][0], NumberSize::any);
-        const auto y = parse_number(rows[i][1], NumberSize::any);
-        if (!std::holds_alternative<Number>(x) || !std::holds_alternative<Number>(y))
-            return std::nullopt;
-        result.at[i] = {std::get<Number>(x).exact(), std::get<Number>(y).exact()};
         const std::string text = result.at[i].x.get_str() + "," + result.at[i].y.get_str();
         const auto next = static_cast<std::uint32_t>(numbers.size());
         result.corners[i] = numbers.emplace(text, next).first->second;
@@ -254,11 +291,8 @@ std::string cause_of(const Trace& trace, std::size_t step, int x, const Grid& gr
     if (kind != StepKind::scanline)
         return "no step says why";
 
-    const auto end = [&](std::string_view name) -> std::optional<mpq_class> {
-        const auto number = parse_number(trace.step(step).text(name), NumberSize::any);
-        if (const auto* value = std::get_if<Number>(&number))
-            return value->exact();
-        return std::nullopt;
+    const auto end = [&](std::string_view name) {
+        return stored_number_in(trace.step(step).field(name).value_or(""), has_floats(trace));
     };
     const mpq_class sample = x + grid.sample_offset;
     const std::string all = trace.method_value("rounding");
@@ -329,12 +363,15 @@ Coverage coverage_of(const Cornered& triangle, const Trace& trace, const Grid& g
         const int y = canvas.y_of(static_cast<int>(row));
         const Span closed = span_on_row(triangle.closed, y, whole_row(canvas));
         const Span inside = span_on_row(triangle.interior, y, closed);
+        const Span within_error = span_on_row(triangle.within_error, y, whole_row(canvas));
         Index next = closed.first;
         for (const std::uint32_t offset : drawn_on_row(*triangle.drawn, row, canvas)) {
             const Pixel pixel = pixel_at(offset, canvas);
             if (!closed.has(pixel.x)) {
-                add(coverage.outside, pixel);
-                outside.push_back(offset);
+                if (!within_error.has(pixel.x)) {
+                    add(coverage.outside, pixel);
+                    outside.push_back(offset);
+                }
                 continue;
             }
             add_missing(coverage, y, {next, pixel.x - 1}, inside);
@@ -353,6 +390,12 @@ struct EdgeUse {
     std::size_t from = 0;
     std::size_t to = 0;
     std::vector<const Cornered*> triangles; ///< at most `most_compared`
+
+    /// The numbers of its vertices, the smaller one first.
+    std::pair<std::uint32_t, std::uint32_t> ends() const {
+        const auto& corners = triangles.front()->corners;
+        return std::minmax({corners[from], corners[to]});
+    }
 };
 
 /// The edges that more than one triangle has, in the order in which they come first.
@@ -396,20 +439,46 @@ Region between_ends(const Position& from, const Position& to, const Grid& grid) 
     return {half_plane(along_x, along_y, -low, grid), half_plane(-along_x, -along_y, high, grid)};
 }
 
+/// True if both triangles lie on one side of an edge that they share.
+bool lie_on_one_side(const EdgeUse& edge, const Cornered& one, const Cornered& other) {
+    const auto [low, high] = edge.ends();
+    const Position& from = edge.triangles.front()->at[edge.from];
+    const Position& to = edge.triangles.front()->at[edge.to];
+    const auto side_of = [&](const Cornered& triangle) {
+        std::size_t i = 0;
+        while (triangle.corners[i] == low || triangle.corners[i] == high)
+            ++i;
+        return sgn(area2({from, to, triangle.at[i]}));
+    };
+    return side_of(one) == side_of(other);
+}
+
+/// The pixels of a triangle at an edge that it shares: so far from its other two edges that no
+/// rounding matters, and up to as far beyond this one as rounding may put it. The edge of a fold is
+/// like the other two: what lies on it lies between no two triangles.
+Region region_at_edge(const EdgeUse& edge, const Cornered& triangle, bool is_fold) {
+    Region region = triangle.interior;
+    for (std::size_t i = 0; i < 3 && !is_fold; ++i)
+        if (std::minmax({triangle.corners[i], triangle.corners[(i + 1) % 3]}) == edge.ends())
+            region[i] = triangle.within_error[i];
+    return region;
+}
+
 /// The pixels near an edge that neither of its triangles drew. SharedEdge says which count.
-PixelList never_drawn(const Position& from, const Position& to, const Cornered& one,
-                      const Cornered& other, const Grid& grid) {
+PixelList never_drawn(const EdgeUse& edge, const Cornered& one, const Cornered& other, bool is_fold,
+                      const Grid& grid) {
     const Canvas& canvas = grid.canvas;
+    const Position& from = edge.triangles.front()->at[edge.from];
+    const Position& to = edge.triangles.front()->at[edge.to];
 
     // a x + b y + c is b times the height above the edge, and a times the distance to its right.
     const HalfPlane side = left_of(from, to, grid);
     const mpz_class reach = std::max<mpz_class>(abs(side.a), abs(side.b));
     Region near = between_ends(from, to, grid);
-    Region open_edge = interior_of(near);
     near.push_back(widened(side, reach));
     near.push_back(widened(opposite(side), reach));
-    open_edge.push_back(side);
-    open_edge.push_back(opposite(side));
+    const Region region_of_one = region_at_edge(edge, one, is_fold);
+    const Region region_of_other = region_at_edge(edge, other, is_fold);
 
     PixelList never;
     const auto [low, high] = std::minmax<mpq_class>(from.y, to.y);
@@ -419,9 +488,8 @@ PixelList never_drawn(const Position& from, const Position& to, const Cornered& 
         const Span close_by = span_on_row(near, y, whole_row(canvas));
         if (close_by.is_empty())
             continue;
-        const Span in_one = span_on_row(one.interior, y, close_by);
-        const Span in_other = span_on_row(other.interior, y, close_by);
-        const Span on_edge = span_on_row(open_edge, y, close_by);
+        const Span in_one = span_on_row(region_of_one, y, close_by);
+        const Span in_other = span_on_row(region_of_other, y, close_by);
         const auto drawn_by_one = drawn_on_row(*one.drawn, row, canvas);
         const auto drawn_by_other = drawn_on_row(*other.drawn, row, canvas);
         for (Index x = close_by.first; x <= close_by.last; ++x) {
@@ -430,7 +498,7 @@ PixelList never_drawn(const Position& from, const Position& to, const Cornered& 
             const auto is_in = [offset](std::span<const std::uint32_t> drawn) {
                 return std::binary_search(drawn.begin(), drawn.end(), offset);
             };
-            const bool belongs = in_one.has(x) || in_other.has(x) || on_edge.has(x);
+            const bool belongs = in_one.has(x) || in_other.has(x);
             if (belongs && !is_in(drawn_by_one) && !is_in(drawn_by_other))
                 add(never, pixel);
         }
@@ -458,14 +526,16 @@ void compare_at_edge(const EdgeUse& edge, const Trace& trace, const Grid& grid, 
     const Cornered& first = *edge.triangles.front();
     const std::string name = edge_name(trace.step(first.drawn->step), edge.from, edge.to);
     for (auto one = edge.triangles.begin(); one != edge.triangles.end(); ++one)
-        for (auto other = one + 1; other != edge.triangles.end(); ++other)
+        for (auto other = one + 1; other != edge.triangles.end(); ++other) {
+            const bool is_fold = lie_on_one_side(edge, **one, **other);
             stats.edges.push_back(
                 {.name = name,
                  .one = stats.primitives[(*one)->place].name,
                  .other = stats.primitives[(*other)->place].name,
-                 .twice = drawn_by_both(*(*one)->drawn, *(*other)->drawn, grid.canvas),
-                 .never =
-                     never_drawn(first.at[edge.from], first.at[edge.to], **one, **other, grid)});
+                 .twice = is_fold ? PixelList()
+                                  : drawn_by_both(*(*one)->drawn, *(*other)->drawn, grid.canvas),
+                 .never = never_drawn(edge, **one, **other, is_fold, grid)});
+        }
 }
 
 // Vertices on edges that have no vertex there.
@@ -492,7 +562,7 @@ void find_junctions(const std::vector<Cornered>& drawn, const std::vector<Corner
                     const Trace& trace, const Grid& grid, Stats& stats) {
     std::vector<ScreenTriangle> mesh;
     for (const Cornered& triangle : drawn)
-        mesh.push_back({.at = triangle.at, .corners = triangle.corners});
+        mesh.push_back({.at = triangle.at, .corners = triangle.corners, .error = triangle.error});
     for (const Cornered& triangle : not_drawn)
         mesh.push_back({.at = triangle.at, .corners = triangle.corners, .is_drawn = false});
 
@@ -521,6 +591,42 @@ void find_junctions(const std::vector<Cornered>& drawn, const std::vector<Corner
         edge.never = pixel_list(pixels.never, grid.canvas);
         stats.t_junctions.push_back(std::move(edge));
     }
+}
+
+/// Judges all triangles with area by the samples of a grid.
+void judge_by_samples(const Grid& grid, const Trace& trace, std::vector<Cornered>& fills,
+                      const std::vector<Cornered>& not_drawn, Stats& stats) {
+    stats.edges.clear();
+    stats.t_junctions.clear();
+    for (Cornered& fill : fills) {
+        fill.error = rounding_error(fill.at, trace);
+        fill.closed = region_of(fill.at, grid);
+        fill.interior = interior_of(region_of(fill.at, grid, -fill.error));
+        fill.within_error = region_of(fill.at, grid, fill.error);
+        stats.primitives[fill.place].coverage = coverage_of(fill, trace, grid);
+    }
+    for (const EdgeUse& edge : shared_edges(fills))
+        compare_at_edge(edge, trace, grid, stats);
+    find_junctions(fills, not_drawn, trace, grid, stats);
+}
+
+/// True if every pixel has been drawn whose sample lies inside a triangle, and no other one.
+bool explains_all(const Stats& stats) {
+    return std::all_of(stats.primitives.begin(), stats.primitives.end(),
+                       [](const PrimitiveStats& one) {
+                           return !one.coverage || (one.coverage->holes.count == 0 &&
+                                                    one.coverage->outside.count == 0);
+                       }) &&
+           std::all_of(stats.edges.begin(), stats.edges.end(),
+                       [](const SharedEdge& edge) { return edge.never.count == 0; });
+}
+
+/// True if a trace says where its sample points are. The fills that go from row to row, and the
+/// fan, have them at integer points.
+bool tells_sample(const Trace& trace) {
+    const std::string fill = trace.method_value("fill");
+    return !trace.method_value("sample").empty() || fill == "scanline" || fill == "two-halves" ||
+           fill == "fan";
 }
 
 // Outlines against fills.
@@ -594,10 +700,21 @@ void keep_each_once(DrawnPrimitive& primitive) {
     put_in_order(primitive.covered);
 }
 
-void compare_with_corners(const Trace& trace, std::span<const DrawnPrimitive> drawn, Stats& stats) {
-    const bool is_center = trace.samples_at_centers();
-    const Grid grid{trace.canvas, is_center ? mpq_class(1, 2) : mpq_class(0)};
+std::optional<std::array<Position, 3>> positions_in(const StepView& step, const Trace& header) {
+    if (step.field("within"))
+        return std::nullopt;
+    std::vector<ScreenPoint> found;
+    JsonScanner places(step.field("at").value_or("[]"));
+    while (places.next_element())
+        if (const auto position = position_in(places.value(), has_floats(header)))
+            found.push_back(*position);
+        else
+            return std::nullopt;
+    return found.size() == 3 ? std::optional(std::array{found[0], found[1], found[2]})
+                             : std::nullopt;
+}
 
+void compare_with_corners(const Trace& trace, std::span<const DrawnPrimitive> drawn, Stats& stats) {
     // The triangles and the outlines whose corners are known.
     PositionNumbers numbers;
     std::vector<Cornered> fills;
@@ -611,28 +728,37 @@ void compare_with_corners(const Trace& trace, std::span<const DrawnPrimitive> dr
         const StepView step = trace.step(drawn[place].step);
         if (step.text("painted") == "false")
             continue; // it only hides
-        if (auto cornered = corners_of(step, numbers)) {
+        if (auto cornered = corners_of(step, trace, numbers)) {
             cornered->drawn = &drawn[place];
             cornered->place = place;
             auto& list = kind == "outline" ? outlines : is_culled ? not_drawn : fills;
             list.push_back(std::move(*cornered));
         }
     }
-    compare_outlines(outlines, fills, grid.canvas, stats);
+    compare_outlines(outlines, fills, trace.canvas, stats);
 
     // A triangle without area covers nothing, and shares an edge with nobody.
     const auto flat = std::stable_partition(
         fills.begin(), fills.end(), [](const Cornered& fill) { return sgn(area2(fill.at)) != 0; });
     std::move(flat, fills.end(), std::back_inserter(not_drawn));
     fills.erase(flat, fills.end());
-    for (Cornered& fill : fills) {
-        fill.closed = region_of(fill.at, grid);
-        fill.interior = interior_of(fill.closed);
-        stats.primitives[fill.place].coverage = coverage_of(fill, trace, grid);
+    const auto judge = [&](bool is_center) {
+        judge_by_samples({trace.canvas, is_center ? mpq_class(1, 2) : mpq_class(0)}, trace, fills,
+                         not_drawn, stats);
+        return explains_all(stats);
+    };
+    if (tells_sample(trace)) {
+        judge(trace.samples_at_centers());
+        return;
     }
-    for (const EdgeUse& edge : shared_edges(fills))
-        compare_at_edge(edge, trace, grid, stats);
-    find_junctions(fills, not_drawn, trace, grid, stats);
+    const bool center_explains = judge(true);
+    const bool integer_explains = judge(false);
+    if (center_explains && integer_explains)
+        return;
+    stats.sample = {.is_center = center_explains,
+                    .explains_all = center_explains || integer_explains};
+    if (center_explains)
+        judge(true);
 }
 
 } // namespace rastertrace

@@ -8,10 +8,13 @@
 //     compare_with_corners(trace, drawn, stats);
 
 #include <rastertrace/trace/stats.h>
+#include <rastertrace/trace/t_junctions.h>
 #include <rastertrace/trace/trace.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -36,7 +39,11 @@ void add_hidden_pixel(DrawnPrimitive& primitive, std::size_t offset);
 /// Puts the pixels in order, and keeps each of them once.
 void keep_each_once(DrawnPrimitive& primitive);
 
-/// Fills in the coverage of stats.primitives, stats.edges, stats.t_junctions and stats.outlines.
+/// The corners that a primitive's step gives, if they are three pairs of numbers and given exactly.
+std::optional<std::array<ScreenPoint, 3>> positions_in(const StepView& step, const Trace& header);
+
+/// Fills in the coverage of stats.primitives, stats.edges, stats.t_junctions, stats.outlines and
+/// stats.sample.
 /// `drawn` are the first primitives of `stats`, one for one.
 void compare_with_corners(const Trace& trace, std::span<const DrawnPrimitive> drawn, Stats& stats);
 

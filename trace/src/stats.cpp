@@ -5,11 +5,14 @@
 #include "row_check.h"
 
 #include <rastertrace/trace/frame.h>
+#include <rastertrace/trace/stats_needs.h>
+#include <rastertrace/trace/text.h>
 #include <rastertrace/trace/write_trace.h>
 
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -107,6 +110,27 @@ private:
 
 } // namespace
 
+std::string_view name_of(StatsFinding finding) {
+    switch (finding) {
+    case StatsFinding::holes:
+        return "holes";
+    case StatsFinding::twice:
+        return "twice";
+    case StatsFinding::outside:
+        return "outside";
+    case StatsFinding::rows:
+        break;
+    }
+    return "rows";
+}
+
+std::string names_of(const std::vector<StatsFinding>& findings) {
+    std::vector<std::string_view> names;
+    for (const StatsFinding finding : findings)
+        names.push_back(name_of(finding));
+    return joined(names, ", ");
+}
+
 Stats stats_of(const Trace& trace) {
     // Step by step, what is drawn and by which primitive.
     Stats stats;
@@ -115,12 +139,14 @@ Stats stats_of(const Trace& trace) {
     std::vector<DrawnPrimitive> drawn;
     DepthTies ties(trace.canvas);
     RowCheck rows(stats.wrong_rows);
+    StatsNeeds needs(trace);
     Replay replay(trace);
     bool is_painted = true; // the current primitive
     for (std::size_t n = 1; n <= trace.size(); ++n) {
         replay.go_to(n);
         const StepView step = trace.step(n);
         const auto kind = trace.kind_of(n);
+        needs.add(step, kind, n);
         kinds.add(kind ? std::string(name_of(*kind)) : step.kind_name());
         if (kind == StepKind::primitive) {
             PrimitiveStats& primitive = stats.primitives.emplace_back();
@@ -141,6 +167,9 @@ Stats stats_of(const Trace& trace) {
                 note_hidden_pixel(drawn, step, trace.canvas);
         }
     }
+
+    needs.close();
+    stats.unjudged = needs.unjudged();
 
     // Against what should have been drawn, where all of that can be there.
     for (std::size_t i = 0; i < drawn.size(); ++i) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "step_text.h"
 
+#include "json_scanner.h"
+
 #include <rastertrace/core/numbers/number.h>
 #include <rastertrace/core/raster/rounding.h>
 #include <rastertrace/trace/color_text.h>
@@ -56,6 +58,19 @@ std::optional<Rational> number_in(std::string_view text) {
 
 std::optional<Rational> number_in(const StepView& step, std::string_view field) {
     return number_in(step.text(field));
+}
+
+Rational as_stored(const Rational& number, std::string_view json, bool is_float) {
+    if (json.starts_with('"'))
+        return number;
+    const double stored =
+        is_float ? static_cast<double>(nearest_float(number)) : nearest_double(number);
+    return std::isfinite(stored) ? Rational(stored) : number;
+}
+
+std::optional<Rational> stored_number_in(std::string_view json, bool is_float) {
+    const auto number = number_in(plain_text(json));
+    return number ? std::optional(as_stored(*number, json, is_float)) : std::nullopt;
 }
 
 std::optional<Vec2> vec2_in(const std::vector<std::string>& texts) {

@@ -570,12 +570,22 @@ private:
 
 // Pixels.
 
-bool is_strictly_inside(const ScreenTriangle& triangle, const ScreenPoint& point) {
+/// Strictly inside a triangle, and farther than rounding reaches from two of its edges: those other
+/// than the one between `from` and `to`.
+bool is_inside_at_edge(const ScreenTriangle& triangle, const TriangleCorner& from,
+                       const TriangleCorner& to, const ScreenPoint& point) {
+    const auto area2 = [](const ScreenPoint& a, const ScreenPoint& b, const ScreenPoint& c) {
+        return mpq_class((b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y));
+    };
     const auto& at = triangle.at;
-    const int side = side_of(at[0], at[1], point);
-    return side != 0 && (side_of(at[1], at[2], point) > 0) == (side > 0) &&
-           (side_of(at[2], at[0], point) > 0) == (side > 0) && side_of(at[1], at[2], point) != 0 &&
-           side_of(at[2], at[0], point) != 0;
+    const int winding = sgn(area2(at[0], at[1], at[2]));
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t next = (i + 1) % 3;
+        const bool is_edge = i + next == from.corner + to.corner;
+        if (winding * area2(at[i], at[next], point) <= (is_edge ? mpq_class(0) : triangle.error))
+            return false;
+    }
+    return true;
 }
 
 /// Where edges lie beside a T-junction's edge without a break: from `low` to `high`.
@@ -676,9 +686,10 @@ JunctionPixels pixels_at(const TJunction& junction, std::span<const ScreenTriang
                     run.along_x ? ScreenPoint{place, level} : ScreenPoint{level, place};
                 const bool is_in_gap = run.is_above ? on_other <= level && level <= on_edge
                                                     : on_edge <= level && level <= on_other;
-                const bool is_missed = (is_in_gap && is_between_ends(place)) ||
-                                       is_strictly_inside(triangles[owner], sample) ||
-                                       is_strictly_inside(other, sample);
+                const bool is_missed =
+                    (is_in_gap && is_between_ends(place)) ||
+                    is_inside_at_edge(triangles[owner], junction.from, junction.to, sample) ||
+                    is_inside_at_edge(other, beside.from, beside.to, sample);
                 if (is_missed && !is_covered_by_any(offset))
                     pixels.never.push_back(offset);
             }

@@ -24,14 +24,6 @@ template <typename Float> Rational ulp_of(const Rational& number) {
                                : Rational(0);
 }
 
-/// The number that a decimal stands for: the nearest one of its type, if that has one. A fraction in quotes is that
-/// number.
-Rational as_stored(const Rational& number, std::string_view json, bool is_float) {
-    const double nearest = nearest_double(number);
-    const double stored = is_float ? static_cast<double>(static_cast<float>(nearest)) : nearest;
-    return json.starts_with('"') || !std::isfinite(stored) ? number : Rational(stored);
-}
-
 bool is_within(const DiffTolerance& tolerance, const Rational& a, const Rational& b) {
     return abs(a - b) <= tolerance.amount.exact();
 }

@@ -857,7 +857,8 @@ private:
         command.add_flag("--json", stats_.json, "Print JSON");
         command
             .add_option("--fail-on", fail_on_,
-                        fmt::format("End with status 1 if there are any of these: {}",
+                        fmt::format("End with status 1 if there are any of these, with 2 if that "
+                                    "cannot be judged: {}",
                                     joined(finding_names(), ",")))
             ->type_name("NAME,...");
         stats_method_.add_to(command);
@@ -874,16 +875,14 @@ private:
         });
     }
 
-    static constexpr std::array findings{StatsFinding::holes, StatsFinding::twice,
-                                         StatsFinding::outside, StatsFinding::rows};
     static std::vector<std::string_view> finding_names() {
         std::vector<std::string_view> names;
-        for (const StatsFinding finding : findings)
+        for (const StatsFinding finding : stats_findings)
             names.push_back(name_of(finding));
         return names;
     }
     static std::optional<StatsFinding> finding_named(std::string_view name) {
-        for (const StatsFinding finding : findings)
+        for (const StatsFinding finding : stats_findings)
             if (name_of(finding) == name)
                 return finding;
         return std::nullopt;

@@ -18,6 +18,7 @@
 #include <rastertrace/trace/method_names.h>
 #include <rastertrace/trace/schema.h>
 #include <rastertrace/trace/snapshots.h>
+#include <rastertrace/trace/stats.h>
 #include <rastertrace/trace/vary.h>
 #include <rastertrace/trace/write_trace.h>
 
@@ -142,15 +143,6 @@ struct FigureCommand {
     FrameChoice frames;
 };
 int run(const FigureCommand& command);
-
-/// What `stats` can be asked to fail on.
-enum class StatsFinding {
-    holes,   ///< pixels inside a triangle, or between two, that none has drawn
-    twice,   ///< pixels that both triangles at an edge have drawn
-    outside, ///< pixels drawn outside of their triangle
-    rows,    ///< scanline steps that the steps behind them do not agree with
-};
-std::string_view name_of(StatsFinding finding);
 
 struct StatsCommand {
     std::string trace;

@@ -11,12 +11,35 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <iterator>
+#include <string>
 #include <string_view>
 #include <vector>
 
 namespace rastertrace {
 
 namespace {
+
+/// Tells which of the findings that were asked for cannot be judged, and what the trace lacks.
+ExitStatus report_unjudged(const StatsCommand& command, const Stats& stats) {
+    ExitStatus status = exit_fine;
+    for (const auto& [findings, lacks] : stats.unjudged) {
+        std::vector<StatsFinding> asked;
+        std::copy_if(findings.begin(), findings.end(), std::back_inserter(asked),
+                     [&command](StatsFinding finding) {
+                         return std::find(command.fail_on.begin(), command.fail_on.end(),
+                                          finding) != command.fail_on.end();
+                     });
+        if (asked.empty())
+            continue;
+        print_error(fmt::format(
+            "rastertrace: {}\n",
+            to_text(problem_of(command.trace, fmt::format("--fail-on: {} cannot be judged: {}",
+                                                          names_of(asked), lacks)))));
+        status = exit_bad_input;
+    }
+    return status;
+}
 
 /// True if there is anything of the kind.
 bool has(const Stats& stats, StatsFinding finding) {
@@ -48,20 +71,6 @@ bool has(const Stats& stats, StatsFinding finding) {
 
 } // namespace
 
-std::string_view name_of(StatsFinding finding) {
-    switch (finding) {
-    case StatsFinding::holes:
-        return "holes";
-    case StatsFinding::twice:
-        return "twice";
-    case StatsFinding::outside:
-        return "outside";
-    case StatsFinding::rows:
-        break;
-    }
-    return "rows";
-}
-
 int run(const StatsCommand& command) {
     const Trace trace =
         load_trace(command.trace,
@@ -72,14 +81,17 @@ int run(const StatsCommand& command) {
     const Stats stats = stats_of(trace);
     print(command.json ? stats_json(trace, stats) : stats_text(trace, stats));
 
-    std::vector<std::string_view> found;
+    std::vector<StatsFinding> found;
     for (const StatsFinding finding : command.fail_on)
         if (has(stats, finding))
-            found.push_back(name_of(finding));
+            found.push_back(finding);
     if (!found.empty())
-        print_error(fmt::format("rastertrace: --fail-on: found {}\n", joined(found, ", ")));
+        print_error(fmt::format("rastertrace: --fail-on: found {}\n", names_of(found)));
+    const ExitStatus unjudged = report_unjudged(command, stats);
     const ExitStatus damage = report_damage(trace);
-    return damage == exit_fine && !found.empty() ? exit_difference : damage;
+    if (damage != exit_fine || unjudged != exit_fine)
+        return exit_bad_input;
+    return found.empty() ? exit_fine : exit_difference;
 }
 
 } // namespace rastertrace

@@ -101,6 +101,9 @@ std::string stats_json(const Trace& trace, const Stats& stats) {
     }
     text += fmt::format(R"(}},"canvas":{},"pixels":{},"writes":{},"frame":"{}","frame_differs":{})",
                         stats.canvas, stats.pixels, stats.writes, stats.frame, stats.frame_differs);
+    if (const auto& sample = stats.sample)
+        text += fmt::format(R"(,"sample":{{"judged_by":"{}","explains_all":{}}})",
+                            sample->is_center ? "center" : "integer", sample->explains_all);
     text += R"(,"primitives":[)";
     separator = "";
     for (const PrimitiveStats& primitive : stats.primitives) {

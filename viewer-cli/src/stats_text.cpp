@@ -229,6 +229,13 @@ std::string as_text(const WrongRow& row) {
     return text + '\n';
 }
 
+std::string as_text(const FoundSample& sample) {
+    return fmt::format("sample      {}: the header has no method.sample, and {}\n",
+                       sample.is_center ? "center" : "integer",
+                       sample.explains_all ? "only this one explains all pixels"
+                                           : "neither integer nor center explains all pixels");
+}
+
 /// A line each for the first of some findings.
 template <typename List> std::string first_of(const List& list, std::string_view what) {
     std::string text;
@@ -254,6 +261,8 @@ std::string stats_text(const Trace& trace, const Stats& stats) {
                         stats.frame_differs
                             ? ", not " + printable(trace.end->frame) + " as the end record says"
                             : "");
+    if (stats.sample)
+        text += as_text(*stats.sample);
     text += as_text(stats.primitives) + as_text(stats.edges) +
             first_of(stats.t_junctions, "T-junctions");
     std::vector<OutlineOnFill> beside;

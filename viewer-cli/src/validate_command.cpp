@@ -9,6 +9,7 @@
 #include <rastertrace/trace/claims.h>
 #include <rastertrace/trace/primitive_name.h>
 #include <rastertrace/trace/scene_file.h>
+#include <rastertrace/trace/stats_needs.h>
 #include <rastertrace/trace/step_stream.h>
 #include <rastertrace/trace/text.h>
 #include <rastertrace/trace/unknown_names.h>
@@ -83,56 +84,99 @@ void validate_scene(const Source& source, const InputLimits& limits, ValidatedFi
     }
 }
 
-std::string about_trace(const Trace& header, std::uint64_t steps) {
-    return fmt::format("a trace of version {}, {}{}, complete", header.version,
-                       counted(steps, "step"), header.is_partial ? " (others were left out)" : "");
-}
+/// What is found out about the steps of a trace, one after the other.
+struct StepsSeen {
+    explicit StepsSeen(const Trace& header) : needs(header) {}
 
+<<<<<<< HEAD
 /// Behind the last step: what is wrong with the whole, and what this program does not know.
 void finish_trace(const std::vector<Problem>& passed_over, const std::vector<Problem>& damage,
                   const UnknownNames& unknown, const NotFiniteSteps& not_finite,
                   ValidatedFile& file) {
+=======
+    void add(const StepView& step, std::optional<StepKind> kind) {
+        ++count;
+        unknown.add(step, kind);
+        needs.add(step, kind, count);
+    }
+
+    std::uint64_t count = 0;
+    UnknownNames unknown = {};
+    StatsNeeds needs;
+};
+
+/// Behind the last step: what is wrong with the whole, what this program does not know, and what
+/// can be judged.
+void finish_trace(const Trace& header, const std::vector<Problem>& passed_over,
+                  const std::vector<Problem>& damage, StepsSeen& seen, ValidatedFile& file) {
+>>>>>>> 5369b11 (stats judges double and float by their own numbers, knows folds, and fails on nothing that it cannot judge)
     file.add(passed_over);
     file.add(damage);
     std::stable_sort(file.problems.begin(), file.problems.end(),
                      [](const Problem& a, const Problem& b) { return a.line < b.line; });
-    for (const std::string& remark : unknown.remarks())
+    const auto add_remark = [&file](const std::string& remark) {
         file.remarks.push_back(problem_of(file.name, "remark: " + remark));
+<<<<<<< HEAD
     if (auto remark = not_finite.remark())
         file.remarks.push_back(*std::move(remark));
+=======
+    };
+    for (const std::string& remark : seen.unknown.remarks())
+        add_remark(remark);
+
+    seen.needs.close();
+    std::vector<StatsFinding> judged(stats_findings.begin(), stats_findings.end());
+    for (const auto& [findings, lacks] : seen.needs.unjudged()) {
+        std::erase_if(judged, [&findings = findings](StatsFinding finding) {
+            return std::find(findings.begin(), findings.end(), finding) != findings.end();
+        });
+        if (!header.is_partial)
+            add_remark(fmt::format("stats cannot judge {}: {}", names_of(findings), lacks));
+    }
+    file.about =
+        fmt::format("a trace of version {}, {}{}, complete; stats can judge {}", header.version,
+                    counted(seen.count, "step"), header.is_partial ? " (others were left out)" : "",
+                    judged.empty() ? "nothing of it" : names_of(judged));
+>>>>>>> 5369b11 (stats judges double and float by their own numbers, knows folds, and fails on nothing that it cannot judge)
 }
 
 /// A trace of one step a line, which may have any size.
 void validate_steps(StepStream& steps, ValidatedFile& file) {
     steps.tell_all();
-    UnknownNames unknown;
-    std::uint64_t count = 0;
+    StepsSeen seen(steps.header());
     try {
         while (steps.next()) {
-            ++count;
             if (file.all_told())
                 file.add(steps.faults_in_step());
-            unknown.add(steps.step(), steps.kind());
+            seen.add(steps.step(), steps.kind());
         }
     } catch (const Problem&) {
         file.add(steps.damage());
         throw;
     }
+<<<<<<< HEAD
     finish_trace(steps.passed_over(), steps.damage(), unknown, steps.not_finite(), file);
     file.about = about_trace(steps.header(), count);
+=======
+    finish_trace(steps.header(), steps.passed_over(), steps.damage(), seen, file);
+>>>>>>> 5369b11 (stats judges double and float by their own numbers, knows folds, and fails on nothing that it cannot judge)
 }
 
 /// A trace of any other layout.
 void validate_trace(Source source, ValidatedFile& file) {
     const Trace trace = value_or_throw(read_trace_to_tell(std::move(source)));
-    UnknownNames unknown;
+    StepsSeen seen(trace);
     for (std::size_t n = 1; n <= trace.size(); ++n) {
         if (file.all_told())
             file.add(trace.faults_in_step(n));
-        unknown.add(trace.step(n), trace.kind_of(n));
+        seen.add(trace.step(n), trace.kind_of(n));
     }
+<<<<<<< HEAD
     finish_trace(trace.passed_over, trace.damage, unknown, trace.not_finite, file);
     file.about = about_trace(trace, trace.size());
+=======
+    finish_trace(trace, trace.passed_over, trace.damage, seen, file);
+>>>>>>> 5369b11 (stats judges double and float by their own numbers, knows folds, and fails on nothing that it cannot judge)
 }
 
 /// Claims, or a Problem that says why the file was taken for some, if it does not look like it.

@@ -9,14 +9,18 @@
 //
 // What a triangle should have drawn is found from the positions in its primitive step alone, by
 // exact arithmetic. A pixel is judged by its sample point: its integer point, or (1/2, 1/2) from
-// there when the method says "sample":"center".
+// there when the method says "sample":"center". Numbers of a trace are read as the doubles, or
+// floats, which they stand for. Where they leave open on which side of an edge a sample lies, it
+// counts as neither inside nor outside.
 
 #include <rastertrace/trace/trace.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -63,17 +67,18 @@ struct PrimitiveStats {
     std::optional<Coverage> coverage; ///< of a triangle with area whose positions are known
 };
 
-/// Two triangles that have an edge in common: the same two end positions, in either order.
+/// Two triangles that have an edge in common: the same two end positions, in either order. If both
+/// lie on one side of it, it is a fold, and they cover the same pixels.
 struct SharedEdge {
     std::string name;  ///< as the first triangle names its vertices: "AC"
     std::string one;   ///< the triangle drawn first
     std::string other; ///< and the one drawn later
-    PixelList twice;   ///< that both have drawn
+    PixelList twice;   ///< that both have drawn; none at a fold
 
     /// That neither has drawn, near the edge. The sample point lies strictly inside one of the
-    /// triangles, or on the edge but not on its ends. Near: at most one pixel from the edge, up or
-    /// down where the edge is flatter than 45 degrees (or just that), to the left or right where
-    /// it is steeper.
+    /// triangles, or on the edge but not on its ends, unless it is a fold. Near: at most one pixel
+    /// from the edge, up or down where the edge is flatter than 45 degrees (or just that), to the
+    /// left or right where it is steeper.
     PixelList never;
 };
 
@@ -118,6 +123,30 @@ struct WrongRow {
     std::uint64_t others = 0;  ///< pixels that are none of these, or come again
 };
 
+/// What `stats` can be asked to fail on.
+enum class StatsFinding {
+    holes,   ///< pixels inside a triangle, or between two, that none has drawn
+    twice,   ///< pixels that both triangles at an edge have drawn
+    outside, ///< pixels drawn outside of their triangle
+    rows,    ///< scanline steps that the steps behind them do not agree with
+};
+inline constexpr std::array stats_findings{StatsFinding::holes, StatsFinding::twice,
+                                           StatsFinding::outside, StatsFinding::rows};
+std::string_view name_of(StatsFinding finding);
+std::string names_of(const std::vector<StatsFinding>& findings); ///< "holes, twice"
+
+/// Findings that a trace cannot be judged by.
+struct Unjudged {
+    std::vector<StatsFinding> findings;
+    std::string lacks; ///< `expected "at", ..., found none`
+};
+
+/// Where the sample points are, by the pixels of a trace that does not say so.
+struct FoundSample {
+    bool is_center = false;    ///< by which all is judged
+    bool explains_all = false; ///< it does, and the other one does not; false: neither does
+};
+
 struct Stats {
     std::uint64_t steps = 0;
     std::vector<std::pair<std::string, std::uint64_t>> count; ///< by kind, in order of appearance
@@ -129,6 +158,10 @@ struct Stats {
     std::vector<EdgeWithJunctions> t_junctions;
     std::vector<OutlineOnFill> outlines; ///< every pair of an outline and a fill
     std::vector<WrongRow> wrong_rows;
+    std::vector<Unjudged> unjudged;
+
+    /// If the trace does not tell it, and not both of them explain all pixels.
+    std::optional<FoundSample> sample;
 
     /// Where a triangle of another color had just the depth of the one that is seen, and came too
     /// late: drawn in another order, the picture would be another one.

@@ -58,6 +58,9 @@ struct ScreenTriangle {
     /// False if it has no area or is culled. An edge that it shares is not open; it has no open
     /// edges itself.
     bool is_drawn = true;
+
+    /// How far rounding may put twice the area that a sample makes with an edge off.
+    mpq_class error = 0;
 };
 
 /// A vertex of a triangle.
@@ -103,7 +106,8 @@ struct JunctionPixels {
 
     /// At most one pixel from the edge, where other edges run beside it, and in none of the
     /// triangles that have one of these edges or vertices. The sample point lies strictly inside
-    /// the edge's triangle or the one beside it there, or between the edges, or on them.
+    /// the edge's triangle or the one beside it there, farther from its other edges than rounding
+    /// reaches, or between the edges, or on them.
     std::vector<std::uint32_t> never;
 };
 
