@@ -4,6 +4,7 @@
 #include "json_scanner.h"
 #include "step_text.h"
 
+#include <rastertrace/core/numbers/number.h>
 #include <rastertrace/trace/scene_file.h>
 #include <rastertrace/trace/t_junctions.h>
 
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <optional>
@@ -549,6 +551,22 @@ std::string vertex_name(const StepView& step, std::size_t corner) {
     return fmt::format("({}, {})", at[corner][0], at[corner][1]);
 }
 
+/// A distance from an edge of a triangle, in pixels, to as many decimal places as the numbers of the
+/// trace can tell.
+double told_distance(const mpq_class& distance, const Cornered& triangle, std::size_t from,
+                     std::size_t to) {
+    const double exact = nearest_double(distance);
+    if (triangle.error == 0)
+        return exact;
+    const Position& a = triangle.at[from];
+    const Position& b = triangle.at[to];
+    const mpq_class length = std::max<mpq_class>(abs(b.x - a.x), abs(b.y - a.y));
+    const double error = nearest_double(mpq_class(triangle.error / length));
+    const int places = std::clamp(static_cast<int>(std::floor(-std::log10(error))), 0, 18);
+    const auto scale = static_cast<double>(power_of_ten(places));
+    return std::round(exact * scale) / scale;
+}
+
 PixelList pixel_list(const std::vector<std::uint32_t>& offsets, const Canvas& canvas) {
     PixelList list;
     for (const std::uint32_t offset : offsets)
@@ -582,7 +600,8 @@ void find_junctions(const std::vector<Cornered>& drawn, const std::vector<Corner
         edge.triangle = name_of_triangle(owner);
         for (const auto& [vertex, distance] : junction.vertices)
             edge.vertices.push_back(
-                {vertex_name(step_of(vertex.triangle), vertex.corner), nearest_double(distance)});
+                {vertex_name(step_of(vertex.triangle), vertex.corner),
+                 told_distance(distance, drawn[owner], junction.from.corner, junction.to.corner)});
         for (const EdgeBeside& beside : junction.beside)
             edge.beside.push_back(name_of_triangle(beside.from.triangle));
         const JunctionPixels pixels =
