@@ -18,7 +18,7 @@ scripts/install-packages.sh g++ clang cmake ninja-build binutils libglm-dev nloh
     python3-pil python3-pymdownx texlive-latex-base texlive-pictures
 [ "$all" = OFF ] || command -v npm >/dev/null || scripts/install-packages.sh nodejs npm
 [ -f build/test/build.ninja ] || cmake --preset test -G Ninja
-cmake -DRASTERTRACE_TEST_ALL="$all" -DRASTERTRACE_WASM="$all" build/test >/dev/null
+cmake -DRASTERTRACE_TEST_ALL="$all" -DRASTERTRACE_WASM="$all" -DRASTERTRACE_BUILD_BENCHMARKS="$all" build/test >/dev/null
 cmake --build build/test
 status=0
 ctest --preset test -j 2 "$@" || status=$?
@@ -26,6 +26,6 @@ if [ "$all" = OFF ]; then
     echo
     echo "Left out: figures-in-other-programs, figures-in-tex, pages and site, which need a browser, librsvg, TeX, asciinema, mkdocs and npm."
     echo "./test.sh --all installs these and runs all tests."
-    echo "It also builds and tests the module for pages, with Emscripten."
+    echo "It also builds and tests the module for pages, with Emscripten, and builds and runs the benchmarks."
 fi
 exit "$status"
