@@ -8,4 +8,12 @@ scripts/install-packages.sh g++ cmake ninja-build libglm-dev nlohmann-json3-dev 
 [ -f build/release/build.ninja ] || cmake --preset release -G Ninja >/dev/null
 cmake --build build/release
 
-./build/release/viewer-cli/rastertrace show examples/t0-fill/first-triangle.json --every scanline
+rastertrace=build/release/viewer-cli/rastertrace
+scene=examples/t0-fill/first-triangle.json
+$rastertrace show $scene --every scanline --format table
+echo
+$rastertrace show $scene
+echo
+echo "The program is $PWD/$rastertrace. To go through this step by step, and back:"
+echo "    $rastertrace play $scene"
+echo "The tutorial begins in docs/tutorial/README.md."
