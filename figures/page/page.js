@@ -806,17 +806,21 @@ function hover(pixel) {
 // --- vertices that can be moved --------------------------------------------------------------------------------------
 
 // The program itself, compiled for browsers, draws a changed scene: `program.page_data(scene)` is what it would have
-// written into the page of a small scene; `page_data_in_motion` tells less, while a vertex is moved.
+// written into the page of a small scene; `page_data_in_motion` tells less, while a vertex is moved. Without it, the
+// vertices are fixed, and who tries to move one is told so.
+const whyFixed = "Vertices stay where they are: the rastertrace that wrote this page was built without WebAssembly. " +
+  "To get a page whose vertices can be dragged, install emscripten and node-acorn, run " +
+  "cmake -D RASTERTRACE_WASM=ON build/release && cmake --build build/release, and write the page again.";
 let program, scene, hasMoved = false, wanted = "", isDrawing = false;
 const grain = 4; // vertices go to quarters of a pixel
 
 async function prepareMoving() {
-  if (!options.scene || typeof rastertrace !== "function") return;
-  program = await rastertrace();
-  program.tell_steps_in?.(options.language);
+  if (!options.scene) return;
+  if (typeof rastertrace === "function") program = await rastertrace();
+  program?.tell_steps_in?.(options.language);
   scene = JSON.parse(options.scene);
   for (const name of Object.keys(scene.vertices)) {
-    const handle = element("button", "handle");
+    const handle = element("button", program ? "handle" : "handle fixed");
     handle.type = "button";
     handle.dataset.vertex = name;
     handle.addEventListener("pointerdown", event => { handle.setPointerCapture(event.pointerId); handle.dataset.held = "true"; });
@@ -853,11 +857,17 @@ function placeHandles() {
     handle.style.left = `${place.x}px`;
     handle.style.top = `${place.y}px`;
     handle.hidden = !isInside(place);
-    handle.setAttribute("aria-label", `Vertex ${handle.dataset.vertex} at (${x}, ${y}): arrow keys move it`);
+    handle.setAttribute("aria-label", `Vertex ${handle.dataset.vertex} at (${x}, ${y})` + (program ? ": arrow keys move it" : ""));
   }
 }
 
+function tellProblem(text) {
+  by("problem").textContent = text;
+  by("problem").hidden = false;
+}
+
 function moveTo(name, {x, y}, detail) {
+  if (!program) return tellProblem(whyFixed);
   const {left, top, down} = trace.data.canvas, ends = [top, top + down * (trace.height - 1)];
   const held = (value, low, high) => Math.round(Math.max(low, Math.min(value, high)) * grain) / grain;
   const place = [held(x, left, left + trace.width - 1), held(y, Math.min(...ends), Math.max(...ends))];
@@ -870,6 +880,7 @@ function moveTo(name, {x, y}, detail) {
 
 /** Has the scene drawn; what has changed meanwhile is drawn next. */
 async function drawAgain(detail) {
+  if (!program) return;
   stop();
   wanted = detail;
   if (isDrawing) return;
@@ -886,8 +897,7 @@ async function drawAgain(detail) {
       by("problem").hidden = true;
       show(data, stepLike(data));
     } catch (problem) {
-      by("problem").textContent = problem.message;
-      by("problem").hidden = false;
+      tellProblem(problem.message);
     }
   }
   isDrawing = false;
@@ -965,7 +975,7 @@ function listen() {
   });
   sheet.addEventListener("pointermove", event => { if (event.pointerType === "mouse") hover(pixelAt(event)); });
   sheet.addEventListener("pointerleave", () => hover(-1));
-  sheet.addEventListener("click", event => { if (event.target.closest(".handle")) return; const pixel = pixelAt(event); setCursor(pixel === cursor ? -1 : pixel); });
+  sheet.addEventListener("click", event => { if (event.target.closest(".handle:not(.fixed)")) return; const pixel = pixelAt(event); setCursor(pixel === cursor ? -1 : pixel); });
   addEventListener("resize", lay);
   addEventListener("hashchange", () => { const asked = stepOfAddress(); if (asked !== null) goTo(asked); });
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => { readColors(); paint(); });

@@ -99,7 +99,7 @@ std::string options_text(const PageOptions& options) {
         text += fmt::format(",\"view\":{}", json_quoted(name_of(*options.view)));
     if (options.step)
         text += fmt::format(",\"step\":{}", *options.step);
-    if (!options.module.empty() && !options.scene.empty())
+    if (!options.scene.empty())
         text += fmt::format(",\"scene\":{}", json_quoted(options.scene));
     return text + "}";
 }

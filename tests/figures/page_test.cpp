@@ -266,6 +266,15 @@ TEST(Page, NothingInATraceEndsAnElementOfThePage) {
     EXPECT_THAT(page, HasSubstr("<h1>&lt;/script&gt;&lt;img src=x onerror=alert(1)&gt;{{data}}"));
 }
 
+TEST(Page, WhatCanBeMovedIsOnThePageAlsoWithoutTheModule) {
+    // tests/page/check_page.cjs tries to move it.
+    const std::vector<PageFrame> frames{{.data = page_data(hostile_trace("A", "A"))}};
+    for (const std::string module : {"", "var a;"})
+        EXPECT_THAT(page_of(frames, {.module = module, .scene = "{}"}),
+                    HasSubstr(R"("scene":"{}")"));
+    EXPECT_THAT(page_of(frames, {}), Not(HasSubstr(R"("scene":)")));
+}
+
 TEST(Page, WhatATerminalObeysIsShown) {
     const std::string name = "A\x1b]0;x\a\u202e";
     const PageReader page(hostile_trace(name, name));

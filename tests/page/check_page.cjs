@@ -345,8 +345,7 @@ async function checkMoving() {
   let html = fs.readFileSync(file, "utf8");
   const hasModule = html.includes("WebAssembly");
   if (!hasModule) {
-    html = html.replace("{\"keys\":", () => `{"scene":${JSON.stringify(JSON.stringify(scene))},"keys":`)
-      .replace("<script>\n\"use strict\"", "<script>globalThis.rastertrace = async () => ({page_data: askProgram});</script>\n<script>\n\"use strict\"");
+    html = html.replace("<script>\n\"use strict\"", "<script>globalThis.rastertrace = async () => ({page_data: askProgram});</script>\n<script>\n\"use strict\"");
     fs.writeFileSync(file, html);
   }
   const context = await browser.newContext({viewport: {width: 1280, height: 800}});
@@ -437,6 +436,42 @@ async function checkMoving() {
   await context.close();
 }
 
+/** Without the module, who tries to move a vertex is told why it stays. */
+async function checkFixed() {
+  const html = fs.readFileSync(pageOf(example("t0-fill/first-triangle")), "utf8"), script = html.lastIndexOf("<script>");
+  const page = await browser.newPage({viewport: {width: 1280, height: 800}}), file = path.join(folder, "fixed.html");
+  fs.writeFileSync(file, html.slice(0, html.indexOf("</script>", html.indexOf("id=\"data\"")) + 10) + html.slice(script));
+  const told = () => page.$eval("#problem", problem => problem.hidden ? "" : problem.textContent);
+  const expectTold = async what => {
+    expectSame(await told(), "Vertices stay where they are: the rastertrace that wrote this page was built without WebAssembly. To get a page " +
+               "whose vertices can be dragged, install emscripten and node-acorn, run cmake -D RASTERTRACE_WASM=ON build/release && " +
+               "cmake --build build/release, and write the page again.", what);
+    expectSame(await page.getAttribute("[data-vertex=A]", "aria-label"), "Vertex A at (2, 5)", `${what}: the vertex`);
+  };
+  page.on("pageerror", error => fail(`an error: ${error.message}`));
+  for (const way of ["by mouse", "by keyboard"]) {
+    await page.goto("file://" + file);
+    await page.waitForSelector("html[data-ready]");
+    expectSame(await told(), "", "before");
+    const handle = await page.locator("[data-vertex=A]").boundingBox();
+    const [x, y] = [handle.x + handle.width / 2, handle.y + handle.height / 2];
+    if (way === "by mouse") {
+      await page.mouse.click(x, y);
+      expectSame(await told(), "", "a click");
+      expectThat((await page.textContent("#pixel-told")).includes("(2, 5)"), "a click on a vertex that is fixed is one on its pixel");
+      await page.mouse.down();
+      await page.mouse.move(x + 20, y);
+      await page.mouse.up();
+    } else {
+      await page.focus("[data-vertex=A]");
+      await page.keyboard.press("ArrowRight");
+    }
+    await expectTold(way);
+  }
+  count("pages");
+  await page.close();
+}
+
 /** A hundred thousand steps on 512 x 512 pixels: how large, how fast. */
 async function checkLarge() {
   const vertices = {}, triangles = [];
@@ -485,7 +520,7 @@ async function main() {
   const checks = [
     ...["t0-fill/first-triangle", "t0-hidden/two-depths", "t2-lines/bresenham", "t3-sweep-and-box/barycentric", "t3-sweep-and-box/top-left", "t4-fan/fan", "t0-hidden/cube-culled"].map(name => [name, () => checkSteps(name)]),
     ...[["t0-fill/first-triangle", 1], ["t2-lines/bresenham", 1], ["t2-lines/octants", 7], ["t3-sweep-and-box/barycentric", 5], ["t3-sweep-and-box/top-left", 2], ["t0-hidden/two-depths", 2], ["t0-hidden/cube-inverse-z", 3]].map(([name, every]) => [`pixels of ${name}`, () => checkPixels(name, every)]),
-    ["keys", checkKeys], ["hostile", checkHostile], ["damaged", checkDamaged], ["frames", checkFrames], ["language", checkLanguage], ["moving", checkMoving], ["large", checkLarge],
+    ["keys", checkKeys], ["hostile", checkHostile], ["damaged", checkDamaged], ["frames", checkFrames], ["language", checkLanguage], ["moving", checkMoving], ["fixed", checkFixed], ["large", checkLarge],
     ["access", () => checkAccess("t0-fill/first-triangle")], ["access of a cube", () => checkAccess("t0-hidden/cube-inverse-z")],
   ];
   const wanted = process.argv[4] ?? ""; // a part of a name

@@ -66,7 +66,8 @@ struct PageOptions {
     std::optional<std::size_t> step = {}; ///< the step that it begins at; none: the last
     std::string module = {}; ///< the program compiled for browsers, as a script; "" for none
     std::string scene =
-        {}; ///< the scene that this draws again when a vertex is moved; "": none can be
+        {}; ///< the scene that this draws again when a vertex is moved; "": none can be.
+            ///< Without the module, the page tells who tries it how to get one
 };
 
 /// The whole file.
