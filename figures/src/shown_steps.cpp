@@ -49,6 +49,32 @@ std::size_t end_of(const Trace& trace, std::size_t n) {
     return last;
 }
 
+std::vector<ShownSteps> film_of(const Trace& trace, std::size_t most) {
+    std::vector<ShownSteps> frames;
+    bool is_fill = false; // the primitive is filled
+    std::string row;      // the y of the last frame, if it is a row of this primitive
+    for (std::size_t n = 1; n <= trace.size() && frames.size() <= most; ++n) {
+        const auto kind = trace.kind_of(n);
+        if (kind == StepKind::primitive) {
+            is_fill = trace.step(n).text("kind") == "triangle";
+            row.clear();
+        } else if (kind == StepKind::vertex || (kind == StepKind::pixel && !is_fill)) {
+            frames.push_back({n, n});
+        } else if (kind == StepKind::ray) {
+            frames.push_back({n, end_of(trace, n)});
+            n = frames.back().last;
+        } else if (is_fill && (kind == StepKind::scanline || kind == StepKind::sample ||
+                               kind == StepKind::depth || kind == StepKind::pixel)) {
+            const std::string y = trace.step(n).text("y");
+            if (row.empty() || row != y)
+                frames.push_back({n, n});
+            frames.back().last = n;
+            row = y;
+        }
+    }
+    return frames;
+}
+
 std::optional<Pixel> pixel_of(const Trace& trace, std::size_t n) {
     if (n == 0)
         return std::nullopt;

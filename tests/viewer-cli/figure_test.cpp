@@ -315,6 +315,97 @@ TEST_F(FigureTest, FramesOfOneSizeAreDrawnOnceAsFarAsThereIsRoom) {
     EXPECT_THAT(drawn, testing::ElementsAre(0, 0, 1, 2, 3, 2, 3));
 }
 
+TEST_F(FigureTest, WhatMovesIsAFilmOfRowsPixelsOfLinesAndVertices) {
+    /// The sentences of a film's frames, each from its kind of step to the next three blanks.
+    const auto frames = [this](const std::string& scene) {
+        EXPECT_EQ(shell("$rastertrace figure " + scene + " -o film.cast").err, "");
+        const std::string film = content("film.cast");
+        static const std::regex caption(R"(of \d+\\r\\n(.*?)(?:   |\\r))");
+        std::vector<std::string> captions;
+        for (std::sregex_iterator one(film.begin(), film.end(), caption), end; one != end; ++one)
+            captions.push_back((*one)[1]);
+        return captions;
+    };
+    using ::testing::ElementsAre;
+    // Nine rows; of a box that is gone through sample by sample, too.
+    const auto rows = frames("$examples/t0-fill/first-triangle.json");
+    EXPECT_THAT(rows, ElementsAre("scanline y=5", "scanline y=4", "scanline y=3", "scanline y=2",
+                                  "scanline y=1", "scanline y=0", "scanline y=-1", "scanline y=-2",
+                                  "scanline y=-3"));
+    const auto samples = frames("$examples/t3-sweep-and-box/barycentric.json");
+    EXPECT_EQ(samples.size(), 9U);
+    EXPECT_THAT(samples, testing::Each(StartsWith("sample of (-4, ")));
+    EXPECT_THAT(frames("$examples/t4-fan/fan.json"),
+                testing::Each(StartsWith("a line begins at ")));
+    // Pixels of lines, not of what is filled.
+    write("both.json", R"({"canvas": {"width": 5, "height": 4, "origin": "top-left"},
+"vertices": {"A": [0, 0], "B": [3, 0], "C": [0, 1], "D": [1, 3], "E": [3, 3]},
+"triangles": ["ABC"], "lines": ["DE"], "points": ["E"]})");
+    EXPECT_THAT(frames("both.json"), ElementsAre("scanline y=0", "scanline y=1", "pixel (1, 3)",
+                                                 "pixel (2, 3)", "pixel (3, 3)", "pixel (3, 3)"));
+    // On the way to the screen, vertices.
+    write("space.json", R"({"canvas": {"width": 5, "height": 5}, "vertices": {"A": [1, 1, 2]},
+"projection": {"type": "pinhole", "distance": 2}, "viewport": {"pixels_per_unit": 1},
+"method": {"scalar": "exact"}, "points": ["A"]})");
+    const auto vertices = frames("space.json");
+    EXPECT_THAT(vertices.front(), StartsWith("vertex A in world space: (1, 1, 2)"));
+    EXPECT_EQ(vertices.back(), "pixel (1, 1)");
+    // All formats that move, and a still picture if one frame was asked for.
+    for (const std::string film : {"-o x.gif", "--animate -o x.svg"}) {
+        EXPECT_EQ(figure(film).status, 0);
+        const std::string whole = content(film.substr(film.rfind(' ') + 1));
+        EXPECT_EQ(figure("--every scanline " + film).status, 0);
+        EXPECT_EQ(content(film.substr(film.rfind(' ') + 1)), whole);
+    }
+    EXPECT_EQ(figure("--step last -o x.cast").status, 0);
+    EXPECT_EQ(shell("grep -c '\"o\"' x.cast").out, "2\n") << "the frame, and its end";
+    EXPECT_EQ(shell("$rastertrace figure $examples/t0-projection/turning.json -o x.cast; "
+                    "grep -c '\"o\"' x.cast")
+                  .out,
+              "7\n")
+        << "the six frames of the sequence, and its end";
+}
+
+TEST_F(FigureTest, AFilmOfMoreThan500FramesNamesEvery) {
+    write("rows.json", R"({"canvas": {"width": 2, "height": 501, "origin": "top-left"},
+"vertices": {"A": [0, 0], "B": [1, 0], "C": [0, 500]}, "triangles": ["ABC"]})");
+    for (const std::string output : {"x.gif", "x.cast", "x.svg --animate"}) {
+        const Outcome told = shell("$rastertrace figure rows.json -o " + output);
+        EXPECT_EQ(told.status, 2);
+        EXPECT_EQ(told.err, "rastertrace: expected at most 500 rows, pixels of lines and vertices "
+                            "to film, found more\n"
+                            "hint: --every chooses what is a frame, like --every primitive; --step "
+                            "shows one step\n");
+    }
+    EXPECT_EQ(visible_files(), 1U);
+    EXPECT_EQ(shell("$rastertrace figure rows.json --every scanline -o x.cast").status, 0);
+}
+
+TEST_F(FigureTest, BarePixelsThatAreNoneAreToldWithTheOptionThatLeavesThemOut) {
+    write("off.json", R"({"canvas": {"width": 9, "height": 9},
+"vertices": {"A": [20, 20], "B": [30, 20], "C": [20, 30]}, "triangles": ["ABC"]})");
+    const std::string remark =
+        "rastertrace: remark: expected pixels for --bare, found none drawn\n";
+    const auto told = [this](const std::string& arguments) {
+        const Outcome outcome = shell("$rastertrace figure " + arguments + " --bare -o x.png");
+        EXPECT_EQ(outcome.status, 0) << arguments;
+        return outcome.err;
+    };
+    const std::string triangle = "$examples/t0-fill/first-triangle.json ";
+    EXPECT_EQ(told(triangle + "--step \"edge edge=AB\""),
+              remark + "hint: without --step, the figure has the pixels of later steps\n");
+    EXPECT_EQ(told(triangle + "--until \"scanline y=5\""),
+              remark + "hint: without --until, the figure has the pixels of later steps\n");
+    EXPECT_EQ(told(triangle + "--every edge"),
+              remark + "hint: without --every, the figure has the pixels of later steps\n");
+    EXPECT_EQ(told(triangle + "--region -8,6,-5,7"),
+              remark + "hint: without --region, the figure has the pixels outside of it\n");
+    EXPECT_EQ(told("off.json"),
+              remark + "hint: without --bare, the figure has grid, edges and vertices\n");
+    EXPECT_EQ(told(triangle), "");
+    EXPECT_EQ(told(triangle + "--region 2,5,2,5"), "");
+}
+
 TEST_F(FigureTest, AnAnimationOfTooManyFramesIsRefusedBeforeItIsDrawn) {
     write("scene.json", R"({"canvas": {"width": 400, "height": 400, "origin": "top-left"},
 "vertices": {"A": [0, 0], "B": [399, 0], "C": [0, 399]}, "triangles": ["ABC"]})");

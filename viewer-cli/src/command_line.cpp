@@ -578,8 +578,9 @@ private:
             .add_option("--format", figure_format_,
                         "svg, png, tex, txt, cast, gif or html, whatever the file's name")
             ->type_name("NAME");
-        CLI::Option_group* const which =
-            command.add_option_group("Which frames", "One of these; the last one if none is given");
+        CLI::Option_group* const which = command.add_option_group(
+            "Which frames", "One of these; if none is given, the last one, and of a .gif, "
+                            ".cast or --animate each row, pixel of a line and vertex");
         which->require_option(0, 1);
         which
             ->add_option(

@@ -119,7 +119,13 @@ struct PlayCommand {
 int run(const PlayCommand& command);
 
 struct FigureCommand {
-    enum class Which { last, step, until, every };
+    enum class Which {
+        last,
+        step,
+        until,
+        every,
+        film, ///< see film_of
+    };
 
     /// Frames in rows and columns on one sheet.
     struct Sheet {

@@ -10,7 +10,9 @@
 
 #include <rastertrace/figures/figure.h>
 #include <rastertrace/figures/gif.h>
+#include <rastertrace/figures/shown_steps.h>
 #include <rastertrace/trace/describe.h>
+#include <rastertrace/trace/frame.h>
 #include <rastertrace/trace/output.h>
 #include <rastertrace/trace/selector.h>
 #include <rastertrace/trace/text.h>
@@ -44,6 +46,23 @@ std::vector<FigureFrame> frames_of(const Trace& trace, const FigureCommand& comm
     switch (command.which) {
     case Which::last:
         break;
+    case Which::film: {
+        constexpr std::size_t most = 500;
+        std::vector<FigureFrame> frames;
+        for (const ShownSteps& steps : film_of(trace, most))
+            frames.push_back({.steps = steps});
+        if (frames.size() > most)
+            throw problem_of(
+                "",
+                fmt::format("expected at most {} rows, pixels of lines and vertices to "
+                            "film, found more",
+                            most),
+                "--every chooses what is a frame, like --every primitive; --step "
+                "shows one step");
+        if (!frames.empty())
+            return frames;
+        break;
+    }
     case Which::step: {
         const std::size_t n = one("--step");
         return {{.steps = {n, end_of(trace, n)}}};
@@ -64,6 +83,20 @@ std::vector<FigureFrame> frames_of(const Trace& trace, const FigureCommand& comm
     }
     }
     return {{.steps = {0, trace.size()}}};
+}
+
+Region all_of(const Canvas& canvas) {
+    return {canvas.left(), std::min(canvas.top(), canvas.bottom()), canvas.right(),
+            std::max(canvas.top(), canvas.bottom())};
+}
+
+bool has_pixel(const Frame& frame, const Region& region) {
+    const Canvas& canvas = frame.image.canvas();
+    for (int y = region.y0; y <= region.y1; ++y)
+        for (int x = region.x0; x <= region.x1; ++x)
+            if (frame.drawn_by[canvas.offset_of({x, y})] != 0)
+                return true;
+    return false;
 }
 
 /// The trace that the picture is compared with.
@@ -110,6 +143,23 @@ public:
     }
 
     Drawing drawing(std::size_t n) { return maker_->figure(n); }
+
+    /// What would show something if the last frame, and so each, has no pixel; "" if it has one.
+    std::string hint_for_none() const {
+        const FigureFrame& last = frames_.back();
+        const Frame frame = frame_after(trace_, last.steps.last - (last.is_question ? 1 : 0));
+        const Canvas& canvas = trace_.canvas;
+        if (has_pixel(frame, command_.options.region.value_or(all_of(canvas))))
+            return {};
+        if (has_pixel(frame, all_of(canvas)))
+            return "without --region, the figure has the pixels outside of it";
+        if (has_pixel(frame_after(trace_, trace_.size()), all_of(canvas)))
+            return fmt::format("without {}, the figure has the pixels of later steps",
+                               command_.which == FigureCommand::Which::until   ? "--until"
+                               : command_.which == FigureCommand::Which::every ? "--every"
+                                                                               : "--step");
+        return "without --bare, the figure has grid, edges and vertices";
+    }
 
     /// The same frame as `show` prints it. Faces that have had letters in another scene of the
     /// sequence keep them.
@@ -164,12 +214,23 @@ class AllFigures {
 public:
     AllFigures(const FigureCommand& command, InputFrames& input)
         : command_(command), input_(input) {
+        bool is_empty = command.is_bare; // no frame so far has a pixel
+        std::string hint;
         for (std::size_t scene = input.first(); scene <= input.last(); ++scene) {
             TraceFigures& figures = of(scene);
             status_ = std::max(status_, report_damage(figures.trace()));
             for (std::size_t n = 0; n < figures.count(); ++n)
                 places_.push_back({scene, n});
+            if (is_empty) {
+                hint = figures.hint_for_none();
+                is_empty = !hint.empty();
+            }
         }
+        if (is_empty)
+            print_error(fmt::format(
+                "rastertrace: {}\n",
+                to_text(
+                    problem_of("", "remark: expected pixels for --bare, found none drawn", hint))));
     }
 
     std::size_t count() const { return places_.size(); }
@@ -359,7 +420,8 @@ private:
 
 } // namespace
 
-int run(const FigureCommand& command) {
+int run(const FigureCommand& asked) {
+    FigureCommand command = asked;
     const FigureFormat format = format_of(command);
     check_format(command, format);
     if (format == FigureFormat::html)
@@ -367,6 +429,10 @@ int run(const FigureCommand& command) {
     InputFrames input(
         command.trace,
         {.method = command.method, .limits = command.input, .frames = command.frames});
+    // A sequence is a film already.
+    if (command.which == FigureCommand::Which::last && !command.sheet &&
+        is_animation(command, format) && !input.is_sequence())
+        command.which = FigureCommand::Which::film;
     AllFigures figures(command, input);
     FigureFiles files(command, format, figures);
     const std::vector<FileId> inputs = input.files();

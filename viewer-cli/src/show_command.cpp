@@ -149,6 +149,7 @@ ExitStatus show(const Trace& trace, const ShowCommand& command, FaceGroups& face
                         .colors = output_colors(command.color),
                         .region = command.region,
                         .is_overview = command.is_overview,
+                        .for_all = "--overview: all of it",
                         .below = below,
                         .faces = &faces};
         if (!command.bare) {

@@ -11,6 +11,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace rastertrace {
 
@@ -28,6 +29,10 @@ std::string steps_text(const Trace& trace, ShownSteps steps);
 /// The last step that belongs to step n: a primitive has all steps up to the next one, a scanline or a decision
 /// its pixels, an edge only itself.
 std::size_t end_of(const Trace& trace, std::size_t n);
+
+/// The frames of a film: each vertex that enters a space, each row of a fill (each line of the fan) with its pixels,
+/// each pixel of a line, an outline or a point. At most one more than `most`.
+std::vector<ShownSteps> film_of(const Trace& trace, std::size_t most);
 
 /// The pixel of a step, if it has one that the canvas has.
 std::optional<Pixel> pixel_of(const Trace& trace, std::size_t n);
