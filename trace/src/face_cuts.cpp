@@ -5,6 +5,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cstddef>
+
 namespace rastertrace {
 
 namespace {
@@ -19,6 +22,13 @@ std::string faces(std::size_t count) {
 constexpr const char* fan_hint = "it is drawn as the fan of triangles from its first corner";
 
 } // namespace
+
+bool FaceCuts::is_bent(const Triangulation& cut, std::span<const std::size_t> corners) const {
+    float unit = 0;
+    for (const std::size_t corner : corners)
+        unit = std::max(unit, units_[corner]);
+    return !cut.is_planar && cut.off_plane >= unit;
+}
 
 std::string FaceCuts::edge(std::span<const std::size_t> corners, std::size_t from) const {
     const std::size_t to = from + 1 == corners.size() ? 0 : from + 1;

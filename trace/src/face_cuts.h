@@ -4,7 +4,7 @@
 // The faces of one mesh on their way to triangles, and what its author is told about them: once a mesh,
 // with the first face that is meant.
 //
-//     FaceCuts cuts(scene.vertices, first_vertex);
+//     FaceCuts cuts(scene.vertices, units, first_vertex);
 //     const auto ears = cuts.cut(corners, place, [&] { return name; });
 //     cuts.remarks(source);
 
@@ -21,11 +21,11 @@
 
 namespace rastertrace {
 
-/// Refers to the vertices.
+/// Refers to the vertices, and to the coarsest unit of each: see typed_digits.h.
 class FaceCuts {
 public:
-    FaceCuts(std::span<const SceneVertex> vertices, std::size_t first)
-        : vertices_(vertices), cutter_(vertices, first) {}
+    FaceCuts(std::span<const SceneVertex> vertices, std::span<const float> units, std::size_t first)
+        : vertices_(vertices), units_(units), cutter_(vertices, first) {}
 
     /// What is known about a face of more than three corners. `place` is what to point at in the scene;
     /// `name` calls the face, if it has to be told of.
@@ -33,7 +33,7 @@ public:
     Triangulation cut(std::span<const std::size_t> corners, std::size_t place, Name&& name) {
         Triangulation cut = cutter_.cut(corners);
         ++faces_;
-        if (!cut.is_planar) {
+        if (is_bent(cut, corners)) {
             note(bent_, place, name);
             farthest_off_ = std::max(farthest_off_, cut.off_plane);
         }
@@ -64,10 +64,15 @@ private:
         return true;
     }
 
+    /// True of a face that is farther off its plane than rounding to the digits that were typed moves it: by at most
+    /// half a unit in each coordinate of each corner, which is less than a unit along the normal.
+    bool is_bent(const Triangulation& cut, std::span<const std::size_t> corners) const;
+
     /// "from A to B", for the edge that begins at a corner.
     std::string edge(std::span<const std::size_t> corners, std::size_t from) const;
 
     std::span<const SceneVertex> vertices_;
+    std::span<const float> units_;
     FaceCutter cutter_;
     std::size_t faces_ = 0;
     Noted bent_;

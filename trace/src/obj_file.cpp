@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/trace/obj_file.h>
 
+#include "typed_digits.h"
 #include "zero_byte.h"
 
 #include <rastertrace/trace/text.h>
@@ -91,6 +92,7 @@ public:
         if (source_.text.starts_with("\xEF\xBB\xBF"))
             at_ += 3;
         mesh_.vertices.reserve(lines_of_vertices());
+        mesh_.units.reserve(mesh_.vertices.capacity());
         while (at_ != end_) {
             if (at_word())
                 read_statement();
@@ -223,6 +225,7 @@ private:
     /// v x y z, v x y z w with a weight of 1, or v x y z red green blue.
     void read_vertex(std::string_view name) {
         std::array<Number, 3>& position = mesh_.vertices.emplace_back();
+        float& unit = mesh_.units.emplace_back();
         std::size_t count = 0;
         std::string_view weight;
         bool weight_is_one = true;
@@ -231,6 +234,7 @@ private:
             Number number = take_number();
             if (count < 3) {
                 position[count] = std::move(number);
+                unit = std::max(unit, unit_of_last_digit(text_between(begin, at_)));
             } else if (count == 3) {
                 weight = text_between(begin, at_);
                 weight_is_one = number.numerator_over(1) == 1;

@@ -9,6 +9,7 @@
 #include "name_index.h"
 #include "pipeline_json.h"
 #include "scene_keys.h"
+#include "typed_digits.h"
 #include "variations.h"
 
 #include <rastertrace/core/draw/geometry.h>
@@ -246,6 +247,9 @@ private:
                 json_.fail_expecting(name, "a name that no other vertex has",
                                      "vertices of a mesh with a name are called NAME.VERTEX");
             places_of_vertices_.push_back(name.begin);
+            float& unit = units_.emplace_back();
+            for (std::size_t axis = 0; axis < count; ++axis)
+                unit = std::max(unit, unit_of_last_digit(coordinates[axis].text));
         }
     }
 
@@ -385,7 +389,7 @@ private:
                     std::string_view(scene_.vertices[corner].name).substr(prefix.size()));
             return prefix + joined_names(names);
         };
-        FaceCuts cuts(scene_.vertices, first);
+        FaceCuts cuts(scene_.vertices, units_, first);
         const JsonValue faces = json_.member(mesh, "faces");
         constexpr std::string_view expected = R"(three vertices or more, "ABCD" or ["P1", ...])";
         for (const JsonValue& value :
@@ -427,10 +431,11 @@ private:
                 {name, std::move(at[0]), std::move(at[1]), std::nullopt, std::move(at[2])});
         }
         places_of_vertices_.resize(scene_.vertices.size(), obj.begin);
+        units_.insert(units_.end(), mesh.units.begin(), mesh.units.end());
         first_of_obj_.emplace(object.name, std::pair(first, mesh.vertices.size()));
         make_room(faces_, mesh.triangles());
         name.replace(of_object, std::string::npos, "f");
-        FaceCuts cuts(scene_.vertices, first);
+        FaceCuts cuts(scene_.vertices, units_, first);
         std::vector<std::size_t> face;
         for (std::size_t i = 0; i < mesh.faces(); ++i) {
             const auto corners = mesh.face(i);
@@ -842,6 +847,7 @@ private:
     std::optional<std::size_t> place_of_fit_;     ///< offset of a camera that is to be fitted
     std::optional<std::size_t> place_of_camera_;  ///< offset of a camera without a projection
     std::vector<std::size_t> places_of_vertices_; ///< offsets of their names in the source
+    std::vector<float> units_;                    ///< of each vertex: see typed_digits.h
     std::optional<std::size_t> first_with_z_;     ///< offset of the first vertex of three numbers
     std::optional<std::size_t> first_without_z_;  ///< and of the first of two
     NameIndex vertex_by_name_;                    ///< but for those of OBJ files

@@ -26,6 +26,7 @@ namespace rastertrace {
 /// A mesh as an OBJ file lists it.
 struct ObjMesh {
     std::vector<std::array<Number, 3>> vertices; ///< as typed
+    std::vector<float> units;                    ///< of each, its coarsest: see typed_digits.h
     std::vector<std::uint32_t> corners;          ///< places in `vertices`, face after face
     std::vector<std::uint32_t> face_ends;        ///< for each face, where its corners end
     std::vector<Problem> remarks;                ///< on what the file has and the mesh has not
