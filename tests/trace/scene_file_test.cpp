@@ -198,6 +198,24 @@ TEST(SceneFile, ColorsThatAreNone) {
               "scene.json:1:72: expected a color that can be seen (alpha above 00), found \"#000");
 }
 
+TEST(SceneFile, WordsOfOtherProgramsGetAHint) {
+    const auto hint = [](const std::string& text) {
+        const std::string told =
+            complaint(R"({"vertices": {"A": [2, 5, 1]}, "points": ["A"], )" + text + "}");
+        return told.substr(told.rfind('\n') + 1);
+    };
+    EXPECT_EQ(hint(R"("projection": {"type": "perspective"})"), "hint: did you mean \"frustum\"?");
+    for (const std::string key : {"fov", "vertical_fov"})
+        EXPECT_EQ(
+            hint(R"("projection": {"type": "frustum", "near": 1, "far": 9, ")" + key + R"(": 60})"),
+            "hint: did you mean \"fov_y\"?");
+    EXPECT_EQ(hint(R"("camera": {"position": [0, 0, 9], "target": [0, 0, 0]})"),
+              "hint: did you mean \"look_at\"?");
+    EXPECT_EQ(hint(R"("meshes": [{"file": "cube.obj"}])"), "hint: did you mean \"obj\"?");
+    EXPECT_EQ(hint(R"("method": {"depth": "z-buffer"})"),
+              "hint: did you mean \"linear-z\" or \"inverse-z\" or \"ndc-z\"?");
+}
+
 TEST(SceneFile, ValuesOfTheMethod) {
     EXPECT_EQ(
         complaint(R"({"method": {"scalar": "exat"}})"),
@@ -588,6 +606,35 @@ TEST(SceneFile, ACameraWithoutAProjectionIsRemarked) {
     for (const char* const projection :
          {R"({"type": "none"})", R"({"type": "pinhole", "distance": 1})"})
         EXPECT_EQ(remarks_on(scene_with(camera + R"(, "projection": )" + projection)), "");
+}
+
+TEST(SceneFile, AFaceThatRoundingMayHaveBentIsNotTold) {
+    // The plane z = (x + y)/3, its corners rounded to six digits, and one of them moved.
+    const auto remarks = [](const std::string& third, const std::string& two_thirds) {
+        return remarks_on(
+            R"({"canvas": {"width": 9, "height": 9}, "projection": {"type": "none"}, "meshes": [{
+"vertices": {"A": [0, 0, 0], "B": [1, 0, )" +
+            third + R"(], "C": [1, 1, )" + two_thirds + R"(], "D": [0, 1, )" + third +
+            R"(]},
+"faces": ["ABCD"]}]})");
+    };
+    const auto told = [](const std::string& distance) {
+        return "scene.json:3:11: remark: expected faces whose corners lie in one plane, found 1 of "
+               "1 face whose corners do not, by up to " +
+               distance +
+               "; the first is ABCD\n"
+               "\"faces\": [\"ABCD\"]}]}\n"
+               "          ^\n"
+               "hint: it is cut as it is seen along x, y or z, whichever its normal is nearest "
+               "to\n";
+    };
+    EXPECT_EQ(remarks("0.333333", "0.666667"), "");
+    EXPECT_EQ(remarks("333333e-6", "6666.67e-4"), "");
+    EXPECT_EQ(remarks("0.333333", "0.66668"), "") << "five digits leave more open";
+    EXPECT_EQ(remarks("0.333333", "0.666680"), told("3.17e-06"));
+    // Nobody has rounded a fraction or a whole number.
+    EXPECT_EQ(remarks("\"333333/1000000\"", "\"666667/1000000\""), told("2.26e-07"));
+    EXPECT_EQ(remarks("333333", "666667"), told("5.3e-07"));
 }
 
 TEST(SceneFile, FacesThatAreNoPolygonAreToldAndStayTheFan) {

@@ -101,8 +101,18 @@ TEST(NearestWord, FindsSlipsAndNothingElse) {
     EXPECT_EQ(nearest_word("C", {"A", "B"}), "") << "every letter is another one";
 }
 
+TEST(DidYouMean, KnowsWhatOtherProgramsCallIt) {
+    EXPECT_EQ(did_you_mean("target", {"position", "look_at", "up"}), "did you mean look_at?");
+    EXPECT_EQ(did_you_mean("z-buffer", {"painter", "linear-z", "inverse-z"}),
+              "did you mean linear-z or inverse-z?");
+    EXPECT_EQ(did_you_mean("target", {"position", "up"}), "") << "where it is not known";
+    EXPECT_EQ(did_you_mean("target", {"targets", "look_at"}), "did you mean look_at?");
+    EXPECT_EQ(did_you_mean("shw", {"show", "stats"}, "\""), "did you mean \"show\"?");
+}
+
 TEST(ColorText, ReadsAndWrites) {
     EXPECT_EQ(parse_color("red"), (Color{255, 0, 0, 255}));
+    EXPECT_EQ(parse_color("orange"), (Color{255, 165, 0, 255}));
     EXPECT_EQ(parse_color("#ff8000"), (Color{255, 128, 0, 255}));
     EXPECT_EQ(parse_color("#FF800040"), (Color{255, 128, 0, 64}));
     for (const char* text :

@@ -1799,6 +1799,27 @@ TEST_F(ProgramTest, StepsAreToldInTheLanguageThatIsAskedForNeverInThatOfTheLocal
     EXPECT_EQ(shell("RASTERTRACE_LANGUAGE=pt $rastertrace renew --check page.md").status, 0);
 }
 
+TEST_F(ProgramTest, AFileWithoutACommandIsShown) {
+    const std::string scene = "$examples/t0-fill/first-triangle.json";
+    const Outcome shown = shell("$rastertrace show " + scene + " --bare");
+    EXPECT_EQ(shown.status, 0);
+    EXPECT_EQ(shell("$rastertrace " + scene + " --bare").out, shown.out);
+    EXPECT_EQ(shell("cp " + scene + " a.json; $rastertrace a.json --bare").out, shown.out);
+    EXPECT_EQ(shell("$rastertrace none.json").err,
+              "rastertrace: none.json: expected a file that can be read, found: No such file or "
+              "directory\n");
+}
+
+TEST_F(ProgramTest, AWindowOfALargerCanvasNamesTheOptionThatShowsAllOfIt) {
+    write("large.json", R"({"canvas": {"width": 512, "height": 512, "origin": "top-left"},
+"vertices": {"A": [0, 0], "B": [511, 0], "C": [0, 511]}, "triangles": ["ABC"]})");
+    EXPECT_THAT(shell("COLUMNS=80 LINES=24 $rastertrace show large.json").out,
+                HasSubstr("\n(x 0 to 73, y 496 to 511 of a canvas of 512 x 512; --overview: all of "
+                          "it)\n"));
+    EXPECT_THAT(shell("COLUMNS=80 LINES=24 $rastertrace show large.json --region 0,0,1,1").out,
+                HasSubstr("\n(x 0 to 1, y 0 to 1 of a canvas of 512 x 512)\n"));
+}
+
 TEST_F(ProgramTest, UsageErrorsNameTheWordAndANearOne) {
     EXPECT_EQ(shell("$rastertrace").status, 2);
     EXPECT_THAT(shell("$rastertrace").err, HasSubstr("rastertrace show examples/"));

@@ -13,8 +13,8 @@ namespace rastertrace {
 
 namespace {
 
-/// CSS Color Module Level 3, section 4.1: the basic color keywords.
-constexpr std::array<std::pair<std::string_view, Color>, 16> basic_colors{{
+/// The color keywords of CSS 2.1, section 4.3.6: those of HTML 4, and orange.
+constexpr std::array<std::pair<std::string_view, Color>, 17> basic_colors{{
     {"black", {0x00, 0x00, 0x00, 255}},
     {"silver", {0xC0, 0xC0, 0xC0, 255}},
     {"gray", {0x80, 0x80, 0x80, 255}},
@@ -31,6 +31,7 @@ constexpr std::array<std::pair<std::string_view, Color>, 16> basic_colors{{
     {"blue", {0x00, 0x00, 0xFF, 255}},
     {"teal", {0x00, 0x80, 0x80, 255}},
     {"aqua", {0x00, 0xFF, 0xFF, 255}},
+    {"orange", {0xFF, 0xA5, 0x00, 255}},
 }};
 
 /// The share of light of an sRGB channel, 0 to 1.

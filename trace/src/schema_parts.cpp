@@ -76,9 +76,10 @@ Json number_schema() {
 }
 
 Json color_schema(std::string_view with_alpha) {
-    const Json hexadecimal{{"type", "string"},
-                           {"pattern", fmt::format("^#([0-9a-fA-F]{{3}}|[0-9a-fA-F]{{6}}({})?)$", with_alpha)}};
-    return {{"description", "A color: #rgb, #rrggbb, #rrggbbaa, or a CSS basic name"},
+    const Json hexadecimal{
+        {"type", "string"},
+        {"pattern", fmt::format("^#([0-9a-fA-F]{{3}}|[0-9a-fA-F]{{6}}({})?)$", with_alpha)}};
+    return {{"description", "A color: #rgb, #rrggbb, #rrggbbaa, or a name of CSS 2.1"},
             {"anyOf", Json::array({one_of(color_names()), hexadecimal})}};
 }
 

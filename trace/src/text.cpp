@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <utility>
 
 namespace rastertrace {
 
@@ -219,10 +220,31 @@ std::string_view nearest_word(std::string_view word, const std::vector<std::stri
     return nearest;
 }
 
+namespace {
+
+/// What other programs call something, and what it is called here. A word may have several meanings.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 7> words_elsewhere{{
+    {"perspective", "frustum"},
+    {"vertical_fov", "fov_y"},
+    {"target", "look_at"},
+    {"file", "obj"},
+    {"z-buffer", "linear-z"},
+    {"z-buffer", "inverse-z"},
+    {"z-buffer", "ndc-z"},
+}};
+
+} // namespace
+
 std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& known,
                          std::string_view quote) {
-    const std::string_view nearest = nearest_word(word, known);
-    return nearest.empty() ? std::string() : fmt::format("did you mean {0}{1}{0}?", quote, nearest);
+    std::vector<std::string> meant;
+    for (const auto& [theirs, ours] : words_elsewhere)
+        if (theirs == word && std::find(known.begin(), known.end(), ours) != known.end())
+            meant.push_back(fmt::format("{0}{1}{0}", quote, ours));
+    if (meant.empty())
+        if (const std::string_view nearest = nearest_word(word, known); !nearest.empty())
+            meant.push_back(fmt::format("{0}{1}{0}", quote, nearest));
+    return meant.empty() ? std::string() : fmt::format("did you mean {}?", joined(meant, " or "));
 }
 
 } // namespace rastertrace

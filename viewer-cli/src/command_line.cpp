@@ -259,6 +259,15 @@ constexpr std::size_t key_columns = 79;
 constexpr std::string_view trace_input =
     "A trace, or a scene, which is drawn first; - for standard input";
 
+/// The words of the command line. A file without a command is shown; no command has a point or a slash in its name.
+std::vector<const char*> words_with_command(int count, const char* const* arguments) {
+    std::vector<const char*> words(arguments, arguments + count);
+    const std::string_view first = words[1];
+    if (!first.starts_with('-') && first.find_first_of("./") != std::string_view::npos)
+        words.insert(words.begin() + 1, "show");
+    return words;
+}
+
 /// The program's commands, and what to do once the command line has been read.
 class Program {
 public:
@@ -266,7 +275,8 @@ public:
         app_.require_subcommand(1);
         app_.set_help_flag("-h,--help", "Print this help and exit");
         app_.set_version_flag("-V,--version", std::string("rastertrace ") + RASTERTRACE_VERSION);
-        app_.footer("Example: rastertrace show examples/t0-fill/first-triangle.json\n" +
+        app_.footer("Example: rastertrace show examples/t0-fill/first-triangle.json\n"
+                    "A file without a command is shown.\n" +
                     std::string(exit_statuses));
         add_trace();
         add_show();
@@ -289,6 +299,9 @@ public:
             print_error(welcome);
             return exit_bad_input;
         }
+        const std::vector<const char*> words = words_with_command(count, arguments);
+        count = static_cast<int>(words.size());
+        arguments = words.data();
         try {
             refuse_empty_words(count, arguments);
             refuse_unknown_command(arguments[1]);
