@@ -481,7 +481,7 @@ def check_casts(source, folder):
     by_name = {figure.name: figure for figure in figure_list.figures(source, folder)}
     hostile = by_name["hostile"].scene
     check_cast("rows", TRIANGLE, ["--every", "scanline"], ["--every", "scanline", "--frames"], ["ABC"], folder)
-    check_cast("last", TRIANGLE, [], ["--last"], ["ABC"], folder)
+    check_cast("last", TRIANGLE, ["--step", "last"], ["--last"], ["ABC"], folder)
     check_cast("depth", by_name["depths"].scene, ["--every", "pixel", "--view", "depth"],
                ["--every", "pixel", "--frames", "--view", "depth"], ["ABC", "DEF"], folder)
     primitives = [json.loads(line) for line in rastertrace("trace", hostile, "--format", "jsonl").splitlines()]
