@@ -806,8 +806,8 @@ function hover(pixel) {
 // --- vertices that can be moved --------------------------------------------------------------------------------------
 
 // The program itself, compiled for browsers, draws a changed scene: `program.page_data(scene)` is what it would have
-// written into the page of a small scene; `page_data_in_motion` tells less, while a vertex is moved. Without it, the
-// vertices are fixed, and who tries to move one is told so.
+// written into the page of a small scene; `page_data_in_motion` tells less, while a vertex is moved.
+// Without the program vertices are fixed, and who tries to move one is told so.
 const whyFixed = "Vertices stay where they are: the rastertrace that wrote this page was built without WebAssembly. " +
   "To get a page whose vertices can be dragged, install emscripten and node-acorn, run " +
   "cmake -D RASTERTRACE_WASM=ON build/release && cmake --build build/release, and write the page again.";

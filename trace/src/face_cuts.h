@@ -64,8 +64,8 @@ private:
         return true;
     }
 
-    /// True of a face that is farther off its plane than rounding to the digits that were typed moves it: by at most
-    /// half a unit in each coordinate of each corner, which is less than a unit along the normal.
+    /// True of a face that is farther off its plane than rounding to the digits that were typed
+    /// moves it: half a unit in each coordinate of a corner is less than a unit along the normal.
     bool is_bent(const Triangulation& cut, std::span<const std::size_t> corners) const;
 
     /// "from A to B", for the edge that begins at a corner.

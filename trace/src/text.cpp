@@ -222,7 +222,7 @@ std::string_view nearest_word(std::string_view word, const std::vector<std::stri
 
 namespace {
 
-/// What other programs call something, and what it is called here. A word may have several meanings.
+/// What other programs call something, and what it is called here. A word may mean several.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 7> words_elsewhere{{
     {"perspective", "frustum"},
     {"vertical_fov", "fov_y"},

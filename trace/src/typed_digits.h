@@ -13,7 +13,8 @@
 
 namespace rastertrace {
 
-/// What the last digit of a decimal counts; 0 for a whole number and for a fraction, which nobody has rounded.
+/// What the last digit of a decimal counts; 0 for a whole number and for a fraction, which nobody
+/// has rounded.
 inline float unit_of_last_digit(std::string_view typed) {
     const std::size_t end = std::min(typed.find_first_of("eE"), typed.size());
     const std::size_t point = std::min(typed.find('.'), end);

@@ -259,7 +259,8 @@ constexpr std::size_t key_columns = 79;
 constexpr std::string_view trace_input =
     "A trace, or a scene, which is drawn first; - for standard input";
 
-/// The words of the command line. A file without a command is shown; no command has a point or a slash in its name.
+/// The words of the command line. A file without a command is shown; no command has a point or a
+/// slash in its name.
 std::vector<const char*> words_with_command(int count, const char* const* arguments) {
     std::vector<const char*> words(arguments, arguments + count);
     const std::string_view first = words[1];

@@ -30,8 +30,8 @@ std::string steps_text(const Trace& trace, ShownSteps steps);
 /// its pixels, an edge only itself.
 std::size_t end_of(const Trace& trace, std::size_t n);
 
-/// The frames of a film: each vertex that enters a space, each row of a fill (each line of the fan) with its pixels,
-/// each pixel of a line, an outline or a point. At most one more than `most`.
+/// The frames of a film: each vertex that enters a space; each row of a fill, or line of the fan,
+/// with its pixels; each pixel of a line, an outline or a point. At most one more than `most`.
 std::vector<ShownSteps> film_of(const Trace& trace, std::size_t most);
 
 /// The pixel of a step, if it has one that the canvas has.
