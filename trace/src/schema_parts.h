@@ -44,7 +44,7 @@ std::string_view number_pattern();
 /// A JSON number in the range of double, or one in quotes.
 Json number_schema();
 
-/// #rgb, #rrggbb, #rrggbbaa, or a CSS basic name. `with_alpha` describes the two digits of alpha.
+/// #rgb, #rrggbb, #rrggbbaa, or a name of CSS 2.1. `with_alpha` describes the two digits of alpha.
 Json color_schema(std::string_view with_alpha);
 inline constexpr std::string_view any_alpha = "[0-9a-fA-F]{2}";
 inline constexpr std::string_view visible_alpha = "(?!00)[0-9a-fA-F]{2}"; ///< not 00

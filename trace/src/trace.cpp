@@ -190,7 +190,7 @@ void check_colors(StepKind kind, const Source& source, std::size_t begin, std::s
             throw problem_at(
                 source, begin + static_cast<std::size_t>(value->data() - json.data()),
                 fmt::format("expected {}, found {}", expected_for(field), shortened(*value, 40)),
-                "or #rgb, #rrggbbaa, or a CSS basic name");
+                "or #rgb, #rrggbbaa, or a name of CSS 2.1");
     }
 }
 

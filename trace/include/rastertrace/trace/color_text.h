@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Colors as scenes and traces write them: "#ff8000", "#ff800080", or a CSS basic name.
+// Colors as scenes and traces write them: "#ff8000", "#ff800080", or a name of CSS 2.1.
 
 #include <rastertrace/core/raster/image.h>
 
@@ -12,7 +12,7 @@
 
 namespace rastertrace {
 
-/// The color that `text` names: #rgb, #rrggbb, #rrggbbaa, or one of the sixteen CSS basic names.
+/// The color that `text` names: #rgb, #rrggbb, #rrggbbaa, or one of the 17 names of CSS 2.1.
 std::optional<Color> parse_color(std::string_view text);
 
 /// #rrggbb, or #rrggbbaa where alpha is not 255.
