@@ -42,6 +42,12 @@ input() {
         if (kind == "colors") return sprintf("\"P%d\":\"red\"", i)
         if (kind == "kinds") return sprintf("\n{\"step\":\"kind%d\"}", i)
     }
+    # How many steps of each of those kinds there are.
+    function counts(    i, text) {
+        for (i = 0; i < n; ++i)
+            text = text sprintf("%s\"kind%d\":1", i ? "," : "", i)
+        return text
+    }
     function list(    i, text) {
         for (i = 0; i < n; ++i)
             text = text (i ? "," : "") element(i)
@@ -71,18 +77,35 @@ input() {
         else if (kind == "steps")
             printf "{\"canvas\":{\"width\":64,\"height\":%d,\"origin\":\"top-left\"},\"vertices\":{\"A\":[0,0],\"B\":[40,0],\"C\":[0,%d]},\"triangles\":[\"ABC\"]}\n", n + 1, n
         else if (kind == "kinds")
-            printf "{\"rastertrace\":1,\"canvas\":{\"width\":4,\"height\":4},\"steps\":[%s\n],\"end\":{\"steps\":%d}}\n", list(), n
+            printf "{\"rastertrace\":1,\"canvas\":{\"width\":4,\"height\":4},\"steps\":[%s\n],\"end\":{\"steps\":%d,\"count\":{%s}}}\n", list(), n, counts()
+        else if (kind == "obj-star") printf "{\"canvas\":{\"width\":16,\"height\":16},\"meshes\":[{\"obj\":\"star-%d.obj\"}]}\n", n
     }' >"$folder/$1-$2.json"
+    # A face with 2 N corners, every other one reflex.
+    [ "$1" != obj-star ] || awk -v n="$2" 'BEGIN {
+        n = 2 * (n > 1 ? n : 2)
+        for (i = 0; i < n; ++i) {
+            angle = 2 * atan2(0, -1) * i / n
+            printf "v %.6f %.6f 0\n", (i % 2 ? 7 : 4) * cos(angle), (i % 2 ? 7 : 4) * sin(angle)
+        }
+        printf "f"
+        for (i = 1; i <= n; ++i)
+            printf " %d", i
+        print ""
+    }' >"$folder/star-$2.obj"
 }
 
 # instructions COMMAND INPUT: how many the program executes.
 instructions() {
     case $1 in
     show) set -- show "$2" --last ;;
+    diff)
+        sed 's/"rastertrace":1/&,"title":"other"/' "$2" >"$folder/other.json"
+        set -- diff "$2" "$folder/other.json"
+        ;;
     every) set -- show "$2" --every no-such-kind ;; # a message that names all kinds: status 2
     esac
     valgrind --tool=cachegrind --cache-sim=no --cachegrind-out-file=/dev/null \
-        "$program" "$@" </dev/null 2>"$folder/err" >/dev/null || [ $? = 2 ] || { cat "$folder/err" >&2; exit 3; }
+        "$program" "$@" </dev/null 2>"$folder/err" >/dev/null || [ $? -le 2 ] || { cat "$folder/err" >&2; exit 3; }
     awk '/I *refs:/ { gsub(",", "", $NF); print $NF }' "$folder/err"
 }
 
@@ -128,6 +151,7 @@ named-meshes 100 plan trace show stats
 turned-meshes 8 plan trace show stats
 transforms 32 plan trace show stats
 steps 16 plan trace show stats
-kinds 500 show every stats
+kinds 500 show every stats diff validate
+obj-star 1000 plan
 KINDS
 exit "$failed"

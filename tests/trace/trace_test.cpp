@@ -369,7 +369,62 @@ TEST(Trace, WhatWasWrittenIsReadAlikeWithAndWithoutChecks) {
             ASSERT_EQ(trace.step(n).json(), checked.step(n).json());
         }
         EXPECT_EQ(trace.end->count, checked.end->count);
+
+        // Drawn without its text, it has the same steps, in whatever order they are asked for.
+        const PlannedScene& planned = read.value();
+        const Trace drawn = drawn_trace(planned.scene, planned.plan, "trace.json", 1'000'000);
+        ASSERT_EQ(drawn.size(), checked.size()) << text;
+        EXPECT_EQ(drawn.method, checked.method);
+        EXPECT_EQ(drawn.end->frame, checked.end->frame);
+        for (std::size_t i = 1; i <= drawn.size(); ++i) {
+            const std::size_t n = seed % 2 == 0 ? i : 1 + i * 7919 % drawn.size();
+            ASSERT_EQ(drawn.kind_of(n), checked.kind_of(n)) << text;
+            ASSERT_EQ(drawn.step(n).json(), checked.step(n).json());
+            ASSERT_EQ(drawn.step(n).whole("x"), checked.step(n).whole("x"));
+            ASSERT_EQ(drawn.step(n).field("color"), checked.step(n).field("color"));
+        }
     }
+}
+
+// Pixels in a row are held as one step: 100 rows of 100 take 101 of them, and what stands before.
+TEST(Trace, PixelsInARowAreHeldAsOneStep) {
+    const auto read = read_scene({"scene.json", R"({
+        "canvas":{"width":100,"height":100,"origin":"top-left"},
+        "vertices":{"A":[0,0],"B":[99,0],"C":[99,99],"D":[0,99]},"polygons":["ABCD"],
+        "method":{"fill":"scanline"}})"});
+    ASSERT_TRUE(read) << to_text(read.problem());
+    const PlannedScene& planned = read.value();
+    const Trace trace = drawn_trace(planned.scene, planned.plan, "scene.json", 500);
+    EXPECT_GT(trace.size(), 10'000u);
+    try {
+        drawn_trace(planned.scene, planned.plan, "scene.json", 200);
+        FAIL() << "200 steps are too few";
+    } catch (const Problem& problem) {
+        EXPECT_EQ(
+            to_text(problem),
+            "scene.json: expected at most 200 steps to hold, found more\n"
+            "hint: --max-steps N holds more of them, about 150 bytes each; `trace` writes any "
+            "number of them");
+    }
+}
+
+// So many counts that disagree are told in a time that grows with them: they all point at one place.
+TEST(Trace, ManyCountsThatDisagreeAreToldAtOnePlace) {
+    std::string counts;
+    for (int i = 0; i < 3; ++i)
+        counts += (i == 0 ? "\"kind" : ",\"kind") + std::to_string(i) + "\":1";
+    const std::string text = R"({"rastertrace":1,"canvas":{"width":3,"height":3}})"
+                             "\n{\"end\":{\"count\":{" +
+                             counts + "}}}\n";
+    const auto trace = read_trace({"t.jsonl", text});
+    ASSERT_TRUE(trace);
+    ASSERT_EQ(trace.value().damage.size(), 3u);
+    for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_EQ(to_text(trace.value().damage[i]), "t.jsonl:2:8: expected 1 kind" +
+                                                        std::to_string(i) +
+                                                        " steps as the end record says, found 0\n"
+                                                        "{\"end\":{\"count\":{" +
+                                                        counts + "}}}\n       ^");
 }
 
 } // namespace

@@ -1148,6 +1148,34 @@ TEST_F(ProgramTest, TheLimitOnInputCanBeRaised) {
               "\"lots\"\n");
 }
 
+TEST_F(ProgramTest, StepsThatAreHeldHaveALimitThatCanBeRaised) {
+    write("scene.json", R"({"canvas":{"width":17,"height":14},
+        "vertices":{"A":[2,5],"B":[-4,-3],"C":[5,-3]},"triangles":["ABC"],
+        "method":{"fill":"barycentric"}})");
+    const std::string hint =
+        "hint: --max-steps N holds more of them, about 150 bytes each; `trace` "
+        "writes any number of them\n";
+    for (const std::string words :
+         {"show scene.json", "stats scene.json", "explain scene.json --step last",
+          "figure scene.json -o o.png", "figure scene.json -o o.html",
+          "play scene.json --screen 80x24", "diff scene.json --against scalar=exact"}) {
+        const Outcome refused = shell("$rastertrace " + words + " --max-steps 50");
+        EXPECT_EQ(refused.status, 2) << words;
+        EXPECT_EQ(refused.err,
+                  "rastertrace: scene.json: expected at most 50 steps to hold, found more\n" + hint)
+            << words;
+        EXPECT_EQ(refused.out, "") << words;
+    }
+    EXPECT_EQ(shell("ls").out, "scene.json\n");
+
+    EXPECT_EQ(shell("$rastertrace show scene.json --max-steps 500").status, 0);
+    EXPECT_EQ(shell("$rastertrace trace scene.json -o t.jsonl").status, 0);
+    EXPECT_EQ(shell("$rastertrace stats t.jsonl --max-steps 50").err,
+              "rastertrace: t.jsonl: expected at most 50 steps to hold, found more\n" + hint);
+    EXPECT_EQ(shell("$rastertrace show scene.json --max-steps few").err,
+              "rastertrace: --max-steps: expected a number of steps, from 1, found \"few\"\n");
+}
+
 TEST_F(ProgramTest, ALineOfATraceHasAnEnd) {
     const Outcome refused =
         shell("(echo '{\"rastertrace\":1,\"canvas\":{\"width\":3,\"height\":3}}'; "

@@ -99,21 +99,37 @@ class NearEdge {
 public:
     NearEdge(const Pair& pair, const Trace& trace)
         : pair_(pair), canvas_(trace.canvas), offset_(sample_offset(trace)),
-          is_flat_(abs(pair.to.x - pair.from.x) >= abs(pair.to.y - pair.from.y)) {}
+          is_flat_(abs(pair.to.x - pair.from.x) >= abs(pair.to.y - pair.from.y)),
+          begin_(is_flat_ ? canvas_.left() : std::min(canvas_.top(), canvas_.bottom())) {
+        const int size = is_flat_ ? canvas_.width : canvas_.height;
+        for (int along = begin_; along < begin_ + size; ++along) {
+            const auto across = across_at(along);
+            near_.push_back(across ? Range{ceil_index(Rational(*across - offset_ - 1)),
+                                           floor_index(Rational(*across - offset_ + 1))}
+                                   : Range{});
+        }
+    }
 
     bool has(Index x, Index y) const {
-        const auto across = across_at(is_flat_ ? x : y);
-        return across && abs(sample(is_flat_ ? y : x) - *across) <= 1;
+        const Index along = is_flat_ ? x : y;
+        const Index across = is_flat_ ? y : x;
+        if (!canvas_.contains(x, y))
+            return false;
+        const Range& near = near_[static_cast<std::size_t>(along - begin_)];
+        return near.first <= across && across <= near.last;
     }
 
     /// All that the canvas has, from the top row, left to right.
     std::vector<Pixel> pixels() const {
         std::vector<Pixel> pixels;
-        const int begin = is_flat_ ? canvas_.left() : std::min(canvas_.top(), canvas_.bottom());
-        const int size = is_flat_ ? canvas_.width : canvas_.height;
-        for (int along = begin; along < begin + size; ++along)
-            if (const auto across = across_at(along))
-                add_near(pixels, along, floor_index(Rational(*across - offset_)));
+        for (std::size_t i = 0; i < near_.size(); ++i)
+            for (Index across = near_[i].first; across <= near_[i].last; ++across) {
+                const Index along = begin_ + static_cast<Index>(i);
+                const Index x = is_flat_ ? along : across;
+                const Index y = is_flat_ ? across : along;
+                if (canvas_.contains(x, y))
+                    pixels.push_back({static_cast<int>(x), static_cast<int>(y)});
+            }
         std::sort(pixels.begin(), pixels.end(), [this](const Pixel& one, const Pixel& other) {
             return std::pair(canvas_.row_of(one.y), one.x) <
                    std::pair(canvas_.row_of(other.y), other.x);
@@ -137,20 +153,18 @@ private:
         return is_flat_ ? Rational(a.y + share * (b.y - a.y)) : Rational(a.x + share * (b.x - a.x));
     }
 
-    /// Those of one column, or row, of which `nearest` and its neighbours can be near enough.
-    void add_near(std::vector<Pixel>& pixels, int along, Index nearest) const {
-        for (Index across = nearest - 1; across <= nearest + 2; ++across) {
-            const Index x = is_flat_ ? along : across;
-            const Index y = is_flat_ ? across : along;
-            if (canvas_.contains(x, y) && has(x, y))
-                pixels.push_back({static_cast<int>(x), static_cast<int>(y)});
-        }
-    }
+    /// Those of a column, or row, that are near: rows from `first` to `last`, or columns.
+    struct Range {
+        Index first = 0;
+        Index last = -1;
+    };
 
     const Pair& pair_;
     Canvas canvas_;
     Rational offset_;
     bool is_flat_;
+    int begin_;               ///< the first column of the canvas, or row
+    std::vector<Range> near_; ///< of each column, or row, from there
 };
 
 /// The steps of the two triangles, and where the next primitive begins. They are sorted by row once, so that each

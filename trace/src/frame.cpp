@@ -149,6 +149,10 @@ const std::vector<std::size_t>& Replay::places_of(const std::string& vertex) con
 
 std::optional<PlottedPixel> plotted_by(const StepView& step, const Canvas& canvas,
                                        Color of_primitive) {
+    if (const Pixel* const pixel = step.plain_pixel())
+        return canvas.contains(pixel->x, pixel->y)
+                   ? std::optional(PlottedPixel{*pixel, of_primitive})
+                   : std::nullopt;
     std::optional<Index> x;
     std::optional<Index> y;
     Color color = of_primitive;

@@ -43,7 +43,8 @@ void RowCheck::close() {
         return;
 
     // Of the pixels that were told, from left to right, each that is due counts once.
-    std::sort(spans_.begin(), spans_.end());
+    if (!std::is_sorted(spans_.begin(), spans_.end()))
+        std::sort(spans_.begin(), spans_.end());
     std::uint64_t told = elsewhere_;
     std::uint64_t due = 0;
     Index next = row_->from;

@@ -9,6 +9,7 @@
 #include <rastertrace/trace/text.h>
 #include <rastertrace/trace/write_trace.h>
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -26,16 +27,25 @@ class KindCounts {
 public:
     explicit KindCounts(Stats& stats) : count_(stats.count) {}
 
-    void add(const std::string& kind) {
-        const auto [place, is_new] = places_.try_emplace(kind, count_.size());
-        if (is_new)
-            count_.emplace_back(kind, 0);
-        ++count_[place->second].second;
+    void add(std::optional<StepKind> kind, const StepView& step) {
+        if (!kind)
+            return add(places_.try_emplace(step.kind_name(), 0).first->second, step);
+        add(known_[static_cast<std::size_t>(*kind)], step);
     }
 
 private:
+    /// `place` of a kind in count_, from 1; 0 as long as it has none.
+    void add(std::size_t& place, const StepView& step) {
+        if (place == 0) {
+            count_.emplace_back(step.kind_name(), 0);
+            place = count_.size();
+        }
+        ++count_[place - 1].second;
+    }
+
     std::vector<std::pair<std::string, std::uint64_t>>& count_;
-    std::unordered_map<std::string, std::size_t> places_; ///< in count_
+    std::array<std::size_t, step_kinds> known_{};
+    std::unordered_map<std::string, std::size_t> places_; ///< of the other kinds
 };
 
 /// The pixel that a step is about, if the canvas has it.
@@ -147,7 +157,7 @@ Stats stats_of(const Trace& trace) {
         const StepView step = trace.step(n);
         const auto kind = trace.kind_of(n);
         needs.add(step, kind, n);
-        kinds.add(kind ? std::string(name_of(*kind)) : step.kind_name());
+        kinds.add(kind, step);
         if (kind == StepKind::primitive) {
             PrimitiveStats& primitive = stats.primitives.emplace_back();
             primitive.kind = step.text("kind");

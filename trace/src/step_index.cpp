@@ -19,22 +19,28 @@ std::string normal_form(const std::string& value) {
     return number ? number->get_str() : value;
 }
 
-StepIndex::StepIndex(const Trace& trace)
-    : trace_(&trace), primitive_of_(trace.size() + 1), side_of_(trace.size() + 1) {
-    std::uint32_t primitive = 0;
-    std::uint32_t side = 0;
+StepIndex::StepIndex(const Trace& trace) : trace_(&trace) {
     for (std::size_t n = 1; n <= trace.size(); ++n) {
         const auto kind = trace.kind_of(n);
-        if (kind == StepKind::primitive) {
-            primitive = static_cast<std::uint32_t>(n);
-            side = 0;
-        }
+        if (!kind)
+            continue;
+        ++count_[static_cast<std::size_t>(*kind)];
+        if (kind == StepKind::primitive)
+            primitives_.push_back(n);
         // The edges of a fill come before its rows; a side before its own pixels.
         if (kind == StepKind::edge && trace.step(n).field("octant"))
-            side = static_cast<std::uint32_t>(n);
-        primitive_of_[n] = primitive;
-        side_of_[n] = side;
+            sides_.push_back(n);
     }
+}
+
+std::size_t StepIndex::last_until(const std::vector<std::size_t>& steps, std::size_t n) {
+    const auto behind = std::upper_bound(steps.begin(), steps.end(), n);
+    return behind == steps.begin() ? 0 : *(behind - 1);
+}
+
+std::size_t StepIndex::side_of(std::size_t n) const {
+    const std::size_t side = last_until(sides_, n);
+    return side > primitive_of(n) ? side : 0;
 }
 
 std::vector<std::string> StepIndex::names_around(std::size_t n) const {
@@ -47,8 +53,8 @@ std::vector<std::string> StepIndex::names_around(std::size_t n) const {
         name.resize(slash); // what ABC/1 is a part of
         names.push_back(name);
     }
-    if (side_of_[n] != 0)
-        names.push_back(trace_->step(side_of_[n]).text("edge"));
+    if (const std::size_t side = side_of(n); side != 0)
+        names.push_back(trace_->step(side).text("edge"));
     return names;
 }
 
@@ -66,15 +72,39 @@ std::string compared(StepKind kind, std::string_view field, const std::string& v
 
 } // namespace
 
+bool StepIndex::has_all(std::size_t n, StepKind kind, const Keys& wanted) const {
+    const StepView step = trace_->step(n);
+    return std::all_of(wanted.begin(), wanted.end(), [&](const auto& key) {
+        const auto& [field, value] = key;
+        if (const Pixel* const pixel = step.plain_pixel(); pixel && (field == "x" || field == "y"))
+            return value == std::to_string(field == "x" ? pixel->x : pixel->y);
+        if (field != "in")
+            return compared(kind, field, step.text(field)) == value;
+        const auto names = names_around(n);
+        return std::find(names.begin(), names.end(), value) != names.end();
+    });
+}
+
 const std::vector<std::size_t>& StepIndex::find(StepKind kind, const Keys& keys) const {
+    // A table of so many steps fits into the memory; with more, all steps are gone through for each question.
+    constexpr std::size_t most_in_table = 1'000'000;
     std::string fields;
     std::string wanted;
+    Keys compared_keys;
     for (const auto& [field, value] : keys) {
+        compared_keys.emplace_back(field, compared(kind, field, value));
         fields += field + between;
-        wanted += compared(kind, field, value) + between;
+        wanted += compared_keys.back().second + between;
     }
     const auto [place, is_new] = found_.try_emplace({kind, fields});
     Found& found = place->second;
+    if (count_[static_cast<std::size_t>(kind)] > most_in_table) {
+        const auto [asked, is_first] = found.try_emplace(wanted);
+        for (std::size_t n = 1; is_first && n <= trace_->size(); ++n)
+            if (trace_->kind_of(n) == kind && has_all(n, kind, compared_keys))
+                asked->second.push_back(n);
+        return asked->second;
+    }
     for (std::size_t n = 1; is_new && n <= trace_->size(); ++n) {
         if (trace_->kind_of(n) != kind)
             continue;

@@ -12,6 +12,7 @@
 #include <rastertrace/trace/step_kind.h>
 #include <rastertrace/trace/trace.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -36,7 +37,7 @@ public:
     const Trace& trace() const { return *trace_; }
 
     /// The `primitive` step that step n belongs to; 0 for none.
-    std::size_t primitive_of(std::size_t n) const { return primitive_of_[n]; }
+    std::size_t primitive_of(std::size_t n) const { return last_until(primitives_, n); }
 
     /// The steps of a kind that have all these values, in order.
     const std::vector<std::size_t>& find(StepKind kind, const Keys& keys) const;
@@ -59,15 +60,24 @@ public:
 private:
     using Found = std::unordered_map<std::string, std::vector<std::size_t>>;
 
+    /// Of steps in ascending order, the last that is not behind step n; 0 for none.
+    static std::size_t last_until(const std::vector<std::size_t>& steps, std::size_t n);
+
+    /// The `edge` step of the side that is being drawn in step n; 0 for none.
+    std::size_t side_of(std::size_t n) const;
+
     /// The names that "in" may have for step n.
     std::vector<std::string> names_around(std::size_t n) const;
 
+    /// True if step n has all these values.
+    bool has_all(std::size_t n, StepKind kind, const Keys& wanted) const;
+
     const Trace* trace_;
-    std::vector<std::uint32_t> primitive_of_;
-    std::vector<std::uint32_t>
-        side_of_; ///< the `edge` step of the side that is being drawn; 0 for none
+    std::vector<std::size_t> primitives_; ///< the steps that begin one
+    std::vector<std::size_t> sides_;      ///< the `edge` steps of outlines
+    std::array<std::size_t, step_kinds> count_{};
     mutable std::map<std::pair<StepKind, std::string>, Found>
-        found_; ///< by kind and names of fields
+        found_; ///< by kind and names of fields; of a kind with many steps, only what was asked for
     mutable std::map<std::pair<std::size_t, std::string>, Values> numbers_; ///< that were asked for
     mutable std::optional<Frame> frame_;
 };

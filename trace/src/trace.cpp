@@ -13,6 +13,7 @@
 #include <rastertrace/core/numbers/number.h>
 #include <rastertrace/trace/color_text.h>
 #include <rastertrace/trace/frame.h>
+#include <rastertrace/trace/input.h>
 #include <rastertrace/trace/text.h>
 #include <rastertrace/trace/write_trace.h>
 
@@ -27,8 +28,16 @@
 
 namespace rastertrace {
 
-std::optional<std::string_view> StepView::field(std::string_view name) const {
-    JsonScanner fields(json_);
+std::string_view StepView::pixel_json() const {
+    const auto end = fmt::format_to_n(buffer_.data(), buffer_.size(),
+                                      R"({{"step":"pixel","x":{},"y":{}}})", pixel_.x, pixel_.y);
+    return {buffer_.data(), end.size};
+}
+
+std::optional<std::string_view> StepView::field(std::string_view name) const& {
+    if (is_pixel_ && name != "x" && name != "y" && name != "step")
+        return std::nullopt;
+    JsonScanner fields(json());
     while (fields.next_field())
         if (fields.key() == name)
             return fields.value();
@@ -36,6 +45,8 @@ std::optional<std::string_view> StepView::field(std::string_view name) const {
 }
 
 std::optional<Index> StepView::whole(std::string_view name) const {
+    if (is_pixel_ && (name == "x" || name == "y"))
+        return name == "x" ? pixel_.x : pixel_.y;
     const auto value = field(name);
     return value ? whole_in(*value) : std::nullopt;
 }
@@ -69,6 +80,13 @@ std::vector<std::vector<std::string>> StepView::text_rows(std::string_view name)
             result.back().push_back(plain_text(elements.value()));
     }
     return result;
+}
+
+void Trace::find_run_before(std::size_t n) const {
+    const auto behind =
+        std::upper_bound(runs_.begin(), runs_.end(), n,
+                         [](std::size_t step, const PixelRun& run) { return step < run.first; });
+    run_asked_of_ = static_cast<std::size_t>(behind - runs_.begin()) - 1;
 }
 
 Trace Trace::without_steps() const {
@@ -108,7 +126,8 @@ std::vector<Problem> Trace::faults_in_step(std::size_t n) const {
     const auto kind = kind_of(n);
     if (!kind)
         return {};
-    const std::string_view json = step(n).json();
+    const StepView view = step(n);
+    const std::string_view json = view.json();
     const auto& known = row_of(*kind).fields;
     std::vector<Problem> faults;
     JsonScanner fields(json);
@@ -120,7 +139,7 @@ std::vector<Problem> Trace::faults_in_step(std::size_t n) const {
             continue;
         const auto offset = static_cast<std::size_t>(fields.value().data() - json.data());
         faults.push_back(
-            problem_at(source_, steps_[n - 1].offset + offset,
+            problem_at(source_, offset_of(n) + offset,
                        fmt::format("expected {} for {}, found {}", expected_for(*field),
                                    field->name, shortened(fields.value(), 40))));
     }
@@ -299,10 +318,15 @@ public:
         to_tell, ///< such a step is damage, and the rest is read
     };
 
-    TraceReader(Source source, Care care) : care_(care) { trace_.source_ = std::move(source); }
+    TraceReader(Source source, Care care, std::size_t most_steps)
+        : care_(care), most_steps_(most_steps) {
+        trace_.source_ = std::move(source);
+    }
 
     /// Reads what may be a trace.
-    static Result<Trace> read_with(Source source, Care care);
+    static Result<Trace>
+    read_with(Source source, Care care,
+              std::size_t most_steps = std::numeric_limits<std::size_t>::max());
 
     Trace read() {
         const std::string_view first_line = line_at(0);
@@ -578,6 +602,8 @@ private:
     }
 
     void add_step(std::size_t begin, std::size_t size) {
+        if (trace_.size() >= most_steps_)
+            throw too_many_steps(source().name, most_steps_);
         if (care_ != Care::to_tell || useless_steps_ == most_useless_steps)
             return add_usable_step(begin, size);
         try {
@@ -655,10 +681,13 @@ private:
                                "expected an end record, found none: the trace may be truncated"));
             return;
         }
-        const auto disagree = [this](std::string_view told, std::string_view what,
-                                     const auto& found) {
-            trace_.damage.push_back(problem_at(source(), end_offset_,
-                                               disagreement(told, what, fmt::format("{}", found))));
+        // They all point at one place, which is looked up once.
+        std::optional<Problem> at;
+        const auto disagree = [&](std::string_view told, std::string_view what, const auto& found) {
+            if (!at)
+                at = problem_at(source(), end_offset_, "");
+            trace_.damage.push_back(*at);
+            trace_.damage.back().message = disagreement(told, what, fmt::format("{}", found));
         };
         if (trace_.end->steps && *trace_.end->steps != trace_.size())
             disagree(fmt::format("{}", *trace_.end->steps), "steps", trace_.size());
@@ -702,6 +731,7 @@ private:
 
     Trace trace_;
     Care care_;
+    std::size_t most_steps_;
     bool was_cut_short_ = false;
     bool has_stray_pixel_ = false;
     std::size_t end_offset_ = 0;
@@ -711,13 +741,13 @@ private:
 
 Result<Trace> read_written_trace(Source source) {
     try {
-        return TraceReader(std::move(source), TraceReader::Care::none).read();
+        return TraceReader::read_with(std::move(source), TraceReader::Care::none);
     } catch (const Problem& problem) {
         return problem;
     }
 }
 
-Result<Trace> TraceReader::read_with(Source source, Care care) {
+Result<Trace> TraceReader::read_with(Source source, Care care, std::size_t most_steps) {
     // The mark that some editors put in front of UTF-8 says nothing.
     constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
     if (source.text.starts_with(byte_order_mark))
@@ -725,14 +755,14 @@ Result<Trace> TraceReader::read_with(Source source, Care care) {
     if (auto problem = zero_byte_in(source))
         return *std::move(problem);
     try {
-        return TraceReader(std::move(source), care).read();
+        return TraceReader(std::move(source), care, most_steps).read();
     } catch (const Problem& problem) {
         return problem;
     }
 }
 
-Result<Trace> read_trace(Source source) {
-    return TraceReader::read_with(std::move(source), TraceReader::Care::to_use);
+Result<Trace> read_trace(Source source, std::size_t most_steps) {
+    return TraceReader::read_with(std::move(source), TraceReader::Care::to_use, most_steps);
 }
 
 Result<Trace> read_trace_to_tell(Source source) {

@@ -5,7 +5,6 @@
 
 #include <rastertrace/trace/scene_file.h>
 #include <rastertrace/trace/stage_name.h>
-#include <rastertrace/trace/write_trace.h>
 
 #include <optional>
 #include <utility>
@@ -36,11 +35,7 @@ struct Truth::State {
             throw read.problem();
         const PlannedScene& planned = read.value();
         remarks = planned.remarks;
-        Result<Trace> drawn =
-            read_written_trace(written_trace(planned.scene, planned.plan, scene->name));
-        if (!drawn)
-            throw drawn.problem();
-        return std::move(drawn.value());
+        return drawn_trace(planned.scene, planned.plan, scene->name, limits.steps);
     }
 
     /// The same scene in exact numbers; nullptr if it is drawn in them.

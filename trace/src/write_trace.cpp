@@ -7,12 +7,15 @@
 #include <rastertrace/core/draw/geometry.h>
 #include <rastertrace/core/draw/plan.h>
 #include <rastertrace/trace/color_text.h>
+#include <rastertrace/trace/input.h>
 #include <rastertrace/trace/method_names.h>
 #include <rastertrace/trace/pipeline_names.h>
 #include <rastertrace/trace/scene_file.h>
 #include <rastertrace/trace/stage_name.h>
 
 #include <fmt/core.h>
+
+#include <algorithm>
 
 namespace rastertrace {
 
@@ -159,9 +162,33 @@ std::uint64_t write_trace(const Scene& scene, const Plan& plan, const TraceOptio
     return steps_of(writer);
 }
 
-Source written_trace(const Scene& scene, const Plan& plan, std::string name) {
+namespace {
+
+/// Collects lines in the text of a source, up to a number of steps.
+class LinesOutput final : public Output {
+public:
+    LinesOutput(Source& source, std::size_t most_steps) : source_(source), most_(most_steps) {}
+
+    void write(std::string_view bytes) override {
+        source_.text += bytes;
+        newlines_ += static_cast<std::size_t>(std::count(bytes.begin(), bytes.end(), '\n'));
+        // One stands before each step, three around the end record.
+        if (newlines_ > 3 && newlines_ - 3 > most_)
+            throw too_many_steps(source_.name, most_);
+    }
+
+private:
+    Source& source_;
+    std::size_t most_;
+    std::size_t newlines_ = 0;
+};
+
+} // namespace
+
+Source written_trace(const Scene& scene, const Plan& plan, std::string name,
+                     std::size_t most_steps) {
     Source source{.name = std::move(name), .text = {}};
-    StringOutput output(source.text);
+    LinesOutput output(source, most_steps);
     write_trace(scene, plan, {}, output);
     return source;
 }

@@ -172,9 +172,19 @@ private:
     bool full_ = false;
 };
 
-/// How far the files that are read are trusted: --max-input, --allow-outside.
+/// How far the files that are read are trusted: --max-input, --allow-outside; how much of them is held: --max-steps.
 class InputOptions {
 public:
+    /// Of a command that holds the steps of a trace.
+    void add_to_holder(CLI::App& command) {
+        add_to(command);
+        command
+            .add_option("--max-steps", max_steps_,
+                        "The most steps of a trace to hold; 10 million if not given. Pixels of a "
+                        "row that follow one another in a trace that is drawn count as one")
+            ->type_name("N");
+    }
+
     void add_to(CLI::App& command) {
         command
             .add_option("--max-input", max_input_,
@@ -189,6 +199,8 @@ public:
         InputLimits limits = limits_;
         if (!max_input_.empty())
             limits.bytes = size_in(max_input_);
+        if (!max_steps_.empty())
+            limits.steps = count_in(max_steps_);
         return limits;
     }
 
@@ -206,7 +218,14 @@ private:
         refuse("--max-input", "a size in kB, MB or GB, like 512MB", text);
     }
 
+    static std::size_t count_in(const std::string& text) {
+        if (const auto count = whole_in<std::size_t>(text); count && *count > 0)
+            return *count;
+        refuse("--max-steps", "a number of steps, from 1", text);
+    }
+
     std::string max_input_;
+    std::string max_steps_;
     InputLimits limits_;
 };
 
@@ -447,7 +466,7 @@ private:
             ->type_name("WHEN");
         add_language(command);
         show_method_.add_to(command);
-        show_input_.add_to(command);
+        show_input_.add_to_holder(command);
         show_frames_.add_to(command, "all if not given");
         command.callback([this] {
             if (!step_.empty())
@@ -523,7 +542,7 @@ private:
             ->type_name("COLUMNSxLINES");
         add_language(command);
         play_method_.add_to(command);
-        play_input_.add_to(command);
+        play_input_.add_to_holder(command);
         play_frames_.add_to(command, "all if not given");
         command.callback([this] {
             if (lists_keys_) {
@@ -666,7 +685,7 @@ private:
             "Only the pixels in their own colors, one unit each if --cell is not given");
         add_language(command);
         figure_method_.add_to(command);
-        figure_input_.add_to(command);
+        figure_input_.add_to_holder(command);
         figure_frames_.add_to(command, "all if not given");
         command.callback([this] { set_figure(); });
     }
@@ -826,7 +845,7 @@ private:
         command.add_flag("--json", explain_.json, "Short for --format json");
         add_language(command);
         explain_method_.add_to(command);
-        explain_input_.add_to(command);
+        explain_input_.add_to_holder(command);
         explain_frames_.add_to(command, first_frame);
         command.callback([this] {
             if (!explain_format_.empty() && explain_format_ != "text" && explain_format_ != "json")
@@ -877,7 +896,7 @@ private:
                                     joined(finding_names(), ",")))
             ->type_name("NAME,...");
         stats_method_.add_to(command);
-        stats_input_.add_to(command);
+        stats_input_.add_to_holder(command);
         stats_frames_.add_to(command, first_frame);
         command.callback([this] {
             if (!fail_on_.empty())
@@ -927,7 +946,7 @@ private:
                          "Write the claims file of a scene with ? in place of every number");
         add_language(command);
         check_method_.add_to(command);
-        check_input_.add_to(command);
+        check_input_.add_to_holder(command);
         check_frames_.add_to(command, first_frame);
         command.callback([this] {
             read_check_format();
@@ -976,7 +995,7 @@ private:
                 "--schema", validate_schema_,
                 fmt::format("Print a schema instead: {}", joined(schema_kind_names(), ", ")))
             ->type_name("NAME");
-        validate_input_.add_to(command);
+        validate_input_.add_to_holder(command);
         command.callback([this] {
             validate_.kind = schema_kind_in("--kind", validate_kind_);
             validate_.schema = schema_kind_in("--schema", validate_schema_);
@@ -1196,7 +1215,7 @@ private:
         command.add_flag("--json", diff_.json, "Short for --format json");
         add_language(command);
         diff_method_.add_to(command);
-        diff_input_.add_to(command);
+        diff_input_.add_to_holder(command);
         diff_frames_.add_to(command, first_frame);
         command.callback([this] {
             read_diff_options();

@@ -59,13 +59,13 @@ Source read_input(const std::string& path, const InputLimits& limits) {
 }
 
 /// The text of a scene's trace; the scene is given up before the trace is read: both may be large.
-Source drawn_text(PlannedScene planned, const std::string& name) {
+Source drawn_text(PlannedScene planned, const std::string& name, const InputLimits& limits) {
     const PlannedScene scene = std::move(planned);
-    return written_trace(scene.scene, scene.plan, name);
+    return written_trace(scene.scene, scene.plan, name, limits.steps);
 }
 
-Trace drawn(PlannedScene planned, const std::string& name) {
-    return value_or_throw(read_written_trace(drawn_text(std::move(planned), name)));
+Trace drawn(const PlannedScene& planned, const std::string& name, const InputLimits& limits) {
+    return drawn_trace(planned.scene, planned.plan, name, limits.steps);
 }
 
 Trace titled(Trace trace, const std::string& path) {
@@ -117,15 +117,15 @@ PlannedScene InputFrames::scene(std::size_t frame) {
 
 Trace InputFrames::trace(std::size_t frame) {
     if (!scenes_)
-        return titled(value_or_throw(read_trace(std::move(source_))), path_);
-    return titled(drawn(scene(frame), source_.name), path_);
+        return titled(value_or_throw(read_trace(std::move(source_), options_.limits.steps)), path_);
+    return titled(drawn(scene(frame), source_.name, options_.limits), path_);
 }
 
 Trace InputFrames::trace_by(std::size_t frame, const MethodOverrides& method) const {
     if (!scenes_)
         refuse_scene_options(source_, {.method = method});
     SceneSequence scenes(source_, method, options_.limits, options_.frames.vary);
-    return titled(drawn(scenes.frame(frame), source_.name), path_);
+    return titled(drawn(scenes.frame(frame), source_.name, options_.limits), path_);
 }
 
 void check_region(const Region& region, const Canvas& canvas) {
@@ -163,7 +163,7 @@ TraceText trace_text(OpenedTrace opened, const std::string& path, const SceneOpt
         return TraceText(std::move(source));
     const std::string name = source.name;
     InputFrames input(path, std::move(source), options);
-    return TraceText(drawn_text(input.scene(input.first()), name));
+    return TraceText(drawn_text(input.scene(input.first()), name, options.limits));
 }
 
 std::variant<StepStream, Source> open_input_or_claims(const std::string& path,
@@ -201,7 +201,7 @@ Source load_scene_trace_or_claims(const std::string& path, const InputLimits& li
 Truth truth_in(Source source, const SceneOptions& options) {
     if (is_trace(source)) {
         refuse_scene_options(source, options);
-        return Truth(value_or_throw(read_trace(std::move(source))));
+        return Truth(value_or_throw(read_trace(std::move(source), options.limits.steps)));
     }
     Truth truth(std::move(source), options.method, options.limits, options.frames);
     for (const Problem& remark : truth.remarks())

@@ -16,7 +16,11 @@ namespace rastertrace {
 struct InputLimits {
     std::size_t bytes = 256'000'000; ///< of a scene or an OBJ file; a trace may have any size
     bool allow_outside = false;      ///< OBJ files may lie outside of the scene's folder
+    std::size_t steps = 10'000'000;  ///< of a trace that has to be held
 };
+
+/// Why a trace is not held that has more steps than that.
+Problem too_many_steps(const std::string& name, std::size_t most);
 
 /// Reads a scene or a trace; "-" is standard input. One that is too large, that has too long a line
 /// for a trace, or that is no text, is left alone as soon as that is known.

@@ -245,7 +245,8 @@ public:
         if (!wants(StepKind::depth) || !is_in_region(step.pixel))
             return;
         begin_line(StepKind::depth);
-        const bool hangs_on_digits = step.stored && round_alike(step.depth, *step.stored);
+        const bool hangs_on_digits = numbers_ == NumberStyle::doubles && step.stored &&
+                                     round_alike(step.depth, *step.stored);
         put(R"({"step":"depth","x":)", step.pixel.x, R"(,"y":)", step.pixel.y, R"(,"depth":)",
             Exactly{step.depth, hangs_on_digits});
         if (step.stored)

@@ -19,6 +19,7 @@
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -29,20 +30,34 @@
 
 namespace rastertrace {
 
+struct Plan;
+struct Scene;
+
 /// One step: a view of its JSON object, valid as long as its trace.
 class StepView {
 public:
     explicit StepView(std::string_view json) : json_(json) {}
 
-    /// The whole object as it stands in the file.
-    std::string_view json() const { return json_; }
+    /// A `pixel` step without a color, of which only the pixel is held.
+    explicit StepView(const Pixel& pixel) : pixel_(pixel), is_pixel_(true) {}
+
+    /// The whole object as it stands in the file; valid as long as this view.
+    std::string_view json() const& { return is_pixel_ ? pixel_json() : json_; }
+    std::string json() const&& { return std::string(json()); }
 
     /// The value of "step": primitive, pixel, ..., or a name that we do not know.
     std::string kind_name() const { return text("step"); }
     std::optional<StepKind> kind() const { return step_kind_named(kind_name()); }
 
-    /// The JSON of a field, or nothing if the step has no such field.
-    std::optional<std::string_view> field(std::string_view name) const;
+    /// The pixel of a `pixel` step of which only that is held; nullptr else.
+    const Pixel* plain_pixel() const { return is_pixel_ ? &pixel_ : nullptr; }
+
+    /// The JSON of a field, or nothing if the step has no such field; valid as long as this view.
+    std::optional<std::string_view> field(std::string_view name) const&;
+    std::optional<std::string> field(std::string_view name) const&& {
+        const auto value = field(name);
+        return value ? std::optional<std::string>(*value) : std::nullopt;
+    }
 
     /// A field that is a whole number.
     std::optional<Index> whole(std::string_view name) const;
@@ -57,7 +72,12 @@ public:
     std::vector<std::vector<std::string>> text_rows(std::string_view name) const;
 
 private:
+    std::string_view pixel_json() const;
+
     std::string_view json_;
+    Pixel pixel_{};
+    bool is_pixel_ = false;
+    mutable std::array<char, 48> buffer_; ///< for the JSON of pixel_, once someone has asked
 };
 
 /// The nearest double of a number as a trace writes it, 0.25 or 25/8; nothing for what is no number, like null.
@@ -115,19 +135,29 @@ public:
     std::vector<Problem> faults_in_step(std::size_t n) const;
 
     /// How many steps there are.
-    std::size_t size() const { return steps_.size(); }
+    std::size_t size() const { return steps_.size() + steps_in_runs_; }
 
     /// Step n, from 1 to size().
     StepView step(std::size_t n) const {
-        assert(n > 0 && n <= steps_.size());
-        return StepView(text_of(steps_[n - 1]));
+        assert(n > 0 && n <= size());
+        const RunsBefore before = runs_before(n);
+        if (before.run != nullptr)
+            return StepView(
+                Pixel{before.run->x + static_cast<int>(n - before.run->first), before.run->y});
+        return StepView(text_of(steps_[n - 1 - before.steps]));
     }
 
-    /// Where step n begins in the text that it was read from, in bytes.
-    std::size_t offset_of(std::size_t n) const { return steps_[n - 1].offset; }
+    /// Where step n begins in the text that it was read from, in bytes. Not of a trace that was drawn.
+    std::size_t offset_of(std::size_t n) const {
+        assert(runs_.empty());
+        return steps_[n - 1].offset;
+    }
 
     /// The kind of step n, if we know it.
-    std::optional<StepKind> kind_of(std::size_t n) const { return steps_[n - 1].kind; }
+    std::optional<StepKind> kind_of(std::size_t n) const {
+        const RunsBefore before = runs_before(n);
+        return before.run != nullptr ? StepKind::pixel : steps_[n - 1 - before.steps].kind;
+    }
 
     /// The number of step n in the trace that this is an excerpt of; n, if it is none.
     std::size_t number_of(std::size_t n) const {
@@ -152,12 +182,46 @@ public:
 private:
     friend class TraceReader;
     friend class GrowingTrace;
+    friend class DrawnSteps;
 
     struct StepPlace {
         std::size_t offset;
         std::uint32_t length;
         std::optional<StepKind> kind;
     };
+
+    /// Pixels without a color that were plotted one after the other, from left to right.
+    struct PixelRun {
+        std::size_t first;  ///< the number of the first step
+        std::size_t before; ///< how many steps in front of it are in runs
+        std::uint32_t count;
+        int x; ///< of the first pixel
+        int y;
+        bool has(std::size_t n) const { return n - first < count; }
+    };
+
+    /// The run that step n is in, or else how many steps in front of it are in runs.
+    struct RunsBefore {
+        const PixelRun* run = nullptr;
+        std::size_t steps = 0;
+    };
+    RunsBefore runs_before(std::size_t n) const {
+        if (runs_.empty() || n < runs_.front().first)
+            return {};
+        const auto is_last_before = [&](std::size_t i) {
+            return runs_[i].first <= n && (i + 1 == runs_.size() || n < runs_[i + 1].first);
+        };
+        // Who asks of one step mostly asks of the next.
+        if (!is_last_before(run_asked_of_)) {
+            if (run_asked_of_ + 1 < runs_.size() && is_last_before(run_asked_of_ + 1))
+                ++run_asked_of_;
+            else
+                find_run_before(n);
+        }
+        const PixelRun& run = runs_[run_asked_of_];
+        return {run.has(n) ? &run : nullptr, run.before + run.count};
+    }
+    void find_run_before(std::size_t n) const;
     std::string_view text_of(const StepPlace& place) const {
         return mapped_ ? std::string_view(mapped_.get() + place.offset, place.length)
                        : std::string_view(source_.text).substr(place.offset, place.length);
@@ -165,13 +229,17 @@ private:
 
     Source source_;
     std::shared_ptr<const char> mapped_; ///< the file, if it is not in `source_`
-    std::vector<StepPlace> steps_;
+    std::vector<StepPlace> steps_;       ///< those in no run
+    std::vector<PixelRun> runs_;         ///< of a trace that was drawn
+    std::size_t steps_in_runs_ = 0;
+    mutable std::size_t run_asked_of_ = 0;
     std::vector<std::size_t> numbers_; ///< of an excerpt: those of its steps in the whole trace
 };
 
 /// Reads a trace in either layout, found by its content. A problem comes back only if nothing can
-/// be shown: no header, a newer version, or a line that is no step.
-Result<Trace> read_trace(Source source);
+/// be shown: no header, a newer version, a line that is no step, or more steps than `most_steps`.
+Result<Trace> read_trace(Source source,
+                         std::size_t most_steps = std::numeric_limits<std::size_t>::max());
 
 /// The most steps of a trace, or of a block of one, that are told to be of no use before the reading ends.
 inline constexpr std::size_t most_useless_steps = 100;
@@ -182,6 +250,11 @@ Result<Trace> read_trace_to_tell(Source source);
 
 /// Reads what write_trace has written to a string. It is not looked through for damage.
 Result<Trace> read_written_trace(Source source);
+
+/// Draws a scene and holds its steps; pixels of a row that are plotted one after the other are held as one. Throws a
+/// Problem that names `--max-steps` if there are more steps to hold than `most_steps`.
+Trace drawn_trace(const Scene& scene, const Plan& plan, const std::string& name,
+                  std::size_t most_steps);
 
 /// True if a source holds a trace rather than a scene: an object with the key "rastertrace".
 bool is_trace(const Source& source);

@@ -14,7 +14,9 @@
 #include <rastertrace/trace/problem.h>
 #include <rastertrace/trace/step_writer.h>
 
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 
 namespace rastertrace {
@@ -35,8 +37,10 @@ std::uint64_t write_trace(const Scene& scene, const Plan& plan, const TraceOptio
 /// The same for a scene that nobody has planned yet.
 std::uint64_t write_trace(const Scene& scene, const TraceOptions& options, Output& output);
 
-/// The trace of a scene as a source of this name, for read_written_trace.
-Source written_trace(const Scene& scene, const Plan& plan, std::string name);
+/// The trace of a scene as a source of this name, for read_written_trace. Throws a Problem if it has more lines than
+/// `most_steps` steps need.
+Source written_trace(const Scene& scene, const Plan& plan, std::string name,
+                     std::size_t most_steps = std::numeric_limits<std::size_t>::max());
 
 /// The name that a trace gives to a final picture: FNV-1a (64 bit, sixteen hexadecimal digits) over
 /// the red, green, blue and alpha byte of every pixel, row by row from the top; a pixel that
