@@ -103,8 +103,7 @@ void play_first_frame(benchmark::State& state) {
 Player player_at_end() {
     Player player({.open =
                        [](std::size_t) {
-                           return std::get<GrowingTrace>(
-                               GrowingTrace::open(long_trace_path(), {}));
+                           return std::get<GrowingTrace>(GrowingTrace::open(long_trace_path(), {}));
                        }},
                   {.bytes = bytes});
     while (player.work()) {

@@ -1363,6 +1363,64 @@ TEST_F(ProgramTest, NothingThatWasReadIsOverwritten) {
     }
 }
 
+// Also a mesh of the scene, what is compared with, and a name that a number makes.
+TEST_F(ProgramTest, NothingThatAFigureHasReadIsOverwritten) {
+    const std::string model = "v 0 0 0\nv 3 0 0\nv 0 3 0\nf 1 2 3\n";
+    write("c-1.obj", model);
+    write("scene.json", R"({"canvas": {"width": 9, "height": 9}, "meshes": [{"obj": "c-1.obj"}]})");
+    ASSERT_EQ(shell("$rastertrace trace scene.json -o other-2.json; ln other-2.json hard").status,
+              0);
+    const std::string other = content("other-2.json");
+    for (const std::string arguments :
+         {"--format svg -o c-1.obj", "--format html -o c-1.obj", "-o - --format svg >>c-1.obj",
+          "--every scanline --format txt -o c.obj",
+          "--vary /meshes/0/model/0/translate/0=0:1:2 --format svg -o c.obj",
+          "--against other-2.json --format svg -o hard",
+          "--against other-2.json --every scanline --format png -o other.json"}) {
+        write("scene.json", R"({"canvas": {"width": 9, "height": 9},
+            "meshes": [{"obj": "c-1.obj", "model": [{"translate": [0, 0, 0]}]}]})");
+        const Outcome outcome = shell("$rastertrace figure scene.json " + std::string(arguments));
+        EXPECT_EQ(outcome.status, 2) << arguments;
+        EXPECT_THAT(outcome.err, EndsWith(": expected another file than those that are read, "
+                                          "found one of them\n"))
+            << arguments;
+        EXPECT_EQ(content("c-1.obj"), model) << arguments;
+        EXPECT_EQ(content("other-2.json"), other) << arguments;
+        EXPECT_EQ(visible_files(), 4u) << arguments;
+    }
+}
+
+TEST_F(ProgramTest, SeveralFilesGetTheirNamesTogether) {
+    shell("cp $examples/t0-fill/first-triangle.json scene.json");
+    const std::string figures =
+        "$rastertrace figure scene.json --every pixel --format txt -o f.txt";
+    // Once the first has its name, a signal waits for the last of 49.
+    const Outcome ended = shell("env --default-signal=TERM " + figures +
+                                " & until [ -e f-01.txt ]; do :; done; kill -TERM $!; wait $!; "
+                                "ls f-*.txt | wc -l");
+    EXPECT_EQ(ended.out, "49\n");
+#ifdef RASTERTRACE_FAILING_CALLS
+    const auto failing = [&](const std::string& how) {
+        return shell("rm -f f-*.txt; " + how + " LD_PRELOAD=" RASTERTRACE_FAILING_CALLS " " +
+                     figures);
+    };
+    // Not one before all are on the disk.
+    const Outcome unsynced = failing("FAIL_CALL=fsync FAIL_AT=3");
+    EXPECT_EQ(unsynced.status, 3);
+    EXPECT_EQ(unsynced.err, "rastertrace: f-03.txt: could not be written: Input/output error\n");
+    EXPECT_EQ(visible_files(), 1u);
+
+    const Outcome unnamed = failing("FAIL_CALL=rename FAIL_AT=3 FAIL_ALWAYS=1");
+    EXPECT_EQ(unnamed.status, 3);
+    EXPECT_EQ(unnamed.err, "rastertrace: f-03.txt: could not be given its name: Input/output "
+                           "error\nhint: new by then: f-01.txt, f-02.txt\n");
+    EXPECT_EQ(shell("ls f-*.txt").out, "f-01.txt\nf-02.txt\n");
+    EXPECT_THAT(failing("FAIL_CALL=rename FAIL_AT=1 FAIL_ALWAYS=1").err,
+                EndsWith("\nhint: none of the other files is new\n"));
+    EXPECT_EQ(visible_files(), 1u);
+#endif
+}
+
 TEST_F(ProgramTest, ReportWritesNoFileTwice) {
     write("old.csv", "old");
     shell("ln -s old.csv link.csv; ln -s new.csv dangling.csv; mkdir folder");

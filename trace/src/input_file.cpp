@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "input_file.h"
 
+#include "file_place.h"
+
 #include <fmt/core.h>
 
 #include <fcntl.h>
@@ -28,8 +30,13 @@ Result<InputFile> InputFile::open(const std::string& path, Kind kind) {
     const std::string name = is_standard_input ? "standard input" : path;
 
     // A file that is not there was asked for wrongly; one that cannot be read on is broken.
-    const int flags = O_RDONLY | O_CLOEXEC | (must_be_regular ? O_NONBLOCK : 0);
-    Descriptor opened(is_standard_input ? -1 : ::open(path.c_str(), flags));
+    Descriptor opened;
+    try {
+        if (!is_standard_input)
+            opened = open_by_rules(path, O_RDONLY | (must_be_regular ? O_NONBLOCK : 0));
+    } catch (const Problem& problem) {
+        return problem;
+    }
     if (!is_standard_input && !opened.is_open()) {
         Problem problem =
             problem_of(name, fmt::format("expected a file that can be read, found: {}",
@@ -46,8 +53,10 @@ Result<InputFile> InputFile::open(const std::string& path, Kind kind) {
         return problem_of(name, "expected a file, found a folder");
     if (must_be_regular && !S_ISREG(status.st_mode))
         return problem_of(name, "expected a file, found a pipe or a device");
-    if (S_ISREG(status.st_mode))
+    if (S_ISREG(status.st_mode)) {
         file.id_ = FileId{.device = status.st_dev, .inode = status.st_ino};
+        note_opened(*file.id_);
+    }
     return file;
 }
 

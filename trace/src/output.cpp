@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/trace/output.h>
 
+#include "file_place.h"
 #include "unfinished_list.h"
+
+#include <rastertrace/trace/process_files.h>
+#include <rastertrace/trace/text.h>
 
 #include <fmt/core.h>
 
@@ -14,6 +18,9 @@
 #include <array>
 #include <cerrno>
 #include <cstdio>
+#include <filesystem>
+#include <system_error>
+#include <vector>
 
 namespace rastertrace {
 
@@ -84,11 +91,6 @@ FilePlace place_of(const std::string& path) {
     fail(path, not_created, ELOOP);
 }
 
-/// The path by which a file that is open can be named once more.
-std::string path_of_open(const Descriptor& file) {
-    return fmt::format("/proc/self/fd/{}", file.number());
-}
-
 /// Calls `make(name)`, which returns false with errno set if it fails, with names that a file may
 /// have for a while, until one is free. Returns the name, which is on the list of unfinished files
 /// then; "" if it failed for another reason. The names are short: they fit where the final name does.
@@ -126,6 +128,17 @@ Descriptor open_unnamed(const Descriptor& folder, mode_t mode) {
     return file;
 }
 
+/// A folder below another one, made with all that leads to it. `path` is the file that it is for.
+Descriptor folder_below(const std::string& folder, const std::string& place,
+                        const std::string& path) {
+    std::error_code error;
+    std::filesystem::create_directories(folder + place, error);
+    Descriptor made(::open((folder + place).c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+    if (!made.is_open())
+        fail(path, not_created, error ? error.value() : errno);
+    return made;
+}
+
 /// Gives an unnamed file a name that no other has; false, with errno set, if it cannot.
 bool give_name(const Descriptor& file, const Descriptor& folder, const char* name) {
     return ::linkat(AT_FDCWD, path_of_open(file).c_str(), folder.number(), name,
@@ -145,8 +158,9 @@ FileOutput::FileOutput(const std::string& path, std::span<const FileId> inputs) 
         fail(path_, not_created, errno);
     if (exists && S_ISDIR(status.st_mode))
         throw problem_of(path_, "expected a file to write, found a folder");
-    if (exists && !S_ISREG(status.st_mode)) {
-        file_ = Descriptor(::open(path_.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC));
+    const std::string& elsewhere = file_rules().outputs;
+    if (exists && !S_ISREG(status.st_mode) && elsewhere.empty()) {
+        file_ = open_by_rules(path_, O_WRONLY | O_NOCTTY);
         if (!file_.is_open())
             fail(path_, not_created, errno);
         return;
@@ -159,16 +173,19 @@ FileOutput::FileOutput(const std::string& path, std::span<const FileId> inputs) 
         if (std::find(inputs.begin(), inputs.end(), *older_) != inputs.end())
             throw problem_of(path_, "expected another file than those that are read, found one of "
                                     "them");
-        // An older file that may not be written is not replaced either.
-        if (::access(path_.c_str(), W_OK) != 0)
-            fail(path_, not_written, errno);
     }
     FilePlace place = place_of(path_);
     name_ = std::move(place.name);
     folder_ = std::move(place.folder);
+    refuse_outside(folder_, name_, path_);
+    // An older file that may not be written is not replaced either.
+    if (exists && elsewhere.empty() && ::access(path_.c_str(), W_OK) != 0)
+        fail(path_, not_written, errno);
     if (::fstat(folder_.number(), &status) != 0)
         fail(path_, not_created, errno);
     folder_id_ = id_of(status);
+    if (!elsewhere.empty())
+        folder_ = folder_below(elsewhere, place_of_open(folder_), path_);
     open_beside_target(mode);
 }
 
@@ -199,11 +216,11 @@ FileOutput::~FileOutput() {
     remove_unfinished(folder_, temporary_);
 }
 
-bool FileOutput::is_same_file(const FileOutput& other) const {
-    if (older_ || other.older_)
-        return older_ == other.older_;
-    return folder_.is_open() && other.folder_.is_open() && folder_id_ == other.folder_id_ &&
-           name_ == other.name_;
+std::string FileOutput::identity() const {
+    if (older_)
+        return fmt::format("{}:{}", older_->device, older_->inode);
+    return folder_.is_open() ? fmt::format("{}:{}:{}", folder_id_.device, folder_id_.inode, name_)
+                             : std::string();
 }
 
 void FileOutput::write(std::string_view bytes) {
@@ -211,16 +228,20 @@ void FileOutput::write(std::string_view bytes) {
 }
 
 void FileOutput::commit() {
-    // A device or a pipe has its name; what it says when it is closed is all that it says.
-    if (!folder_.is_open()) {
-        if (!file_.close())
-            fail(path_, not_written, errno);
-        return;
-    }
+    sync();
+    take_name();
+}
 
-    // What closing could complain of, this does while the older file is still there.
-    if (::fsync(file_.number()) != 0)
+void FileOutput::sync() {
+    // A device or a pipe says all that it says when it is closed. Of a file, this complains of what closing it could,
+    // while the older file is still there.
+    if (folder_.is_open() ? ::fsync(file_.number()) != 0 : !file_.close())
         fail(path_, not_written, errno);
+}
+
+void FileOutput::take_name() {
+    if (!folder_.is_open())
+        return;
 
     // An unnamed file takes its name at once, or, where an older one has it, another one first. In
     // that moment only SIGKILL can leave a file behind.
@@ -235,6 +256,35 @@ void FileOutput::commit() {
         fail(path_, not_named, errno);
     forget_unfinished(folder_.number(), temporary_);
     temporary_.clear();
+}
+
+FileOutput& FileOutputs::open(const std::string& path, std::span<const FileId> inputs) {
+    FileOutput& file = files_.emplace_back(path, inputs);
+    const std::string identity = file.identity();
+    const auto [first, is_new] = paths_.try_emplace(identity, path);
+    if (!is_new && !identity.empty())
+        throw problem_of(path,
+                         fmt::format("expected files to write that differ, found the file {} again",
+                                     first->second));
+    return file;
+}
+
+void FileOutputs::commit() {
+    for (FileOutput& file : files_)
+        file.sync();
+    const SignalsHeldBack held;
+    std::vector<std::string> done;
+    for (FileOutput& file : files_)
+        try {
+            file.take_name();
+            if (file.folder_.is_open())
+                done.push_back(file.path_);
+        } catch (Problem& problem) {
+            if (files_.size() > 1)
+                problem.hint = done.empty() ? "none of the other files is new"
+                                            : "new by then: " + joined(done, ", ");
+            throw;
+        }
 }
 
 } // namespace rastertrace

@@ -87,9 +87,7 @@ struct NameOfVertex {
 class SceneReader {
 public:
     SceneReader(const Source& source, const MethodOverrides& overrides, const InputLimits& limits)
-        : source_(source), json_{source}, overrides_(overrides), limits_(limits) {
-        remember(source);
-    }
+        : source_(source), json_{source}, overrides_(overrides), limits_(limits) {}
 
     /// Takes everything from the document, which may be forgotten then.
     void read(const JsonValue& root) {
@@ -156,8 +154,7 @@ public:
             remarks.push_back(remark_on_camera());
         std::move(remarks_on_meshes_.begin(), remarks_on_meshes_.end(),
                   std::back_inserter(remarks));
-        return {std::move(scene_), std::get<Plan>(std::move(plan)), std::move(files_),
-                std::move(remarks)};
+        return {std::move(scene_), std::get<Plan>(std::move(plan)), std::move(remarks)};
     }
 
 private:
@@ -178,11 +175,6 @@ private:
             "camera's space are places on the screen, and what lies behind it is drawn",
             R"(say "projection": {"type": "pinhole", "distance": 1}, or )"
             R"({"type": "none"} if that is meant)");
-    }
-
-    void remember(const Source& source) {
-        if (source.file)
-            files_.push_back(*source.file);
     }
 
     void read_method(const JsonValue& method) {
@@ -473,7 +465,6 @@ private:
                            file.problem().hint.empty()
                                ? "a relative path starts from the scene's folder"
                                : file.problem().hint);
-            remember(file.value());
             auto read = read_obj(file.value());
             if (!read)
                 throw read.problem();
@@ -868,7 +859,6 @@ private:
     std::vector<ScenePrimitive> faces_; ///< of meshes, until they are drawn in their turn
     std::vector<std::size_t> places_of_ears_; ///< in `faces_`: the first of each face that was cut
     std::vector<Problem> remarks_on_meshes_;
-    std::vector<FileId> files_;                           ///< that were read
     std::unordered_set<std::string> names_of_primitives_; ///< those that the author gave
 };
 

@@ -14,6 +14,7 @@
 #include <rastertrace/trace/describe.h>
 #include <rastertrace/trace/frame.h>
 #include <rastertrace/trace/output.h>
+#include <rastertrace/trace/process_files.h>
 #include <rastertrace/trace/selector.h>
 #include <rastertrace/trace/text.h>
 #include <rastertrace/trace/working.h>
@@ -435,7 +436,6 @@ int run(const FigureCommand& asked) {
         command.which = FigureCommand::Which::film;
     AllFigures figures(command, input);
     FigureFiles files(command, format, figures);
-    const std::vector<FileId> inputs = input.files();
     if (command.output == "-") {
         if (files.count() > 1)
             throw problem_of(
@@ -443,13 +443,13 @@ int run(const FigureCommand& asked) {
                 "--output FILE writes a file for each, --sheet CxR some side by side");
         print(files.content(0));
     } else if (files.count() == 1) {
-        FileOutput file(command.output, inputs);
+        FileOutput file(command.output, opened_files());
         file.write(files.content(0));
         file.commit();
     } else {
         FrameFiles outputs(command.output, files.count());
         for (std::size_t i = 0; i < files.count(); ++i)
-            outputs.open(i + 1, inputs).write(files.content(i));
+            outputs.open(i + 1).write(files.content(i));
         outputs.commit();
     }
     return figures.status();

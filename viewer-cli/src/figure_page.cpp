@@ -6,6 +6,7 @@
 
 #include <rastertrace/figures/page.h>
 #include <rastertrace/trace/output.h>
+#include <rastertrace/trace/process_files.h>
 #include <rastertrace/trace/selector.h>
 #include <rastertrace/wasm/module.h>
 
@@ -101,7 +102,7 @@ ExitStatus write_page(const FigureCommand& command) {
     if (command.output == "-") {
         print(page);
     } else {
-        FileOutput file(command.output, input.files());
+        FileOutput file(command.output, opened_files());
         file.write(page);
         file.commit();
     }

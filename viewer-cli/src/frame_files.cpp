@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "frame_files.h"
 
+#include <rastertrace/trace/process_files.h>
+
 #include <fmt/core.h>
 
 #include <sys/resource.h>
@@ -49,13 +51,8 @@ FrameFiles::FrameFiles(std::string path, std::size_t count)
     allow_open_files(count_);
 }
 
-FileOutput& FrameFiles::open(std::size_t frame, std::span<const FileId> inputs) {
-    return files_.emplace_back(path_of_frame(path_, frame, std::to_string(count_).size()), inputs);
-}
-
-void FrameFiles::commit() {
-    for (FileOutput& file : files_)
-        file.commit();
+FileOutput& FrameFiles::open(std::size_t frame) {
+    return files_.open(path_of_frame(path_, frame, std::to_string(count_).size()), opened_files());
 }
 
 } // namespace rastertrace

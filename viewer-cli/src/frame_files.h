@@ -4,14 +4,12 @@
 // A file for each frame of a sequence: they get their names when all of them are written.
 //
 //     FrameFiles files("turn.svg", 12);      // turn-01.svg, ...
-//     files.open(1, {}).write(svg);
+//     files.open(1).write(svg);
 //     files.commit();
 
 #include <rastertrace/trace/output.h>
 
 #include <cstddef>
-#include <deque>
-#include <span>
 #include <string>
 
 namespace rastertrace {
@@ -25,16 +23,17 @@ public:
     /// cannot be open at once.
     FrameFiles(std::string path, std::size_t count);
 
-    /// The file of a frame, from 1, with as many digits as the last one has. Throws a Problem, as FileOutput does.
-    FileOutput& open(std::size_t frame, std::span<const FileId> inputs);
+    /// The file of a frame, from 1, with as many digits as the last one has. Throws a Problem, as FileOutputs does, and
+    /// if it has been read.
+    FileOutput& open(std::size_t frame);
 
     /// Gives all of them their names.
-    void commit();
+    void commit() { files_.commit(); }
 
 private:
     std::string path_;
     std::size_t count_;
-    std::deque<FileOutput> files_;
+    FileOutputs files_;
 };
 
 } // namespace rastertrace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "load.h"
 
-#include <rastertrace/trace/output.h>
+#include <rastertrace/trace/process_files.h>
 #include <rastertrace/trace/scene_file.h>
 
 #include <fmt/core.h>
@@ -19,38 +19,9 @@ namespace rastertrace {
 
 namespace {
 
-/// What is printed must not go into a file that is read, as after `>>` it would.
-void refuse_as_standard_output(const std::vector<FileId>& inputs) {
-    struct stat status {};
-    if (::fstat(STDOUT_FILENO, &status) != 0 || !S_ISREG(status.st_mode))
-        return;
-    const FileId output{.device = status.st_dev, .inode = status.st_ino};
-    if (std::find(inputs.begin(), inputs.end(), output) != inputs.end())
-        throw problem_of("standard output",
-                         "expected another file than those that are read, found one of them");
-}
-
-/// What was read, unless standard output would go into it.
-Source input_or_throw(Result<Source> read) {
-    Source source = value_or_throw(std::move(read));
-    if (source.file)
-        refuse_as_standard_output({*source.file});
-    return source;
-}
-
-/// What was opened, unless standard output would go into it.
-template <typename Opened>
-std::variant<Opened, Source> not_standard_output(std::variant<Opened, Source> opened) {
-    const auto* const steps = std::get_if<Opened>(&opened);
-    const auto& file = steps ? steps->file() : std::get<Source>(opened).file;
-    if (file)
-        refuse_as_standard_output({*file});
-    return opened;
-}
-
 /// Reads a file that is a scene or a trace.
 Source read_input(const std::string& path, const InputLimits& limits) {
-    return input_or_throw(read_source(path, limits));
+    return value_or_throw(read_source(path, limits));
 }
 
 [[noreturn]] void refuse_trace(const Source& source) {
@@ -108,7 +79,6 @@ PlannedScene InputFrames::scene(std::size_t frame) {
     if (!scenes_)
         refuse_trace(source_);
     PlannedScene scene = scenes_->frame(frame);
-    refuse_as_standard_output(scene.files);
     if (frame == first_)
         for (const Problem& remark : scene.remarks)
             print_error(fmt::format("rastertrace: {}\n", to_text(remark)));
@@ -140,14 +110,14 @@ void check_region(const Region& region, const Canvas& canvas) {
 }
 
 std::variant<StepStream, Source> open_input(const std::string& path, const SceneOptions& options) {
-    auto opened = not_standard_output(open_steps(path, options.limits));
+    auto opened = open_steps(path, options.limits);
     if (std::holds_alternative<StepStream>(opened))
         refuse_scene_options({path == "-" ? "standard input" : path, {}, {}}, options);
     return opened;
 }
 
 OpenedTrace open_trace(const std::string& path, const InputLimits& limits) {
-    return not_standard_output(open_trace_text(path, limits));
+    return open_trace_text(path, limits);
 }
 
 bool is_scene(const OpenedTrace& opened) {
@@ -168,7 +138,7 @@ TraceText trace_text(OpenedTrace opened, const std::string& path, const SceneOpt
 
 std::variant<StepStream, Source> open_input_or_claims(const std::string& path,
                                                       const InputLimits& limits) {
-    return not_standard_output(open_steps_or_claims(path, limits));
+    return open_steps_or_claims(path, limits);
 }
 
 PlannedScene load_scene(const std::string& path, const SceneOptions& options) {
@@ -195,7 +165,7 @@ Trace load_trace(const std::string& path, const SceneOptions& options) {
 }
 
 Source load_scene_trace_or_claims(const std::string& path, const InputLimits& limits) {
-    return input_or_throw(read_source_or_claims(path, limits));
+    return value_or_throw(read_source_or_claims(path, limits));
 }
 
 Truth truth_in(Source source, const SceneOptions& options) {
@@ -225,7 +195,9 @@ Source load_scene_of_claims(const std::string& path, const InputLimits& limits) 
 }
 
 Source load_page(const std::string& path) {
-    return input_or_throw(read_named_file(path, {}));
+    Source page = value_or_throw(read_named_file(path, {}));
+    standard_output(); // before it is replaced
+    return page;
 }
 
 ExitStatus report_damage(const Trace& trace) {
@@ -236,8 +208,19 @@ ExitStatus report_damage(const Trace& trace) {
     return trace.damage.empty() ? exit_fine : exit_bad_input;
 }
 
+DescriptorOutput standard_output() {
+    constexpr const char* name = "standard output";
+    const auto& inputs = opened_files();
+    struct stat status {};
+    if (::fstat(STDOUT_FILENO, &status) == 0 &&
+        std::find(inputs.begin(), inputs.end(),
+                  FileId{.device = status.st_dev, .inode = status.st_ino}) != inputs.end())
+        throw problem_of(name, "expected another file than those that are read, found one of them");
+    return {STDOUT_FILENO, name};
+}
+
 void print(std::string_view text) {
-    DescriptorOutput(STDOUT_FILENO, "standard output").write(text);
+    standard_output().write(text);
 }
 
 void print_error(std::string_view text) noexcept {

@@ -8,6 +8,7 @@
 
 #include <rastertrace/trace/check.h>
 #include <rastertrace/trace/claims.h>
+#include <rastertrace/trace/output.h>
 #include <rastertrace/trace/problem.h>
 #include <rastertrace/trace/scene_file.h>
 #include <rastertrace/trace/step_stream.h>
@@ -46,8 +47,7 @@ struct SceneOptions {
 ///         use(input.trace(n));
 class InputFrames {
 public:
-    /// Reads the file ("-" for standard input). Throws a Problem; that standard output is one of the
-    /// files that are read is one.
+    /// Reads the file ("-" for standard input). Throws a Problem.
     InputFrames(const std::string& path, const SceneOptions& options);
 
     /// The same for a file that has been read.
@@ -67,11 +67,6 @@ public:
     /// The scene that was given, if it is one frame; nullptr else.
     const Source* given_scene() const {
         return scenes_ && scenes_->count() == 1 ? &source_ : nullptr;
-    }
-
-    /// The file that was read, which must not be written.
-    std::vector<FileId> files() const {
-        return source_.file ? std::vector{*source_.file} : std::vector<FileId>{};
     }
 
     /// `3 of 24: degrees 30`, for a frame of a sequence.
@@ -156,7 +151,10 @@ Source load_page(const std::string& path);
 /// exit status that this means: bad input if there was something to tell.
 ExitStatus report_damage(const Trace& trace);
 
-/// Writes to standard output. Throws a Problem.
+/// Standard output. Throws a Problem if what is written would go into a file that has been read, as after `>>` it may.
+DescriptorOutput standard_output();
+
+/// Writes to it. Throws a Problem.
 void print(std::string_view text);
 
 /// Writes to standard error, if it takes it: that it does not changes nothing else.

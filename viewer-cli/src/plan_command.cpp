@@ -63,7 +63,7 @@ std::string as_json(const Scene& scene, const Plan& plan) {
 } // namespace
 
 int run(const PlanCommand& command) {
-    auto [scene, plan, files, remarks] =
+    auto [scene, plan, remarks] =
         load_scene(command.scene,
                    {.method = command.method, .limits = command.input, .frames = command.frames});
     scene.title = shown_title(scene.title, command.scene);

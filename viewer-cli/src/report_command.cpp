@@ -7,6 +7,7 @@
 #include "report_file.h"
 
 #include <rastertrace/trace/output.h>
+#include <rastertrace/trace/process_files.h>
 #include <rastertrace/trace/text.h>
 
 #include <fmt/core.h>
@@ -14,7 +15,7 @@
 #include <unistd.h>
 
 #include <array>
-#include <memory>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -56,22 +57,6 @@ private:
     bool is_shown_;
 };
 
-/// The files to write, each another one than the others and than the inputs.
-std::vector<std::unique_ptr<FileOutput>> opened(const std::vector<std::string>& paths,
-                                                const std::vector<FileId>& inputs) {
-    std::vector<std::unique_ptr<FileOutput>> files;
-    for (const std::string& path : paths) {
-        auto file = std::make_unique<FileOutput>(path, inputs);
-        for (std::size_t i = 0; i < files.size(); ++i)
-            if (file->is_same_file(*files[i]))
-                throw problem_of(path, fmt::format("expected files to write that differ, found "
-                                                   "the file {} again",
-                                                   paths[i]));
-        files.push_back(std::move(file));
-    }
-    return files;
-}
-
 /// Why nothing of a scene could be measured.
 std::string reasons_of(const SceneReport& scene) {
     std::string text;
@@ -85,18 +70,19 @@ std::string reasons_of(const SceneReport& scene) {
 int run(const ReportCommand& command) {
     // Everything that can be refused is, before minutes of measuring: the scenes, and the files.
     std::vector<Scene> scenes;
-    std::vector<FileId> inputs;
     for (const std::string& path : command.scenes) {
         PlannedScene planned = load_scene(
             path, {.method = command.method, .limits = command.input, .frames = command.frames});
         planned.scene.title = shown_title(planned.scene.title, path);
         scenes.push_back(std::move(planned.scene));
-        inputs.insert(inputs.end(), planned.files.begin(), planned.files.end());
     }
     std::vector<ReportFormat> formats;
     for (const std::string& path : command.outputs)
         formats.push_back(command.format ? *command.format : format_of(path));
-    const auto files = opened(command.outputs, inputs);
+    FileOutputs outputs;
+    std::vector<FileOutput*> files;
+    for (const std::string& path : command.outputs)
+        files.push_back(&outputs.open(path, opened_files()));
 
     MeasuredReport report{.machine = this_machine(), .timing = {}, .scenes = {}};
     if (command.quick)
@@ -123,8 +109,7 @@ int run(const ReportCommand& command) {
         print(report_in(command.format.value_or(ReportFormat::text), report));
     for (std::size_t i = 0; i < files.size(); ++i)
         files[i]->write(report_in(formats[i], report));
-    for (const auto& file : files)
-        file->commit();
+    outputs.commit();
     return exit_fine;
 }
 

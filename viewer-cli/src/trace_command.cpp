@@ -8,12 +8,11 @@
 
 #include <rastertrace/trace/excerpt.h>
 #include <rastertrace/trace/output.h>
+#include <rastertrace/trace/process_files.h>
 #include <rastertrace/trace/text.h>
 #include <rastertrace/trace/trace_text.h>
 
 #include <fmt/core.h>
-
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -55,7 +54,7 @@ void write_frames(const TraceCommand& command, InputFrames& input, const TraceOp
     for (std::size_t frame = input.first(); frame <= input.last(); ++frame) {
         const PlannedScene planned = input.scene(frame);
         check_primitive(command, planned.scene);
-        write_trace(planned.scene, planned.plan, options, files.open(frame, planned.files));
+        write_trace(planned.scene, planned.plan, options, files.open(frame));
     }
     files.commit();
 }
@@ -86,12 +85,11 @@ int run(const TraceCommand& command) {
     const bool is_printed = command.output.empty() || command.output == "-";
     if (const Source* const given = input.given_trace()) {
         if (is_printed) {
-            DescriptorOutput output(STDOUT_FILENO, "standard output");
+            DescriptorOutput output = standard_output();
             write_part(*given, command, output);
             return exit_fine;
         }
-        FileOutput output(command.output,
-                          given->file ? std::vector{*given->file} : std::vector<FileId>{});
+        FileOutput output(command.output, opened_files());
         write_part(*given, command, output);
         output.commit();
         return exit_fine;
@@ -107,14 +105,14 @@ int run(const TraceCommand& command) {
         return exit_fine;
     }
 
-    const auto [scene, plan, files, remarks] = input.scene(input.first());
+    const auto [scene, plan, remarks] = input.scene(input.first());
     check_primitive(command, scene);
     if (is_printed) {
-        DescriptorOutput output(STDOUT_FILENO, "standard output");
+        DescriptorOutput output = standard_output();
         write_trace(scene, plan, options, output);
         return exit_fine;
     }
-    FileOutput output(command.output, files);
+    FileOutput output(command.output, opened_files());
     write_trace(scene, plan, options, output);
     output.commit();
     return exit_fine;

@@ -26,7 +26,6 @@ namespace rastertrace {
 struct PlannedScene {
     Scene scene;
     Plan plan;
-    std::vector<FileId> files; ///< that it was read from: its own, and those of its meshes
 
     /// What can be drawn, but is probably not what its author meant.
     std::vector<Problem> remarks;
