@@ -7,7 +7,9 @@
 
 #include <gmock/gmock.h>
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
 namespace rastertrace {
 namespace {
@@ -228,6 +230,51 @@ TEST_F(DiffTest, GitCallsItForFilesThatHaveChanged) {
         shell(git + "git -c diff.trace.command=\"$rastertrace diff --git\" diff first.trace.json");
     EXPECT_EQ(broken.status, 0);
     EXPECT_THAT(broken.out, HasSubstr("cannot be compared: "));
+}
+
+// Names that look like options, commands or standard input.
+TEST_F(DiffTest, GitCallsItForFilesOfAnyName) {
+    const std::vector<std::string> names{"-",     "--",        "-o",         "-h",      "--help",
+                                         "--git", "--version", "-x y",       "--only=", "[a,b]",
+                                         "a b",   "--only",    "--textconv", "100644",  "%s"};
+    std::string quoted;
+    for (const std::string& name : names)
+        quoted += " './" + name + "'";
+    const std::string git = "export HOME=$PWD GIT_CONFIG_NOSYSTEM=1; unset GIT_DIR; "
+                            "mkdir -p repository; cd repository; git init -q; "
+                            "git config user.name A; git config user.email a@example.org; ";
+    ASSERT_EQ(shell(git + "echo '* diff=trace' >.gitattributes; for name in" + quoted +
+                    "; do cp ../a.json \"$name\"; done; git add . && git commit -qm first; "
+                    "for name in" +
+                    quoted + "; do cp ../b.json \"$name\"; done")
+                  .status,
+              0);
+    const auto occurrences = [](const std::string& text, const std::string& part) {
+        std::size_t count = 0;
+        for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; ++at)
+            ++count;
+        return count;
+    };
+    for (const std::string options : {"", " --only scanline"}) {
+        const Outcome told = shell(git + "git -c diff.trace.command=\"$rastertrace diff --git" +
+                                   options + "\" diff");
+        EXPECT_EQ(told.status, 0) << told.err;
+        for (const std::string& name : names)
+            EXPECT_THAT(told.out, HasSubstr("rastertrace diff " + name + "\na: " + name +
+                                            ", before\nb: " + name + ", now\n1 step differs\n"));
+    }
+    const Outcome lines =
+        shell(git + "git -c diff.trace.textconv=\"$rastertrace diff --textconv\" diff");
+    EXPECT_EQ(lines.status, 0) << lines.err;
+    EXPECT_EQ(occurrences(lines.out, "\n+ABC: scanline y=2   left AB"), names.size());
+
+    const Outcome renamed = shell(git + "git checkout -q . && git mv -- -o --new && cp ../b.json "
+                                        "./--new; git -c diff.trace.command=\"$rastertrace diff "
+                                        "--git\" diff -M HEAD");
+    EXPECT_EQ(renamed.status, 0) << renamed.err;
+    EXPECT_THAT(renamed.out, StartsWith("rastertrace diff -o, now --new\na: -o, before\n"
+                                        "b: --new, now\n1 step differs\n"));
+    EXPECT_EQ(diff("--git --help").out, "rastertrace diff --help\nnot merged\n");
 }
 
 } // namespace

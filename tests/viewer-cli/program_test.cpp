@@ -860,6 +860,16 @@ TEST_F(ProgramTest, ATraceIsCutDownAsIfItWereDrawnSo) {
     EXPECT_EQ(refusal("whole.json --fill fan"),
               "rastertrace: whole.json: expected a scene to draw with --fill fan, found a trace, "
               "which is drawn already\n");
+    // What a terminal would obey is escaped, wherever it stands; what is above ASCII otherwise stays.
+    write("foreign.jsonl",
+          "{\"rastertrace\":1,\"title\":\"\\u202e\",\"canvas\":{\"width\":3,\"height\":3}}\n"
+          "{\"step\":\"\\u009b\\u007f\\u202e\\u00e9\"}\n{\"step\":\"\xC2\x9B\"}\n{\"end\":{}}\n");
+    EXPECT_EQ(shell("$rastertrace trace foreign.jsonl --format jsonl").out,
+              "{\"rastertrace\":1,\"title\":\"\\u202e\",\"canvas\":{\"width\":3,\"height\":3}}\n"
+              "{\"step\":\"\\u009b\\u007f\\u202e\\u00e9\"}\n"
+              "{\"step\":\"\\u009b\"}\n"
+              "{\"end\":{\"steps\":2,\"count\":{\"\\u009b\":1,"
+              "\"\\u009b\\u007f\\u202e\xC3\xA9\":1}}}\n");
     // Neither a trace that breaks off nor itself is written.
     shell("head -n 20 whole.jsonl >cut.jsonl; cp whole.json older.json");
     EXPECT_THAT(refusal("cut.jsonl --only vertex -o older.json"), HasSubstr("truncated"));

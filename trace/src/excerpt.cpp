@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <string_view>
 #include <utility>
 
 namespace rastertrace {
@@ -57,6 +58,28 @@ std::string end_record(const Trace& trace, const StepCount& count) {
     return R"("end":)" + end.dump();
 }
 
+/// JSON with escapes for the characters that a terminal would obey. But for blanks and the ends of lines, they can only
+/// stand in strings.
+std::string without_unsafe(std::string_view json) {
+    const auto is_plain = [](char byte) { return static_cast<unsigned char>(byte) < 0x7F; };
+    std::string text;
+    while (!json.empty()) {
+        const auto plain = static_cast<std::size_t>(
+            std::find_if_not(json.begin(), json.end(), is_plain) - json.begin());
+        text += json.substr(0, plain);
+        json.remove_prefix(plain);
+        if (json.empty())
+            break;
+        const CodePoint character = first_code_point(json);
+        if (character.value != not_a_character && is_unsafe(character.value))
+            text += fmt::format("\\u{:04x}", static_cast<unsigned>(character.value));
+        else
+            text += json.substr(0, character.length);
+        json.remove_prefix(character.length);
+    }
+    return text;
+}
+
 /// A step in one line.
 std::string line_of(const StepView& step) {
     const std::string_view json = step.json();
@@ -82,7 +105,7 @@ void write_excerpt(const Trace& trace, std::string_view header,
     std::string text = head.dump();
     if (is_document)
         text.replace(text.size() - 1, 1, R"(,"steps":[)");
-    output.write(text);
+    output.write(without_unsafe(text));
 
     StepCount count;
     for (std::size_t n = 1; n <= trace.size(); ++n) {
@@ -90,10 +113,11 @@ void write_excerpt(const Trace& trace, std::string_view header,
         const std::string kind = step.kind_name();
         if (!kinds.empty() && std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
             continue;
-        output.write((is_document && count.steps() > 0 ? ",\n" : "\n") + line_of(step));
+        output.write((is_document && count.steps() > 0 ? ",\n" : "\n") +
+                     without_unsafe(line_of(step)));
         count.add(kind);
     }
-    const std::string end = end_record(trace, count);
+    const std::string end = without_unsafe(end_record(trace, count));
     output.write(is_document ? "\n],\n" + end + "}\n" : "\n{" + end + "}\n");
 }
 

@@ -22,7 +22,9 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <chrono>
 #include <exception>
+#include <filesystem>
 #include <functional>
 #include <limits>
 #include <map>
@@ -322,6 +324,10 @@ public:
         const std::vector<const char*> words = words_with_command(count, arguments);
         count = static_cast<int>(words.size());
         arguments = words.data();
+        const int words_of_git = count_words_of_git(count, arguments);
+        count -= words_of_git;
+        git_words_.assign(arguments + count, arguments + count + words_of_git);
+        diff_traces_->required(words_of_git == 0);
         try {
             refuse_empty_words(count, arguments);
             refuse_unknown_command(arguments[1]);
@@ -1183,11 +1189,12 @@ private:
             "With git: git config diff.trace.command \"rastertrace diff --git\", or\n"
             "diff.trace.textconv \"rastertrace diff --textconv\", and *.trace.json diff=trace in\n"
             ".gitattributes.");
-        command
-            .add_option("traces", diff_.files,
-                        "Two traces, or scenes, which are drawn first; - for standard input")
-            ->required()
-            ->type_name("A B");
+        diff_traces_ = command
+                           .add_option("traces", diff_.files,
+                                       "Two traces, or scenes, which are drawn first; - for "
+                                       "standard input")
+                           ->required()
+                           ->type_name("A B");
         command
             .add_option("--against", diff_.against,
                         "Compare the only scene with itself, drawn by another method, like "
@@ -1223,6 +1230,39 @@ private:
         });
     }
 
+    /// How many words at the end of the command line git has put there for `diff --git` or `--textconv`. They are names
+    /// of files, which may look like options; what somebody has configured stands in front of them.
+    static int count_words_of_git(int count, const char* const* arguments) {
+        if (count < 3 || arguments[1] != std::string_view("diff"))
+            return 0;
+        const auto is_for_git = [](std::string_view word) {
+            return word == "--git" || word == "--textconv";
+        };
+        const char* const* const end = arguments + count;
+        const char* const* const option = std::find_if(arguments + 2, end, is_for_git);
+        if (end - option < 2)
+            return 0;
+        const auto is_hash = [](std::string_view word) {
+            return word == "." ||
+                   (word.size() >= 4 && word.find_first_not_of("0123456789abcdef") == word.npos);
+        };
+        const auto is_mode = [](std::string_view word) {
+            return word == "." ||
+                   (word.size() == 6 && word.find_first_not_of("01234567") == word.npos);
+        };
+        // Name, old file, its hash and mode, new file, its hash and mode; then perhaps a new name, and what has changed.
+        const bool is_git = *option == std::string_view("--git");
+        if (is_git)
+            for (const int words : {7, 8, 9})
+                if (end - option > words && is_hash(end[2 - words]) && is_mode(end[3 - words]) &&
+                    is_hash(end[5 - words]) && is_mode(end[6 - words]))
+                    return words;
+        // One name. As long as it is no option to look at, it can stand anywhere.
+        const std::string_view last = end[-1];
+        const bool looks_like_option = last.starts_with('-') || last.starts_with('[');
+        return looks_like_option && (is_git || std::filesystem::exists(last)) ? 1 : 0;
+    }
+
     void read_diff_options() {
         if (!diff_format_.empty() && diff_format_ != "text" && diff_format_ != "json")
             refuse("--format", "text or json", diff_format_);
@@ -1241,6 +1281,7 @@ private:
         diff_.method = diff_method_.overrides();
         diff_.input = diff_input_.limits();
         diff_.frames = diff_frames_.choice();
+        diff_.files.insert(diff_.files.end(), git_words_.begin(), git_words_.end());
         check_diff_files();
     }
 
@@ -1427,6 +1468,8 @@ private:
     FrameOptions show_frames_;
 
     DiffCommand diff_;
+    CLI::Option* diff_traces_ = nullptr;
+    std::vector<std::string> git_words_; ///< files, from the end of the command line
     std::vector<std::string> diff_tolerances_;
     std::string diff_ignored_;
     std::string diff_only_;

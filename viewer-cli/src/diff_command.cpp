@@ -13,6 +13,7 @@
 #include <fmt/core.h>
 
 #include <cstddef>
+#include <filesystem>
 #include <string>
 #include <utility>
 
@@ -72,6 +73,11 @@ ExitStatus tell(const DiffCommand& command, const TraceDiff& found) {
     return found.is_same ? exit_fine : exit_difference;
 }
 
+/// The path of a file that git names: "-" is no standard input if there is such a file.
+std::string path_of_git(const std::string& name) {
+    return name == "-" && std::filesystem::exists(name) ? "./-" : name;
+}
+
 /// Compares as git asks for it: the name, the old file with its hash and mode, the new one, and a new name, if it has
 /// one; of a file that is not merged the name alone. Git gives up all that is left to compare if a status is not 0, so
 /// that what cannot be read is told in its place.
@@ -88,8 +94,8 @@ ExitStatus tell_git(const DiffCommand& command) {
         print("not merged\n");
         return exit_fine;
     }
-    const std::string& old_file = words[1];
-    const std::string& new_file = words[4];
+    const std::string old_file = path_of_git(words[1]);
+    const std::string new_file = path_of_git(words[4]);
     if (old_file == no_file || new_file == no_file) {
         print(old_file == no_file ? "a new file\n" : "a file that is no longer there\n");
         return exit_fine;
@@ -131,7 +137,7 @@ void print_lines_of(const Trace& trace) {
 /// The same for git, which shows nothing more at all if a status is not 0.
 ExitStatus print_lines(const DiffCommand& command) {
     try {
-        print_lines_of(load_trace(command.files.front(), options_of(command)));
+        print_lines_of(load_trace(path_of_git(command.files.front()), options_of(command)));
     } catch (const Problem& problem) {
         print(fmt::format("cannot be read: {}\n", to_text(problem)));
     }
