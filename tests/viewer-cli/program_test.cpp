@@ -2103,7 +2103,7 @@ TEST_F(ProgramTest, HelpOfEveryCommandHasAnExampleThatWorks) {
         ASSERT_NE(example, std::string::npos) << command;
         std::string line = help.out.substr(example + 21);
         line = line.substr(0, line.find('\n'));
-        EXPECT_EQ(shell("ln -sfn $examples examples; ln -sfn $examples/../docs docs; "
+        EXPECT_EQ(shell("[ -e docs ] || cp -r $examples $examples/../docs .; "
                         "$rastertrace " +
                         line)
                       .status,

@@ -1314,13 +1314,33 @@ private:
                         "Markdown files; their commands run in the current folder")
             ->required()
             ->type_name("FILE");
+        command
+            .add_option("-o,--output", renew_.output,
+                        "Write the only page to this file, and leave it as it is")
+            ->type_name("FILE");
         command.add_flag("--check", renew_.check,
-                         "Write no page; tell where one is not as its commands print it, with exit "
-                         "status 1");
+                         "Write no page and no other file; tell where one is not as its commands "
+                         "print it, with exit status 1");
+        command.add_flag("--allow-outside", renew_.allow_outside,
+                         "Let commands read and write files outside of the current folder too: "
+                         "only for pages that you trust");
+        command
+            .add_option("--timeout", renew_time_,
+                        "Seconds that a command may take, 60 if not given")
+            ->type_name("SECONDS");
         command.callback([this] {
             for (const std::string& page : renew_.pages)
                 if (page == "-")
                     refuse("renew", "the names of pages", page);
+            if (!renew_.output.empty() && (renew_.check || renew_.pages.size() > 1))
+                refuse("--output", "one page, and no --check", renew_.output);
+            constexpr int most_seconds = 1'000'000;
+            if (!renew_time_.empty()) {
+                const auto seconds = whole_in<int>(renew_time_);
+                if (seconds.value_or(0) < 1 || *seconds > most_seconds)
+                    refuse("--timeout", "a number of seconds from 1 to 1000000", renew_time_);
+                renew_.time = std::chrono::seconds(*seconds);
+            }
             action_ = [this] { return rastertrace::run(renew_); };
         });
     }
@@ -1528,6 +1548,7 @@ private:
     FrameOptions report_frames_;
 
     RenewCommand renew_;
+    std::string renew_time_;
 
     std::string help_about_;
 };

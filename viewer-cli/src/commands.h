@@ -22,6 +22,7 @@
 #include <rastertrace/trace/vary.h>
 #include <rastertrace/trace/write_trace.h>
 
+#include <chrono>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -216,7 +217,10 @@ int run(const ValidateCommand& command);
 
 struct RenewCommand {
     std::vector<std::string> pages;
-    bool check = false; ///< write nothing, tell what differs
+    std::string output;         ///< empty: the page is replaced
+    bool check = false;         ///< write nothing, tell what differs
+    bool allow_outside = false; ///< commands use files anywhere, not only below the current folder
+    std::chrono::seconds time{60}; ///< for each command
 };
 int run(const RenewCommand& command);
 

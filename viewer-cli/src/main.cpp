@@ -5,6 +5,7 @@
 #include "command_line.h"
 #include "commands.h"
 #include "load.h"
+#include "run_self.h"
 #include "terminal_session.h"
 
 #include <rastertrace/trace/unfinished_files.h>
@@ -91,5 +92,6 @@ void fill_closed_descriptors() {
 int main(int count, char** arguments) {
     prepare_for_signals();
     fill_closed_descriptors();
+    rastertrace::take_limits_of_run();
     return rastertrace::run_command_line(count, arguments);
 }

@@ -38,6 +38,11 @@ std::optional<OutputWord> output_in(const std::vector<std::string>& words) {
 /// Of the numbers of a sequence: no system lets more files be open at once.
 constexpr std::size_t most_digits = 6;
 
+/// The current folder, without symbolic links.
+std::filesystem::path here() {
+    return std::filesystem::canonical(".");
+}
+
 std::string bytes_of(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
@@ -45,17 +50,7 @@ std::string bytes_of(const std::filesystem::path& path) {
 
 } // namespace
 
-bool writes_file(const std::vector<std::string>& words) {
-    if (words.empty() || (words.front() != "figure" && words.front() != "trace"))
-        return false;
-    const auto output = output_in(words);
-    if (!output)
-        return false;
-    const std::string_view path = std::string_view(words[output->word]).substr(output->begin);
-    return path != "-" && !path.starts_with("/dev/");
-}
-
-OutputElsewhere::OutputElsewhere(std::vector<std::string> words) : words_(std::move(words)) {
+OutputsElsewhere::OutputsElsewhere() {
     std::error_code error;
     const std::filesystem::path temporary = std::filesystem::temp_directory_path(error);
     std::string pattern = (temporary / "rastertrace-page-XXXXXX").string();
@@ -67,40 +62,41 @@ OutputElsewhere::OutputElsewhere(std::vector<std::string> words) : words_(std::m
         throw problem;
     }
     folder_ = pattern;
-    const auto output = output_in(words_);
-    std::string& word = words_[output->word];
-    const std::filesystem::path path(word.substr(output->begin));
-    final_folder_ = path.parent_path();
-    name_ = path.filename();
-    word.replace(output->begin, std::string::npos, (folder_ / path.filename()).string());
 }
 
-OutputElsewhere::~OutputElsewhere() {
+OutputsElsewhere::~OutputsElsewhere() {
     std::error_code ignored;
     std::filesystem::remove_all(folder_, ignored);
 }
 
-std::vector<std::string> OutputElsewhere::written_files() const {
+std::vector<std::string> OutputsElsewhere::written_files() const {
     std::vector<std::string> written;
-    for (const auto& file : std::filesystem::directory_iterator(folder_))
-        written.push_back((final_folder_ / file.path().filename()).string());
+    for (const auto& file : std::filesystem::recursive_directory_iterator(folder_))
+        if (file.is_regular_file())
+            written.push_back(
+                ("/" / file.path().lexically_relative(folder_)).lexically_proximate(here()));
     std::sort(written.begin(), written.end());
     return written;
 }
 
-std::vector<std::string> OutputElsewhere::left_over_files() const {
+std::vector<std::string>
+OutputsElsewhere::left_over_files(const std::vector<std::string>& words) const {
+    const auto output = output_in(words);
+    if (!output)
+        return {};
     std::error_code error;
     const auto is_written = [&](const std::string& path) {
-        return std::filesystem::exists(folder_ / std::filesystem::path(path).filename(), error);
+        const auto place = std::filesystem::weakly_canonical(here() / path, error);
+        return std::filesystem::exists(folder_ / place.relative_path(), error);
     };
     // A sequence may have the name of the scene that it is of.
     const auto is_input = [&](const std::string& path) {
-        return std::any_of(words_.begin(), words_.end(), [&](const std::string& word) {
-            return std::filesystem::equivalent(word, path, error);
+        return std::any_of(words.begin(), words.end(), [&](const std::string& word) {
+            return &word != &words[output->word] && std::filesystem::equivalent(word, path, error);
         });
     };
     std::vector<std::string> found;
-    const std::string single = (final_folder_ / name_).string();
+    const std::string single = words[output->word].substr(output->begin);
     if (std::filesystem::is_regular_file(single, error) && !is_written(single) && !is_input(single))
         found.push_back(single);
     // Sequences have as many digits as their last number.
@@ -122,16 +118,19 @@ std::vector<std::string> OutputElsewhere::left_over_files() const {
     return found;
 }
 
-std::vector<std::string> OutputElsewhere::stale_files() const {
+std::vector<std::string> OutputsElsewhere::stale_files() const {
     std::vector<std::string> stale;
-    for (const auto& written : std::filesystem::directory_iterator(folder_)) {
-        const std::filesystem::path there = final_folder_ / written.path().filename();
+    for (const std::string& path : written_files()) {
+        const std::filesystem::path there = (here() / path).lexically_normal();
         std::error_code error;
-        if (!std::filesystem::is_regular_file(there, error) ||
-            bytes_of(there) != bytes_of(written.path()))
-            stale.push_back(there.string());
+        const auto status = std::filesystem::status(there, error);
+        // A device or a pipe has no bytes to be compared.
+        if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+            continue;
+        if (bytes_of(there) != bytes_of(folder_ / there.relative_path()) ||
+            !std::filesystem::exists(status))
+            stale.push_back(path);
     }
-    std::sort(stale.begin(), stale.end());
     return stale;
 }
 

@@ -3,8 +3,8 @@
 
 // The files that a page's command writes: a page that is checked leaves them alone, and tells which of them are stale.
 //
-//     const OutputElsewhere elsewhere({"figure", "scene.json", "-o", "docs/a.svg"});
-//     run_self(elsewhere.words());          // writes a file of that name in a folder of its own
+//     const OutputsElsewhere elsewhere;
+//     run_self(words, {.files = {.below = {}, .outputs = elsewhere.folder()}});
 //     elsewhere.stale_files();              // {"docs/a.svg"} if that is not the same
 
 #include <filesystem>
@@ -13,36 +13,30 @@
 
 namespace rastertrace {
 
-/// A command whose output goes to a folder that is removed in the end.
-class OutputElsewhere {
+/// A folder for what a command writes, see FileRules::outputs. It is removed in the end.
+class OutputsElsewhere {
 public:
-    /// `words` has -o, see writes_file. Throws a Problem if there can be no folder.
-    explicit OutputElsewhere(std::vector<std::string> words);
-    OutputElsewhere(const OutputElsewhere&) = delete;
-    OutputElsewhere& operator=(const OutputElsewhere&) = delete;
-    ~OutputElsewhere();
+    /// Throws a Problem if there can be no folder.
+    OutputsElsewhere();
+    OutputsElsewhere(const OutputsElsewhere&) = delete;
+    OutputsElsewhere& operator=(const OutputsElsewhere&) = delete;
+    ~OutputsElsewhere();
 
-    const std::vector<std::string>& words() const { return words_; }
+    std::string folder() const { return folder_.string(); }
 
     /// The files that the command would have written, in the order of their names.
     std::vector<std::string> written_files() const;
 
-    /// Those of an earlier run that it writes no more: the one file where it now writes a sequence, and what is left of a
-    /// whole sequence, from number 1 on.
-    std::vector<std::string> left_over_files() const;
+    /// Those of an earlier run of a command with these words that it writes no more: the one file where it now writes a
+    /// sequence, and what is left of a whole sequence, from number 1 on.
+    std::vector<std::string> left_over_files(const std::vector<std::string>& words) const;
 
     /// The files that the command would have written, and that have other bytes or are not there, in the order of their
     /// names.
     std::vector<std::string> stale_files() const;
 
 private:
-    std::vector<std::string> words_;
     std::filesystem::path folder_;
-    std::filesystem::path final_folder_;
-    std::filesystem::path name_; ///< of the output
 };
-
-/// True if a command writes a file that is the same each time: a figure or a trace with -o.
-bool writes_file(const std::vector<std::string>& words);
 
 } // namespace rastertrace

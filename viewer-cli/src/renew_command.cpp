@@ -8,7 +8,9 @@
 #include "run_self.h"
 
 #include <rastertrace/core/scene/stages.h>
+#include <rastertrace/trace/input.h>
 #include <rastertrace/trace/output.h>
+#include <rastertrace/trace/process_files.h>
 #include <rastertrace/trace/text.h>
 
 #include <fmt/core.h>
@@ -20,6 +22,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -70,14 +73,23 @@ Problem problem_of_exit(const Source& page, const PageCommand& command, const Fi
     return problem;
 }
 
-/// Runs a command, with these words; returns its output for the page.
-std::string output_of(const Source& page, const PageCommand& command,
-                      const std::vector<std::string>& words) {
-    if (!command.words.empty() && command.words.front() == "renew")
+bool is_command(const PageCommand& command, std::string_view name) {
+    return !command.words.empty() && command.words.front() == name;
+}
+
+/// Runs a command; returns its output for the page.
+std::string output_of(const Source& page, const PageCommand& command, const RunLimits& limits) {
+    if (is_command(command, "renew"))
         throw problem_at(page, command.begin,
                          "expected a command that shows something, found renew");
 
-    const FinishedRun run = run_self(words);
+    const FinishedRun run = run_self(command.words, limits);
+    if (run.is_too_long)
+        throw problem_at(page, command.begin,
+                         fmt::format("expected a command that ends within {} s, found one that "
+                                     "takes longer",
+                                     limits.time.count()),
+                         "renew --timeout SECONDS gives it more time");
     if (run.is_too_large)
         throw problem_at(page, command.begin,
                          fmt::format("expected a command that prints at most {} MB, found more",
@@ -87,8 +99,20 @@ std::string output_of(const Source& page, const PageCommand& command,
     return output_for(page, command, run.out + run.err);
 }
 
-/// Runs the commands of a page. One that is only checked leaves the files that they write as they are.
-RenewedPage renew_page(const std::string& path, bool is_checked) {
+/// What commands on pages may do.
+RunLimits limits_of(const RenewCommand& command) {
+    RunLimits limits{.files = {}, .time = command.time};
+    if (command.allow_outside)
+        return limits;
+    std::error_code error;
+    limits.files.below = std::filesystem::canonical(".", error).string();
+    if (error)
+        throw problem_of_system("", "the current folder could not be found", error.value());
+    return limits;
+}
+
+/// Runs the commands of a page. One that is only checked leaves all files as they are.
+RenewedPage renew_page(const std::string& path, bool is_checked, RunLimits limits) {
     RenewedPage renewed{.page = load_page(path),
                         .commands = {},
                         .outputs = {},
@@ -97,18 +121,22 @@ RenewedPage renew_page(const std::string& path, bool is_checked) {
                         .left_over = {}};
     renewed.commands = commands_on(renewed.page);
     for (const PageCommand& command : renewed.commands) {
-        if (!is_checked || command.exit_status != 0 || !writes_file(command.words)) {
-            renewed.outputs.push_back(output_of(renewed.page, command, command.words));
+        if (!is_checked) {
+            renewed.outputs.push_back(output_of(renewed.page, command, limits));
             continue;
         }
-        const OutputElsewhere elsewhere(command.words);
-        renewed.outputs.push_back(output_of(renewed.page, command, elsewhere.words()));
+        const EndingHeldBack until_removed;
+        const OutputsElsewhere elsewhere;
+        limits.files.outputs = elsewhere.folder();
+        renewed.outputs.push_back(output_of(renewed.page, command, limits));
+        if (is_command(command, "report")) // its times are never the same
+            continue;
         for (const std::string& file : elsewhere.stale_files())
             renewed.stale_files.push_back(problem_at(
                 renewed.page, command.begin,
                 fmt::format("expected {} as this command writes it, found another file, or none",
                             printable(file))));
-        for (const std::string& file : elsewhere.left_over_files())
+        for (const std::string& file : elsewhere.left_over_files(command.words))
             renewed.left_over.push_back(
                 {file, problem_at(renewed.page, command.begin,
                                   fmt::format("expected no {}, which this command no longer "
@@ -183,16 +211,39 @@ ExitStatus check(const std::vector<RenewedPage>& pages) {
     return stale.empty() && !has_left_over ? exit_fine : exit_difference;
 }
 
-/// Writes the page if it is stale, and tells how much of it was.
-void write(const RenewedPage& renewed) {
-    const std::size_t stale = differences_in(renewed).size();
-    if (stale > 0) {
-        FileOutput output(renewed.page.name);
-        output.write(with_outputs(renewed.page, renewed.commands, renewed.outputs));
-        output.commit();
+/// Throws a Problem if a page is no longer as it was read: what somebody has typed meanwhile would be lost.
+void look_again(const Source& page) {
+    const auto now = read_named_file(page.name, {});
+    std::string_view found;
+    if (!now)
+        found = "none that can be read any more";
+    else if (now.value().text != page.text)
+        found = "it changed meanwhile";
+    else if (now.value().file != page.file)
+        found = "another file in its place";
+    else
+        return;
+    throw problem_of(page.name, fmt::format("expected the page that was read, found {}", found),
+                     "no page was written; renew PAGE -o FILE writes what its commands print now "
+                     "to another file");
+}
+
+/// Writes the pages that are stale: all of them, or none.
+void write(const std::vector<RenewedPage>& pages) {
+    FileOutputs outputs;
+    std::vector<const Source*> written;
+    for (const RenewedPage& page : pages) {
+        const bool is_known =
+            std::any_of(written.begin(), written.end(),
+                        [&page](const Source* other) { return other->file == page.page.file; });
+        if (is_known || differences_in(page).empty())
+            continue;
+        outputs.open(page.page.name).write(with_outputs(page.page, page.commands, page.outputs));
+        written.push_back(&page.page);
     }
-    print(fmt::format("{}: {}, {} renewed\n", printable(renewed.page.name),
-                      counted(renewed.commands.size(), "command"), stale));
+    for (const Source* const page : written)
+        look_again(*page);
+    outputs.commit();
 }
 
 } // namespace
@@ -201,12 +252,21 @@ int run(const RenewCommand& command) {
     // A page with a mistake leaves all of them as they were.
     std::vector<RenewedPage> pages;
     for (const std::string& path : command.pages)
-        pages.push_back(renew_page(path, command.check));
+        pages.push_back(renew_page(path, command.check, limits_of(command)));
 
     if (command.check)
         return check(pages);
+    if (command.output.empty()) {
+        write(pages);
+    } else {
+        const RenewedPage& page = pages.front();
+        FileOutput output(command.output, opened_files());
+        output.write(with_outputs(page.page, page.commands, page.outputs));
+        output.commit();
+    }
     for (const RenewedPage& page : pages)
-        write(page);
+        print(fmt::format("{}: {}, {} renewed\n", printable(page.page.name),
+                          counted(page.commands.size(), "command"), differences_in(page).size()));
     return exit_fine;
 }
 
