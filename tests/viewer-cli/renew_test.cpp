@@ -262,6 +262,8 @@ TEST_F(WaitingRenewTest, AnotherFileTakesWhatCommandsPrint) {
     EXPECT_EQ(shell("$rastertrace renew dots.md -o dots.md").err,
               "rastertrace: dots.md: expected another file than those that are read, found one of "
               "them\n");
+    EXPECT_EQ(shell("$rastertrace renew dots.md -o -").err,
+              "rastertrace: --output: expected the name of a file, found \"-\"\n");
     EXPECT_EQ(shell("$rastertrace renew dots.md page.md -o two.md").err,
               "rastertrace: --output: expected one page, and no --check, found \"two.md\"\n");
 }

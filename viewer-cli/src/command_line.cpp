@@ -1332,6 +1332,8 @@ private:
             for (const std::string& page : renew_.pages)
                 if (page == "-")
                     refuse("renew", "the names of pages", page);
+            if (renew_.output == "-")
+                refuse("--output", "the name of a file", "-");
             if (!renew_.output.empty() && (renew_.check || renew_.pages.size() > 1))
                 refuse("--output", "one page, and no --check", renew_.output);
             constexpr int most_seconds = 1'000'000;
