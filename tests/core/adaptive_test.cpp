@@ -14,6 +14,7 @@
 
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstdint>
 #include <cstdlib>
 #include <random>
@@ -145,6 +146,34 @@ TEST(Adaptive, TellsASlopeAsTheDoubleNearestToIt) {
         ASSERT_EQ(slopes_of(scene, ScalarKind::adaptive), slopes_of(scene, ScalarKind::exact))
             << scene_text(scene);
     }
+}
+
+TEST(Adaptive, DrawsTheSameWhoeverListens) {
+    // Who takes no pixels is told of a primitive when it is painted; who does, while it is.
+    EdgeScenes scenes(31);
+    std::mt19937_64 random(31);
+    int skipped = 0;
+    for (int i = 0; i < random_cases(1000); ++i) {
+        Scene scene = scenes.next();
+        if (random() % 2 == 0)
+            scene = nudged(scene, random);
+        scene.method.scalar = ScalarKind::adaptive;
+        if (find_unfit(scene))
+            continue;
+        std::vector<SkipReason> with_pixels;
+        std::vector<SkipReason> without;
+        const Image told = draw_as_planned(scene, [&]<typename Step>(const Step& step) {
+            if constexpr (std::same_as<Step, PrimitiveSkipped>)
+                with_pixels.push_back(step.why);
+        });
+        const Image skips_told = draw_as_planned(
+            scene, [&](const PrimitiveSkipped& step) { without.push_back(step.why); });
+        ASSERT_EQ(skips_told.colors(), told.colors()) << scene_text(scene);
+        ASSERT_EQ(draw_as_planned(scene).colors(), told.colors()) << scene_text(scene);
+        ASSERT_EQ(without, with_pixels) << scene_text(scene);
+        skipped += without.empty() ? 0 : 1;
+    }
+    EXPECT_GT(skipped, 0);
 }
 
 TEST(Adaptive, ZeroIsExactWhateverDividesIt) {
