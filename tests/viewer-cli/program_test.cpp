@@ -1167,8 +1167,8 @@ TEST_F(ProgramTest, StepsThatAreHeldHaveALimitThatCanBeRaised) {
         "writes any number of them\n";
     for (const std::string words :
          {"show scene.json", "stats scene.json", "explain scene.json --step last",
-          "figure scene.json -o o.png", "figure scene.json -o o.html",
-          "play scene.json --screen 80x24", "diff scene.json --against scalar=exact"}) {
+          "figure scene.json -o o.png", "figure scene.json -o o.html", "play scene.json",
+          "diff scene.json --against scalar=exact"}) {
         const Outcome refused = shell("$rastertrace " + words + " --max-steps 50");
         EXPECT_EQ(refused.status, 2) << words;
         EXPECT_EQ(refused.err,
