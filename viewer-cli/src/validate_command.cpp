@@ -88,12 +88,6 @@ void validate_scene(const Source& source, const InputLimits& limits, ValidatedFi
 struct StepsSeen {
     explicit StepsSeen(const Trace& header) : needs(header) {}
 
-<<<<<<< HEAD
-/// Behind the last step: what is wrong with the whole, and what this program does not know.
-void finish_trace(const std::vector<Problem>& passed_over, const std::vector<Problem>& damage,
-                  const UnknownNames& unknown, const NotFiniteSteps& not_finite,
-                  ValidatedFile& file) {
-=======
     void add(const StepView& step, std::optional<StepKind> kind) {
         ++count;
         unknown.add(step, kind);
@@ -108,21 +102,19 @@ void finish_trace(const std::vector<Problem>& passed_over, const std::vector<Pro
 /// Behind the last step: what is wrong with the whole, what this program does not know, and what
 /// can be judged.
 void finish_trace(const Trace& header, const std::vector<Problem>& passed_over,
-                  const std::vector<Problem>& damage, StepsSeen& seen, ValidatedFile& file) {
->>>>>>> 5369b11 (stats judges double and float by their own numbers, knows folds, and fails on nothing that it cannot judge)
+                  const std::vector<Problem>& damage, const NotFiniteSteps& not_finite,
+                  StepsSeen& seen, ValidatedFile& file) {
     file.add(passed_over);
     file.add(damage);
     std::stable_sort(file.problems.begin(), file.problems.end(),
                      [](const Problem& a, const Problem& b) { return a.line < b.line; });
     const auto add_remark = [&file](const std::string& remark) {
         file.remarks.push_back(problem_of(file.name, "remark: " + remark));
-<<<<<<< HEAD
-    if (auto remark = not_finite.remark())
-        file.remarks.push_back(*std::move(remark));
-=======
     };
     for (const std::string& remark : seen.unknown.remarks())
         add_remark(remark);
+    if (auto remark = not_finite.remark())
+        file.remarks.push_back(*std::move(remark));
 
     seen.needs.close();
     std::vector<StatsFinding> judged(stats_findings.begin(), stats_findings.end());
@@ -137,7 +129,6 @@ void finish_trace(const Trace& header, const std::vector<Problem>& passed_over,
         fmt::format("a trace of version {}, {}{}, complete; stats can judge {}", header.version,
                     counted(seen.count, "step"), header.is_partial ? " (others were left out)" : "",
                     judged.empty() ? "nothing of it" : names_of(judged));
->>>>>>> 5369b11 (stats judges double and float by their own numbers, knows folds, and fails on nothing that it cannot judge)
 }
 
 /// A trace of one step a line, which may have any size.
@@ -154,12 +145,8 @@ void validate_steps(StepStream& steps, ValidatedFile& file) {
         file.add(steps.damage());
         throw;
     }
-<<<<<<< HEAD
-    finish_trace(steps.passed_over(), steps.damage(), unknown, steps.not_finite(), file);
-    file.about = about_trace(steps.header(), count);
-=======
-    finish_trace(steps.header(), steps.passed_over(), steps.damage(), seen, file);
->>>>>>> 5369b11 (stats judges double and float by their own numbers, knows folds, and fails on nothing that it cannot judge)
+    finish_trace(steps.header(), steps.passed_over(), steps.damage(), steps.not_finite(), seen,
+                 file);
 }
 
 /// A trace of any other layout.
@@ -171,12 +158,7 @@ void validate_trace(Source source, ValidatedFile& file) {
             file.add(trace.faults_in_step(n));
         seen.add(trace.step(n), trace.kind_of(n));
     }
-<<<<<<< HEAD
-    finish_trace(trace.passed_over, trace.damage, unknown, trace.not_finite, file);
-    file.about = about_trace(trace, trace.size());
-=======
-    finish_trace(trace, trace.passed_over, trace.damage, seen, file);
->>>>>>> 5369b11 (stats judges double and float by their own numbers, knows folds, and fails on nothing that it cannot judge)
+    finish_trace(trace, trace.passed_over, trace.damage, trace.not_finite, seen, file);
 }
 
 /// Claims, or a Problem that says why the file was taken for some, if it does not look like it.
@@ -204,8 +186,9 @@ void validate_claims(Source source, const InputLimits& limits, ValidatedFile& fi
     file.about += " about " + printable(claims.scene);
     const std::string path = path_of_scene(claims);
     Source scene = load_scene_of_claims(path, limits);
-    const Truth truth = is_trace(scene) ? Truth(value_or_throw(read_trace(std::move(scene), limits.steps)))
-                                        : Truth(std::move(scene), {}, limits);
+    const Truth truth = is_trace(scene)
+                            ? Truth(value_or_throw(read_trace(std::move(scene), limits.steps)))
+                            : Truth(std::move(scene), {}, limits);
     file.add(truth.decided().damage);
     for (const CheckedClaim& checked : check(truth, claims).claims) {
         const Claim& claim = claims.claims[checked.claim];
