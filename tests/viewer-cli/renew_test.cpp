@@ -294,8 +294,9 @@ TEST_F(WaitingRenewTest, ASignalEndsTheCommandAndRemovesItsFolder) {
                   "for i in $(seq 100); do kill -0 $child 2>/dev/null || break; sleep 0.1; done; "
                   "kill -0 $child 2>/dev/null && echo runs on");
         EXPECT_EQ(ended.out, std::to_string(128 + signal) + "\n");
-        if (signal != SIGKILL)
+        if (signal != SIGKILL) {
             EXPECT_EQ(shell("ls temporary").out, "") << signal;
+        }
         EXPECT_EQ(content("page.md"), waiting);
     }
 }
@@ -353,8 +354,9 @@ TEST_F(RenewTest, CommandsUseFilesBelowTheFolderOnly) {
             EXPECT_THAT(told, HasSubstr("expected a file below the folder in which renew runs, "
                                         "found one outside"))
                 << command;
-            if (options.empty())
+            if (options.empty()) {
                 EXPECT_THAT(told, HasSubstr(hint)) << command;
+            }
             EXPECT_EQ(shell("ls outside; ls inside/row*; cat outside/old").out,
                       "mesh.obj\nold\npipe\nscene.json\ninside/row-2.txt\nprecious\n")
                 << command;
