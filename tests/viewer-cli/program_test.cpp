@@ -1839,17 +1839,24 @@ TEST_F(ProgramTest, StepsOutOfRangeAndKindsThatAreNotThere) {
     EXPECT_EQ(shell(show + "--last --all").status, 2);
 }
 
-TEST_F(ProgramTest, ALineThatMeetsNoBufferNeedsNoDepth) {
-    // z is 0, where 1/z is no number.
-    write("line.json",
-          R"({"canvas": {"width": 5, "height": 5}, "vertices": {"A": [0, 0], "B": [-1e9, 0]},
-                           "lines": ["AB"], "method": {"depth": "inverse-z"}})");
+TEST_F(ProgramTest, ALineWithoutADistanceHasNoOneOverZ) {
+    const std::string scene =
+        R"({"canvas": {"width": 5, "height": 5}, "vertices": {"A": [0, 0], "B": [-1e9, 0]},
+            "lines": ["AB"], "method": {"depth": ")";
+    write("distance.json", scene + "linear-z\"}}");
+    write("inverse.json", scene + "inverse-z\"}}");
     for (const std::string line : {"naive", "dda", "bresenham"})
         for (const std::string scalar : {"float", "double", "fixed", "adaptive", "exact"}) {
-            const Outcome shown =
-                shell("$rastertrace show line.json --bare --line " + line + " --scalar " + scalar);
-            EXPECT_EQ(shown.status, 0) << line << " " << scalar << shown.err;
-            EXPECT_EQ(shown.out, ".....\n.....\n###..\n.....\n.....\n") << line << " " << scalar;
+            const std::string options = " --bare --line " + line + " --scalar " + scalar;
+            const Outcome shown = shell("$rastertrace show distance.json" + options);
+            EXPECT_EQ(shown.status, 0) << options << shown.err;
+            EXPECT_EQ(shown.out, ".....\n.....\n###..\n.....\n.....\n") << options;
+            const Outcome refused = shell("$rastertrace show inverse.json" + options);
+            EXPECT_EQ(refused.status, 2) << options;
+            EXPECT_THAT(refused.err, testing::StartsWith(
+                                         "rastertrace: inverse.json:1:52: expected a distance "
+                                         "above 0 for 1/distance, found vertex A at distance 0\n"))
+                << options;
         }
 }
 

@@ -240,7 +240,9 @@ TEST_F(ValidateTest, AColorIsOneThatCanBeDrawn) {
 TEST_F(ValidateTest, ANumberThatIsNotFiniteIsARemark) {
     const Outcome told = changed("8s/\"left\":\"[^\"]*\"/\"left\":\"NaN\"/;3s/3.4/-inf/;"
                                  "11s/\"right\":\"[^\"]*\"/\"right\":\"inf\"/");
-    EXPECT_EQ(told.out, "bad.json: a trace of version 1, 62 steps, complete\n");
+    EXPECT_EQ(told.out,
+              "bad.json: a trace of version 1, 62 steps, complete; stats can judge holes, "
+              "twice, outside, rows\n");
     EXPECT_EQ(told.err,
               "rastertrace: bad.json:3:36: remark: expected a finite number for dx_dy, found "
               "\"-inf\"; 2 more steps have such a number\n"
