@@ -260,7 +260,9 @@ TEST_F(FigureTest, TheSmallestAndALargeCanvasInEveryFormat) {
             if (ending == ".html" && side > 1024)
                 continue; // refused, see APageHasLimits
             const std::string file = "x" + std::string(ending);
-            const Outcome told = shell("$rastertrace figure scene.json -o " + file);
+            const bool is_film = ending == ".cast" || ending == ".gif";
+            const Outcome told = shell("$rastertrace figure scene.json -o " + file +
+                                       (is_film ? " --step last" : ""));
             EXPECT_EQ(told.status, 0) << side << ending << told.err;
             EXPECT_GT(content(file).size(), 100U) << side << ending;
         }
@@ -364,6 +366,21 @@ TEST_F(FigureTest, WhatMovesIsAFilmOfRowsPixelsOfLinesAndVertices) {
                   .out,
               "7\n")
         << "the six frames of the sequence, and its end";
+}
+
+TEST_F(FigureTest, AFilmOfALargeCanvasNamesRegion) {
+    // The rows of ABC are 301, of 2^24 pixels each.
+    write("scene.json", scene_of_size(4096));
+    for (const std::string output : {"x.gif", "x.cast"}) {
+        const Outcome told = shell("$rastertrace figure scene.json -o " + output);
+        EXPECT_EQ(told.status, 2);
+        EXPECT_EQ(told.err,
+                  "rastertrace: expected at most 67108864 pixels of the canvas in a film, "
+                  "found 301 frames of 16777216\n"
+                  "hint: --region takes a part of the canvas; --every chooses what is a "
+                  "frame, like --every primitive; --step shows one step\n");
+        EXPECT_EQ(shell("$rastertrace figure scene.json --region 0,0,9,9 -o " + output).status, 0);
+    }
 }
 
 TEST_F(FigureTest, AFilmOfMoreThan500FramesNamesEvery) {

@@ -446,9 +446,9 @@ bool lie_on_one_side(const EdgeUse& edge, const Cornered& one, const Cornered& o
     const auto [low, high] = edge.ends();
     const Position& from = edge.triangles.front()->at[edge.from];
     const Position& to = edge.triangles.front()->at[edge.to];
-    const auto side_of = [&](const Cornered& triangle) {
+    const auto side_of = [&, low = low, high = high](const Cornered& triangle) {
         std::size_t i = 0;
-        while (triangle.corners[i] == low || triangle.corners[i] == high)
+        while (i < 2 && (triangle.corners[i] == low || triangle.corners[i] == high))
             ++i;
         return sgn(area2({from, to, triangle.at[i]}));
     };

@@ -37,6 +37,26 @@ namespace rastertrace {
 
 namespace {
 
+/// A film whose frames have more pixels of the canvas than that takes minutes, and memory for all of them.
+void refuse_large_film(const Canvas& canvas, const std::optional<Region>& region,
+                       std::size_t frames) {
+    constexpr std::size_t most = std::size_t{1} << 26;
+    const auto length = [](int first, int last) {
+        return static_cast<std::size_t>(last - first) + 1;
+    };
+    const std::size_t pixels = region
+                                   ? length(region->x0, region->x1) * length(region->y0, region->y1)
+                                   : length(1, canvas.width) * length(1, canvas.height);
+    if (frames > 1 && frames > most / pixels)
+        throw problem_of(
+            "",
+            fmt::format("expected at most {} pixels of the canvas in a film, found {} "
+                        "frames of {}",
+                        most, frames, pixels),
+            "--region takes a part of the canvas; --every chooses what is a frame, like "
+            "--every primitive; --step shows one step");
+}
+
 /// The frames of a trace that a figure was asked of.
 std::vector<FigureFrame> frames_of(const Trace& trace, const FigureCommand& command) {
     using Which = FigureCommand::Which;
@@ -60,6 +80,7 @@ std::vector<FigureFrame> frames_of(const Trace& trace, const FigureCommand& comm
                             most),
                 "--every chooses what is a frame, like --every primitive; --step "
                 "shows one step");
+        refuse_large_film(trace.canvas, command.options.region, frames.size());
         if (!frames.empty())
             return frames;
         break;

@@ -178,8 +178,7 @@ EndingHeldBack::~EndingHeldBack() {
 }
 
 FinishedRun run_self(const std::vector<std::string>& arguments, const RunLimits& limits) {
-    using Clock = std::chrono::steady_clock;
-    const auto end = Clock::now() + limits.time;
+    const auto end = std::chrono::steady_clock::now() + limits.time;
     const EndingHeldBack ending;
     std::vector<std::string> words{"rastertrace"};
     words.insert(words.end(), arguments.begin(), arguments.end());
@@ -197,7 +196,8 @@ FinishedRun run_self(const std::vector<std::string>& arguments, const RunLimits&
             {{.fd = out.reader.number(), .events = POLLIN, .revents = 0},
              {.fd = err.reader.number(), .events = POLLIN, .revents = 0},
              {.fd = ending.descriptor(), .events = POLLIN, .revents = 0}}};
-        const auto left = std::chrono::ceil<std::chrono::milliseconds>(end - Clock::now());
+        const auto left =
+            std::chrono::ceil<std::chrono::milliseconds>(end - std::chrono::steady_clock::now());
         const int time = static_cast<int>(std::max<std::int64_t>(left.count(), 0));
         const int ready = ::poll(waiting.data(), waiting.size(), time);
         if (ready < 0 && errno != EINTR)
