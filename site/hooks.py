@@ -40,6 +40,7 @@ SECTIONS = [
         ("docs/report.md", "report"),
         ("docs/stress-command.md", "stress"),
         ("docs/pages.md", "renew"),
+        ("examples/page.md", "A page to renew"),
     ]),
     ("How it draws", [
         ("docs/pipeline.md", None),
