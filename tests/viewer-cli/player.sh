@@ -165,7 +165,7 @@ keys G
 wait_for "step 62 of 62"
 keys C-c
 wait_for "ready>"
-keys "echo status \$? ; stty -g >$folder/later" Enter
+keys "status=\$?; stty -g >$folder/later; echo status \$status" Enter
 wait_for "status 130"
 # A shell that edits its line has other settings than its commands: compare what commands see.
 cmp -s "$folder/before" "$folder/after" || fail "after Ctrl-Z the terminal's settings have changed"
