@@ -124,7 +124,7 @@ inline std::string scene_text(const Scene& scene) {
     // From object space to the screen.
     std::string model;
     for (const SceneObject& object : scene.objects)
-        for (const ModelStep& step : object.model)
+        for (const ModelStep& step : object.model.steps())
             model += (model.empty() ? "" : ",") + json_of(step);
     if (!model.empty())
         text += ",\n\"model\":[" + model + "]";

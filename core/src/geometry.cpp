@@ -24,7 +24,8 @@ namespace rastertrace {
 bool has_rounded_matrix(const Scene& scene) {
     return (scene.camera && is_rounded(*scene.camera)) || is_rounded(scene.projection) ||
            std::any_of(scene.objects.begin(), scene.objects.end(), [](const SceneObject& object) {
-               return std::any_of(object.model.begin(), object.model.end(),
+               const auto& steps = object.model.steps();
+               return std::any_of(steps.begin(), steps.end(),
                                   [](const ModelStep& step) { return is_rounded(step); });
            });
 }
@@ -42,7 +43,7 @@ template <typename Scalar> Transforms<Scalar> transforms_of(const Scene& scene) 
         return rounded<Scalar>(exact);
     };
     for (const SceneObject& object : scene.objects)
-        result.models.push_back(matrix_of(Stage::model, model_matrix(object.model)));
+        result.models.push_back(matrix_of(Stage::model, object.model.matrix()));
     result.rest_model = matrix_of(Stage::model, identity<Rational>());
     result.view = matrix_of(
         Stage::view, scene.camera ? view_matrix(*scene.camera, view_axis_of(scene.projection.type))
@@ -194,16 +195,15 @@ void for_each_object(const Scene& scene, const Vec<Rational, 3>& origin, Visit&&
     const std::vector<bool> is_used = used_vertices(scene);
     const auto from_origin = translation<Rational>(Vec<Rational, 3>{} - origin);
     std::size_t first = 0;
-    const auto visit_next = [&](std::size_t end, std::span<const ModelStep> steps) {
-        const WholePlaces places =
-            whole_places(scene, is_used, first, end, from_origin * model_matrix(steps));
+    const auto visit_next = [&](std::size_t end, const Matrix<Rational>& model) {
+        const WholePlaces places = whole_places(scene, is_used, first, end, from_origin * model);
         if (!places.above.empty())
             visit(places);
         first = end;
     };
     for (const SceneObject& object : scene.objects)
-        visit_next(object.end_vertex, object.model);
-    visit_next(scene.vertices.size(), {});
+        visit_next(object.end_vertex, object.model.matrix());
+    visit_next(scene.vertices.size(), identity<Rational>());
 }
 
 } // namespace
@@ -514,7 +514,7 @@ void tell_matrices(const Scene& scene, const Transforms<Scalar>& transforms,
         return;
     for (std::size_t i = 0; i < transforms.models.size(); ++i)
         tell_matrix<Scalar>("model", scene.objects[i].name, transforms.models[i],
-                            factors_of(scene.objects[i].model), nullptr, listener);
+                            factors_of(scene.objects[i].model.steps()), nullptr, listener);
     if (scene.objects.empty())
         tell_matrix<Scalar>("model", {}, transforms.rest_model, {}, nullptr, listener);
     tell_matrix<Scalar>("view", {}, transforms.view,

@@ -158,10 +158,6 @@ std::vector<MatrixFactor<Rational>> factors_of(std::span<const ModelStep> steps)
     return factors;
 }
 
-Matrix<Rational> model_matrix(std::span<const ModelStep> steps) {
-    return product_of(factors_of(steps));
-}
-
 // camera.h
 
 CameraAxes axes_of(const Camera& camera) {

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <future>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -230,8 +231,12 @@ Result<std::string> gif_of(std::size_t count,
     GifWriter writer(bytes);
     Palette palette; // of the first frame, and of those that have no other colors
     Bitmap before;
+    // While a frame is compressed, the next one is drawn.
+    std::future<Bitmap> next = std::async(frame_at, std::size_t{0});
     for (std::size_t i = 0; i < count; ++i) {
-        Bitmap frame = frame_at(i);
+        Bitmap frame = next.get();
+        if (i + 1 < count)
+            next = std::async(frame_at, i + 1);
         if (auto problem = problem_with(i == 0 ? frame : before, frame))
             return *std::move(problem);
         const Window window =

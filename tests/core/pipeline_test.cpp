@@ -521,11 +521,11 @@ TEST(Pipeline, FactorsBeyondTheScalarAreNotTold) {
 }
 
 TEST(Model, GoesInTheOrderListed) {
-    const std::vector<ModelStep> turn_then_move{Rotate{{0, 0, 1}, 90}, Translate{{1, 0, 0}}};
-    const std::vector<ModelStep> move_then_turn{Translate{{1, 0, 0}}, Rotate{{0, 0, 1}, 90}};
+    const Model turn_then_move{Rotate{{0, 0, 1}, 90}, Translate{{1, 0, 0}}};
+    const Model move_then_turn{Translate{{1, 0, 0}}, Rotate{{0, 0, 1}, 90}};
     const Vec<Rational, 4> x_axis{Rational(1), Rational(0), Rational(0), Rational(1)};
-    const auto first = model_matrix(turn_then_move) * x_axis;
-    const auto second = model_matrix(move_then_turn) * x_axis;
+    const auto first = turn_then_move.matrix() * x_axis;
+    const auto second = move_then_turn.matrix() * x_axis;
     EXPECT_EQ(std::pair(first.x, first.y), std::pair(Rational(1), Rational(1)));
     EXPECT_EQ(std::pair(second.x, second.y), std::pair(Rational(0), Rational(2)));
 }

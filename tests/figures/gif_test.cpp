@@ -12,6 +12,7 @@
 
 #include <cstring>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -192,6 +193,15 @@ TEST(Gif, AsksForFramesInTheirOrderAndOnce) {
                        },
                        {}));
     EXPECT_THAT(asked, ElementsAre(0, 1, 2, 3));
+}
+
+TEST(Gif, PassesOnWhatAFrameThrows) {
+    const auto frame_at = [](std::size_t i) {
+        if (i == 2)
+            throw std::runtime_error("the third");
+        return plain(1, 1, white);
+    };
+    EXPECT_THROW((void)gif_of(4, frame_at, {}), std::runtime_error);
 }
 
 std::string message_of(const Result<std::string>& result) {

@@ -288,9 +288,9 @@ TEST(SceneFile, PipelineKeys) {
         "projection": {"type": "frustum", "fov_y": 60, "near": 1, "far": "infinity"})"));
     EXPECT_EQ(scene.vertices[0].z.nearest_double(), 3);
     ASSERT_EQ(scene.objects.size(), 1u);
-    EXPECT_EQ(scene.objects[0].model.size(), 4u);
-    EXPECT_EQ(std::get<Scale>(scene.objects[0].model[0]).by[1].nearest_double(), 0.5);
-    EXPECT_EQ(std::get<Shear>(scene.objects[0].model[3]).xy.nearest_double(), 3);
+    EXPECT_EQ(scene.objects[0].model.steps().size(), 4u);
+    EXPECT_EQ(std::get<Scale>(scene.objects[0].model.steps()[0]).by[1].nearest_double(), 0.5);
+    EXPECT_EQ(std::get<Shear>(scene.objects[0].model.steps()[3]).xy.nearest_double(), 3);
     EXPECT_EQ(scene.camera->position[2].nearest_double(), 4);
     EXPECT_EQ(scene.camera->look_at[2].nearest_double(), 0);
     EXPECT_EQ(scene.camera->up[1].nearest_double(), 1);

@@ -64,7 +64,7 @@ std::vector<std::string> without_left_out(const Trace& full, const Scene& scene,
     std::size_t first = 0;
     for (const SceneObject& object : scene.objects) {
         for (std::size_t i = first; i < std::min(object.end_vertex, scene.vertices.size()); ++i)
-            if (model_matrix(object.model) == identity<Rational>())
+            if (object.model.matrix() == identity<Rational>())
                 resting_vertices.insert(scene.vertices[i].name);
         first = object.end_vertex;
     }

@@ -108,6 +108,28 @@ TEST(Vary, FramesOfAListAndOfACommandLine) {
     EXPECT_EQ(one.frame(1).scene.vertices[0].x.exact(), 4) << "one step is the first value";
 }
 
+// A model's matrix is kept from one frame to the next as long as the model stays as it is.
+TEST(Vary, EachFrameHasItsOwnModels) {
+    const Source source{"scene.json", R"({"canvas": {"width": 9, "height": 9},
+        "vertices": {"A": [0, 3], "B": [-3, -3], "C": [3, -3]}, "triangles": ["ABC"],
+        "model": [{"rotate": {"axis": "z", "degrees": 30}}, {"translate": [0, 0, 1]}],
+        "meshes": [{"model": [{"scale": [2, 2, 2]}], "vertices": {"A": [0, 3], "B": [-3, -3], "C": [3, -3]}, "faces": ["ABC"]},
+                   {"vertices": {"A": [0, 3], "B": [-3, -3], "C": [3, -3]}, "faces": ["ABC"]}],
+        "vary": {"/model/0/rotate/degrees": [30, 30, 90, 30], "/model/1/translate/2": [1, 1, 1, 2],
+                 "/meshes/0/model/0/scale/0": [2, 0.5, "1/2", 2]}})"};
+    SceneSequence sequence(source, {}, {}, {});
+    for (const std::size_t n : {1u, 2u, 3u, 4u, 2u, 2u, 1u, 4u, 3u}) {
+        const Scene scene = sequence.frame(n).scene;
+        ASSERT_EQ(scene.objects.size(), 3u);
+        const Number degrees = n == 3 ? 90 : 30;
+        const Model own{Rotate{{0, 0, 1}, degrees}, Translate{{0, 0, n == 4 ? 2 : 1}}};
+        const Model scaled{Scale{{n == 1 || n == 4 ? Number(2) : Number::decimal(5, -1), 2, 2}}};
+        EXPECT_TRUE(scene.objects[0].model.matrix() == own.matrix()) << n;
+        EXPECT_TRUE(scene.objects[1].model.matrix() == scaled.matrix()) << n;
+        EXPECT_TRUE(scene.objects[2].model.matrix() == identity<Rational>()) << n;
+    }
+}
+
 TEST(Vary, NumbersOfOneShortNameAreToldByTheirPointers) {
     const Source source{"scene.json", R"({"canvas": {"width": 9, "height": 9},
         "vertices": {"A": [0, 3]}, "points": ["A"],

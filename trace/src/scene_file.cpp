@@ -86,8 +86,10 @@ struct NameOfVertex {
 /// Reads one scene; the first fault ends it.
 class SceneReader {
 public:
-    SceneReader(const Source& source, const MethodOverrides& overrides, const InputLimits& limits)
-        : source_(source), json_{source}, overrides_(overrides), limits_(limits) {}
+    /// `models` has those of the frame before, by object, and then those of this one.
+    SceneReader(const Source& source, const MethodOverrides& overrides, const InputLimits& limits,
+                std::vector<Model>& models)
+        : source_(source), json_{source}, overrides_(overrides), limits_(limits), models_(models) {}
 
     /// Takes everything from the document, which may be forgotten then.
     void read(const JsonValue& root) {
@@ -250,8 +252,7 @@ private:
                       const std::optional<JsonValue>& meshes) {
         if (!model && !meshes)
             return;
-        scene_.objects.push_back({"", scene_.vertices.size(),
-                                  !model ? std::vector<ModelStep>() : read_model(json_, *model)});
+        scene_.objects.push_back({"", scene_.vertices.size(), model_in(model)});
         if (!meshes)
             return;
         const JsonElements list =
@@ -263,11 +264,22 @@ private:
             read_mesh(mesh);
     }
 
+    /// The model of the next object. If the frame before has it too, its matrix is known.
+    Model model_in(const std::optional<JsonValue>& value) {
+        std::vector<ModelStep> steps;
+        if (value)
+            steps = read_model(json_, *value);
+        models_.resize(std::max(models_.size(), scene_.objects.size() + 1));
+        Model& model = models_[scene_.objects.size()];
+        if (model.steps() != steps)
+            model = std::move(steps);
+        return model;
+    }
+
     void read_mesh(const JsonValue& mesh) {
         json_.allow_keys(mesh, mesh_keys);
         SceneObject object;
-        if (const auto model = mesh.find("model"))
-            object.model = read_model(json_, *model);
+        object.model = model_in(mesh.find("model"));
         if (const auto name = mesh.find("name"))
             object.name = json_.string_in(*name, "a name in quotes");
         if (!object.name.empty() && !names_of_objects_.insert(object.name).second)
@@ -834,6 +846,7 @@ private:
     JsonReader json_;
     const MethodOverrides& overrides_;
     const InputLimits& limits_;
+    std::vector<Model>& models_;
     Scene scene_;
     std::optional<std::size_t> place_of_fit_;     ///< offset of a camera that is to be fitted
     std::optional<std::size_t> place_of_camera_;  ///< offset of a camera without a projection
@@ -879,6 +892,7 @@ struct SceneSequence::State {
     std::optional<JsonDocument> document; ///< until the first frame is read
     Variations variations;
     std::optional<FittedCamera> fitted = {}; ///< once it is known; one for all frames
+    std::vector<Model> models = {};          ///< of the last frame that was read, by object
 
     /// Does something with a frame; a Problem says which one it was.
     template <typename Do> auto in_frame(std::size_t frame, Do&& act) const {
@@ -896,7 +910,7 @@ struct SceneSequence::State {
         JsonDocument read_document = document ? *std::move(document) : parsed(source);
         document.reset();
         variations.put_into(read_document, frame);
-        SceneReader reader(source, overrides, limits);
+        SceneReader reader(source, overrides, limits, models);
         in_frame(frame, [&] { reader.read(read_document.root()); });
         return reader;
     }

@@ -2,7 +2,7 @@
 #pragma once
 
 // Bitmaps one after the other as an animated GIF. Each is asked for when it is its turn and only the rectangle
-// that changed is written, so that a long animation takes the memory of two bitmaps and its file.
+// that changed is written, so that a long animation takes the memory of three bitmaps and its file.
 //
 //     const auto gif = gif_of(
 //         frames.size(), [&](std::size_t i) { return bitmap_of(frames[i], Theme::light, 1); },
@@ -29,8 +29,9 @@ struct GifOptions {
 };
 
 /// The bytes of the file; or why there are none: no frame or too many, frames that are too large or differ in
-/// size, or a time that GIF has not. `frame_at` is called once for each of 0 to `count` - 1, in this order. What
-/// changes in more than 256 colors at once is written in fewer: of colors that are alike, the most frequent stays.
+/// size, or a time that GIF has not. `frame_at` is called once for each of 0 to `count` - 1, in this order, by one
+/// thread at a time, which need not be the caller's; what it throws is passed on. What changes in more than 256
+/// colors at once is written in fewer: of colors that are alike, the most frequent stays.
 Result<std::string> gif_of(std::size_t count,
                            const std::function<Bitmap(std::size_t index)>& frame_at,
                            const GifOptions& options);

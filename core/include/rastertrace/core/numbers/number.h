@@ -112,6 +112,13 @@ public:
     /// value * denominator, rounded to the nearest whole number (a half up), if it is below 2^62.
     std::optional<std::int64_t> nearest_numerator_over(std::int64_t denominator) const;
 
+    /// Equal values, however they were typed.
+    friend bool operator==(const Number& a, const Number& b) {
+        if (!a.is_fraction() && !b.is_fraction() && a.exponent_ == b.exponent_)
+            return a.held_.digits == b.held_.digits;
+        return a.exact() == b.exact();
+    }
+
 private:
     bool is_fraction() const { return exponent_ == fraction_instead; }
 

@@ -43,9 +43,9 @@ struct SceneVertex {
 
 /// Vertices that share an object space: the scene's own, or those of a mesh.
 struct SceneObject {
-    std::string name;             ///< "" for the scene's own vertices
-    std::size_t end_vertex = 0;   ///< its vertices are those from the end of the object before
-    std::vector<ModelStep> model; ///< from its space to the world
+    std::string name;           ///< "" for the scene's own vertices
+    std::size_t end_vertex = 0; ///< its vertices are those from the end of the object before
+    Model model;                ///< from its space to the world
 };
 
 /// A point, a line, a triangle to fill, or the outline of a triangle.
@@ -166,7 +166,7 @@ struct Scene {
         return camera || projection.type != ProjectionType::none ||
                viewport.type != ViewportType::none || method.snap != Snap::none ||
                std::any_of(objects.begin(), objects.end(),
-                           [](const SceneObject& one) { return !one.model.empty(); });
+                           [](const SceneObject& one) { return !one.model.steps().empty(); });
     }
 
     /// True if vertices go through their spaces even if nothing moves them.

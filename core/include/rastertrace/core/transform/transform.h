@@ -4,7 +4,7 @@
 // From object space to world space: scale, move, turn and shear, composed in the order in which the
 // scene lists them.
 //
-//     model_matrix({Scale{{2, 2, 2}}, Translate{{0, 0, 4}}});  // scales first, then moves
+//     Model({Scale{{2, 2, 2}}, Translate{{0, 0, 4}}}).matrix();  // scales first, then moves
 //
 // Matrices are made of exact numbers, once; what is irrational in them is the nearest double. Each
 // Scalar then rounds each entry once.
@@ -16,7 +16,9 @@
 #include <rastertrace/core/transform/matrix.h>
 
 #include <array>
+#include <initializer_list>
 #include <span>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -28,17 +30,23 @@ using Numbers3 = std::array<Number, 3>;
 /// Multiplies x, y and z each by its own number.
 struct Scale {
     Numbers3 by;
+
+    friend bool operator==(const Scale&, const Scale&) = default;
 };
 
 /// Adds to x, y and z.
 struct Translate {
     Numbers3 by;
+
+    friend bool operator==(const Translate&, const Translate&) = default;
 };
 
 /// Turns about an axis through the origin; counter-clockwise as seen from the axis's tip.
 struct Rotate {
     Numbers3 axis; ///< of any length but 0
     Number degrees;
+
+    friend bool operator==(const Rotate&, const Rotate&) = default;
 };
 
 /// Adds to each coordinate multiples of the others: x grows by xy y + xz z, and so on.
@@ -49,6 +57,8 @@ struct Shear {
     Number yz;
     Number zx;
     Number zy;
+
+    friend bool operator==(const Shear&, const Shear&) = default;
 };
 
 /// One of the things that a model does.
@@ -80,8 +90,21 @@ Matrix<Rational> matrix_of(const Shear& shear);
 /// The steps of a model: the first listed moves a point first, so it is the last factor.
 std::vector<MatrixFactor<Rational>> factors_of(std::span<const ModelStep> steps);
 
-/// The product of the factors.
-Matrix<Rational> model_matrix(std::span<const ModelStep> steps);
+/// The steps of a model, and their matrix: the product of the factors. It is worked out once; copies have it too.
+class Model {
+public:
+    Model() : Model(std::vector<ModelStep>()) {}
+    Model(std::initializer_list<ModelStep> steps) : Model(std::vector<ModelStep>(steps)) {}
+    Model(std::vector<ModelStep> steps) // NOLINT: steps are a model
+        : steps_(std::move(steps)), matrix_(product_of(factors_of(steps_))) {}
+
+    const std::vector<ModelStep>& steps() const { return steps_; }
+    const Matrix<Rational>& matrix() const { return matrix_; }
+
+private:
+    std::vector<ModelStep> steps_;
+    Matrix<Rational> matrix_;
+};
 
 /// The matrix with each entry rounded to a Scalar.
 template <typename Scalar> Matrix<Scalar> rounded(const Matrix<Rational>& exact) {
