@@ -1,11 +1,13 @@
 #!/bin/sh
-# Compares what two builds of the program draw: one hash for the trace (or the refusal) of every
-# example and of some thousand random scenes, with every fill, line, depth rule and scalar.
+# Compares what two builds of the program draw and say: one hash for the trace (or the refusal) of every example
+# and of some thousand random scenes, with every fill, line, depth rule and scalar; for each example one more
+# for every command that tells about a scene; and for 200 scenes with a fault, one for the message.
 #
-#     scripts/freeze.sh before/rastertrace after/rastertrace   # lists the scenes that differ
+#     scripts/freeze.sh before/rastertrace after/rastertrace   # lists what differs
 #     scripts/freeze.sh build/release/viewer-cli/rastertrace   # prints the hashes
 #
-# COUNT=10000 in the environment for more random scenes than 4,000. Exit status 1: some differ.
+# COUNT=10000 in the environment for more random scenes than 4,000; KEEP=FOLDER keeps those that differ.
+# Exit status 1: something differs.
 set -eu
 cd "$(dirname "$0")/.."
 
@@ -16,26 +18,40 @@ fi
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 c++ -std=c++20 -O1 -Itests -o "$folder/random_scenes" tests/freeze/random_scenes.cpp
-mkdir "$folder/scenes"
+mkdir "$folder/scenes" "$folder/faults"
 "$folder/random_scenes" "${COUNT:-4000}" "$folder/scenes"
-find "$folder/scenes" examples -name '*.json' | sort >"$folder/list"
+"$folder/random_scenes" --with-faults 200 "$folder/faults"
 
-# What a program says about a scene, refusals and exit status included; without the folder's name.
+# One call for each line: what comes after the name of the program.
+{
+    find examples -name '*.json' | sort | while read -r scene; do
+        for call in trace show 'show --all --working --max-steps 500' plan 'explain --step last' 'explain --pixel 1,2' \
+            'explain --scanline 1' stats 'check --template' 'figure -o - --format svg'; do
+            echo "$call $scene"
+        done
+    done
+    find examples -name '*.claims' | sort | sed 's/^/check /'
+    find "$folder/scenes" "$folder/faults" -name '*.json' | sort | sed 's/^/trace /'
+} >"$folder/list"
+
+# What a program prints, and its exit status; without the folder's name.
 cat >"$folder/hash" <<'END'
 #!/bin/sh
 program=$1
 folder=$2
 shift 2
-for scene in "$@"; do
+for call in "$@"; do
     {
-        timeout 60 "$program" trace "$scene" 2>&1
-        echo "exit $?"
-    } | sed "s|$folder/||" | sha256sum | sed "s|-$|${scene#"$folder"/}|"
+        # shellcheck disable=SC2086 # words of a call
+        timeout 60 "$program" $call 2>"$folder/said.$$" || echo "exit $?"
+        cat "$folder/said.$$"
+    } | sed "s|$folder/||" | sha256sum | sed "s|-$|$(echo "$call" | sed "s|$folder/||")|"
 done
+rm -f "$folder/said.$$"
 END
 chmod +x "$folder/hash"
 hashes_of() {
-    xargs -n 64 -P "$(nproc)" "$folder/hash" "$1" "$folder" <"$folder/list" | sort -k 2
+    xargs -d '\n' -n 64 -P "$(nproc)" "$folder/hash" "$1" "$folder" <"$folder/list" | sort -k 2
 }
 
 hashes_of "$1" >"$folder/first"
@@ -45,17 +61,17 @@ if [ $# -eq 1 ]; then
 fi
 hashes_of "$2" >"$folder/second"
 if cmp -s "$folder/first" "$folder/second"; then
-    echo "$(wc -l <"$folder/list") scenes: every trace is the same"
+    echo "$(wc -l <"$folder/list") calls: all print the same"
     exit
 fi
 diff "$folder/first" "$folder/second" | sed -n 's/^> [0-9a-f]*  *//p' >"$folder/differ"
 kept=${KEEP:-}
 if [ -n "$kept" ]; then
     mkdir -p "$kept"
-    while read -r scene; do
-        case "$scene" in scenes/*) cp "$folder/$scene" "$kept" ;; esac
-    done <"$folder/differ"
+    sed -n 's/^trace \(scenes\|faults\)/\1/p' "$folder/differ" | while read -r scene; do
+        cp "$folder/$scene" "$kept"
+    done
 fi
-echo "$(wc -l <"$folder/differ") of $(wc -l <"$folder/list") scenes differ:"
+echo "$(wc -l <"$folder/differ") of $(wc -l <"$folder/list") calls differ:"
 cat "$folder/differ"
 exit 1
