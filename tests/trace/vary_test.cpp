@@ -113,8 +113,8 @@ TEST(Vary, EachFrameHasItsOwnModels) {
     const Source source{"scene.json", R"({"canvas": {"width": 9, "height": 9},
         "vertices": {"A": [0, 3], "B": [-3, -3], "C": [3, -3]}, "triangles": ["ABC"],
         "model": [{"rotate": {"axis": "z", "degrees": 30}}, {"translate": [0, 0, 1]}],
-        "meshes": [{"model": [{"scale": [2, 2, 2]}], "vertices": {"A": [0, 3], "B": [-3, -3], "C": [3, -3]}, "faces": ["ABC"]},
-                   {"vertices": {"A": [0, 3], "B": [-3, -3], "C": [3, -3]}, "faces": ["ABC"]}],
+        "meshes": [{"name": "one", "model": [{"scale": [2, 2, 2]}], "vertices": {"A": [0, 3], "B": [-3, -3], "C": [3, -3]}, "faces": ["ABC"]},
+                   {"name": "two", "vertices": {"A": [0, 3], "B": [-3, -3], "C": [3, -3]}, "faces": ["ABC"]}],
         "vary": {"/model/0/rotate/degrees": [30, 30, 90, 30], "/model/1/translate/2": [1, 1, 1, 2],
                  "/meshes/0/model/0/scale/0": [2, 0.5, "1/2", 2]}})"};
     SceneSequence sequence(source, {}, {}, {});
