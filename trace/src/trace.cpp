@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <limits>
 #include <span>
 #include <utility>
@@ -29,9 +30,19 @@
 namespace rastertrace {
 
 std::string_view StepView::pixel_json() const {
-    const auto end = fmt::format_to_n(buffer_.data(), buffer_.size(),
-                                      R"({{"step":"pixel","x":{},"y":{}}})", pixel_.x, pixel_.y);
-    return {buffer_.data(), end.size};
+    char* end = buffer_.data();
+    const auto add_text = [&end](std::string_view text) {
+        end = std::copy(text.begin(), text.end(), end);
+    };
+    const auto add_number = [&](int number) {
+        end = std::to_chars(end, buffer_.data() + buffer_.size(), number).ptr;
+    };
+    add_text(R"({"step":"pixel","x":)");
+    add_number(pixel_.x);
+    add_text(R"(,"y":)");
+    add_number(pixel_.y);
+    add_text("}");
+    return {buffer_.data(), static_cast<std::size_t>(end - buffer_.data())};
 }
 
 std::optional<std::string_view> StepView::field(std::string_view name) const& {
