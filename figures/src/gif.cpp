@@ -235,10 +235,10 @@ Result<std::string> gif_of(std::size_t count,
     std::future<Bitmap> next = std::async(frame_at, std::size_t{0});
     for (std::size_t i = 0; i < count; ++i) {
         Bitmap frame = next.get();
-        if (i + 1 < count)
-            next = std::async(frame_at, i + 1);
         if (auto problem = problem_with(i == 0 ? frame : before, frame))
             return *std::move(problem);
+        if (i + 1 < count)
+            next = std::async(frame_at, i + 1);
         const Window window =
             i == 0 ? Window{0, 0, frame.width, frame.height} : changed(before, frame);
         std::vector<Color> pixels = pixels_in(frame, window);

@@ -30,7 +30,8 @@ std::size_t place_of_any(std::string_view characters, const std::string& text, R
     return places[static_cast<std::size_t>(random.whole(0, static_cast<int>(places.size()) - 1))];
 }
 
-/// A scene that ends too early, has a wrong word, a number that is none or one that is too large.
+/// The text of a scene with one fault: cut short, an x before a quotation mark, `true` in place of a digit, or 1e999
+/// before one.
 std::string with_fault(std::string text, Random& random) {
     constexpr std::string_view digits = "0123456789";
     switch (random.whole(0, 3)) {

@@ -12,6 +12,7 @@
 
 #include <rastertrace/core/numbers/number.h>
 #include <rastertrace/trace/color_text.h>
+#include <rastertrace/trace/format_number.h>
 #include <rastertrace/trace/frame.h>
 #include <rastertrace/trace/input.h>
 #include <rastertrace/trace/text.h>
@@ -21,7 +22,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <limits>
 #include <span>
 #include <utility>
@@ -34,13 +34,10 @@ std::string_view StepView::pixel_json() const {
     const auto add_text = [&end](std::string_view text) {
         end = std::copy(text.begin(), text.end(), end);
     };
-    const auto add_number = [&](int number) {
-        end = std::to_chars(end, buffer_.data() + buffer_.size(), number).ptr;
-    };
     add_text(R"({"step":"pixel","x":)");
-    add_number(pixel_.x);
+    end = format_number(end, pixel_.x);
     add_text(R"(,"y":)");
-    add_number(pixel_.y);
+    end = format_number(end, pixel_.y);
     add_text("}");
     return {buffer_.data(), static_cast<std::size_t>(end - buffer_.data())};
 }
