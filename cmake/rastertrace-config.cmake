@@ -1,4 +1,4 @@
-# find_package(rastertrace) gives the libraries rastertrace::core and rastertrace::trace, the program as
+# find_package(rastertrace) gives the libraries rastertrace::core, rastertrace::draw and rastertrace::trace, the program as
 # rastertrace::program, and the function rastertrace_add_golden. With COMPONENTS testing also rastertrace::testing,
 # matchers for GoogleTest: only then is GoogleTest looked for.
 include(CMakeFindDependencyMacro)
@@ -30,12 +30,13 @@ if("testing" IN_LIST rastertrace_FIND_COMPONENTS)
   endif()
 endif()
 set(rastertrace_core_FOUND TRUE)
+set(rastertrace_draw_FOUND TRUE)
 set(rastertrace_trace_FOUND TRUE)
 foreach(component IN LISTS rastertrace_FIND_COMPONENTS)
   if(rastertrace_FIND_REQUIRED_${component} AND NOT rastertrace_${component}_FOUND)
     set(rastertrace_FOUND FALSE)
     if(NOT rastertrace_NOT_FOUND_MESSAGE)
-      set(rastertrace_NOT_FOUND_MESSAGE "rastertrace has no component ${component}; it has core, trace and testing")
+      set(rastertrace_NOT_FOUND_MESSAGE "rastertrace has no component ${component}; it has core, draw, trace and testing")
     endif()
   endif()
 endforeach()

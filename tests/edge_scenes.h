@@ -6,7 +6,7 @@
 
 #include "random_choice.h"
 
-#include <rastertrace/core/scene/scene.h>
+#include <rastertrace/core/draw/scene/scene.h>
 
 #include <algorithm>
 #include <cstdint>

@@ -6,7 +6,7 @@
 //
 //     EXPECT_EQ(...) << scene_text(scene);  // save it as scene.json: rastertrace show scene.json
 
-#include <rastertrace/core/scene/scene.h>
+#include <rastertrace/core/draw/scene/scene.h>
 #include <rastertrace/trace/color_text.h>
 #include <rastertrace/trace/method_names.h>
 #include <rastertrace/trace/pipeline_names.h>

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/core/numbers/number.h>
 
+#include <rastertrace/core/numbers/fraction.h>
+#include <rastertrace/core/numbers/rational.h>
+
 #include <algorithm>
 #include <bit>
 #include <charconv>
@@ -30,6 +33,10 @@ double nearest_double(const mpq_class& value) {
         return nearer < 0 ? inner : outer;
     // Neighbors differ by one in the last bit of the significand, the lowest bit of their encoding.
     return std::bit_cast<std::uint64_t>(inner) % 2 == 0 ? inner : outer;
+}
+
+double nearest_quotient(Int128 above, Int128 below) {
+    return nearest_double(exact(Fraction128{above, below}));
 }
 
 float nearest_float(const mpq_class& value) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/numerics/cliffs.h>
 
-#include <rastertrace/core/draw/geometry.h>
-#include <rastertrace/core/draw/pieces.h>
-#include <rastertrace/core/draw/plan.h>
+#include <rastertrace/core/draw/list/geometry.h>
+#include <rastertrace/core/draw/list/pieces.h>
+#include <rastertrace/core/draw/plan/plan.h>
 #include <rastertrace/core/raster/rounding.h>
 #include <rastertrace/numerics/drawing.h>
 #include <rastertrace/trace/primitive_name.h>

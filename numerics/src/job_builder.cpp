@@ -3,7 +3,7 @@
 
 #include "placed_triangles.h"
 
-#include <rastertrace/core/draw/fill.h>
+#include <rastertrace/core/draw/paint/fill.h>
 #include <rastertrace/trace/method_names.h>
 #include <rastertrace/trace/refusal.h>
 

@@ -4,8 +4,8 @@
 // What the jobs of the report have in common: curves are put together, then all their settings are
 // timed in turn.
 
-#include <rastertrace/core/draw/plan.h>
-#include <rastertrace/core/scene/scene.h>
+#include <rastertrace/core/draw/plan/plan.h>
+#include <rastertrace/core/draw/scene/scene.h>
 #include <rastertrace/numerics/report.h>
 
 #include <array>

@@ -5,10 +5,10 @@
 
 #include "job_builder.h"
 
-#include <rastertrace/core/draw/piece_in.h>
-#include <rastertrace/core/draw/pieces.h>
-#include <rastertrace/core/draw/plan.h>
-#include <rastertrace/core/scene/scene.h>
+#include <rastertrace/core/draw/list/pieces.h>
+#include <rastertrace/core/draw/paint/piece_in.h>
+#include <rastertrace/core/draw/plan/plan.h>
+#include <rastertrace/core/draw/scene/scene.h>
 
 #include <algorithm>
 #include <concepts>

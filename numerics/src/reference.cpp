@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "reference.h"
 
-#include <rastertrace/core/raster/face.h>
+#include <rastertrace/core/raster/shading.h>
 
 #include <algorithm>
 #include <cstdlib>

@@ -5,9 +5,9 @@
 // else: for each pixel, is its sample inside; for each row, where does it meet the triangle. Shares
 // no line with the fills that it judges, and is as slow as that.
 
-#include <rastertrace/core/numbers/scalar.h>
+#include <rastertrace/core/draw/scene/scene.h>
+#include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/core/raster/image.h>
-#include <rastertrace/core/scene/scene.h>
 
 #include <array>
 #include <cstddef>

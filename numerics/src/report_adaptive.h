@@ -9,10 +9,10 @@
 //     for (const AdaptiveTriangles::Placed& one : triangles.placed)
 //         fill(Triangle<Adaptive>{one.filtered->positions}, ...);
 
-#include <rastertrace/core/draw/exactly.h>
-#include <rastertrace/core/draw/pieces.h>
-#include <rastertrace/core/draw/plan.h>
-#include <rastertrace/core/scene/scene.h>
+#include <rastertrace/core/draw/filtered/exactly.h>
+#include <rastertrace/core/draw/list/pieces.h>
+#include <rastertrace/core/draw/plan/plan.h>
+#include <rastertrace/core/draw/scene/scene.h>
 #include <rastertrace/numerics/report.h>
 
 #include <cstddef>

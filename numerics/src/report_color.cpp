@@ -6,9 +6,9 @@
 #include "placed_triangles.h"
 #include "report_adaptive.h"
 
-#include <rastertrace/core/draw/certain_rows.h>
-#include <rastertrace/core/draw/exactly.h>
-#include <rastertrace/core/draw/fill.h>
+#include <rastertrace/core/draw/filtered/certain_rows.h>
+#include <rastertrace/core/draw/filtered/exactly.h>
+#include <rastertrace/core/draw/paint/fill.h>
 #include <rastertrace/core/raster/mixed_colors.h>
 #include <rastertrace/numerics/knobs.h>
 #include <rastertrace/trace/method_names.h>

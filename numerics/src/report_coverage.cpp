@@ -5,8 +5,8 @@
 #include "placed_triangles.h"
 #include "report_adaptive.h"
 
-#include <rastertrace/core/draw/certain_rows.h>
-#include <rastertrace/core/draw/fill.h>
+#include <rastertrace/core/draw/filtered/certain_rows.h>
+#include <rastertrace/core/draw/paint/fill.h>
 #include <rastertrace/core/raster/flat_painter.h>
 #include <rastertrace/trace/method_names.h>
 

@@ -6,10 +6,10 @@
 #include "placed_triangles.h"
 #include "report_adaptive.h"
 
-#include <rastertrace/core/draw/certain_rows.h>
-#include <rastertrace/core/draw/exactly.h>
-#include <rastertrace/core/draw/fill.h>
-#include <rastertrace/core/raster/painter_order.h>
+#include <rastertrace/core/draw/filtered/certain_rows.h>
+#include <rastertrace/core/draw/filtered/exactly.h>
+#include <rastertrace/core/draw/list/drawing_order.h>
+#include <rastertrace/core/draw/paint/fill.h>
 #include <rastertrace/numerics/knobs.h>
 #include <rastertrace/trace/method_names.h>
 
@@ -635,7 +635,7 @@ private:
 
     template <typename Scalar>
     static PainterOrder<Scalar> order_by(const Scene& scene, const std::vector<Scalar>& distances) {
-        return painter_order<Scalar>(
+        return sorted_by_distance<Scalar>(
             scene, [&](std::size_t vertex) -> const Scalar& { return distances[vertex]; });
     }
 

@@ -4,7 +4,7 @@
 
 #include "job_builder.h"
 
-#include <rastertrace/core/draw/pieces.h>
+#include <rastertrace/core/draw/list/pieces.h>
 #include <rastertrace/core/raster/fill_scanline.h>
 #include <rastertrace/numerics/knobs.h>
 

@@ -5,7 +5,7 @@
 #include "stress_rows.h"
 
 #include <rastertrace/core/raster/barycentric.h>
-#include <rastertrace/core/raster/face.h>
+#include <rastertrace/core/raster/edge_function.h>
 #include <rastertrace/core/raster/triangle.h>
 #include <rastertrace/trace/text.h>
 
@@ -385,8 +385,9 @@ void c12_own_vertex(StressRows& rows) {
     const auto zero = [&rows](std::string_view scalar, auto b) {
         using Real = decltype(b.x);
         const Vec<Real, 2> origin{0, 0};
-        const Real value = left_of<Real>(origin, b, b);
-        rows.add(scalar, "left_of", {.wrong = value == 0 ? 0u : 1u, .unit = "value"}, right());
+        const Real value = edge_function<Real>({origin, 0}, {b, 1}).at(b);
+        rows.add(scalar, "edge function", {.wrong = value == 0 ? 0u : 1u, .unit = "value"},
+                 right());
     };
     zero("float", Vec<float, 2>{0.1F, 0.3F});
     zero("double", Vec<double, 2>{0.1, 0.3});

@@ -4,7 +4,7 @@
 
 #include "stress_rows.h"
 
-#include <rastertrace/core/raster/face.h>
+#include <rastertrace/core/raster/shading.h>
 #include <rastertrace/core/transform/matrix.h>
 
 #include <fmt/core.h>

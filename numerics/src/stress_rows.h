@@ -5,11 +5,12 @@
 
 #include "reference.h"
 
-#include <rastertrace/core/draw/plan.h>
-#include <rastertrace/core/draw/screen_list.h>
-#include <rastertrace/core/numbers/scalar.h>
+#include <rastertrace/core/draw/filtered/adaptive.h>
+#include <rastertrace/core/draw/list/screen_list.h>
+#include <rastertrace/core/draw/plan/plan.h>
+#include <rastertrace/core/draw/scene/scene.h>
+#include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/core/raster/image.h>
-#include <rastertrace/core/scene/scene.h>
 #include <rastertrace/numerics/stress.h>
 #include <rastertrace/trace/method_names.h>
 #include <rastertrace/trace/problem.h>

@@ -2,8 +2,8 @@
 // Fills with a sink that keeps nothing, next to the loop that well-known teaching renderers use:
 // glm barycentric coordinates for each pixel of the box. Canvas 512 x 512, flat color.
 
-#include <rastertrace/core/draw/fill.h>
-#include <rastertrace/core/draw/row_painter.h>
+#include <rastertrace/core/draw/paint/fill.h>
+#include <rastertrace/core/draw/paint/row_painter.h>
 #include <rastertrace/core/raster/flat_painter.h>
 
 #include <benchmark/benchmark.h>

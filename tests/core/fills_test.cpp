@@ -2,8 +2,8 @@
 #include "picture.h"
 #include "random_triangle.h"
 
-#include <rastertrace/core/draw/row_painter.h>
-#include <rastertrace/core/raster/fill_top_left.h>
+#include <rastertrace/core/draw/paint/fill_top_left.h>
+#include <rastertrace/core/draw/paint/row_painter.h>
 #include <rastertrace/core/raster/flat_painter.h>
 
 #include <gtest/gtest.h>

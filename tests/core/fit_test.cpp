@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <rastertrace/core/transform/fit.h>
+#include <rastertrace/core/draw/scene/fit.h>
 
 #include "random_choice.h"
 

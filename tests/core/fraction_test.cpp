@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <rastertrace/core/numbers/divisor.h>
-#include <rastertrace/core/numbers/scalar.h>
+#include <rastertrace/core/draw/paint/divisor.h>
+#include <rastertrace/core/numbers/conversion.h>
 
 #include <gtest/gtest.h>
 

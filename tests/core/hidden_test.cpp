@@ -5,7 +5,7 @@
 #include "random_choice.h"
 #include "random_triangle.h"
 
-#include <rastertrace/core/raster/face.h>
+#include <rastertrace/core/raster/shading.h>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -253,17 +253,6 @@ TEST(Culling, AnEyeOnTheFacesPlaneSeesNothing) {
         EXPECT_EQ(sink.faces.at("f").dot, 0);
         EXPECT_TRUE(sink.faces.at("f").is_culled);
     }
-}
-
-TEST(Culling, LeftOfALineAndOrientationOfAPolygon) {
-    using V = Vec<double, 2>;
-    EXPECT_GT(left_of<double>(V(0, 0), V(4, 0), V(1, 1)), 0);
-    EXPECT_LT(left_of<double>(V(0, 0), V(4, 0), V(1, -1)), 0);
-    EXPECT_EQ(left_of<double>(V(0, 0), V(4, 0), V(9, 0)), 0);
-    const std::vector<V> square{V(0, 0), V(2, 0), V(2, 2), V(0, 2)};
-    EXPECT_TRUE(has_positive_orientation<double>(square));
-    EXPECT_FALSE(has_positive_orientation<double>(std::vector<V>(square.rbegin(), square.rend())));
-    EXPECT_FALSE(has_positive_orientation<double>(std::vector<V>{V(0, 0), V(1, 1), V(2, 2)}));
 }
 
 // Light.

@@ -4,10 +4,10 @@
 
 #include "picture.h"
 
-#include <rastertrace/core/draw/geometry.h>
-#include <rastertrace/core/draw/pieces.h>
+#include <rastertrace/core/draw/list/geometry.h>
+#include <rastertrace/core/draw/list/pieces.h>
+#include <rastertrace/core/draw/paint/fill_top_left.h>
 #include <rastertrace/core/raster/clip.h>
-#include <rastertrace/core/raster/fill_top_left.h>
 #include <rastertrace/core/raster/flat_painter.h>
 
 #include <glm/gtc/matrix_transform.hpp>

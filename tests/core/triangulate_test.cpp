@@ -6,7 +6,7 @@
 #include "random_choice.h"
 
 #include <rastertrace/core/draw/draw.h>
-#include <rastertrace/core/scene/triangulate.h>
+#include <rastertrace/core/draw/scene/triangulate.h>
 #include <rastertrace/trace/scene_file.h>
 
 #include <gmock/gmock.h>

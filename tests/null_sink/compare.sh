@@ -1,7 +1,9 @@
 #!/bin/sh
-# compare.sh COMPILER OBJDUMP INCLUDE SOURCE: fails if removing the emissions changes the machine code.
+# compare.sh COMPILER OBJDUMP SOURCE INCLUDE...: fails if removing the emissions changes the machine code.
 set -eu
-compiler=$1 objdump=$2 include=$3 source=$4
+compiler=$1 objdump=$2 source=$3
+shift 3
+includes=$(printf -- '-I%s ' "$@")
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
@@ -10,7 +12,8 @@ disassembly() { # disassembly NAME FLAG...
     shift
     # Each function in a section of its own, and these by name: a compiler may put the same functions
     # in another order.
-    "$compiler" -std=c++20 -DNDEBUG -ffp-contract=off -ffunction-sections -w "-I$include" "$@" \
+    # shellcheck disable=SC2086  # several folders
+    "$compiler" -std=c++20 -DNDEBUG -ffp-contract=off -ffunction-sections -w $includes "$@" \
         -c "$source" -o "$folder/fill.o"
     "$objdump" -d --no-show-raw-insn "$folder/fill.o" | tail -n +4 |
         awk '/^Disassembly of section/ { section = $4 } { print section "\t" $0 }' |

@@ -35,8 +35,8 @@ template <typename Scalar> constexpr bool is_painted<ScanlineSpanned<Scalar>> = 
     if constexpr (is_painted<std::remove_cvref_t<decltype(__VA_ARGS__)>>)                          \
     (sink)(__VA_ARGS__)
 #endif
+#include <rastertrace/core/draw/paint/fill_top_left.h>
 #include <rastertrace/core/raster/fill_scanline.h>
-#include <rastertrace/core/raster/fill_top_left.h>
 #include <rastertrace/core/raster/flat_painter.h>
 
 namespace rastertrace {

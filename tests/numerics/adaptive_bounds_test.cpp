@@ -4,8 +4,8 @@
 
 #include "hill_climb.h"
 
-#include <rastertrace/core/draw/adaptive_color.h>
-#include <rastertrace/core/draw/adaptive_depth.h>
+#include <rastertrace/core/draw/filtered/adaptive_color.h>
+#include <rastertrace/core/draw/filtered/adaptive_depth.h>
 #include <rastertrace/core/raster/barycentric.h>
 #include <rastertrace/core/raster/depth.h>
 #include <rastertrace/core/raster/mixed_colors.h>

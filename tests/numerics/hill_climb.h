@@ -4,7 +4,7 @@
 // How a bound is attacked: from random inputs the search climbs to those with a larger error against
 // the bound, moving one number by a few last places or to another size.
 
-#include <rastertrace/core/numbers/scalar.h>
+#include <rastertrace/core/numbers/conversion.h>
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include "random_scene.h"
 #include "traces.h"
 
-#include <rastertrace/core/numbers/scalar.h>
+#include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/trace/diff.h>
 #include <rastertrace/trace/text.h>
 

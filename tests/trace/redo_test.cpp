@@ -7,7 +7,7 @@
 #include "random_scene.h"
 #include "traces.h"
 
-#include <rastertrace/core/draw/plan.h>
+#include <rastertrace/core/draw/plan/plan.h>
 #include <rastertrace/trace/color_text.h>
 #include <rastertrace/trace/scene_file.h>
 #include <rastertrace/trace/trace.h>

@@ -8,7 +8,7 @@
 
 #include "numbers.h"
 
-#include <rastertrace/core/scene/method.h>
+#include <rastertrace/core/draw/scene/method.h>
 #include <rastertrace/trace/formula.h>
 
 #include <cstddef>

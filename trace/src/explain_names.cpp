@@ -4,7 +4,7 @@
 #include "explanation.h"
 #include "step_text.h"
 
-#include <rastertrace/core/scene/stages.h>
+#include <rastertrace/core/draw/plan/stages.h>
 #include <rastertrace/trace/language.h>
 #include <rastertrace/trace/text.h>
 

@@ -4,8 +4,8 @@
 #include "explanation.h"
 #include "step_text.h"
 
+#include <rastertrace/core/draw/plan/stages.h>
 #include <rastertrace/core/raster/rounding.h>
-#include <rastertrace/core/scene/stages.h>
 #include <rastertrace/trace/text.h>
 
 #include <fmt/core.h>

@@ -8,8 +8,8 @@
 //     const auto ears = cuts.cut(corners, place, [&] { return name; });
 //     cuts.remarks(source);
 
-#include <rastertrace/core/scene/scene.h>
-#include <rastertrace/core/scene/triangulate.h>
+#include <rastertrace/core/draw/scene/scene.h>
+#include <rastertrace/core/draw/scene/triangulate.h>
 #include <rastertrace/trace/problem.h>
 
 #include <algorithm>

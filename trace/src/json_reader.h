@@ -10,8 +10,8 @@
 #include "json_document.h"
 #include "json_key.h"
 
+#include <rastertrace/core/draw/scene/model.h>
 #include <rastertrace/core/numbers/number.h>
-#include <rastertrace/core/transform/transform.h>
 #include <rastertrace/trace/problem.h>
 
 #include <cstddef>

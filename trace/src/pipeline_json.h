@@ -7,11 +7,11 @@
 #include "json_document.h"
 #include "json_reader.h"
 
-#include <rastertrace/core/scene/scene.h>
-#include <rastertrace/core/transform/camera.h>
-#include <rastertrace/core/transform/projection.h>
-#include <rastertrace/core/transform/transform.h>
-#include <rastertrace/core/transform/viewport.h>
+#include <rastertrace/core/draw/scene/camera.h>
+#include <rastertrace/core/draw/scene/model.h>
+#include <rastertrace/core/draw/scene/projection.h>
+#include <rastertrace/core/draw/scene/scene.h>
+#include <rastertrace/core/draw/scene/viewport.h>
 
 #include <vector>
 

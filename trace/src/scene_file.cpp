@@ -12,10 +12,10 @@
 #include "typed_digits.h"
 #include "variations.h"
 
-#include <rastertrace/core/draw/geometry.h>
-#include <rastertrace/core/draw/pieces.h>
-#include <rastertrace/core/draw/plan.h>
-#include <rastertrace/core/transform/fit.h>
+#include <rastertrace/core/draw/list/geometry.h>
+#include <rastertrace/core/draw/list/pieces.h>
+#include <rastertrace/core/draw/plan/plan.h>
+#include <rastertrace/core/draw/scene/fit.h>
 #include <rastertrace/trace/color_text.h>
 #include <rastertrace/trace/obj_file.h>
 #include <rastertrace/trace/refusal.h>

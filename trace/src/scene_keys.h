@@ -8,7 +8,7 @@
 
 #include "json_key.h"
 
-#include <rastertrace/core/transform/projection.h>
+#include <rastertrace/core/draw/scene/projection.h>
 
 #include <array>
 #include <cstddef>

@@ -5,7 +5,7 @@
 
 #include "step_text.h"
 
-#include <rastertrace/core/numbers/scalar.h>
+#include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/trace/frame.h>
 
 #include <array>

@@ -4,7 +4,7 @@
 // What sentences and workings write alike: numbers as they stand in a formula, and the primitive that
 // the formulas are about.
 
-#include <rastertrace/core/numbers/scalar.h>
+#include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/core/numbers/vec.h>
 #include <rastertrace/core/raster/image.h>
 #include <rastertrace/trace/frame.h>

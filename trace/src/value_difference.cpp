@@ -4,7 +4,7 @@
 #include "json_scanner.h"
 #include "step_text.h"
 
-#include <rastertrace/core/numbers/scalar.h>
+#include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/trace/color_text.h>
 
 #include <algorithm>

@@ -3,9 +3,9 @@
 
 #include "sheet.h"
 
-#include <rastertrace/core/numbers/scalar.h>
+#include <rastertrace/core/draw/plan/stages.h>
+#include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/core/numbers/vec.h>
-#include <rastertrace/core/scene/stages.h>
 #include <rastertrace/trace/text.h>
 
 #include <fmt/core.h>

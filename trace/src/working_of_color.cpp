@@ -3,7 +3,7 @@
 
 #include "sheet.h"
 
-#include <rastertrace/core/numbers/scalar.h>
+#include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/core/numbers/vec.h>
 #include <rastertrace/trace/color_text.h>
 #include <rastertrace/trace/text.h>

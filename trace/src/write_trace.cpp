@@ -4,8 +4,8 @@
 #include "canvas_json.h"
 
 #include <rastertrace/core/draw/draw.h>
-#include <rastertrace/core/draw/geometry.h>
-#include <rastertrace/core/draw/plan.h>
+#include <rastertrace/core/draw/list/geometry.h>
+#include <rastertrace/core/draw/plan/plan.h>
 #include <rastertrace/trace/color_text.h>
 #include <rastertrace/trace/input.h>
 #include <rastertrace/trace/method_names.h>

@@ -4,7 +4,7 @@
 #include "commands.h"
 #include "load.h"
 
-#include <rastertrace/core/draw/plan.h>
+#include <rastertrace/core/draw/plan/plan.h>
 #include <rastertrace/trace/stage_name.h>
 #include <rastertrace/trace/step_writer.h>
 #include <rastertrace/trace/text.h>

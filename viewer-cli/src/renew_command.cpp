@@ -7,7 +7,7 @@
 #include "page_files.h"
 #include "run_self.h"
 
-#include <rastertrace/core/scene/stages.h>
+#include <rastertrace/core/draw/plan/stages.h>
 #include <rastertrace/trace/input.h>
 #include <rastertrace/trace/output.h>
 #include <rastertrace/trace/process_files.h>

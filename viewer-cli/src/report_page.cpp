@@ -3,7 +3,7 @@
 
 #include "report_file.h"
 
-#include <rastertrace/core/scene/stages.h>
+#include <rastertrace/core/draw/plan/stages.h>
 #include <rastertrace/figures/plot.h>
 #include <rastertrace/figures/svg.h>
 #include <rastertrace/trace/text.h>

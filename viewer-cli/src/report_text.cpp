@@ -4,7 +4,7 @@
 #include "csv.h"
 #include "report_file.h"
 
-#include <rastertrace/core/scene/stages.h>
+#include <rastertrace/core/draw/plan/stages.h>
 #include <rastertrace/trace/text.h>
 
 #include <fmt/core.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "stress_markdown.h"
 
-#include <rastertrace/core/scene/stages.h>
+#include <rastertrace/core/draw/plan/stages.h>
 #include <rastertrace/numerics/stress.h>
 #include <rastertrace/trace/method_names.h>
 #include <rastertrace/trace/text.h>

@@ -4,7 +4,7 @@
 #include "commands.h"
 #include "load.h"
 
-#include <rastertrace/core/scene/stages.h>
+#include <rastertrace/core/draw/plan/stages.h>
 #include <rastertrace/trace/check.h>
 #include <rastertrace/trace/claims.h>
 #include <rastertrace/trace/primitive_name.h>

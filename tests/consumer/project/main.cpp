@@ -2,7 +2,7 @@
 // Uses both libraries as somebody else would: draws with the core, writes and reads a trace.
 
 #include <rastertrace/core.h>
-#include <rastertrace/core/draw/fill.h>
+#include <rastertrace/core/draw/paint/fill.h>
 #include <rastertrace/trace/frame.h>
 #include <rastertrace/trace/write_trace.h>
 

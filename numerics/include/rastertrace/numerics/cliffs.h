@@ -12,8 +12,8 @@
 // That a scene is near a cliff does not say that it falls: compared_pictures draws it with every
 // scalar and counts the pixels that do.
 
+#include <rastertrace/core/draw/scene/scene.h>
 #include <rastertrace/core/raster/canvas.h>
-#include <rastertrace/core/scene/scene.h>
 #include <rastertrace/trace/input.h>
 #include <rastertrace/trace/method_names.h>
 #include <rastertrace/trace/problem.h>

@@ -11,8 +11,8 @@
 //     }
 //     work.divides;  // 1
 
+#include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/core/numbers/fraction.h>
-#include <rastertrace/core/numbers/scalar.h>
 
 #include <compare>
 #include <concepts>
@@ -137,14 +137,17 @@ private:
 };
 
 /// Rounding asks the number itself.
-template <typename T> Index floor_index(const Counted<T>& x) {
-    return floor_index(x.value());
-}
+template <typename T> struct NumberTraits<Counted<T>> : PlainNumber<Counted<T>> {
+    static Index floor(const Counted<T>& x) { return floor_index(x.value()); }
+};
 
-/// So does the double nearest to a fraction.
-template <typename T> double depth_scalar(const Fraction<Counted<T>>& x) {
-    return to_double(Fraction<T>{x.numerator.value(), x.denominator.value()});
-}
+/// Depths of what is drawn in fractions are doubles, counted or not: the nearest ones.
+template <typename T> struct NumberTraits<Fraction<Counted<T>>> : FractionNumber<Counted<T>> {
+    using Depth = Counted<double>;
+    static Depth depth(const Fraction<Counted<T>>& x) {
+        return to_double(Fraction<T>{x.numerator.value(), x.denominator.value()});
+    }
+};
 
 /// The type that counts what is done in numbers of type Scalar. Fractions count what is done to
 /// their numerators and denominators.
@@ -161,10 +164,5 @@ template <typename Scalar> CountedOf<Scalar> as_counted(const Scalar& value) {
 template <typename Integer> Fraction<Counted<Integer>> as_counted(const Fraction<Integer>& value) {
     return {value.numerator, value.denominator};
 }
-
-/// Depths of what is drawn in fractions are doubles, counted or not.
-template <typename Integer> struct DepthScalar<Fraction<Counted<Integer>>> {
-    using type = Counted<double>;
-};
 
 } // namespace rastertrace

@@ -6,9 +6,9 @@
 //
 //     const Image exact = drawn(scene, plan_for(scene));
 
-#include <rastertrace/core/draw/plan.h>
+#include <rastertrace/core/draw/plan/plan.h>
+#include <rastertrace/core/draw/scene/scene.h>
 #include <rastertrace/core/raster/image.h>
-#include <rastertrace/core/scene/scene.h>
 
 namespace rastertrace {
 

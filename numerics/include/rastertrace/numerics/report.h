@@ -11,7 +11,7 @@
 // Errors are against exact arithmetic on the scene as typed, never against double. All but the
 // times, and what follows from times, is the same whenever it is run.
 
-#include <rastertrace/core/scene/scene.h>
+#include <rastertrace/core/draw/scene/scene.h>
 #include <rastertrace/numerics/counted.h>
 #include <rastertrace/numerics/timing.h>
 

@@ -7,7 +7,7 @@
 //     const Formula end{Lerp{.d1 = 2, .i1 = 5, .d2 = -4, .i2 = -3, .i = 2}};
 //     value_of(end);  // {-1/4}
 
-#include <rastertrace/core/numbers/scalar.h>
+#include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/core/numbers/vec.h>
 #include <rastertrace/core/raster/rounding.h>
 

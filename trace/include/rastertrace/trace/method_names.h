@@ -4,8 +4,8 @@
 // The words of a scene's "method": which keys there are, which values each takes. The scene reader,
 // the trace's header and the program's options all read this one table.
 
-#include <rastertrace/core/scene/method.h>
-#include <rastertrace/core/scene/scene.h>
+#include <rastertrace/core/draw/scene/method.h>
+#include <rastertrace/core/draw/scene/scene.h>
 #include <rastertrace/trace/problem.h>
 
 #include <span>

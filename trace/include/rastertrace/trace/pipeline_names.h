@@ -3,8 +3,8 @@
 
 // The names that scene files and traces have for projections and viewports.
 
-#include <rastertrace/core/transform/projection.h>
-#include <rastertrace/core/transform/viewport.h>
+#include <rastertrace/core/draw/scene/projection.h>
+#include <rastertrace/core/draw/scene/viewport.h>
 
 #include <optional>
 #include <string_view>

@@ -6,8 +6,8 @@
 //     if (const auto unfit = find_unfit(scene))
 //         refusal_of(scene, *unfit).message;  // "expected coordinates up to ..., found ..."
 
-#include <rastertrace/core/draw/plan.h>
-#include <rastertrace/core/scene/scene.h>
+#include <rastertrace/core/draw/plan/plan.h>
+#include <rastertrace/core/draw/scene/scene.h>
 
 #include <string>
 

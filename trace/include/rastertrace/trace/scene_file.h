@@ -6,8 +6,8 @@
 //     const auto read = read_scene({"first.json", text});
 //     draw(read.value().scene, read.value().plan, listener);
 
-#include <rastertrace/core/draw/plan.h>
-#include <rastertrace/core/scene/scene.h>
+#include <rastertrace/core/draw/plan/plan.h>
+#include <rastertrace/core/draw/scene/scene.h>
 #include <rastertrace/trace/input.h>
 #include <rastertrace/trace/method_names.h>
 #include <rastertrace/trace/problem.h>

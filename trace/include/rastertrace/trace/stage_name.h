@@ -5,7 +5,7 @@
 //
 //     stage_named("depth");  // Stage::depth
 
-#include <rastertrace/core/scene/stage.h>
+#include <rastertrace/core/draw/scene/stage.h>
 
 #include <optional>
 #include <string_view>

@@ -12,9 +12,9 @@
 // when it is full: memory does not grow with the number of steps. A step that the filter leaves out
 // is never formatted.
 
-#include <rastertrace/core/numbers/quantity.h>
+#include <rastertrace/core/draw/scene/method.h>
+#include <rastertrace/core/draw/tell/quantity.h>
 #include <rastertrace/core/raster/steps.h>
-#include <rastertrace/core/scene/method.h>
 #include <rastertrace/trace/color_text.h>
 #include <rastertrace/trace/format_number.h>
 #include <rastertrace/trace/output.h>

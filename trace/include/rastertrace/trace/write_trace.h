@@ -7,9 +7,9 @@
 //     StringOutput out(text);
 //     write_trace(scene, {}, out);
 
-#include <rastertrace/core/draw/plan.h>
+#include <rastertrace/core/draw/plan/plan.h>
+#include <rastertrace/core/draw/scene/scene.h>
 #include <rastertrace/core/raster/image.h>
-#include <rastertrace/core/scene/scene.h>
 #include <rastertrace/trace/output.h>
 #include <rastertrace/trace/problem.h>
 #include <rastertrace/trace/step_writer.h>

@@ -13,9 +13,9 @@
 // docs/regression-tests.md begins at the beginning. A question that cannot be answered (a file that is missing, a
 // name that nothing has) fails the test, also within Not().
 
+#include <rastertrace/core/draw/scene/scene.h>
 #include <rastertrace/core/numbers/number.h>
 #include <rastertrace/core/raster/canvas.h>
-#include <rastertrace/core/scene/scene.h>
 #include <rastertrace/trace/method_names.h>
 #include <rastertrace/trace/problem.h>
 #include <rastertrace/trace/trace.h>

@@ -65,4 +65,24 @@ template <typename Integer> struct Fraction {
     }
 };
 
+template <typename Scalar> inline constexpr bool is_fraction = false;
+template <typename Integer> inline constexpr bool is_fraction<Fraction<Integer>> = true;
+
+using Fraction64 = Fraction<std::int64_t>;
+using Fraction128 = Fraction<Int128>;
+
+/// The double nearest to above/below, for a positive divisor.
+double nearest_quotient(Int128 above, Int128 below);
+
+/// The double nearest to a fraction.
+template <typename Integer> double to_double(const Fraction<Integer>& number) {
+    // A quotient of two doubles is rounded once.
+    const auto is_double = [](Integer whole) {
+        return -(Integer{1} << 53) <= whole && whole <= (Integer{1} << 53);
+    };
+    if (is_double(number.numerator) && is_double(number.denominator))
+        return static_cast<double>(number.numerator) / static_cast<double>(number.denominator);
+    return nearest_quotient(number.numerator, number.denominator);
+}
+
 } // namespace rastertrace

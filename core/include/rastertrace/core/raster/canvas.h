@@ -38,19 +38,11 @@
 // Whatever the origin, rows are counted from the top of the picture, and pixels are visited from the top
 // row to the bottom row (two-halves: from the bottom), from left to right in a row.
 
+#include <rastertrace/core/numbers/index.h>
+
 #include <cstddef>
-#include <cstdint>
 
 namespace rastertrace {
-
-/// A pixel's column or row before it is known to lie on a canvas. Every value that a rounding rule
-/// returns lies within +-`farthest_index`, and every value within it is a whole double and a whole
-/// number to every JSON reader.
-using Index = std::int64_t;
-
-/// The largest index, 2^53 - 1: a coordinate farther out is given this index (it is off every
-/// canvas).
-inline constexpr Index farthest_index = 9'007'199'254'740'991;
 
 /// A pixel on a canvas, by its integer point in the scene's coordinates.
 struct Pixel {

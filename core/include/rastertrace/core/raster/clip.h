@@ -12,14 +12,31 @@
 #include <rastertrace/core/numbers/scalar.h>
 #include <rastertrace/core/numbers/vec.h>
 #include <rastertrace/core/raster/image.h>
-#include <rastertrace/core/raster/line.h>
-#include <rastertrace/core/transform/projection.h>
+#include <rastertrace/core/raster/rounding.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 namespace rastertrace {
+
+/// A side of the space that can be seen. A point in clip space lies on the side that is seen, or on
+/// the plane, if a x + b y + c z + d w + e is not negative.
+template <typename Scalar> struct ClipPlane {
+    std::string_view name; ///< near, far, left, right, bottom, top
+    Vec<Scalar, 4> factors;
+    Scalar constant;
+
+    Scalar value_at(const Vec<Scalar, 4>& p) const {
+        return factors.x * p.x + factors.y * p.y + factors.z * p.z + factors.w * p.w + constant;
+    }
+
+    /// True if the point can be seen as far as this plane goes.
+    bool has_inside(const Vec<Scalar, 4>& p) const {
+        return !(value_at(p) < scalar_from<Scalar>(0));
+    }
+};
 
 /// A corner of a polygon in clip space.
 template <typename Scalar> struct ClipVertex {

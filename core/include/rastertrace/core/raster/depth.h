@@ -423,10 +423,4 @@ private:
         edges_; ///< those between 0 and 1, 0 and 2, 1 and 2
 };
 
-/// Filtered doubles have forms of their own: adaptive_depth.h.
-template <> class DepthBuffer<Adaptive>;
-template <> struct DepthRow<Adaptive>;
-template <> class DepthEdge<Adaptive>;
-template <> class DepthPlane<Adaptive>;
-
 } // namespace rastertrace

@@ -55,10 +55,6 @@ Edge<Scalar> edge_between(const Vertex<Scalar>& from, const Vertex<Scalar>& to) 
             .dx_dy = is_horizontal ? zero : Scalar(dx / dy)};
 }
 
-/// Filtered doubles have a form of their own: adaptive_edge.h.
-template <> struct Edge<Adaptive>;
-template <> Edge<Adaptive> edge_between(const Vertex<Adaptive>& from, const Vertex<Adaptive>& to);
-
 /// The vertices from the top of the picture to its bottom; on one height, from left to right. The
 /// order in which the scene names them makes no difference to the edges, nor to any pixel. Always
 /// inline: handed over in memory, three vertices cost as much as all else in a small triangle.

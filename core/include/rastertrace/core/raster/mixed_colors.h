@@ -88,7 +88,4 @@ template <typename Scalar> struct MixedColors {
     }
 };
 
-/// Filtered doubles have a form of their own: adaptive_color.h.
-template <> struct MixedColors<Adaptive>;
-
 } // namespace rastertrace

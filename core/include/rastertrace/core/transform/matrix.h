@@ -12,7 +12,6 @@
 
 #include <array>
 #include <cstddef>
-#include <span>
 #include <string_view>
 
 namespace rastertrace {
@@ -71,9 +70,5 @@ template <typename Scalar> struct MatrixFactor {
     std::string_view name; ///< scale, translate, rotate, shear, perspective, flip
     Matrix<Scalar> matrix;
 };
-
-/// The product of the factors in this order, so that the last one moves a point first. Of none, the
-/// identity.
-Matrix<Rational> product_of(std::span<const MatrixFactor<Rational>> factors);
 
 } // namespace rastertrace

@@ -13,88 +13,91 @@
 //
 // Sources: pinhole, T0; view-plane, T4 (Mpt = Mp Mt); orthographic and frustum, glm::ortho,
 // glm::frustum and glm::perspective for right-handed space and z from -1 to 1.
+//
+//     pinhole(2.0) * Vec<double, 4>{1, 1, 4, 1};  // (2, 2, 2, 4): x/w = 1/2
 
-#include <rastertrace/core/numbers/irrational.h>
-#include <rastertrace/core/numbers/number.h>
 #include <rastertrace/core/numbers/scalar.h>
 #include <rastertrace/core/numbers/vec.h>
-#include <rastertrace/core/raster/canvas.h>
-#include <rastertrace/core/transform/camera.h>
 #include <rastertrace/core/transform/matrix.h>
 
+#include <array>
 #include <optional>
-#include <string_view>
-#include <vector>
 
 namespace rastertrace {
 
-enum class ProjectionType { none, orthographic, pinhole, view_plane, frustum };
+/// The sides of what is shown: of an orthographic view, or of a frustum at its near plane.
+template <typename Scalar> struct ViewSides { Scalar left, right, bottom, top; };
 
-/// How the camera's space is projected. What a type does not use is not read.
-struct Projection {
-    ProjectionType type = ProjectionType::none;
-    Number distance = 1;              ///< pinhole, view-plane: from the eye to the view plane
-    std::optional<Number> fov_y = {}; ///< frustum: the vertical field of view in degrees, or
-    Number left = -1;                 ///< these, at the distance `near`
-    Number right = 1;
-    Number bottom = -1;
-    Number top = 1;
-    std::optional<Number> near = {}; ///< orthographic: none clips nothing
-    std::optional<Number> far = {};  ///< none is infinitely far
+/// The distances from the eye between which something is shown.
+template <typename Scalar> struct ViewRange {
+    std::optional<Scalar> near = {}; ///< none: orthographic only; nothing is clipped
+    std::optional<Scalar> far = {};  ///< none: infinitely far
 };
 
-/// A pinhole or a view plane without `near` shows nothing nearer to the eye than this part of the
-/// view plane's distance: what lies at the eye itself has no place on the plane.
-inline constexpr int near_part_of_distance = 1000;
-
-inline bool is_perspective(ProjectionType type) {
-    return type == ProjectionType::pinhole || type == ProjectionType::view_plane ||
-           type == ProjectionType::frustum;
+/// Scale and translation of an orthographic view. Without near or far, z is only turned.
+template <typename Scalar>
+std::array<MatrixFactor<Scalar>, 2> orthographic(const ViewSides<Scalar>& sides,
+                                                 const ViewRange<Scalar>& range) {
+    const auto& [left, right, bottom, top] = sides;
+    const auto& [near, far] = range;
+    const Scalar zero = scalar_from<Scalar>(0);
+    const Scalar one = scalar_from<Scalar>(1);
+    const Scalar two = scalar_from<Scalar>(2);
+    const bool has_depth = near && far;
+    const Scalar z_scale = has_depth ? Scalar(-two / (*far - *near)) : Scalar(-one);
+    const Scalar z_shift = has_depth ? Scalar((*far + *near) / two) : zero;
+    return {{{"scale", diagonal<Scalar>(Scalar(two / (right - left)), Scalar(two / (top - bottom)),
+                                        z_scale, one)},
+             {"translate", translation<Scalar>({Scalar(-(left + right) / two),
+                                                Scalar(-(bottom + top) / two), z_shift})}}};
 }
 
-inline ViewAxis view_axis_of(ProjectionType type) {
-    return type == ProjectionType::pinhole ? ViewAxis::plus_z : ViewAxis::minus_z;
+/// A pinhole at the distance `d` before its view plane.
+template <typename Scalar> Matrix<Scalar> pinhole(const Scalar& d) {
+    const Scalar zero = scalar_from<Scalar>(0);
+    const Scalar one = scalar_from<Scalar>(1);
+    return {{{{d, zero, zero, zero},
+              {zero, d, zero, zero},
+              {zero, zero, one, Scalar(-d)},
+              {zero, zero, one, zero}}}};
 }
 
-/// True if the matrix is not exact.
-bool is_rounded(const Projection& projection);
+/// T4's Mp Mt: the eye at the distance `d` before the view plane.
+template <typename Scalar> std::array<MatrixFactor<Scalar>, 2> view_plane(const Scalar& d) {
+    const Scalar zero = scalar_from<Scalar>(0);
+    Matrix<Scalar> perspective = identity<Scalar>();
+    perspective.rows[3][2] = -scalar_from<Scalar>(1) / d;
+    return {{{"perspective", perspective}, {"translate", translation<Scalar>({zero, zero, d})}}};
+}
 
-/// The nearest distance from the eye that is shown; nothing if everything is.
-std::optional<Rational> near_of(const Projection& projection);
+/// A frustum through these sides at the near plane. Infinitely far is the limit of the finite formulas.
+template <typename Scalar>
+Matrix<Scalar> frustum(const ViewSides<Scalar>& sides, const ViewRange<Scalar>& range) {
+    const auto& [left, right, bottom, top] = sides;
+    const Scalar& near = *range.near;
+    const auto& far = range.far;
+    const Scalar zero = scalar_from<Scalar>(0);
+    const Scalar one = scalar_from<Scalar>(1);
+    const Scalar two = scalar_from<Scalar>(2);
+    const Scalar z_scale = far ? Scalar(-(*far + near) / (*far - near)) : Scalar(-one);
+    const Scalar z_shift = far ? Scalar(-two * *far * near / (*far - near)) : Scalar(-two * near);
+    return {{{{Scalar(two * near / (right - left)), zero, Scalar((right + left) / (right - left)),
+               zero},
+              {zero, Scalar(two * near / (top - bottom)), Scalar((top + bottom) / (top - bottom)),
+               zero},
+              {zero, zero, z_scale, z_shift},
+              {zero, zero, Scalar(-one), zero}}}};
+}
 
-std::optional<Rational> far_of(const Projection& projection);
-
-/// What a projection is a product of: T4's Mp Mt of a view plane, scale and translation of an
-/// orthographic one; the others are one matrix. The canvas gives the frustum of a field of view its
-/// width.
-std::vector<MatrixFactor<Rational>> factors_of(const Projection& projection, const Canvas& canvas);
-
-/// The product of the factors.
-Matrix<Rational> projection_matrix(const Projection& projection, const Canvas& canvas);
-
-/// A side of the space that can be seen. A point in clip space lies on the side that is seen, or on
-/// the plane, if a x + b y + c z + d w + e is not negative.
-template <typename Scalar> struct ClipPlane {
-    std::string_view name; ///< near, far, left, right, bottom, top
-    Vec<Scalar, 4> factors;
-    Scalar constant;
-
-    Scalar value_at(const Vec<Scalar, 4>& p) const {
-        return factors.x * p.x + factors.y * p.y + factors.z * p.z + factors.w * p.w + constant;
-    }
-
-    /// True if the point can be seen as far as this plane goes.
-    bool has_inside(const Vec<Scalar, 4>& p) const {
-        return !(value_at(p) < scalar_from<Scalar>(0));
-    }
-};
-
-/// The planes of a projection. Near and far are distances from the eye, which in a perspective
-/// are a multiple of w, and so are told by w, without z's rounding. The four sides stand
-/// `guard` x (half the canvas) away from the middle: what lies nearer is left to the fill, which
-/// drops it pixel by pixel; what lies beyond would be too far out for it.
-std::vector<ClipPlane<Rational>> clip_planes(const Projection& projection,
-                                             const Rational& half_width,
-                                             const Rational& half_height, const Rational& guard);
+/// A frustum by its field of view: y is scaled by the cotangent of half its angle, x by that over the
+/// aspect, width over height.
+template <typename Scalar>
+Matrix<Scalar> frustum_of_view(const Scalar& cotangent, const Scalar& aspect,
+                               const ViewRange<Scalar>& range) {
+    const Scalar& near = *range.near;
+    const Scalar x = near * aspect / cotangent;
+    const Scalar y = near / cotangent;
+    return frustum<Scalar>({Scalar(-x), x, Scalar(-y), y}, range);
+}
 
 } // namespace rastertrace

@@ -7,44 +7,37 @@
 //     pixels-per-unit:  x = x s                          y = y s, on a canvas with the origin in its
 //                                                        center
 //
-// Sources: fit, T4 (flip y, shift by 1, scale by (W - 1)/2 and (H - 1)/2); pixels-per-unit, T0.
+// Sources: fit, T4 (flip y, shift by 1, scale by (W - 1)/2 and (H - 1)/2); pixels-per-unit, T0: scaling.
 
-#include <rastertrace/core/numbers/number.h>
 #include <rastertrace/core/numbers/scalar.h>
 #include <rastertrace/core/raster/canvas.h>
 #include <rastertrace/core/transform/matrix.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace rastertrace {
 
-enum class ViewportType {
-    none, ///< canonical coordinates are pixels
-    fit,
-    pixels_per_unit,
-};
-
-struct Viewport {
-    ViewportType type = ViewportType::none;
-    Number pixels_per_unit = 1;
-};
-
-/// Where screen vertices go before anything is drawn.
-enum class Snap {
-    none,
-    floor,
-    truncate, ///< toward zero
-    nearest,  ///< a half goes as `ties` says, up if it says nothing
-};
-
-/// What a viewport is a product of: T4's scale, translation and flip of `fit`, or the scale of
-/// `pixels-per-unit`.
-std::vector<MatrixFactor<Rational>> factors_of(const Viewport& viewport, const Canvas& canvas);
-
-/// The product of the factors.
-Matrix<Rational> viewport_matrix(const Viewport& viewport, const Canvas& canvas);
-
-/// Half the canvas in canonical units (all of it without a viewport): `extent` is its width or height.
-Rational half_extent(const Viewport& viewport, int extent);
+/// What `fit` is the product of: T4's flip, translation and scale, and the way to the corner of a canvas
+/// that does not begin at (0, 0). The last one moves a point first.
+template <typename Scalar> std::vector<MatrixFactor<Scalar>> fit_to(const Canvas& canvas) {
+    const Scalar zero = scalar_from<Scalar>(0);
+    const Scalar one = scalar_from<Scalar>(1);
+    const Scalar two = scalar_from<Scalar>(2);
+    const int lowest_y = std::min(canvas.top(), canvas.bottom());
+    std::vector<MatrixFactor<Scalar>> factors;
+    if (canvas.left() != 0 || lowest_y != 0)
+        factors.push_back(
+            {"translate", translation<Scalar>({scalar_from<Scalar>(canvas.left()),
+                                               scalar_from<Scalar>(lowest_y), zero})});
+    factors.push_back(
+        {"scale",
+         diagonal<Scalar>(Scalar(scalar_from<Scalar>(canvas.width - 1) / two),
+                          Scalar(scalar_from<Scalar>(canvas.height - 1) / two), one, one)});
+    factors.push_back({"translate", translation<Scalar>({one, one, zero})});
+    if (canvas.down() > 0)
+        factors.push_back({"flip", diagonal<Scalar>(one, Scalar(-one), one, one)});
+    return factors;
+}
 
 } // namespace rastertrace

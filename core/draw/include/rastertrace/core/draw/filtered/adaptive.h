@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A filtered double: it has a bound on its error. As long as that decides every comparison, drawing costs
+// little more than with doubles; where it does not, Undecided is thrown, and what could not be
+// decided is done again with exact numbers (exactly.h). So every decision is the one that exact
+// arithmetic takes.
+//
+//     const Adaptive third = Adaptive(1) / Adaptive(3);  // 0.333..., off by at most 2^-54 or so
+//     third < Adaptive(0.5);                             // true
+//     third * Adaptive(3) < Adaptive(1);                 // throws Undecided
+//
+// Each operation adds to the bound what it rounds: half a unit in the last place of its result (IEEE
+// 754), and for a sum the rounding error itself, which is a double (two-sum: Knuth; Shewchuk 1997,
+// theorem 7). Bounds are rounded, too, and are widened for that. A filter with exact arithmetic
+// behind it: Fortune and Van Wyk 1993; CGAL's Filtered_kernel.
+
+#include <rastertrace/core/draw/tell/quantity.h>
+#include <rastertrace/core/numbers/conversion.h>
+
+#include <cmath>
+#include <compare>
+#include <limits>
+#include <optional>
+
+namespace rastertrace {
+
+template <typename Scalar> struct Edge;
+template <typename Scalar> class SampleGrid;
+template <typename Scalar> struct MixedColors;
+template <typename Scalar> class DepthBuffer;
+template <typename Scalar> struct DepthRow;
+template <typename Scalar> class DepthEdge;
+template <typename Scalar> class DepthPlane;
+
+/// What is thrown where a bound leaves it open which of two numbers is the larger one.
+struct Undecided {
+    double difference; ///< of the two, as it was calculated
+    double error;      ///< that it may be off by
+};
+
+// The pages of raster/ and paint/ that have a form of their own for it: adaptive_edge.h, adaptive_depth.h
+// and adaptive_color.h.
+class Adaptive;
+template <> struct Edge<Adaptive>;
+template <> class SampleGrid<Adaptive>;
+template <> struct MixedColors<Adaptive>;
+template <> class DepthBuffer<Adaptive>;
+template <> struct DepthRow<Adaptive>;
+template <> class DepthEdge<Adaptive>;
+template <> class DepthPlane<Adaptive>;
+
+/// A double with a bound on its distance from the number that it stands for. Two doubles wide, so that
+/// it is handed over in registers. What has left the doubles has a bound that is infinite or no number,
+/// and so decides nothing.
+class Adaptive {
+public:
+    Adaptive() = default;
+
+    /// A double that is off by at most `error`.
+    explicit Adaptive(double value, double error = 0) : value_(value), error_(error) {}
+
+    double value() const { return value_; }
+    double error() const { return error_; }
+
+    /// It is told as the double that stands for it.
+    operator Quantity() const { return value_; } // NOLINT: as every number is
+
+    [[gnu::always_inline]] friend inline Adaptive operator+(Adaptive a, Adaptive b) {
+        const double sum = a.value_ + b.value_;
+        const double of_b = sum - a.value_;
+        const double rounded_off = (a.value_ - (sum - of_b)) + (b.value_ - of_b);
+        return Adaptive(sum, (a.error_ + b.error_ + std::abs(rounded_off)) * widening);
+    }
+
+    friend Adaptive operator-(Adaptive a) { return Adaptive(-a.value_, a.error_); }
+
+    [[gnu::always_inline]] friend inline Adaptive operator-(Adaptive a, Adaptive b) {
+        return a + -b;
+    }
+
+    [[gnu::always_inline]] friend inline Adaptive operator*(Adaptive a, Adaptive b) {
+        const double product = a.value_ * b.value_;
+        const double of_factors =
+            std::abs(a.value_) * b.error_ + std::abs(b.value_) * a.error_ + a.error_ * b.error_;
+        // Nothing is rounded off where a factor is 0 or 1, as most entries of matrices are.
+        const double rounded_off = a.is_trivial_factor() || b.is_trivial_factor()
+                                       ? 0
+                                       : std::abs(product) * half_ulp + smallest_error;
+        return Adaptive(product, (of_factors + rounded_off) * widening);
+    }
+
+    /// b must not be 0.
+    friend Adaptive operator/(Adaptive a, Adaptive b) {
+        const double quotient = a.value_ / b.value_;
+        // (a + da)/(b + db) - a/b = (da - (a/b) db)/(b + db).
+        const double nearest_to_zero = (std::abs(b.value_) - b.error_) / widening;
+        if (!(nearest_to_zero > smallest_divisor)) [[unlikely]]
+            leave_open(b.value_, b.error_);
+        // A coordinate typed as 0 stays one, and what is divided by a w of 1 stays what it is.
+        if ((a.value_ == 0 && a.error_ == 0) || (b.value_ == 1 && b.error_ == 0))
+            return a;
+        // The product may be too small for a double, and the divisor smaller still.
+        const double of_terms = (a.error_ + std::abs(quotient) * b.error_ + smallest_product) *
+                                widening / nearest_to_zero;
+        return Adaptive(quotient,
+                        (of_terms + std::abs(quotient) * half_ulp + smallest_error) * widening);
+    }
+
+    Adaptive& operator+=(Adaptive b) { return *this = *this + b; }
+
+    /// start + slope (at - from): the same as with the operators above, and with one bound for all
+    /// three.
+    [[gnu::always_inline]] friend inline Adaptive linear(Adaptive start, Adaptive slope,
+                                                         Adaptive at, Adaptive from) {
+        const double way = at.value_ - from.value_;
+        const double rise = slope.value_ * way;
+        const double value = start.value_ + rise;
+        const double of_way = at.error_ + from.error_ + std::abs(way) * half_ulp;
+        const double of_rise = (std::abs(slope.value_) + slope.error_) * of_way +
+                               slope.error_ * std::abs(way) + smallest_error;
+        return Adaptive(value,
+                        (start.error_ + of_rise + (std::abs(rise) + std::abs(value)) * half_ulp) *
+                            widening);
+    }
+
+    /// Which is the larger one, if that can be told.
+    [[gnu::always_inline]] friend inline std::optional<std::strong_ordering> order_of(Adaptive a,
+                                                                                      Adaptive b) {
+        const double difference = a.value_ - b.value_;
+        const double error = a.error_ + b.error_;
+        if (std::abs(difference) > error * widening) [[likely]]
+            return difference < 0 ? std::strong_ordering::less : std::strong_ordering::greater;
+        if (error == 0)
+            return std::strong_ordering::equal;
+        return std::nullopt;
+    }
+
+    friend bool operator==(Adaptive a, Adaptive b) { return (a <=> b) == 0; }
+
+    /// Throws Undecided.
+    [[gnu::always_inline]] friend inline std::strong_ordering operator<=>(Adaptive a, Adaptive b) {
+        const auto order = order_of(a, b);
+        if (!order) [[unlikely]]
+            leave_open(a.value_ - b.value_, a.error_ + b.error_);
+        return *order;
+    }
+
+    /// Throws Undecided.
+    [[noreturn, gnu::noinline, gnu::cold]] static void leave_open(double difference, double error) {
+        throw Undecided{difference, error};
+    }
+
+    /// Of the last place of a double: 2^-53.
+    static constexpr double half_ulp = std::numeric_limits<double>::epsilon() / 2;
+
+    /// A bound that has been added up from fewer than a dozen terms is widened by this for what they
+    /// have been rounded by.
+    static constexpr double widening = 1 + 16 * std::numeric_limits<double>::epsilon();
+
+    /// What is rounded off a number that is too small for half a unit in its last place, with room
+    /// to spare.
+    static constexpr double smallest_error = 0x1p-1000;
+
+private:
+    static constexpr double smallest_divisor = 0x1p-900;
+    static constexpr double smallest_product = std::numeric_limits<double>::min();
+
+    /// 0, 1 and -1 are what has its absolute value for a square.
+    bool is_trivial_factor() const { return error_ == 0 && value_ * value_ == std::abs(value_); }
+
+    double value_ = 0;
+    double error_ = 0;
+};
+
+/// What the difference of two products p q is off by, if no p is larger than this and off by more than
+/// of_p, and no q likewise. Each product is rounded by half a unit in its last place, and so is their
+/// difference, which may be twice as large.
+inline double error_of_products(double p, double of_p, double q, double of_q) {
+    return (2 * (p * of_q + q * of_p + of_p * of_q) + 4 * Adaptive::half_ulp * p * q +
+            Adaptive::smallest_error) *
+           Adaptive::widening;
+}
+
+/// The double nearest to a number that is no double: off by half a unit in its last place, which among
+/// the subnormal numbers is half of the smallest one.
+inline Adaptive rounded_to(double nearest) {
+    return Adaptive(nearest, std::abs(nearest) * Adaptive::half_ulp +
+                                 std::numeric_limits<double>::denorm_min());
+}
+
+template <> struct NumberTraits<Adaptive> : PlainNumber<Adaptive> {
+    static Adaptive from(Index whole) {
+        return std::abs(whole) <= (Index{1} << 53) ? Adaptive(static_cast<double>(whole))
+                                                   : rounded_to(static_cast<double>(whole));
+    }
+
+    /// Throws Undecided if the bound reaches over a whole number, or the number lies beyond the indices.
+    [[gnu::always_inline]] static inline Index floor(Adaptive x) {
+        if (!(std::abs(x.value()) < static_cast<double>(farthest_index))) [[unlikely]] {
+            if (x.error() == 0)
+                return floor_index(x.value());
+            Adaptive::leave_open(x.value(), x.error());
+        }
+        const auto toward_zero = static_cast<Index>(x.value());
+        const Index index =
+            static_cast<double>(toward_zero) > x.value() ? toward_zero - 1 : toward_zero;
+
+        // How far to the whole numbers on both sides: exactly, as far as it is less than a half.
+        const auto below = static_cast<double>(index);
+        const double from_below = x.value() - below;
+        const double to_next = below + 1 - x.value();
+        const double error = x.error() * Adaptive::widening;
+        if (!(error <= from_below && error < to_next)) [[unlikely]]
+            Adaptive::leave_open(from_below < to_next ? from_below : -to_next, x.error());
+        return index;
+    }
+};
+
+/// The nearest double, and how far off it is.
+template <> struct Conversion<Adaptive> {
+    static Adaptive of(const Rational& exact) {
+        const double value = nearest_double(exact);
+        return std::isfinite(value) && Rational(value) == exact ? Adaptive(value)
+                                                                : rounded_to(value);
+    }
+    static Adaptive of(const Number& number) {
+        const double value = number.nearest_double();
+        return number.is_exactly(value) ? Adaptive(value) : rounded_to(value);
+    }
+    static Adaptive of(Adaptive number) { return number; }
+};
+
+/// A number as typed or as worked out, with its error; an Adaptive has one already.
+template <typename Coordinate> Adaptive with_error(const Coordinate& number) {
+    return Conversion<Adaptive>::of(number);
+}
+
+inline double to_double(Adaptive number) {
+    return number.value();
+}
+
+inline double error_of(Adaptive number) {
+    return number.error();
+}
+
+/// Throws Undecided if a number has left the doubles.
+inline void require_finite(Adaptive number) {
+    if (!std::isfinite(number.value()) || !std::isfinite(number.error()))
+        Adaptive::leave_open(number.value(), number.error());
+}
+
+inline bool surely_differ(Adaptive a, Adaptive b) {
+    const auto order = order_of(a, b);
+    return order && *order != 0;
+}
+
+inline bool may_differ(Adaptive a, Adaptive b) {
+    const auto order = order_of(a, b);
+    return !order || *order != 0;
+}
+
+} // namespace rastertrace

@@ -1,0 +1,471 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Depths in filtered doubles, and the buffer that they are tested against. The formulas
+// are those of depth.h, in an order in which nothing gets larger or smaller than the depths are; in place
+// of an error for every operation there is one for a whole row, edge or triangle. u is 2^-53, what a
+// result may be rounded by, relative to it.
+//
+//     DepthBuffer<Adaptive> buffer(region, rule);
+//     buffer.ask(is_nearer);  // who decides what errors leave open
+
+#include <rastertrace/core/draw/filtered/adaptive.h>
+#include <rastertrace/core/numbers/conversion.h>
+#include <rastertrace/core/numbers/vec.h>
+#include <rastertrace/core/raster/canvas.h>
+#include <rastertrace/core/raster/depth.h>
+#include <rastertrace/core/raster/sink.h>
+#include <rastertrace/core/raster/steps.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace rastertrace {
+
+/// One double per pixel, and which piece it is of: where the errors of two depths leave it open which
+/// one is nearer, the exact depths of the two pieces are asked for.
+template <> class DepthBuffer<Adaptive> {
+public:
+    /// Says whether the first piece is nearer than the second one, or than a clear cell if there is
+    /// none, in the pixel at this x and row.
+    using IsNearer = std::function<bool(std::uint32_t piece, std::optional<std::uint32_t> stored,
+                                        int x, int row)>;
+
+    /// Says how deep a piece lies in a pixel, exactly; or a clear cell.
+    using ExactDepth = std::function<Rational(std::optional<std::uint32_t> piece, int x, int row)>;
+
+    /// It always remembers whose depths it has.
+    DepthBuffer(const DepthRegion& region, const DepthRule<Adaptive>& rule, bool = true)
+        : region_(region), rule_(rule),
+          cells_(static_cast<std::size_t>(region.width) * static_cast<std::size_t>(region.height),
+                 rule.cleared ? turned(*rule.cleared).value()
+                              : std::numeric_limits<double>::infinity()),
+          pieces_(cells_.size(), no_piece),
+          largest_error_(rule.cleared ? rule.cleared->error() : 0) {}
+
+    void ask(IsNearer is_nearer, ExactDepth exact_depth) {
+        is_nearer_ = std::move(is_nearer);
+        exact_depth_ = std::move(exact_depth);
+    }
+
+    /// The depths that follow are of this piece.
+    void begin(std::uint32_t piece) { piece_ = piece; }
+
+    /// How many tests have been decided exactly.
+    std::uint64_t exact_tests() const { return exact_tests_; }
+
+    /// Depths may be worked out in exact numbers, too.
+    bool larger_passes() const { return rule_.larger_passes; }
+    template <typename Depth> Depth turned(const Depth& depth) const {
+        return rastertrace::turned(depth, rule_.larger_passes);
+    }
+    template <typename Depth> static Adaptive compared(const Depth& depth) {
+        return with_error(depth);
+    }
+    static const DepthRow<Adaptive>& compared(const DepthRow<Adaptive>& row, int, int);
+    static DepthRow<Adaptive> compared(const DepthRow<Rational>& row, int from, int to);
+
+    double* row_from(int x, int row) {
+        return cells_.data() + static_cast<std::ptrdiff_t>(row - region_.top_row) * region_.width +
+               (x - region_.left);
+    }
+
+    /// The same as in depth.h, but for what doubles leave open: that is asked exactly.
+    [[gnu::always_inline]] bool is_nearer(const double& cell, Adaptive depth) {
+        const double difference = cell - depth.value();
+        const double error = (depth.error() + largest_error_) * Adaptive::widening;
+        if (difference > error)
+            return true;
+        if (-difference > error) [[likely]]
+            return false;
+        return passes_when_near(index_of(cell), error == 0);
+    }
+
+    bool hides(const double& cell, Adaptive depth) { return hides(cell, depth, piece_); }
+
+    [[gnu::always_inline]] bool keep_if_nearer(double& cell, Adaptive depth) {
+        if (!is_nearer(cell, depth))
+            return false;
+        cell = depth.value();
+        pieces_[index_of(cell)] = piece_;
+        widen_largest_error(depth.error());
+        return !is_behind_thin(cell, depth, Thickness::face);
+    }
+
+    bool is_behind_thin(const double& cell, Adaptive depth, Thickness thickness) {
+        const Thin* const thin = thin_in(cell);
+        if (!thin)
+            return false;
+        const bool is_thinner = thickness < thin->thickness;
+        if (const auto order = order_of(depth, thin->depth))
+            return is_thinner ? *order > 0 : *order >= 0;
+        return is_thinner ? is_nearer_exactly(thin->piece, piece_, index_of(cell))
+                          : !is_nearer_exactly(piece_, thin->piece, index_of(cell));
+    }
+
+    std::optional<std::uint32_t> thin_owner_of(const double& cell) const {
+        const Thin* const thin = thin_in(cell);
+        return thin ? std::optional(thin->piece) : std::nullopt;
+    }
+
+    void keep_thin(const double& cell, Adaptive depth, Thickness thickness) {
+        thin_[index_of(cell)] = {depth, thickness, piece_};
+    }
+
+    /// Tests a face's row, all of whose depths have one error: calls `keep(x)` where they pass. No pixel has a
+    /// depth of this piece yet.
+    template <typename Keep>
+    void keep_nearer(int row, int first, int last, const DepthRow<Adaptive>& depths, Keep&& keep);
+
+    std::optional<Adaptive> stored(const double& cell) const {
+        if (!rule_.cleared && pieces_[index_of(cell)] == no_piece)
+            return std::nullopt;
+        return Adaptive(rule_.larger_passes ? -cell : cell, largest_error_);
+    }
+
+    bool has(int x, int row) const { return region_.has(x, row); }
+
+    /// The face that a cell has its depth from, if one has been drawn there.
+    std::optional<std::uint32_t> owner_of(const double& cell) const {
+        const std::uint32_t piece = pieces_[index_of(cell)];
+        return piece == no_piece ? std::nullopt : std::optional(piece);
+    }
+
+    /// Decides about a depth by `test()`, and tells both depths: as doubles if these have decided, else
+    /// exactly.
+    template <typename Test, typename Sink>
+    bool decide_and_tell(Pixel pixel, int row, const double& cell, Adaptive depth, Test&& test,
+                         Sink&& sink) {
+        if (!takes<DepthTested<Adaptive>>(sink))
+            return test().passes;
+        const std::uint64_t exact_before = exact_tests_;
+        std::optional<Thin> thin;
+        if (const Thin* const found = thin_in(cell))
+            thin = *found;
+        std::optional<Adaptive> stored_depth = stored(cell);
+        std::optional<std::uint32_t> stored_piece = owner_of(cell);
+        const bool is_thin_nearer =
+            thin && (!stored_piece || !hides(cell, thin->depth, thin->piece));
+        const auto [passes, reason, other, is_by_thin, is_exact] = test();
+        if (is_thin_nearer || is_by_thin) {
+            stored_depth = turned(thin->depth);
+            stored_piece = thin->piece;
+        }
+        const bool told_by_doubles = !is_exact && exact_tests_ == exact_before &&
+                                     std::isfinite(depth.value()) &&
+                                     (!stored_depth || std::isfinite(stored_depth->value()));
+        if (told_by_doubles) {
+            sink(DepthTested<Adaptive>{.pixel = pixel,
+                                       .depth = turned(depth),
+                                       .stored = stored_depth,
+                                       .passes = passes,
+                                       .reason = reason,
+                                       .other = other});
+        } else {
+            std::optional<Rational> exactly_stored;
+            if (stored_depth)
+                exactly_stored = exact_depth_(stored_piece, pixel.x, row);
+            sink(DepthTested<Rational>{.pixel = pixel,
+                                       .depth = exact_depth_(piece_, pixel.x, row),
+                                       .stored = exactly_stored,
+                                       .passes = passes,
+                                       .reason = reason,
+                                       .other = other});
+        }
+        return passes;
+    }
+
+private:
+    /// A point or a line, as it was drawn in a pixel.
+    struct Thin {
+        Adaptive depth;
+        Thickness thickness;
+        std::uint32_t piece;
+    };
+    const Thin* thin_in(const double& cell) const {
+        const auto found = thin_.empty() ? thin_.end() : thin_.find(index_of(cell));
+        return found == thin_.end() ? nullptr : &found->second;
+    }
+
+    static constexpr std::uint32_t no_piece = std::numeric_limits<std::uint32_t>::max();
+
+    std::size_t index_of(const double& cell) const {
+        return static_cast<std::size_t>(&cell - cells_.data());
+    }
+
+    void widen_largest_error(double error) {
+        if (!(error <= largest_error_)) [[unlikely]]
+            largest_error_ = std::isfinite(error) ? error : std::numeric_limits<double>::infinity();
+    }
+
+    /// True if the face in a cell is nearer than a turned depth of a piece.
+    bool hides(const double& cell, Adaptive depth, std::uint32_t piece) {
+        const double difference = depth.value() - cell;
+        const double error = (depth.error() + largest_error_) * Adaptive::widening;
+        if (difference > error || -difference > error)
+            return difference > error;
+        const std::size_t index = index_of(cell);
+        return error != 0 && is_nearer_exactly(pieces_[index], piece, index);
+    }
+
+    [[gnu::noinline]] bool passes_when_near(std::size_t index, bool is_equal) {
+        return !is_equal && is_nearer_exactly(piece_, pieces_[index], index);
+    }
+
+    /// Asks whether a piece is nearer than another one, or than a clear cell, in the pixel of a cell.
+    bool is_nearer_exactly(std::uint32_t piece, std::uint32_t other, std::size_t index) {
+        ++exact_tests_;
+        const auto width = static_cast<std::size_t>(region_.width);
+        return is_nearer_(piece, other == no_piece ? std::nullopt : std::optional(other),
+                          region_.left + static_cast<int>(index % width),
+                          region_.top_row + static_cast<int>(index / width));
+    }
+
+    DepthRegion region_;
+    DepthRule<Adaptive> rule_;
+    std::vector<double> cells_;
+    std::vector<std::uint32_t> pieces_;
+    double largest_error_; ///< of a depth that has been stored
+    std::uint32_t piece_ = no_piece;
+    std::uint64_t exact_tests_ = 0;
+    std::unordered_map<std::size_t, Thin> thin_; ///< the nearest of each cell that has one
+    IsNearer is_nearer_;
+    ExactDepth exact_depth_;
+};
+
+/// The turned depths of a row, all with the same error.
+template <> struct DepthRow<Adaptive> {
+    double x;
+    double depth;
+    double slope;
+    double first; ///< left of it, and right of
+    double last;  ///< this, the depths of the ends hold
+    double error;
+
+    [[gnu::always_inline]] Adaptive at(int column) const {
+        const double way = std::min(std::max<double>(column, first), last) - x;
+        return Adaptive(depth + slope * way, error);
+    }
+};
+
+template <typename Keep>
+[[gnu::always_inline]] inline void
+DepthBuffer<Adaptive>::keep_nearer(int row, int first, int last, const DepthRow<Adaptive>& depths,
+                                   Keep&& keep) {
+    double* const cells = row_from(0, row);
+    const std::ptrdiff_t begin = cells - cells_.data();
+    std::uint32_t* const pieces = pieces_.data() + begin;
+    const DepthRow<Adaptive> near = depths; // a copy: no depth that is written can be part of it
+    const std::uint32_t piece = piece_;
+    const double error = (near.error + largest_error_) * Adaptive::widening;
+    bool has_kept = false;
+    for (int x = first; x <= last; ++x) {
+        const double depth = near.at(x).value();
+        const double difference = cells[x] - depth;
+        if (!(difference > error)) {
+            if (-difference > error)
+                continue;
+            if (!passes_when_near(static_cast<std::size_t>(begin + x), error == 0)) [[unlikely]]
+                continue;
+        }
+        cells[x] = depth;
+        pieces[x] = piece;
+        has_kept = true;
+        if (!is_behind_thin(cells[x], near.at(x), Thickness::face))
+            keep(x);
+    }
+    if (has_kept)
+        widen_largest_error(near.error);
+}
+
+inline const DepthRow<Adaptive>& DepthBuffer<Adaptive>::compared(const DepthRow<Adaptive>& row, int,
+                                                                 int) {
+    return row;
+}
+
+/// d + s (x - x0) from exact numbers, each rounded once, and each of the three operations. No pixel is
+/// farther from x0 than the first or the last one, or has a farther end to hold on to.
+inline DepthRow<Adaptive> DepthBuffer<Adaptive>::compared(const DepthRow<Rational>& row, int from,
+                                                          int to) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    constexpr double u = Adaptive::half_ulp;
+    const Adaptive x = with_error(row.x);
+    const Adaptive depth = with_error(row.depth);
+    const Adaptive slope = with_error(row.slope);
+    const Adaptive end = row.end ? with_error(*row.end) : x;
+    const double reach = std::max(std::abs(from - x.value()), std::abs(to - x.value()));
+    const double steepest = std::abs(slope.value()) + slope.error();
+    const double of_way = x.error() + end.error() + u * reach;
+    const bool is_level = steepest == 0;
+    const double rounded_off = is_level ? 0
+                                        : u * (4 * steepest * reach + 2 * std::abs(depth.value())) +
+                                              Adaptive::smallest_error;
+    return {.x = x.value(),
+            .depth = depth.value(),
+            .slope = slope.value(),
+            .first = row.end ? x.value() : -infinity,
+            .last = row.end ? end.value() : infinity,
+            .error = (depth.error() + steepest * of_way + slope.error() * reach + rounded_off) *
+                     Adaptive::widening};
+}
+
+/// What a depth d1 + t (d2 - d1), 0 <= t <= 1, is off by if the depths are and t is. With what the ends
+/// are off by and no rounding, it lies between two depths that are as far off as the worse one. t is
+/// never off by more than 1. Five operations are rounded on the way to t (d2 - d1), which is `rise`,
+/// and the sum is.
+inline double error_between(Adaptive depth, Adaptive other_depth, double rise, double of_t) {
+    constexpr double u = Adaptive::half_ulp;
+    const double of_depths = std::max(depth.error(), other_depth.error());
+    if (rise == 0)
+        return of_depths;
+    const double largest = std::max(std::abs(depth.value()), std::abs(other_depth.value()));
+    return (of_depths + (std::min(of_t, 1.0) + 6 * u) * std::abs(rise) + u * largest +
+            Adaptive::smallest_error) *
+           Adaptive::widening;
+}
+
+/// The depths of an edge, all with the same error.
+template <> class DepthEdge<Adaptive> {
+public:
+    /// t is off by what the heights of the vertices are off by, over the one between them. Throws
+    /// Undecided if the edge may be horizontal or not.
+    DepthEdge(Adaptive y, Adaptive depth, Adaptive other_y, Adaptive other_depth)
+        : y_(y.value()), depth_(depth.value()), height_(other_y.value() - y_),
+          rise_(other_depth.value() - depth_), is_horizontal_(y == other_y),
+          error_(is_horizontal_ ? depth.error()
+                                : error_between(depth, other_depth, rise_,
+                                                (y.error() + other_y.error()) * Adaptive::widening /
+                                                    std::abs(height_))) {}
+
+    /// Rows have exact heights.
+    Adaptive at(Adaptive y) const {
+        return Adaptive(is_horizontal_ ? depth_ : depth_ + rise_ * ((y.value() - y_) / height_),
+                        error_);
+    }
+
+    /// The same, and the depth of an end beyond it.
+    Adaptive held_at(Adaptive y) const {
+        const double part = is_horizontal_ ? 0 : (y.value() - y_) / height_;
+        return Adaptive(depth_ + rise_ * std::clamp(part, 0.0, 1.0), error_);
+    }
+
+private:
+    double y_;
+    double depth_;
+    double height_;
+    double rise_;
+    bool is_horizontal_;
+    double error_;
+};
+
+/// t is off by what the ends are off by, over the width. Where that leaves it open whether there is any
+/// width, the depth still lies between those of the ends.
+inline DepthRow<Adaptive> row_between(Adaptive left, Adaptive left_depth, Adaptive right,
+                                      Adaptive right_depth) {
+    const double width = right.value() - left.value();
+    const double rise = right_depth.value() - left_depth.value();
+    const double slope = rise / width;
+    const bool is_wide = width > 0 && std::isfinite(slope);
+    const double of_t = is_wide ? (left.error() + right.error()) * Adaptive::widening / width : 1;
+    return {.x = left.value(),
+            .depth = left_depth.value(),
+            .slope = is_wide ? slope : 0,
+            .first = left.value(),
+            .last = is_wide ? right.value() : left.value(),
+            .error = error_between(left_depth, right_depth, rise, of_t)};
+}
+
+/// Two sides of a triangle as doubles, from its first vertex on, and what all bounds on it begin with.
+struct KnownSides {
+    double abx, aby, acx, acy;
+    double reach;    ///< none of these is larger,
+    double of_reach; ///< or off by more
+    double area2;    ///< twice the signed area
+    double of_area2;
+    double smallest_area2; ///< its magnitude is not below this: 0 if there may be no area
+
+    explicit KnownSides(const std::array<Vec<Adaptive, 2>, 3>& positions) {
+        const auto& [a, b, c] = positions;
+        abx = b.x.value() - a.x.value();
+        aby = b.y.value() - a.y.value();
+        acx = c.x.value() - a.x.value();
+        acy = c.y.value() - a.y.value();
+        reach = std::max({std::abs(abx), std::abs(aby), std::abs(acx), std::abs(acy)});
+        of_reach = 2 * std::max({a.x.error(), a.y.error(), b.x.error(), b.y.error(), c.x.error(),
+                                 c.y.error()}) +
+                   Adaptive::half_ulp * reach;
+        area2 = abx * acy - acx * aby;
+        of_area2 = error_of_products(reach, of_reach, reach, of_reach);
+        const double smallest = (std::abs(area2) - of_area2) / Adaptive::widening;
+        smallest_area2 = smallest > 0 ? smallest : 0;
+    }
+};
+
+/// The depths of a triangle as a plane: what is said of it holds in the triangle.
+template <> class DepthPlane<Adaptive> {
+public:
+    /// Throws Undecided if the triangle may have no area.
+    DepthPlane(const std::array<Vec<Adaptive, 2>, 3>& positions,
+               const std::array<Adaptive, 3>& depths, Adaptive sample_offset) {
+        const KnownSides sides(positions);
+        if (sides.smallest_area2 == 0)
+            Adaptive::leave_open(sides.area2, sides.of_area2);
+        const double ab = depths[1].value() - depths[0].value();
+        const double ac = depths[2].value() - depths[0].value();
+        const Adaptive x = positions[0].x - sample_offset;
+        const Adaptive y = positions[0].y - sample_offset;
+        origin_ = {x.value(), y.value()};
+        depth_ = depths[0].value();
+        slope_x_ = (ab * sides.acy - ac * sides.aby) / sides.area2;
+        slope_y_ = (ac * sides.abx - ab * sides.acx) / sides.area2;
+
+        // Depths differ by at most `range`, off by of_range.
+        constexpr double u = Adaptive::half_ulp;
+        const double range = std::max(std::abs(ab), std::abs(ac));
+        const double of_depths =
+            std::max({depths[0].error(), depths[1].error(), depths[2].error()});
+        const double of_range = 2 * of_depths + u * range;
+        error_ = depths[0].error();
+        if (range == 0 && of_depths == 0)
+            return;
+        const double slope = std::max(std::abs(slope_x_), std::abs(slope_y_));
+        const double of_slope = (error_of_products(range, of_range, sides.reach, sides.of_reach) +
+                                 slope * sides.of_area2) *
+                                    Adaptive::widening / sides.smallest_area2 +
+                                u * slope;
+
+        // d + s_x (x - x0) + s_y (y - y0): both ways are at most `reach` long.
+        const double of_way = std::max(x.error(), y.error()) + sides.of_reach + u * sides.reach;
+        error_ = (error_ + 2 * ((slope + of_slope) * of_way + of_slope * sides.reach) +
+                  u * (6 * slope * sides.reach + 2 * std::abs(depth_)) + Adaptive::smallest_error) *
+                 Adaptive::widening;
+    }
+
+    DepthRow<Adaptive> on_row(int y) const {
+        constexpr double infinity = std::numeric_limits<double>::infinity();
+        return {.x = origin_.x,
+                .depth = depth_ + slope_y_ * (y - origin_.y),
+                .slope = slope_x_,
+                .first = -infinity,
+                .last = infinity,
+                .error = error_};
+    }
+
+private:
+    Vec<double, 2> origin_{};
+    double depth_;
+    double slope_x_;
+    double slope_y_;
+    double error_; ///< of every depth in the triangle
+};
+
+} // namespace rastertrace

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A triangle filled by the algorithm that a method names.
+//
+//     fill(triangle, colors, method, grid, canvas, FlatPainter(image, color));
+
+#include <rastertrace/core/draw/filtered/adaptive_edge.h>
+#include <rastertrace/core/draw/paint/fill_top_left.h>
+#include <rastertrace/core/draw/paint/sample_walk.h>
+#include <rastertrace/core/draw/plan/plan.h>
+#include <rastertrace/core/draw/scene/method.h>
+#include <rastertrace/core/draw/scene/scene.h>
+#include <rastertrace/core/raster/canvas.h>
+#include <rastertrace/core/raster/fill_barycentric.h>
+#include <rastertrace/core/raster/fill_fan.h>
+#include <rastertrace/core/raster/fill_scanline.h>
+#include <rastertrace/core/raster/fill_two_halves.h>
+#include <rastertrace/core/raster/image.h>
+#include <rastertrace/core/raster/triangle.h>
+
+#include <array>
+
+namespace rastertrace {
+
+/// Where the samples of the scene's pixels lie.
+template <typename Scalar> SampleGrid<Scalar> sample_grid(const Scene& scene, const Plan& plan) {
+    return {scalar_from<Scalar>(sample_offset_of(scene.method), plan.denominator), scene.canvas};
+}
+
+/// Fills a triangle. `sink` is the painter of its rows and pixels; the fan takes the colors of the
+/// vertices.
+template <typename Scalar, typename Sink>
+void fill(const Triangle<Scalar>& triangle, const std::array<Color, 3>& colors,
+          const Method& method, const SampleGrid<Scalar>& grid, Canvas canvas, Sink&& sink) {
+    const ScanlineRules rules{.lerp = method.lerp, .span = span_rounding(method)};
+    switch (method.fill) {
+    case Fill::scanline:
+        return fill_scanline(triangle, rules, canvas, sink);
+    case Fill::two_halves:
+        return fill_two_halves(triangle, rules, canvas, sink);
+    case Fill::barycentric:
+        return fill_barycentric(triangle, grid.sample_offset(), canvas, sink);
+    case Fill::top_left:
+        return fill_top_left(triangle, grid, canvas, sink);
+    case Fill::fan:
+        break;
+    }
+    fill_fan(triangle, colors, {.passes = method.fan_passes, .lines = line_rules(method)}, canvas,
+             sink);
+}
+
+} // namespace rastertrace

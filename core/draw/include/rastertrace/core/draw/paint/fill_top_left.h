@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The fill of graphics hardware: a pixel is drawn if its sample point lies inside all three edges;
+// a sample exactly on an edge belongs to the triangle only if that edge is a top or a left one.
+// Then every sample on an edge that two triangles share has exactly one owner.
+//
+// Source: Pineda 1988 (edge functions); Direct3D 11 specification, section 3.4.2.1 (the top-left
+// rule).
+//
+//     fill_top_left(triangle, SampleGrid<double>(0.5, canvas), canvas, FlatPainter(image, color));
+//
+// The rows of samples from the top vertex, included, to the bottom one, not included, are the triangle's.
+// An edge function is linear, so on a row it changes sign once: where the edge crosses the row. Instead
+// of asking every pixel of the box, the fill asks the row's two edges for their crossings and draws what
+// lies between: from the first sample that the left edge admits to the last one that the right edge does.
+// Both owners of a shared edge find one crossing: there is neither a gap nor a double.
+
+#include <rastertrace/core/draw/filtered/adaptive.h>
+#include <rastertrace/core/draw/paint/sample_walk.h>
+#include <rastertrace/core/numbers/conversion.h>
+#include <rastertrace/core/raster/canvas.h>
+#include <rastertrace/core/raster/edge.h>
+#include <rastertrace/core/raster/edge_function.h>
+#include <rastertrace/core/raster/sink.h>
+#include <rastertrace/core/raster/span.h>
+#include <rastertrace/core/raster/steps.h>
+#include <rastertrace/core/raster/triangle.h>
+
+#include <algorithm>
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+
+namespace rastertrace {
+
+/// The vertices of a triangle from the top of the picture to its bottom, by their places in it, and
+/// where the edge from top to bottom lies.
+struct TriangleOrder {
+    std::uint8_t top;
+    std::uint8_t middle;
+    std::uint8_t bottom;
+    bool long_edge_is_left; ///< it passes the middle vertex on the left
+};
+
+/// The three edges as functions, to be told: from top to middle, from middle to bottom, from top to
+/// bottom. (A fill walks down two edges at a time, see sample_walk.h.)
+template <typename Scalar>
+std::array<EdgeFunction<Scalar>, 3> edge_functions(const Triangle<Scalar>& triangle,
+                                                   const TriangleOrder& order, int down) {
+    const auto vertex = [&triangle](std::uint8_t index) {
+        return Vertex<Scalar>{triangle.vertices[index], index};
+    };
+    const auto top = vertex(order.top), middle = vertex(order.middle),
+               bottom = vertex(order.bottom);
+
+    // A horizontal upper edge is a top edge, a horizontal lower one a bottom edge. The short edges have
+    // the triangle on one side, the long edge on the other.
+    const bool is_left = order.long_edge_is_left;
+    const bool has_top_edge = top.position.y == middle.position.y;
+    const bool has_bottom_edge = middle.position.y == bottom.position.y;
+    const auto upper = edge_function(top, middle, has_top_edge || !is_left);
+    const auto lower = edge_function(middle, bottom, !has_bottom_edge && !is_left);
+    const auto long_edge = edge_function(top, bottom, is_left);
+    if (is_left == (down > 0))
+        return {upper, lower, long_edge.negated()};
+    return {upper.negated(), lower.negated(), long_edge};
+}
+
+/// Tells the edge functions.
+template <typename Scalar, typename Sink>
+requires SinkFor<Sink, EdgeFunctionSetUp<Scalar>>
+void tell_edge_functions(const Triangle<Scalar>& triangle, const TriangleOrder& order, int down,
+                         Sink&& sink) {
+    if (!takes<EdgeFunctionSetUp<Scalar>>(sink))
+        return;
+    const std::array<EdgeName, 3> names{
+        {{order.top, order.middle}, {order.middle, order.bottom}, {order.top, order.bottom}}};
+    const auto functions = edge_functions(triangle, order, down);
+    for (std::size_t i = 0; i < functions.size(); ++i)
+        sink(EdgeFunctionSetUp<Scalar>{.edge = names[i],
+                                       .a = functions[i].a,
+                                       .b = functions[i].b,
+                                       .is_top_left = functions[i].is_top_left});
+}
+
+/// Adds where the two edges of the row meet it.
+template <typename Scalar>
+void add_crossings(const Triangle<Scalar>& triangle, const TriangleOrder& order, bool is_upper,
+                   const Scalar& sample_offset, ScanlineSpanned<Scalar>& span) {
+    const auto edge = [&triangle](std::uint8_t upper, std::uint8_t lower) {
+        return edge_between(Vertex<Scalar>{triangle.vertices[upper], upper},
+                            Vertex<Scalar>{triangle.vertices[lower], lower});
+    };
+    const Edge<Scalar> long_edge = edge(order.top, order.bottom);
+    const Edge<Scalar> short_edge =
+        is_upper ? edge(order.top, order.middle) : edge(order.middle, order.bottom);
+    const Edge<Scalar>& left_edge = order.long_edge_is_left ? long_edge : short_edge;
+    const Edge<Scalar>& right_edge = order.long_edge_is_left ? short_edge : long_edge;
+    const Scalar sample_y = scalar_from<Scalar>(span.y) + sample_offset;
+    span.left = left_edge.x_at(sample_y);
+    span.right = right_edge.x_at(sample_y);
+    span.left_edge = left_edge.name;
+    span.right_edge = right_edge.name;
+    // Doubles with errors have to tell a crossing that is as certain as the pixel that it was rounded to.
+    if constexpr (std::same_as<Scalar, Adaptive>) {
+        static_cast<void>(ceil_index(Scalar(span.left - sample_offset)));
+        static_cast<void>(ceil_index(Scalar(span.right - sample_offset)));
+    }
+}
+
+/// True if all of a triangle lies right of the canvas, as its corners do: its left edges admit no sample of the
+/// last column. Of numbers that are rounded the corners alone do not say so: an edge may admit a sample
+/// next to it.
+template <typename Scalar>
+[[gnu::noinline]] bool lies_right_of_canvas(const Triangle<Scalar>& triangle,
+                                            const SampleGrid<Scalar>& grid, Canvas canvas) {
+    if constexpr (std::floating_point<Scalar>) {
+        const auto [top, middle, bottom] = sorted_from_top(triangle, grid.down());
+        const bool long_edge_is_left = side_of_edge(top, bottom, middle, grid.down()) > 0;
+        const Index first_lower_row = grid.first_row_from(middle.position.y);
+        const Index end_row =
+            std::min<Index>(grid.first_row_from(bottom.position.y), canvas.height);
+        for (Index row = std::max<Index>(grid.first_row_from(top.position.y), 0); row < end_row;
+             ++row) {
+            const bool is_upper = row < first_lower_row;
+            const auto& upper = long_edge_is_left || is_upper ? top : middle;
+            const auto& lower = !long_edge_is_left && is_upper ? middle : bottom;
+            if (function_of_left_edge(upper, lower, grid.down())
+                    .admits(grid.sample(canvas.right(), static_cast<int>(row))))
+                return false;
+        }
+    }
+    return true;
+}
+
+/// A row from one edge to another: which pixels, and, if somebody listens, where the edges cross the row
+/// of samples.
+template <typename Scalar, typename Sink>
+requires SinkFor<Sink, ScanlineSpanned<Scalar>>
+[[gnu::always_inline]] inline void yield_row(const Triangle<Scalar>& triangle,
+                                             const TriangleOrder& order, bool is_upper, int y,
+                                             const Scalar& sample_offset, Index from, Index to,
+                                             Sink&& sink) {
+    ScanlineSpanned<Scalar> span{
+        .y = y, .left = {}, .right = {}, .from = from, .to = to, .left_edge = {}, .right_edge = {}};
+    if (takes<ScanlineSpanned<Scalar>>(sink))
+        add_crossings(triangle, order, is_upper, sample_offset, span);
+    sink(span);
+}
+
+/// Fills a triangle so that each sample of a shared edge is drawn exactly once. `grid`
+/// says where the samples lie. Top and left are those of the picture, whichever way y points. A
+/// triangle without area has no inside and is skipped.
+template <typename Scalar, typename Sink>
+requires SinkFor<Sink, EdgeFunctionSetUp<Scalar>, ScanlineSpanned<Scalar>, RowsRejected,
+                 PrimitiveSkipped>
+void fill_top_left(const Triangle<Scalar>& triangle, const SampleGrid<Scalar>& grid, Canvas canvas,
+                   Sink&& sink) {
+    // Sort the vertices by height. The long edge runs from top to bottom, the two short ones meet
+    // at the middle vertex, left or right of it.
+    const auto [top, middle, bottom] = sorted_from_top(grid.in_lengths(triangle), grid.down());
+    const int middle_side = side_of_edge(top, bottom, middle, grid.down());
+    if (middle_side == 0) {
+        sink(PrimitiveSkipped{.why = SkipReason::zero_area});
+        return;
+    }
+    const bool long_edge_is_left = middle_side > 0;
+    const TriangleOrder order{top.index, middle.index, bottom.index, long_edge_is_left};
+    tell_edge_functions(triangle, order, canvas.down(), sink);
+
+    // The rows of samples from the top vertex, included, to the bottom vertex, not included, as far as
+    // the canvas has them. The row of the middle vertex belongs to the lower short edge.
+    const Index first_row = grid.first_row_from(top.position.y);
+    const Index first_lower_row = grid.first_row_from(middle.position.y);
+    const Index end_row = grid.first_row_from(bottom.position.y);
+    const auto misses_sides = [&triangle, &grid, canvas, a = top.position.x, b = middle.position.x,
+                               c = bottom.position.x] {
+        return grid.reaches(canvas.left(), std::max({a, b, c})) ||
+               (!grid.reaches(canvas.right(), std::min({a, b, c})) &&
+                lies_right_of_canvas(triangle, grid, canvas));
+    };
+    const RowRange rows = rows_on_canvas(first_row, end_row - 1, misses_sides, canvas, sink);
+    if (rows.is_empty())
+        return;
+    const auto middle_row =
+        static_cast<int>(std::clamp<Index>(first_lower_row, rows.begin, rows.end));
+
+    // Down the upper short edge, then down the lower one; the long edge opposite both. In each row,
+    // the samples from the left edge to before the right one: a left edge has its own samples, a right
+    // edge does not. That, and which rows there are, is the top-left rule.
+    SampleWalk<Scalar> along_long_edge(top, bottom, grid, rows.begin);
+    const auto fill_half = [&](bool is_upper, const auto& upper, const auto& lower, int begin,
+                               int end) __attribute__((always_inline)) {
+        if (begin == end)
+            return;
+        SampleWalk<Scalar> along_short_edge(upper, lower, grid, begin);
+        for (int row = begin; row < end; ++row) {
+            const Index on_long_edge = along_long_edge.first_sample();
+            const Index on_short_edge = along_short_edge.first_sample();
+            const Index from = long_edge_is_left ? on_long_edge : on_short_edge;
+            const Index to = (long_edge_is_left ? on_short_edge : on_long_edge) - 1;
+            yield_row(triangle, order, is_upper, canvas.y_of(row), grid.sample_offset(), from, to,
+                      sink);
+            along_long_edge.step();
+            along_short_edge.step();
+        }
+    };
+    fill_half(true, top, middle, rows.begin, middle_row);
+    fill_half(false, middle, bottom, middle_row, rows.end);
+}
+
+} // namespace rastertrace

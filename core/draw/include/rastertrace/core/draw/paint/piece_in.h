@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A piece on the screen with its coordinates turned into the numbers that it is drawn with.
+//
+//     const Piece<double> triangle = piece_in<double>(piece, plan);
+
+#include <rastertrace/core/draw/filtered/adaptive.h>
+#include <rastertrace/core/draw/list/pieces.h>
+#include <rastertrace/core/draw/plan/plan.h>
+#include <rastertrace/core/numbers/conversion.h>
+#include <rastertrace/core/numbers/vec.h>
+#include <rastertrace/core/raster/canvas.h>
+#include <rastertrace/core/raster/image.h>
+#include <rastertrace/core/raster/triangle.h>
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+
+namespace rastertrace {
+
+/// True if a list of this type is drawn with Scalar.
+template <typename Scalar, typename AList>
+inline constexpr bool draws = std::same_as<AList, TypedVertices>;
+template <typename Scalar, typename Coordinate>
+inline constexpr bool draws<Scalar, ScreenList<Coordinate>> =
+    std::same_as<Scalar, Coordinate> ||
+    (std::same_as<Scalar, Adaptive> ? std::same_as<Coordinate, Rational>
+                                    : !std::floating_point<Scalar> &&
+                                          !std::same_as<Coordinate, float> &&
+                                          !std::same_as<Coordinate, Adaptive>);
+
+/// A coordinate of a vertex as a Scalar, over the plan's denominator if that is a fraction.
+template <typename Scalar, typename Coordinate>
+Scalar on_grid(const Coordinate& coordinate, const Plan& plan) {
+    return written_finer(scalar_from<Scalar>(coordinate, plan.denominator / plan.coarseness),
+                         plan.coarseness);
+}
+
+/// Coordinates become numbers to calculate with.
+template <typename Scalar, typename Coordinate>
+Piece<Scalar> piece_in(const Piece<Coordinate>& piece, const Plan& plan) {
+    Piece<Scalar> result{.kind = piece.kind,
+                         .primitive = piece.primitive,
+                         .color = piece.color,
+                         .is_part = piece.is_part,
+                         .is_skipped = piece.is_skipped,
+                         .count = piece.count,
+                         .colors = piece.colors,
+                         .vertices = piece.vertices};
+    for (std::size_t i = 0; i < piece.count; ++i) {
+        result.positions[i].x = on_grid<Scalar>(piece.positions[i].x, plan);
+        result.positions[i].y = on_grid<Scalar>(piece.positions[i].y, plan);
+    }
+    using D = DepthOf<Scalar>;
+    for (std::size_t i = 0; i < piece.count; ++i) {
+        if constexpr (std::same_as<D, Adaptive> && !std::same_as<Coordinate, Number>) {
+            result.depths[i] = with_error(piece.depths[i]);
+            result.inverse_w[i] = with_error(piece.inverse_w[i]);
+        } else if constexpr (!std::same_as<Coordinate, Number> &&
+                             std::constructible_from<D, Coordinate>) {
+            result.depths[i] = D(piece.depths[i]);
+            result.inverse_w[i] = D(piece.inverse_w[i]);
+        }
+    }
+    return result;
+}
+
+} // namespace rastertrace

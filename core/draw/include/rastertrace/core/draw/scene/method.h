@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Which algorithm draws, on which numbers, with which conventions: what a scene's "method" says.
+//
+//     Method method{.scalar = ScalarKind::exact, .rounding = Rounding::truncate};
+
+#include <rastertrace/core/draw/scene/viewport.h>
+#include <rastertrace/core/numbers/number.h>
+#include <rastertrace/core/raster/edge.h>
+#include <rastertrace/core/raster/facing.h>
+#include <rastertrace/core/raster/line.h>
+#include <rastertrace/core/raster/painter.h>
+#include <rastertrace/core/raster/rounding.h>
+
+#include <optional>
+
+namespace rastertrace {
+
+/// The numbers to draw with.
+enum class ScalarKind {
+    single_precision, ///< IEEE 754 binary32
+    double_precision, ///< IEEE 754 binary64
+    fixed,            ///< vertices snapped to 1/256 pixel, then exact whole numbers of that size
+    adaptive, ///< filtered doubles, and exact numbers where the bound decides nothing: as exact
+    exact,    ///< fractions of whole numbers; nothing is ever rounded but to a pixel
+};
+
+/// The algorithm that draws lines, and the sides of outlines.
+enum class LineMethod { naive, dda, bresenham };
+
+/// The algorithm that fills triangles.
+enum class Fill {
+    scanline,    ///< row by row, the long edge against the two short ones joined
+    two_halves,  ///< the lower half, then the upper one
+    barycentric, ///< every pixel of the box, by its barycentric coordinates
+    top_left,    ///< edge functions; each sample of a shared edge has one owner
+    fan,         ///< a line from each pixel of an edge to the third vertex; has holes
+};
+
+/// How a fill finds the depths of its pixels.
+enum class DepthForm {
+    none,        ///< it cannot: it may not be asked for them
+    along_edges, ///< along the edges, then across each row
+    plane,       ///< as a plane over the screen
+    weights,     ///< by the weights of each sample: in exact arithmetic, that plane
+};
+inline DepthForm depth_form_of(Fill fill) {
+    switch (fill) {
+    case Fill::scanline:
+    case Fill::two_halves:
+        return DepthForm::along_edges;
+    case Fill::top_left:
+        return DepthForm::plane;
+    case Fill::barycentric:
+        return DepthForm::weights;
+    case Fill::fan:
+        break;
+    }
+    return DepthForm::none;
+}
+
+/// Where a pixel is tested.
+enum class Sample {
+    integer, ///< at its integer point
+    center,  ///< half a pixel from there, in x and in y
+};
+
+/// Where the colors of pixels come from.
+enum class Shade {
+    flat,        ///< the primitive's color
+    faces,       ///< one of a fixed row of colors for each primitive
+    interpolate, ///< mixed from the colors of its vertices; in a perspective, as they mix in space
+    affine,      ///< mixed as if the picture were flat: wrong in a perspective
+    lambert,     ///< the primitive's color, as bright as its face is turned to the light
+};
+
+/// How triangles in front hide those behind.
+enum class Depth {
+    none,      ///< the last one drawn stays
+    painter,   ///< sorted, the farthest drawn first
+    linear_z,  ///< a buffer of the distance, interpolated on the screen: wrong in a perspective
+    inverse_z, ///< a buffer of 1/distance, which is linear on the screen
+    ndc_z,     ///< a buffer of z after the division by w, which is linear on the screen
+};
+
+/// When a pixel passes the depth test. Always strict: of equals, the first one stays.
+enum class DepthCompare {
+    automatic, ///< as the depth's kind has it: what is nearer passes
+    less,
+    greater,
+};
+
+/// Where the depths of a row's ends lie.
+enum class DepthAt {
+    pixel,        ///< where the edges meet the row: each pixel has the depth of its own place
+    rounded_ends, ///< at the row's first and last pixel; a row of one pixel has that of its left end
+};
+
+/// The choices of a scene, with their defaults. Where the default depends on what is drawn, nothing
+/// is said until someone says it.
+struct Method {
+    ScalarKind scalar = ScalarKind::double_precision;
+    LineMethod line = LineMethod::bresenham;
+    LineStart from = LineStart::first;
+    EndPixels ends = EndPixels::both;
+    Fill fill = Fill::scanline;
+    int fan_passes = 1;
+    std::optional<Rounding> rounding = {}; ///< floor for spans, nearest for lines
+    std::optional<Ties> ties = {};         ///< up for spans, start for lines
+    std::optional<Sample> sample = {};     ///< center for top-left, else integer
+    LerpForm lerp = LerpForm::direct;
+    Snap snap = Snap::none;
+    Cull cull = Cull::none;
+    std::optional<Depth> depth = {}; ///< inverse-z in a perspective, linear-z under orthographic
+    DepthCompare depth_compare = DepthCompare::automatic;
+    DepthAt depth_at = DepthAt::pixel; ///< of fills that find depths along the edges
+    PainterKey painter_key = PainterKey::mean;
+    std::optional<Shade> shade = {}; ///< interpolate if a vertex has a color, else flat
+    ColorLerp color_lerp = ColorLerp::axis;
+    ColorRounding color_rounding = ColorRounding::nearest;
+};
+
+/// True if every decision is the one that exact arithmetic takes.
+inline bool decides_exactly(const Method& method) {
+    return method.scalar == ScalarKind::exact || method.scalar == ScalarKind::adaptive;
+}
+
+/// How the ends of a fill's spans become pixels.
+inline SpanRounding span_rounding(const Method& method) {
+    return {method.rounding.value_or(Rounding::floor), method.ties.value_or(Ties::up)};
+}
+
+/// How the coordinates across naive and dda lines become pixels.
+inline SpanRounding line_rounding(const Method& method) {
+    return {method.rounding.value_or(Rounding::nearest), method.ties.value_or(Ties::start)};
+}
+
+/// What lines and their colors go by.
+inline LineRules line_rules(const Method& method) {
+    return {method.color_lerp, method.color_rounding, method.ties.value_or(Ties::start),
+            method.ends};
+}
+
+/// Where the fill tests pixels: the choice in force, and how far that is from a pixel's integer
+/// point, in x and in y.
+inline Sample sample_of(const Method& method) {
+    return method.sample.value_or(method.fill == Fill::top_left ? Sample::center : Sample::integer);
+}
+
+inline Number sample_offset_of(const Method& method) {
+    return sample_of(method) == Sample::center ? Number::decimal(5, -1) : Number(0);
+}
+
+} // namespace rastertrace

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A scene: what is drawn, on which canvas, by which method. Numbers are held as they were typed.
+//
+//     Scene scene;
+//     scene.canvas = {.width = 17, .height = 14};
+//     scene.vertices = {{"A", 2, 5}, {"B", -4, -3}, {"C", 5, -3}};
+//     scene.primitives = {{.kind = PrimitiveKind::triangle, .name = "ABC", .vertices = {0, 1, 2}}};
+
+#include <rastertrace/core/draw/scene/camera.h>
+#include <rastertrace/core/draw/scene/method.h>
+#include <rastertrace/core/draw/scene/model.h>
+#include <rastertrace/core/draw/scene/projection.h>
+#include <rastertrace/core/draw/scene/stage.h>
+#include <rastertrace/core/draw/scene/viewport.h>
+#include <rastertrace/core/numbers/conversion.h>
+#include <rastertrace/core/numbers/number.h>
+#include <rastertrace/core/numbers/vec.h>
+#include <rastertrace/core/raster/canvas.h>
+#include <rastertrace/core/raster/image.h>
+#include <rastertrace/core/raster/steps.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace rastertrace {
+
+/// A named point of the scene.
+struct SceneVertex {
+    std::string name;
+    Number x;
+    Number y;
+    std::optional<Color> color = {}; ///< for pixels that are mixed from those of the vertices
+    Number z = 0;
+};
+
+/// Vertices that share an object space: the scene's own, or those of a mesh.
+struct SceneObject {
+    std::string name;           ///< "" for the scene's own vertices
+    std::size_t end_vertex = 0; ///< its vertices are those from the end of the object before
+    Model model;                ///< from its space to the world
+};
+
+/// A point, a line, a triangle to fill, or the outline of a triangle.
+struct ScenePrimitive {
+    PrimitiveKind kind = PrimitiveKind::triangle;
+    bool is_painted = true; ///< false: a triangle that hides what lies behind it, and is not seen
+    bool is_side = false;   ///< a line that is drawn only if a face is that it is a side of
+    std::string name;
+    std::array<std::size_t, 3> vertices{}; ///< indices in Scene::vertices, in the author's order
+    Color color = {};
+    std::uint32_t polygon = 0; ///< triangles in a row with one number above 0 are parts of one face
+
+    /// Its vertices: the first one, two or three of `vertices`.
+    std::span<const std::size_t> corners() const {
+        return std::span(vertices).first(corner_count(kind));
+    }
+
+    /// How many vertices a primitive of a kind has.
+    static constexpr std::size_t corner_count(PrimitiveKind kind) {
+        switch (kind) {
+        case PrimitiveKind::point:
+            return 1;
+        case PrimitiveKind::line:
+            return 2;
+        case PrimitiveKind::outline:
+        case PrimitiveKind::triangle:
+            break;
+        }
+        return 3;
+    }
+};
+
+/// A concave face of a mesh, and how it was cut into triangles (triangulate.h).
+struct CutFace {
+    std::string name;
+    std::vector<std::size_t> corners; ///< indices in Scene::vertices, in the author's order
+    Vec<Rational, 3> normal;          ///< Newell's, in object space
+    std::size_t dropped = 0;          ///< the axis along which it was seen: 0 is x
+    std::size_t first_ear = 0;        ///< index in Scene::primitives
+    std::size_t ears = 0;             ///< how many of them are its triangles
+};
+
+/// Where light comes from, in the world.
+struct Light {
+    enum class Kind {
+        direction, ///< from everywhere to the light
+        position,
+    };
+    Kind kind = Kind::direction;
+    Numbers3 at{0, 0, 1};
+};
+
+/// Everything needed to draw a picture.
+struct Scene {
+    std::string title;
+    Canvas canvas;
+    std::optional<Color>
+        background; ///< what pixels that nothing draws look like; it draws none of them
+    std::vector<SceneVertex> vertices;
+    std::vector<ScenePrimitive> primitives; ///< drawn in this order
+    Method method;
+
+    std::vector<CutFace> cut_faces; ///< what is told of them
+
+    std::vector<SceneObject> objects; ///< none: no vertex has a model
+    std::optional<Camera> camera;     ///< none: the world is the camera's space
+    Projection projection;
+    Viewport viewport;
+    std::optional<Light> light;
+    StageSet keep; ///< stages that run although the scene does not need them
+
+    /// How hidden surfaces are found.
+    Depth depth() const {
+        if (method.depth)
+            return *method.depth;
+        return is_perspective(projection.type)                   ? Depth::inverse_z
+               : projection.type == ProjectionType::orthographic ? Depth::linear_z
+                                                                 : Depth::none;
+    }
+
+    /// True if colors are mixed as they mix in space.
+    bool mixes_in_perspective() const {
+        return shade() == Shade::interpolate && is_perspective(projection.type) &&
+               has(PrimitiveKind::triangle);
+    }
+
+    /// True if pixels are tested against a buffer of depths. The fan's are not.
+    bool has_depth_buffer() const {
+        const Depth in_force = depth();
+        return in_force != Depth::none && in_force != Depth::painter && method.fill != Fill::fan;
+    }
+
+    /// True if points or lines are tested against it, too.
+    bool has_tested_lines() const {
+        return has_depth_buffer() &&
+               std::any_of(primitives.begin(), primitives.end(), [](const ScenePrimitive& one) {
+                   return one.kind != PrimitiveKind::triangle;
+               });
+    }
+
+    /// True if faces are turned away or lit: their normals are needed.
+    bool tests_faces() const {
+        return has(PrimitiveKind::triangle) &&
+               (method.cull != Cull::none || method.shade == Shade::lambert);
+    }
+
+    /// True if vertices are moved before they are drawn, or their z counts: their places on the
+    /// screen, as typed, are not all that is needed.
+    bool has_pipeline() const { return needs_pipeline() || keeps_transforms(); }
+
+    /// True if that is so although no stage is kept that the scene does not need.
+    bool needs_pipeline() const {
+        return has_transforms() || tests_faces() || depth() != Depth::none;
+    }
+
+    /// True if the places as typed are not those on the screen.
+    bool has_transforms() const {
+        return camera || projection.type != ProjectionType::none ||
+               viewport.type != ViewportType::none || method.snap != Snap::none ||
+               std::any_of(objects.begin(), objects.end(),
+                           [](const SceneObject& one) { return !one.model.steps().empty(); });
+    }
+
+    /// True if vertices go through their spaces even if nothing moves them.
+    bool keeps_transforms() const {
+        return keep.has(Stage::model) || keep.has(Stage::view) || keep.has(Stage::divide);
+    }
+
+    /// True if it has a primitive of this kind.
+    bool has(PrimitiveKind kind) const {
+        return std::any_of(primitives.begin(), primitives.end(),
+                           [kind](const ScenePrimitive& one) { return one.kind == kind; });
+    }
+
+    /// Where the colors of pixels come from.
+    Shade shade() const {
+        if (method.shade)
+            return *method.shade;
+        const bool have_colors = std::any_of(vertices.begin(), vertices.end(),
+                                             [](const SceneVertex& one) { return !!one.color; });
+        return have_colors ? Shade::interpolate : Shade::flat;
+    }
+
+    /// True if pixels are mixed from the colors of vertices.
+    bool mixes_colors() const {
+        const Shade in_force = shade();
+        return in_force == Shade::interpolate || in_force == Shade::affine;
+    }
+};
+
+} // namespace rastertrace

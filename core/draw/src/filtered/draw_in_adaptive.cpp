@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: MIT
+// Drawing with filtered doubles: first certify, then draw. All decisions about a piece are
+// taken before its first pixel is painted and its first step is told. If doubles leave one open, the
+// piece is drawn with rationals instead. What hangs on a single pixel, a depth test or a color, is
+// decided for that pixel (exactly.h).
+
+#include "paint/draw_in.h"
+#include "paint/draw_scalar.h"
+
+#include <rastertrace/core/draw/filtered/certain_rows.h>
+#include <rastertrace/core/draw/filtered/exactly.h>
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+
+namespace rastertrace {
+
+// What is drawn with rationals is compiled in draw_in_adaptive_exactly.cpp.
+extern template void draw_piece(const Piece<Rational>&, const Scene&, const Plan&,
+                                Target<Rational, Adaptive>&, const NullSink&);
+extern template void draw_piece(const Piece<Rational>&, const Scene&, const Plan&,
+                                Target<Rational, Adaptive>&, const ListenerSink&);
+
+namespace {
+
+/// Takes the steps that a listener takes, and tells it nothing. A step that doubles cannot tell is left
+/// open like a decision that they cannot take.
+class Certifier {
+public:
+    explicit Certifier(const Listener& listener) : listener_(listener) {}
+
+    template <typename Step> bool takes() const { return listener_.takes<Step>(); }
+
+    template <typename Step> void operator()(const Step& step) const {
+        if (!is_told_by_doubles(step)) {
+            constexpr double infinity = std::numeric_limits<double>::infinity();
+            Adaptive::leave_open(infinity, infinity);
+        }
+    }
+
+private:
+    const Listener& listener_;
+};
+
+/// Tells a listener all steps of a primitive that doubles leave open, and, as soon as that has begun,
+/// that they do.
+class TellingUndecided {
+public:
+    TellingUndecided(const Listener& listener, const Undecided& undecided)
+        : listener_(listener), undecided_(undecided) {}
+
+    template <typename Step> bool takes() const { return listener_.takes<Step>(); }
+    template <typename Step>
+    requires std::same_as<Step, PrimitiveBegan<Quantity>>
+    bool takes() const { return listener_.takes<Step>() || listener_.takes<BoundExceeded>(); }
+
+    template <typename Step> void operator()(const Step& step) { listener_(step); }
+    void operator()(const PrimitiveBegan<Quantity>& step) {
+        listener_(step);
+        if (!is_told_)
+            listener_(
+                BoundExceeded{.difference = undecided_.difference, .error = undecided_.error});
+        is_told_ = true;
+    }
+
+private:
+    const Listener& listener_;
+    Undecided undecided_;
+    bool is_told_ = false;
+};
+
+/// Tells a listener of a piece that doubles decide about: each slope as the double nearest to it.
+class NearestSlopes {
+public:
+    NearestSlopes(const Listener& listener, const Piece<Adaptive>& piece, Exactness& exactness)
+        : sink_(listener), piece_(piece), exactness_(exactness) {}
+
+    template <typename Step> bool takes() const { return sink_.takes<Step>(); }
+    bool reads_corners() const { return sink_.reads_corners(); }
+
+    template <typename Step> void operator()(const Step& step) const { sink_(step); }
+    void operator()(const EdgeSetUp<Adaptive>& step) const {
+        EdgeSetUp<Adaptive> told = step;
+        if (takes<EdgeSetUp<Adaptive>>() && step.dx_dy.error() != 0)
+            told.dx_dy = Adaptive(slope_of(step.edge));
+        sink_(told);
+    }
+
+private:
+    double slope_of(EdgeName edge) const {
+        if (const auto slope =
+                nearest_slope(piece_.positions[edge.from], piece_.positions[edge.to]))
+            return *slope;
+        const auto exact = exactness_.pieces.piece(exactness_.drawn.back());
+        const auto& from = exact.positions[edge.from];
+        const auto& to = exact.positions[edge.to];
+        return nearest_double(Rational((to.x - from.x) / (to.y - from.y)));
+    }
+
+    ListenerSink sink_;
+    const Piece<Adaptive>& piece_;
+    Exactness& exactness_;
+};
+
+/// Draws the pieces of a scene, with a sink or without one.
+template <typename Sink> class AdaptiveDrawing {
+public:
+    AdaptiveDrawing(const Scene& scene, const Plan& plan, Target<Adaptive>& target,
+                    const Listener& listener)
+        : scene_(scene), plan_(plan),
+          target_(target), exact_target_{target.image, sample_grid<Rational>(scene, plan),
+                                         target.depth, target.exactness},
+          exactness_(*target.exactness), listener_(listener), certifier_(listener),
+          certifying_(certifier_) {
+        if (target.depth)
+            target.depth->ask(
+                [this](auto... asked) { return is_nearer(scene_, plan_, exactness_, asked...); },
+                [this](auto... asked) { return told_depth(scene_, exactness_, asked...); });
+    }
+
+    /// Draws the list.
+    void draw(const TypedVertices& typed) {
+        for_each_primitive(scene_, typed, [&](const ScreenPrimitive& one) {
+            parts_ = 0;
+            draw_one(typed, one, NoFace(), listener_);
+        });
+    }
+    template <typename Coordinate> void draw(const ScreenList<Coordinate>& list) {
+        target_.listed = list.primitives;
+        target_.triangle_of = [&](std::uint32_t owner) {
+            const PieceIndex& index = exactness_.drawn[owner];
+            if (!index.listed)
+                return corners_of(piece_in<Adaptive>(exactness_.pieces.piece(index), plan_));
+            return triangle_in<Adaptive>(scene_, list, list.primitives[*index.listed], plan_);
+        };
+        const std::span all(list.primitives);
+        std::size_t next = 0;
+        for (std::size_t turn = 0; turn < scene_.primitives.size(); ++turn) {
+            const std::size_t index = primitive_at(list, turn);
+            const std::size_t first = next;
+            while (next != all.size() && all[next].primitive == index)
+                ++next;
+            draw(list, index, all.subspan(first, next - first));
+        }
+    }
+
+private:
+    /// Draws a primitive, of which the list has these pieces.
+    template <typename Coordinate>
+    void draw(const ScreenList<Coordinate>& list, std::size_t index,
+              std::span<const ScreenPrimitive> pieces) {
+        parts_ = 0;
+        const auto open = left_open_in(list, index, pieces);
+        if (!open)
+            return draw_in_turn(list, index, pieces, listener_,
+                                [&](auto&&... one) { draw_one(list, one..., listener_); });
+        TellingUndecided telling(listener_, *open);
+        const Listener told(telling);
+        const auto exact = exactness_.pieces.of(index);
+        const auto& exact_list = exactness_.pieces.list();
+        draw_in_turn(exact_list, index, exact, told,
+                     [&](const ScreenPrimitive& one, const auto& face) {
+                         if (one.state == ScreenPrimitive::State::part)
+                             return draw_one(exact_list, one, face, told);
+                         begin(index);
+                         draw_exactly(exact_list, one, face, told);
+                     });
+    }
+
+    /// What doubles leave open about a primitive before its pieces are drawn: its face, or what clips it.
+    template <typename Coordinate>
+    std::optional<Undecided> left_open_in(const ScreenList<Coordinate>& list, std::size_t index,
+                                          std::span<const ScreenPrimitive> pieces) {
+        if constexpr (!std::same_as<Coordinate, Adaptive>)
+            return std::nullopt;
+        else if constexpr (keeps_steps<Sink>)
+            if (const auto open = left_open_by([&] {
+                    tell_pieces<Adaptive>(scene_, list, index, certifying_, [](const auto&) {});
+                }))
+                return open;
+        const bool is_open =
+            !pieces.empty() && pieces.front().state == ScreenPrimitive::State::undecided;
+        return is_open ? std::optional(list.undecided[pieces.front().index]) : std::nullopt;
+    }
+
+    /// Tells of a primitive, and calls `draw_piece(one, face)` with its pieces.
+    template <typename Coordinate, typename DrawPiece>
+    void draw_in_turn(const ScreenList<Coordinate>& list, std::size_t index,
+                      std::span<const ScreenPrimitive> pieces, const Listener& listener,
+                      DrawPiece&& draw_piece) {
+        auto next = pieces.begin();
+        if constexpr (keeps_steps<Sink>)
+            tell_pieces<Coordinate>(scene_, list, index, listener,
+                                    [&](const auto& face) { draw_piece(*next++, face); });
+        else
+            for (const ScreenPrimitive& one : pieces)
+                draw_piece(one, NoFace());
+    }
+
+    /// What follows is about the next piece of a primitive; `one` if the plan's list has it.
+    void begin(std::size_t index, const ScreenPrimitive* one = nullptr) {
+        PieceIndex piece{index, parts_++};
+        if (one && !target_.listed.empty() && &target_.listed.front() <= one &&
+            one <= &target_.listed.back())
+            piece.listed = static_cast<std::uint32_t>(one - target_.listed.data());
+        exactness_.drawn.push_back(piece);
+        if (target_.depth)
+            target_.depth->begin(static_cast<std::uint32_t>(exactness_.drawn.size() - 1));
+    }
+
+    /// Draws the next piece of a primitive.
+    template <typename AList, typename AFace>
+    void draw_one(const AList& list, const ScreenPrimitive& one, const AFace& face,
+                  const Listener& listener) {
+        begin(one.primitive, &one);
+        const auto piece = piece_in<Adaptive>(piece_of(scene_, list, one), plan_);
+        const auto open = decide_about(piece, face);
+        if (open) {
+            TellingUndecided telling(listener, *open);
+            draw_exactly(list, one, face, Listener(telling));
+        } else if constexpr (keeps_steps<Sink>) {
+            if (takes_pixels_)
+                return tell_and_draw(list, one, face, piece, scene_, plan_, target_,
+                                     NearestSlopes(listener, piece, exactness_));
+            const PieceNames names(scene_, list, one);
+            const ListenerSink sink(listener);
+            tell_piece(names, face, piece, scene_, plan_, target_, sink);
+            if (rows_.skipped())
+                sink(*rows_.skipped());
+        }
+    }
+
+    /// Draws it with rationals.
+    template <typename AList, typename AFace>
+    void draw_exactly(const AList& list, const ScreenPrimitive& one, const AFace& face,
+                      const Listener& listener) {
+        ++exactness_.fallbacks.primitives;
+        const auto exact = exactness_.pieces.piece(exactness_.drawn.back());
+        tell_and_draw(list, one, face, exact, scene_, plan_, exact_target_,
+                      sink_to<Sink>(listener));
+    }
+
+    /// Takes all decisions about a piece; what is left open, if any. A listener that takes no pixels is told of it
+    /// when all are painted; for one that does, nothing is painted yet.
+    template <typename AFace>
+    std::optional<Undecided> decide_about(const Piece<Adaptive>& piece, const AFace& face) {
+        rows_.clear();
+        if constexpr (keeps_steps<Sink>) {
+            const ListenerSink sink(certifying_);
+            const auto open = left_open_by([&] {
+                if (piece.kind == PrimitiveKind::line)
+                    octant_of(piece, {0, 1}, scene_.method); // that is told even if it is not drawn
+                if (!tell_face(face, sink) || !takes_pixels_)
+                    return;
+                if (piece.kind == PrimitiveKind::triangle)
+                    TrianglePaint<Adaptive, Adaptive>(piece, scene_, plan_, target_);
+                decide(piece, sink);
+            });
+            if (open || takes_pixels_)
+                return open;
+        }
+        return paint_if_decided(piece);
+    }
+
+    /// Paints a piece if doubles decide all about it, and tells nobody.
+    std::optional<Undecided> paint_if_decided(const Piece<Adaptive>& piece) {
+        if (piece.is_skipped)
+            return std::nullopt;
+        std::optional<TrianglePaint<Adaptive, Adaptive>> paint;
+        const auto open = left_open_by([&] {
+            if (piece.kind == PrimitiveKind::triangle)
+                paint.emplace(piece, scene_, plan_, target_);
+            decide(piece, rows_);
+        });
+        const auto paint_with = [&](const auto& painter) {
+            rows_.paint_with(painter, [&](const auto& again) { decide(piece, again); });
+        };
+        if (open)
+            return open;
+        if (paint)
+            paint->with_painter(target_, NullSink{}, paint_with);
+        else
+            draw_thin(piece, scene_, plan_, target_, NullSink{});
+        return std::nullopt;
+    }
+
+    template <typename Decisions> void decide(const Piece<Adaptive>& piece, Decisions&& decisions) {
+        const Canvas& canvas = target_.image.canvas();
+        if (piece.kind == PrimitiveKind::triangle)
+            fill(Triangle<Adaptive>{piece.positions}, piece.colors, scene_.method, target_.grid,
+                 canvas, decisions);
+        else
+            draw_lines(piece, scene_.method, canvas, [&](EdgeName side) -> Decisions& {
+                if (plan_.stages.pixels[piece.primitive].tests_depth) {
+                    require_finite_differences(piece.depths);
+                    line_points(piece, side, target_.depth->larger_passes());
+                }
+                return decisions;
+            });
+    }
+
+    const Scene& scene_;
+    const Plan& plan_;
+    Target<Adaptive>& target_;
+    Target<Rational, Adaptive> exact_target_;
+    Exactness& exactness_;
+    const Listener& listener_;
+    const Certifier certifier_;
+    const Listener certifying_; ///< tells the certifier
+    const bool takes_pixels_ = listener_.takes_pixels();
+    CertainRows rows_;
+    std::size_t parts_ = 0; ///< of the primitive, so far
+};
+
+} // namespace
+
+template <typename AList, typename Sink>
+void draw_list(const Scene& scene, const Plan& plan, const AList& list, Target<Adaptive>& target,
+               const Listener& listener, const Sink&) {
+    AdaptiveDrawing<Sink>(scene, plan, target, listener).draw(list);
+    if (target.depth)
+        target.exactness->fallbacks.depths += target.depth->exact_tests();
+}
+
+template Image draw_in<Adaptive>(const Scene&, const Plan&, const Listener&, Fallbacks*);
+
+} // namespace rastertrace

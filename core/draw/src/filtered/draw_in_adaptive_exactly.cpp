@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// The pieces that doubles leave open: drawn with rationals, into a picture whose depths and colors are
+// filtered doubles.
+
+#include "paint/draw_in.h"
+
+namespace rastertrace {
+
+template void draw_piece(const Piece<Rational>&, const Scene&, const Plan&,
+                         Target<Rational, Adaptive>&, const NullSink&);
+template void draw_piece(const Piece<Rational>&, const Scene&, const Plan&,
+                         Target<Rational, Adaptive>&, const ListenerSink&);
+
+} // namespace rastertrace

@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Hidden lines: the painter of points, lines and outlines that are tested against the depth buffer.
+//
+// A line's pixel stands for the line's own point at that step of its major axis, and is as deep as the line
+// is there. That point may lie up to a pixel away from the middle of the pixel, where the buffer has the
+// depths of the faces: held against those, a line would be cut to pieces by the faces beside it. So the
+// buffer only says which faces there are, in the pixel and in the eight around it. A face hides the point if
+//
+//   - the point lies inside it on the screen, its sides included,
+//   - and it is nearer there: of equals the thinner one passes, a line before a face, a point before both;
+//   - and the line is none of its sides, the point none of its corners. That is known by the vertices.
+//
+// Between points and lines, depths decide: of equals the thinner one passes, and of those the first stays. The
+// buffer keeps them beside the faces, so which pixels they have does not depend on their order.
+//
+// Source: T1, "Remoção de linhas e superfícies ocultas", by a depth buffer.
+//
+//     LinePainter painter(piece, side, scene, target, NullSink());
+//     draw_line(piece, side, method, canvas, painter);
+
+#include "paint/target.h"
+
+#include <rastertrace/core/draw/filtered/adaptive.h>
+#include <rastertrace/core/draw/list/pieces.h>
+#include <rastertrace/core/draw/scene/scene.h>
+#include <rastertrace/core/numbers/conversion.h>
+#include <rastertrace/core/numbers/vec.h>
+#include <rastertrace/core/raster/canvas.h>
+#include <rastertrace/core/raster/depth.h>
+#include <rastertrace/core/raster/line_lerp.h>
+#include <rastertrace/core/raster/sink.h>
+#include <rastertrace/core/raster/steps.h>
+
+#include <algorithm>
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+namespace rastertrace {
+
+/// The points of a line, one for each step of its major axis; beyond an end, that end. Depths are turned.
+template <typename Depth> struct LinePoints {
+    bool is_x_major;
+    DepthEdge<Depth> across; ///< the other coordinate, and
+    DepthEdge<Depth> depths; ///< the turned depth: both are linear along the major axis
+    DeepPoint<Depth> from;
+    DeepPoint<Depth> to;
+
+    /// The depth alone.
+    Depth depth_at(Pixel pixel) const {
+        return depths.held_at(scalar_from<Depth>(is_x_major ? pixel.x : pixel.y));
+    }
+
+    DeepPoint<Depth> at(Pixel pixel) const {
+        const auto along = scalar_from<Depth>(is_x_major ? pixel.x : pixel.y);
+        const Depth& first = is_x_major ? from.at.x : from.at.y;
+        const Depth& last = is_x_major ? to.at.x : to.at.y;
+        const bool goes_on = first < last;
+        if (goes_on ? !(first < along) : !(along < first))
+            return from;
+        if (goes_on ? !(along < last) : !(last < along))
+            return to;
+        const Depth other = across.held_at(along);
+        return {is_x_major ? Vec<Depth, 2>{along, other} : Vec<Depth, 2>{other, along},
+                depths.held_at(along)};
+    }
+};
+
+/// The points of the line between two corners of a piece; of a point, both are the same one. A line that is
+/// seen end-on is its nearer end. `larger_passes` as in DepthRule.
+template <typename Scalar>
+LinePoints<DepthOf<Scalar>> line_points(const Piece<Scalar>& piece, EdgeName side,
+                                        bool larger_passes) {
+    using D = DepthOf<Scalar>;
+    const auto point_of = [&](std::size_t corner) {
+        DeepPoint<D> point = corner_of(piece, corner);
+        point.depth = turned(point.depth, larger_passes);
+        return point;
+    };
+    DeepPoint<D> from = point_of(side.from);
+    DeepPoint<D> to = point_of(side.to);
+    const bool is_x_major = is_longer_in_x<D>({from.at, to.at});
+    const D& first = is_x_major ? from.at.x : from.at.y;
+    const D& last = is_x_major ? to.at.x : to.at.y;
+    if (first == last) {
+        const DeepPoint<D> nearer = to.depth < from.depth ? to : from;
+        from = to = nearer;
+    }
+    return {is_x_major,
+            {first, is_x_major ? from.at.y : from.at.x, last, is_x_major ? to.at.y : to.at.x},
+            {first, from.depth, last, to.depth},
+            from,
+            to};
+}
+
+/// True if a triangle covers a point on the screen, its sides included, and is nearer there. One without area
+/// covers nothing. The point's depth is turned.
+template <typename Depth>
+bool hides_point(const DeepTriangle<Depth>& triangle, const DeepPoint<Depth>& point,
+                 bool larger_passes) {
+    const auto zero = scalar_from<Depth>(0);
+    const auto way_to = [&point](const DeepPoint<Depth>& corner) {
+        return Vec<Depth, 2>{Depth(corner.at.x - point.at.x), Depth(corner.at.y - point.at.y)};
+    };
+    const std::array ways{way_to(triangle[0]), way_to(triangle[1]), way_to(triangle[2])};
+
+    // Twice the areas that the point makes with the sides are the weights of the corners, times the area.
+    std::array<Depth, 3> weights;
+    bool has_positive = false;
+    bool has_negative = false;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto& a = ways[(i + 1) % 3];
+        const auto& b = ways[(i + 2) % 3];
+        weights[i] = a.x * b.y - b.x * a.y;
+        has_positive = has_positive || zero < weights[i];
+        has_negative = has_negative || weights[i] < zero;
+        if (has_positive && has_negative)
+            return false;
+    }
+
+    // The depth there times the area, against that of the point: at a corner, just that of the corner.
+    Depth of_triangle = zero;
+    Depth of_point = zero;
+    for (std::size_t i = 0; i < 3; ++i) {
+        of_triangle += weights[i] * turned(triangle[i].depth, larger_passes);
+        of_point += weights[i] * point.depth;
+    }
+    return has_positive ? of_triangle < of_point : has_negative && of_point < of_triangle;
+}
+
+/// The scene's vertices at the ends of a side of a piece, which clipping may have cut.
+template <typename Coordinate>
+std::array<std::size_t, 2> ends_in_scene(const Scene& scene, const Piece<Coordinate>& piece,
+                                         EdgeName side) {
+    const ScenePrimitive& primitive = scene.primitives[piece.primitive];
+    if (primitive.kind == PrimitiveKind::line)
+        return {primitive.vertices[0], primitive.vertices[1]};
+    if (!piece.is_part)
+        return {primitive.vertices[side.from], primitive.vertices[side.to]};
+    // A part of an outline is what is left of a side: it knows the first vertex of that.
+    const auto corners = primitive.corners();
+    const auto first = std::find(corners.begin(), corners.end(), piece.vertices[0]);
+    const auto from = static_cast<std::size_t>(first - corners.begin());
+    return {corners[from], corners[(from + 1) % corners.size()]};
+}
+
+/// True if the line between two vertices is a side of a triangle, or of the polygon that it is a part of; or
+/// the vertex a corner of it, if both are the same; or an end of a line. A side of a polygon is one of a single
+/// triangle: its diagonals are those of two.
+inline bool is_side_of(const Scene& scene, const std::array<std::size_t, 2>& ends,
+                       std::size_t primitive) {
+    const auto& all = scene.primitives;
+    const auto has = [&](std::size_t i, std::size_t vertex) {
+        const auto corners = all[i].corners();
+        return std::find(corners.begin(), corners.end(), vertex) != corners.end();
+    };
+    const std::uint32_t polygon = all[primitive].polygon;
+    if (polygon == 0)
+        return has(primitive, ends[0]) && has(primitive, ends[1]);
+    std::size_t i = primitive;
+    while (i > 0 && all[i - 1].polygon == polygon)
+        --i;
+    std::size_t count = 0;
+    for (; i < all.size() && all[i].polygon == polygon; ++i)
+        count += has(i, ends[0]) && has(i, ends[1]) ? 1 : 0;
+    return ends[0] == ends[1] ? count > 0 : count == 1;
+}
+
+/// Paints those pixels of a point, a line or a side that nothing hides, and tells every step on.
+template <typename Scalar, typename OfPixels, typename Sink> class LinePainter {
+public:
+    LinePainter(const Piece<Scalar>& piece, EdgeName side, const Scene& scene,
+                Target<Scalar, OfPixels>& target, const Sink& sink)
+        : side_(side), scene_(scene), target_(target), buffer_(*target.depth),
+          points_(line_points(piece, side, buffer_.larger_passes())),
+          thickness_(thickness_of(piece.kind)), ends_(ends_in_scene(scene, piece, side)),
+          sink_(sink) {}
+
+    template <typename Step> bool takes() const { return rastertrace::takes<Step>(sink_); }
+
+    template <typename Step> void operator()(const Step& step) const { sink_(step); }
+
+    void operator()(const PixelPlotted& plotted) const {
+        const Pixel pixel = plotted.pixel;
+        const auto row = static_cast<int>(target_.image.canvas().row_of(pixel.y));
+        auto& cell = *buffer_.row_from(pixel.x, row);
+        const auto depth = buffer_.compared(points_.depth_at(pixel));
+        const auto test = [&] { return verdict_on(pixel, row, cell, depth); };
+        bool passes = false;
+        if constexpr (keeps_steps<Sink>)
+            passes = buffer_.decide_and_tell(pixel, row, cell, depth, test, sink_);
+        else
+            passes = test().passes;
+        if (!passes)
+            return;
+        target_.image.at(pixel) = plotted.color;
+        sink_(plotted);
+    }
+
+private:
+    using PixelDepth = DepthOf<OfPixels>;
+
+    /// Decides about a turned depth, and keeps it if it passes.
+    template <typename Cell>
+    DepthVerdict verdict_on(Pixel pixel, int row, Cell& cell, const PixelDepth& depth) const {
+        const auto [face, is_exact] = face_before(pixel, row);
+        DepthVerdict verdict{.passes = false, .is_exact = is_exact};
+        if (face) {
+            verdict.reason = DepthReason::behind;
+            verdict.other = primitive_of(*face).name;
+            return verdict;
+        }
+        const auto pass_because = [&](DepthReason reason, std::uint32_t owner) {
+            verdict.passes = true;
+            verdict.reason = reason;
+            verdict.other = primitive_of(owner).name;
+        };
+        const auto owner = buffer_.owner_of(cell);
+        if (buffer_.is_behind_thin(cell, depth, thickness_)) {
+            // A line does not hide its own ends.
+            const std::uint32_t thin = *buffer_.thin_owner_of(cell);
+            verdict.is_by_thin = true;
+            if (thickness_ < thickness_of(primitive_of(thin).kind) && is_side_of(thin))
+                pass_because(DepthReason::side_of, thin);
+        } else if (owner && buffer_.hides(cell, depth)) {
+            pass_because(is_side_of(*owner) ? DepthReason::side_of : DepthReason::beside, *owner);
+        } else {
+            verdict.passes = owner || buffer_.is_nearer(cell, depth);
+        }
+        if (verdict.passes)
+            buffer_.keep_thin(cell, depth, thickness_);
+        return verdict;
+    }
+
+    /// The owner of a depth, in the pixel or next to it, whose face hides the line's point; and whether that
+    /// took exact numbers.
+    struct FaceBefore {
+        std::optional<std::uint32_t> owner;
+        bool is_exact = false;
+    };
+    FaceBefore face_before(Pixel pixel, int row) const {
+        std::array<std::uint32_t, 9> seen{};
+        auto end = seen.begin();
+        FaceBefore result;
+        // The pixel itself first: mostly that decides.
+        for (const int dy : {0, -1, 1})
+            for (const int dx : {0, -1, 1}) {
+                if (!buffer_.has(pixel.x + dx, row + dy))
+                    continue;
+                const auto owner = buffer_.owner_of(*buffer_.row_from(pixel.x + dx, row + dy));
+                if (!owner || std::find(seen.begin(), end, *owner) != end)
+                    continue;
+                *end++ = *owner;
+                if (is_side_of(*owner))
+                    continue;
+                const Hiding hiding = hiding_of(*owner, pixel);
+                result.is_exact = result.is_exact || hiding.is_exact;
+                if (hiding.hides) {
+                    result.owner = owner;
+                    return result;
+                }
+            }
+        return result;
+    }
+
+    /// Whether the face of an owner covers the line's point at a pixel, and is nearer there.
+    struct Hiding {
+        bool hides;
+        bool is_exact = false; ///< it took exact numbers
+    };
+    Hiding hiding_of(std::uint32_t owner, Pixel pixel) const {
+        const bool larger_passes = buffer_.larger_passes();
+        if constexpr (std::same_as<Scalar, OfPixels>)
+            try {
+                return {hides_point(target_.triangle_of(owner), points_.at(pixel), larger_passes)};
+            } catch (const Undecided&) {
+                ++target_.exactness->fallbacks.depths;
+            }
+        if constexpr (std::same_as<OfPixels, Adaptive>) {
+            Exactness& exactness = *target_.exactness;
+            const auto line =
+                line_points(exactness.pieces.piece(exactness.drawn.back()), side_, larger_passes);
+            const auto face = corners_of(exactness.pieces.piece(exactness.drawn[owner]));
+            return {hides_point(face, line.at(pixel), larger_passes), true};
+        }
+        return {false}; // only filtered doubles leave anything undecided
+    }
+
+    /// The same owner is asked about again and again.
+    bool is_side_of(std::uint32_t owner) const {
+        const std::size_t primitive = target_.primitive_index_of(owner);
+        const std::uint32_t polygon = scene_.primitives[primitive].polygon;
+        if (polygon == 0)
+            return rastertrace::is_side_of(scene_, ends_, primitive);
+        if (polygon != asked_polygon_) {
+            asked_polygon_ = polygon;
+            is_side_of_asked_ = rastertrace::is_side_of(scene_, ends_, primitive);
+        }
+        return is_side_of_asked_;
+    }
+    const ScenePrimitive& primitive_of(std::uint32_t owner) const {
+        return scene_.primitives[target_.primitive_index_of(owner)];
+    }
+
+    EdgeName side_;
+    const Scene& scene_;
+    Target<Scalar, OfPixels>& target_;
+    DepthBuffer<PixelDepth>& buffer_;
+    LinePoints<DepthOf<Scalar>> points_;
+    Thickness thickness_;
+    std::array<std::size_t, 2> ends_;
+    mutable std::uint32_t asked_polygon_ = 0; ///< none
+    mutable bool is_side_of_asked_ = false;
+    [[no_unique_address]] Sink sink_;
+};
+
+} // namespace rastertrace

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include <rastertrace/core/draw/draw.h>
+
+#include "paint/draw_scalar.h"
+
+#include <rastertrace/core/draw/scene/triangulate.h>
+
+#include <string_view>
+#include <vector>
+
+namespace rastertrace {
+
+namespace {
+
+/// Tells how the faces of meshes that are not convex were cut.
+void tell_cut_faces(const Scene& scene, const Listener& listener) {
+    if (!listener.takes<FaceTriangulated<Quantity>>())
+        return;
+    for (const CutFace& face : scene.cut_faces) {
+        std::vector<std::string_view> vertices;
+        std::vector<Vec<Rational, 3>> places;
+        for (const std::size_t corner : face.corners) {
+            const SceneVertex& vertex = scene.vertices[corner];
+            vertices.push_back(vertex.name);
+            places.push_back({vertex.x.exact(), vertex.y.exact(), vertex.z.exact()});
+        }
+        std::vector<Vec<Quantity, 3>> at;
+        for (const Vec<Rational, 3>& place : places)
+            at.push_back({place.x, place.y, place.z});
+        std::vector<std::string_view> ears;
+        for (std::size_t i = 0; i < face.ears; ++i)
+            ears.push_back(scene.primitives[face.first_ear + i].name);
+        listener(FaceTriangulated<Quantity>{.name = face.name,
+                                            .vertices = vertices,
+                                            .at = at,
+                                            .normal = {face.normal.x, face.normal.y, face.normal.z},
+                                            .dropped = axis_name(face.dropped),
+                                            .ears = ears});
+    }
+}
+
+} // namespace
+
+Image draw(const Scene& scene, const Plan& plan, const Listener& listener, Fallbacks* fallbacks) {
+    tell_cut_faces(scene, listener);
+    return with_scalar(
+        plan, [&]<typename Scalar>() { return draw_in<Scalar>(scene, plan, listener, fallbacks); });
+}
+
+} // namespace rastertrace

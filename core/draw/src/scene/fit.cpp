@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: MIT
+#include <rastertrace/core/draw/scene/fit.h>
+
+#include <rastertrace/core/numbers/irrational.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace rastertrace {
+
+namespace {
+
+// Numbers of few digits.
+
+/// The power of ten that a positive value begins with: 10^e <= value < 10^(e + 1).
+Rational leading_power(const Rational& value) {
+    const auto digits = [](const mpz_class& number) {
+        return mpz_sizeinbase(number.get_mpz_t(), 10);
+    };
+    Rational power = 1;
+    mpz_ui_pow_ui(power.get_num_mpz_t(), 10, digits(value.get_num()));
+    mpz_ui_pow_ui(power.get_den_mpz_t(), 10, digits(value.get_den()));
+    power.canonicalize();
+    // So many digits can be too many by one, above and below.
+    while (power > value)
+        power /= 10;
+    while (power * 10 <= value)
+        power *= 10;
+    return power;
+}
+
+/// One in the third digit of a positive value.
+Rational step_of(const Rational& value) {
+    return leading_power(value) / 100;
+}
+
+/// The multiple of `step` that is not above the value, and nearest to it.
+Rational rounded_down(const Rational& value, const Rational& step) {
+    const Rational steps = value / step;
+    mpz_class whole;
+    mpz_fdiv_q(whole.get_mpz_t(), steps.get_num_mpz_t(), steps.get_den_mpz_t());
+    return step * whole;
+}
+
+Rational rounded_up(const Rational& value, const Rational& step) {
+    return -rounded_down(-value, step);
+}
+
+/// The nearest multiple of `step`.
+Rational rounded(const Rational& value, const Rational& step) {
+    return rounded_down(value + step / 2, step);
+}
+
+Number number_of(const Rational& value) {
+    return value.get_den() == 1 && value.get_num().fits_slong_p() ? Number(value.get_num().get_si())
+                                                                  : Number::fraction(value);
+}
+
+/// The square root of a positive number, or a little more: less than 2^-60 of it.
+Rational root_from_above(const Rational& square) {
+    // sqrt(p/q) = sqrt(p q) / q, with at least 64 bits.
+    const mpz_class product = square.get_num() * square.get_den();
+    constexpr mp_bitcnt_t more_bits = 64;
+    const mpz_class shifted = product << (2 * more_bits);
+    mpz_class root = sqrt(shifted);
+    if (root * root < shifted)
+        ++root;
+    return quotient_of(root, square.get_den() << more_bits);
+}
+
+// What can be seen.
+
+/// What of an axis is shown, in canonical units: -1..1, or what the pixels of a canvas are that lie on
+/// both sides of its center.
+Rational half_of(const Viewport& viewport, int extent) {
+    if (viewport.type == ViewportType::fit)
+        return 1;
+    const Rational pixels = std::max<Rational>((extent - 1) / 2, Rational(1, 2));
+    return viewport.type == ViewportType::pixels_per_unit
+               ? Rational(pixels / abs(viewport.pixels_per_unit.exact()))
+               : pixels;
+}
+
+Interval around_zero(const Rational& half) {
+    return {-half, half};
+}
+
+/// `half` canonical units to each side of the middle, where low..high is one unit to each side.
+Interval scaled(const Number& low, const Number& high, const Rational& half) {
+    const Rational middle = (low.exact() + high.exact()) / 2;
+    const Rational reach = half * (high.exact() - low.exact()) / 2;
+    return {middle - reach, middle + reach};
+}
+
+Interval divided(const Interval& interval, const Rational& by) {
+    return {interval.low / by, interval.high / by};
+}
+
+Interval intersection(const Interval& a, const Interval& b) {
+    return {std::max(a.low, b.low), std::min(a.high, b.high)};
+}
+
+// Where the camera stands.
+
+/// One axis of a perspective: from which distance on its two sides leave a sphere of this radius whole,
+/// and where the sphere's center then is.
+struct Sides {
+    const Interval& slopes;
+    const Rational& radius;
+    Rational low_root = root_from_above(1 + slopes.low * slopes.low);
+    Rational high_root = root_from_above(1 + slopes.high * slopes.high);
+
+    Rational distance() const {
+        return radius * (low_root + high_root) / (slopes.high - slopes.low);
+    }
+    /// The middle of those places that are possible; 0 if both sides are alike.
+    Rational center_at(const Rational& distance) const {
+        return ((slopes.low + slopes.high) * distance + radius * (low_root - high_root)) / 2;
+    }
+};
+
+Rational middle_of(const Interval& interval) {
+    return (interval.low + interval.high) / 2;
+}
+
+} // namespace
+
+void include(std::optional<Box>& box, const Vec<Rational, 3>& place) {
+    if (!box) {
+        box = Box{place, place};
+        return;
+    }
+    const auto reach = [](Rational& low, Rational& high, const Rational& value) {
+        if (value < low)
+            low = value;
+        if (value > high)
+            high = value;
+    };
+    reach(box->low.x, box->high.x, place.x);
+    reach(box->low.y, box->high.y, place.y);
+    reach(box->low.z, box->high.z, place.z);
+}
+
+Vec<Rational, 3> center_of(const Box& box) {
+    const Vec<Rational, 3> size = box.high - box.low;
+    const Rational largest = std::max<Rational>({size.x, size.y, size.z});
+    if (largest == 0)
+        return box.low;
+    const Rational step = step_of(largest);
+    return {rounded((box.low.x + box.high.x) / 2, step),
+            rounded((box.low.y + box.high.y) / 2, step),
+            rounded((box.low.z + box.high.z) / 2, step)};
+}
+
+ViewVolume view_volume(const Projection& projection, const Viewport& viewport,
+                       const Canvas& canvas) {
+    const Rational half_x = half_of(viewport, canvas.width);
+    const Rational half_y = half_of(viewport, canvas.height);
+    ViewVolume volume{.is_perspective = is_perspective(projection.type),
+                      .x = around_zero(half_x),
+                      .y = around_zero(half_y),
+                      .near = near_of(projection).value_or(0),
+                      .far = far_of(projection)};
+    switch (projection.type) {
+    case ProjectionType::pinhole:
+    case ProjectionType::view_plane:
+        volume.x = divided(volume.x, projection.distance.exact());
+        volume.y = divided(volume.y, projection.distance.exact());
+        break;
+    case ProjectionType::frustum:
+        if (projection.fov_y) {
+            const Rational scale = cotangent_of_degrees(projection.fov_y->exact() / 2);
+            volume.x = divided(volume.x, scale * canvas.height / canvas.width);
+            volume.y = divided(volume.y, scale);
+        } else {
+            volume.x = divided(scaled(projection.left, projection.right, half_x), volume.near);
+            volume.y = divided(scaled(projection.bottom, projection.top, half_y), volume.near);
+        }
+        break;
+    case ProjectionType::orthographic:
+        volume.x = scaled(projection.left, projection.right, half_x);
+        volume.y = scaled(projection.bottom, projection.top, half_y);
+        break;
+    case ProjectionType::none:
+        break;
+    }
+    return volume;
+}
+
+ViewVolume intersection(const ViewVolume& a, const ViewVolume& b) {
+    return {.is_perspective = a.is_perspective,
+            .x = intersection(a.x, b.x),
+            .y = intersection(a.y, b.y),
+            .near = std::max(a.near, b.near),
+            .far = a.far && b.far ? std::min(*a.far, *b.far) : (a.far ? a.far : b.far)};
+}
+
+std::variant<FittedCamera, FitFault> fitted_camera(const Vec<Rational, 3>& center,
+                                                   const Rational& square, const ViewVolume& volume,
+                                                   ViewAxis axis) {
+    if (square == 0)
+        return FitFault::one_place;
+    if (volume.x.low >= volume.x.high || volume.y.low >= volume.y.high)
+        return FitFault::no_view;
+
+    // Rounding may move what is seen by a step. That much is added to the radius.
+    const Rational exact_radius = root_from_above(square);
+    const Rational step = step_of(exact_radius);
+    const Rational radius = rounded_up(exact_radius, step) + step;
+    const Rational reach =
+        std::max<Rational>({abs(center.x), abs(center.y), abs(center.z)}) + radius;
+    if (exact_radius < Rational(smallest_fit) || reach > Rational(largest_fit))
+        return FitFault::size;
+
+    // How far the eye stands from the center, and how far the center lies from the middle of the view.
+    Rational distance;
+    Rational x;
+    Rational y;
+    if (volume.is_perspective) {
+        const Sides x_sides{volume.x, radius};
+        const Sides y_sides{volume.y, radius};
+        distance =
+            std::max<Rational>({x_sides.distance(), y_sides.distance(), volume.near + radius});
+        distance = rounded_up(distance, step_of(distance));
+        x = rounded(x_sides.center_at(distance), step);
+        y = rounded(y_sides.center_at(distance), step);
+    } else {
+        distance = volume.far ? rounded((volume.near + *volume.far) / 2, step) : 2 * radius;
+        x = rounded(middle_of(volume.x), step);
+        y = rounded(middle_of(volume.y), step);
+    }
+    if (distance > Rational(largest_fit))
+        return FitFault::size;
+
+    // An eye that is in the center itself, or beyond it, looks just as far ahead as the sphere reaches.
+    const int back = axis == ViewAxis::minus_z ? 1 : -1; // world z against the view
+    const Rational ahead = distance > 0 ? distance : radius;
+    const Vec<Rational, 3> eye{center.x - back * x, center.y - y, center.z + back * distance};
+    const Rational nearest = distance - radius;
+    const Rational farthest = distance + radius;
+    return FittedCamera{
+        .camera = {.position = {number_of(eye.x), number_of(eye.y), number_of(eye.z)},
+                   .look_at = {number_of(eye.x), number_of(eye.y), number_of(eye.z - back * ahead)},
+                   .up = {0, 1, 0}},
+        .near = number_of(nearest > 0 ? rounded_down(nearest, step_of(nearest)) : nearest),
+        .far = number_of(farthest > 0 ? rounded_up(farthest, step_of(farthest)) : farthest)};
+}
+
+} // namespace rastertrace

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// From one kind of number to another: what was typed in a scene becomes a Scalar to draw with, and a
+// Scalar becomes a double to look at.
+//
+//     scalar_from<double>(Number::decimal(1, -1));         // the double nearest to 1/10
+//     scalar_from<Fraction64>(Number::decimal(5, -1), 2);  // 1/2
+
+#include <rastertrace/core/numbers/fraction.h>
+#include <rastertrace/core/numbers/number.h>
+#include <rastertrace/core/numbers/rational.h>
+#include <rastertrace/core/numbers/scalar.h>
+
+#include <cassert>
+#include <cmath>
+#include <concepts>
+#include <cstdint>
+#include <optional>
+
+namespace rastertrace {
+
+/// What an exact number becomes in one kind of number: the nearest float or double, or itself.
+template <typename Scalar> struct Conversion;
+
+template <> struct Conversion<float> {
+    static float of(const Number& number) { return number.nearest_float(); }
+    static float of(const Rational& number) { return nearest_float(number); }
+};
+template <> struct Conversion<double> {
+    static double of(const Number& number) { return number.nearest_double(); }
+    static double of(const Rational& number) { return nearest_double(number); }
+};
+template <> struct Conversion<Rational> {
+    static Rational of(const Number& number) { return number.exact(); }
+    static const Rational& of(const Rational& number) { return number; }
+};
+
+/// An exact number as a Scalar: the nearest float or double, or exactly.
+template <typename Scalar> Scalar nearest_scalar(const Rational& exact) {
+    return Conversion<Scalar>::of(exact);
+}
+
+/// A number of the scene as a Scalar that needs no denominator.
+template <typename Scalar> Scalar scalar_from(const Number& number) {
+    return Conversion<Scalar>::of(number);
+}
+
+/// What fractions ask of a number, typed or worked out: a denominator that it can be written over,
+/// and its numerator over a denominator, rounded to the nearest whole number (a half up). Both only
+/// if they fit.
+inline std::optional<std::int64_t> denominator_of(const Number& number) {
+    return number.denominator();
+}
+inline std::optional<std::int64_t> denominator_of(const Rational& number) {
+    if (!number.get_den().fits_slong_p())
+        return std::nullopt;
+    return number.get_den().get_si();
+}
+inline std::optional<std::int64_t> nearest_numerator(const Number& number,
+                                                     std::int64_t denominator) {
+    const auto exact = number.numerator_over(denominator);
+    return exact ? exact : number.nearest_numerator_over(denominator);
+}
+inline std::optional<std::int64_t> nearest_numerator(const Rational& number,
+                                                     std::int64_t denominator) {
+    return Number::fraction(number).nearest_numerator_over(denominator);
+}
+inline std::optional<std::int64_t> nearest_numerator(double number, std::int64_t denominator) {
+    const double numerator = number * static_cast<double>(denominator);
+    if (!(std::abs(numerator) < 0x1p62))
+        return std::nullopt;
+    const double below = std::floor(numerator);
+    return static_cast<std::int64_t>(below) + (numerator - below >= 0.5 ? 1 : 0);
+}
+
+/// A coordinate as a Scalar. Where one is rounded (to a grid of fractions), a half goes up; plan.h
+/// finds a denominator that suits them all, or the grid to snap to.
+template <typename Scalar, typename Coordinate>
+Scalar scalar_from(const Coordinate& coordinate, std::int64_t denominator) {
+    if constexpr (std::same_as<Scalar, Coordinate>) {
+        return coordinate;
+    } else if constexpr (std::same_as<Scalar, Rational>) {
+        if constexpr (!std::floating_point<Coordinate>)
+            if (denominator == 1)
+                return scalar_from<Scalar>(coordinate);
+        const auto numerator = nearest_numerator(coordinate, denominator);
+        assert(numerator && "find_unfit has seen that every number fits");
+        Rational snapped(*numerator, denominator);
+        snapped.canonicalize();
+        return snapped;
+    } else if constexpr (is_fraction<Scalar>) {
+        const auto numerator = nearest_numerator(coordinate, denominator);
+        assert(numerator && "the plan has seen that every number fits");
+        return Scalar{*numerator, denominator};
+    } else {
+        return Conversion<Scalar>::of(coordinate);
+    }
+}
+
+/// The same number over a denominator that is `factor` times as large, if it has one.
+template <typename Scalar> Scalar written_finer(Scalar value, std::int64_t) {
+    return value;
+}
+template <typename Integer>
+Fraction<Integer> written_finer(const Fraction<Integer>& value, std::int64_t factor) {
+    return {value.numerator * factor, value.denominator * factor};
+}
+
+/// The double nearest to a coordinate.
+inline double to_double(double number) {
+    return number;
+}
+inline double to_double(const Rational& number) {
+    return nearest_double(number);
+}
+inline double to_double(const Number& number) {
+    return number.nearest_double();
+}
+
+/// How far the double nearest to a coordinate may lie from the coordinate that is drawn with.
+template <typename Coordinate> double error_of(const Coordinate&) {
+    return 0;
+}
+
+/// True if two numbers are not equal, or it is not known that they are.
+template <typename Scalar> bool may_differ(const Scalar& a, const Scalar& b) {
+    return a != b;
+}
+
+} // namespace rastertrace

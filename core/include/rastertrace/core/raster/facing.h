@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Which way a face is turned: to the eye or away.
+//
+// The normal of P1, P2, P3 is n = (P2 - P1) x (P3 - P1): outward on a solid whose faces run
+// counter-clockwise as seen from outside, in right-handed space. The view leads from the face to the
+// eye, and the front is seen if n . view > 0. Taken from the eye to the face, the same test has the
+// opposite sign: the mistake of T0's text, where wrong numbers hid a wrong sign.
+//
+// Sources: T1 (hidden surfaces, normal . toward-the-eye, 0 is culled); T0 with its figures 22 to 28
+// put right.
+//
+//     is_culled(Cull::back, dot(normal, view));
+
+#include <rastertrace/core/numbers/scalar.h>
+#include <rastertrace/core/numbers/vec.h>
+
+namespace rastertrace {
+
+/// Which faces are not drawn. A face is seen from its front if its normal points to the eye:
+/// normal . view > 0. Seen from the edge (0) it is not drawn whenever anything is culled.
+enum class Cull {
+    none,
+    back,
+    front,
+    both,
+    light, ///< faces turned from the light: wrong, and shown as such
+};
+
+/// (b - a) x (c - a): at a right angle to the face, as long as twice its area.
+template <typename Scalar>
+Vec<Scalar, 3> normal_of(const Vec<Scalar, 3>& a, const Vec<Scalar, 3>& b,
+                         const Vec<Scalar, 3>& c) {
+    return cross(b - a, c - a);
+}
+
+/// The mean of three points.
+template <typename Scalar>
+Vec<Scalar, 3> centroid_of(const Vec<Scalar, 3>& a, const Vec<Scalar, 3>& b,
+                           const Vec<Scalar, 3>& c) {
+    const Scalar three = scalar_from<Scalar>(3);
+    return {Scalar((a.x + b.x + c.x) / three), Scalar((a.y + b.y + c.y) / three),
+            Scalar((a.z + b.z + c.z) / three)};
+}
+
+template <typename Scalar> bool has_no_length(const Vec<Scalar, 3>& vector) {
+    const Scalar zero = scalar_from<Scalar>(0);
+    const bool surely_has_some = surely_differ(vector.x, zero) || surely_differ(vector.y, zero) ||
+                                 surely_differ(vector.z, zero);
+    return !surely_has_some && vector.x == zero && vector.y == zero && vector.z == zero;
+}
+
+/// True if a face with this normal . view is not drawn.
+template <typename Scalar> bool is_culled(Cull cull, const Scalar& dot) {
+    const Scalar zero = scalar_from<Scalar>(0);
+    switch (cull) {
+    case Cull::back:
+    case Cull::light:
+        return !(zero < dot);
+    case Cull::front:
+        return !(dot < zero);
+    case Cull::both:
+        return true;
+    case Cull::none:
+        break;
+    }
+    return false;
+}
+
+} // namespace rastertrace

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The painter: what is far is drawn first, and what is near covers it. Wrong where triangles overlap in a
+// circle or cut each other, and where the key that they are sorted by says the wrong thing.
+//
+// Source: T0, with every triangle drawn, not only the nearest.
+//
+//     painter_order<double>(std::array{2.0, 5.0, 3.0});  // 1, 2, 0
+
+#include <rastertrace/core/numbers/scalar.h>
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <numeric>
+#include <span>
+#include <vector>
+
+namespace rastertrace {
+
+/// Which distance of a triangle the painter sorts by.
+enum class PainterKey { nearest, farthest, mean };
+
+/// The distance that a triangle is sorted by, from those of its vertices.
+template <typename Scalar>
+Scalar painter_key(PainterKey key, const Scalar& a, const Scalar& b, const Scalar& c) {
+    switch (key) {
+    case PainterKey::nearest:
+        return std::min({a, b, c});
+    case PainterKey::farthest:
+        return std::max({a, b, c});
+    case PainterKey::mean:
+        break;
+    }
+    const Scalar three = scalar_from<Scalar>(3);
+    const Scalar sum = a + b + c;
+    require_finite(sum);
+    if constexpr (std::floating_point<Scalar>)
+        if (!std::isfinite(sum))
+            return a / three + b / three + c / three;
+    return sum / three;
+}
+
+/// The places of these distances from the eye, the farthest first. Of equals, the first stays first.
+template <typename Scalar>
+std::vector<std::size_t> painter_order(std::span<const Scalar> distances) {
+    std::vector<std::size_t> order(distances.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [distances](std::size_t a, std::size_t b) {
+        return distances[b] < distances[a];
+    });
+    return order;
+}
+
+} // namespace rastertrace

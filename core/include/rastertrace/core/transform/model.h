@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// From object space to world space: a model scales, moves, turns and shears. Translation is in matrix.h.
+//
+//     translation<double>({0, 0, 4}) * scaling<double>({2, 2, 2});  // scales first, then moves
+
+#include <rastertrace/core/numbers/scalar.h>
+#include <rastertrace/core/numbers/vec.h>
+#include <rastertrace/core/transform/matrix.h>
+
+#include <array>
+#include <cstddef>
+
+namespace rastertrace {
+
+/// Multiplies x, y and z each by its own number.
+template <typename Scalar> Matrix<Scalar> scaling(const Vec<Scalar, 3>& by) {
+    return diagonal<Scalar>(by.x, by.y, by.z, scalar_from<Scalar>(1));
+}
+
+/// Turns about an axis through the origin, counter-clockwise as seen from the axis's tip. Rodrigues'
+/// formula: cos I + (1 - cos) a a^T + sin [a]x, for the unit axis a. `axis` has any length but 0, and `unit`
+/// is a vector of length 1 in its direction: the products of the components of a are quotients by the
+/// square of the length, and need no root.
+template <typename Scalar>
+Matrix<Scalar> rotation(const Vec<Scalar, 3>& axis, const Vec<Scalar, 3>& unit, const Scalar& sine,
+                        const Scalar& cosine) {
+    const Scalar zero = scalar_from<Scalar>(0);
+    const Scalar square = dot(axis, axis);
+    const std::array<Scalar, 3> v{axis.x, axis.y, axis.z};
+    const std::array<std::array<Scalar, 3>, 3> cross{{{zero, Scalar(-unit.z), unit.y},
+                                                      {unit.z, zero, Scalar(-unit.x)},
+                                                      {Scalar(-unit.y), unit.x, zero}}};
+    Matrix<Scalar> matrix = identity<Scalar>();
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j)
+            matrix.rows[i][j] = (i == j ? cosine : zero) +
+                                (scalar_from<Scalar>(1) - cosine) * v[i] * v[j] / square +
+                                sine * cross[i][j];
+    return matrix;
+}
+
+/// The shares of the other coordinates that a shear adds to each one: `xy` of y to x, and so on.
+template <typename Scalar> struct ShearFactors { Scalar xy, xz, yx, yz, zx, zy; };
+
+template <typename Scalar> Matrix<Scalar> shear(const ShearFactors<Scalar>& by) {
+    const Scalar zero = scalar_from<Scalar>(0);
+    const Scalar one = scalar_from<Scalar>(1);
+    return {{{{one, by.xy, by.xz, zero},
+              {by.yx, one, by.yz, zero},
+              {by.zx, by.zy, one, zero},
+              {zero, zero, zero, one}}}};
+}
+
+} // namespace rastertrace
