@@ -14,7 +14,7 @@ fi
 [ "$all" = OFF ] || scripts/install-packages.sh emscripten node-acorn
 scripts/install-packages.sh g++ clang cmake ninja-build binutils libglm-dev nlohmann-json3-dev \
     libfmt-dev libcli11-dev libgif-dev libgmp-dev libpng-dev libunistring-dev zlib1g-dev libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev libtinyobjloader-dev python3-jsonschema tmux git
-[ "$all" = OFF ] || scripts/install-packages.sh asciinema chromium fonts-dejavu-core librsvg2-bin mkdocs poppler-utils \
+[ "$all" = OFF ] || scripts/install-packages.sh asciinema chromium fonts-dejavu-core gdb librsvg2-bin mkdocs poppler-utils \
     python3-pil python3-pymdownx texlive-latex-base texlive-pictures
 [ "$all" = OFF ] || command -v npm >/dev/null || scripts/install-packages.sh nodejs npm
 [ -f build/test/build.ninja ] || cmake --preset test -G Ninja

@@ -380,10 +380,9 @@ private:
 
         // Added up, row after row or pixel after pixel, as far as the canvas goes.
         const Method& method = scene_.method;
-        const bool is_added =
-            is_filled ? method.lerp == LerpForm::incremental &&
-                            (method.fill == Fill::scanline || method.fill == Fill::two_halves)
-                      : method.line == LineMethod::dda;
+        const bool is_added = is_filled ? method.lerp == LerpForm::incremental &&
+                                              traits_of(method.fill).rule == PixelRule::row_ends
+                                        : traits_of(method.line).adds_up;
         if (!is_added)
             return;
         const double n =
@@ -407,24 +406,25 @@ private:
         const auto tie_of = [](Rounding rounding) {
             return rounding == Rounding::nearest ? Rational(1, 2) : Rational(0);
         };
-        if (is_filled && method.fill == Fill::fan)
+        const PixelRule rule = traits_of(method.fill).rule;
+        const bool is_on_grid = traits_of(method.line).is_on_grid;
+        if (is_filled && rule == PixelRule::lines)
             return;
-        if (is_filled && (method.fill == Fill::scanline || method.fill == Fill::two_halves)) {
+        if (is_filled && rule == PixelRule::row_ends) {
             look_along(edge, {false, 0, tie_of(span_rounding(method).rounding)}, "row end");
         } else if (is_filled) {
             const Rational offset = sample_offset_of(method).exact();
             look_along(edge, {dx >= dy, offset, offset}, "sample");
         } else {
             ScreenEdge line = edge;
-            if (method.line == LineMethod::bresenham)
+            if (is_on_grid)
                 for (auto* const end : {&line.from, &line.to}) {
                     const GridPoint pixel = nearest_pixel(end->x, end->y);
                     *end = {Rational(static_cast<long>(pixel.x)),
                             Rational(static_cast<long>(pixel.y))};
                 }
-            const Rational tie = method.line == LineMethod::bresenham
-                                     ? Rational(1, 2)
-                                     : tie_of(line_rounding(method).rounding);
+            const Rational tie =
+                is_on_grid ? Rational(1, 2) : tie_of(line_rounding(method).rounding);
             look_along(line, {dx >= dy, 0, tie}, "tie");
         }
     }

@@ -252,7 +252,7 @@ void draw_line(const Scene& scene, const ScenePrimitive& line, Colors& picture) 
     const mpz_class first = std::max<mpz_class>(std::min(from_x, to_x), low);
     const mpz_class last = std::min<mpz_class>(std::max(from_x, to_x), high);
     const bool falls = to_y < from_y;
-    const bool is_bresenham = scene.method.line == LineMethod::bresenham;
+    const bool is_on_grid = traits_of(scene.method.line).is_on_grid;
     const SpanRounding rule = line_rounding(scene.method);
     for (mpz_class along = first; along <= last; ++along) {
         const Rational across = from_x == to_x
@@ -264,7 +264,7 @@ void draw_line(const Scene& scene, const ScenePrimitive& line, Colors& picture) 
             continue;
         // At a tie Bresenham's line stays on the side that it comes from, or goes to the other one.
         const bool steps = rule.ties == Ties::step;
-        const bool stays = !steps && (is_bresenham || rule.ties == Ties::start);
+        const bool stays = !steps && (is_on_grid || rule.ties == Ties::start);
         const mpz_class pixel = nearest_of(
             across, stays || steps ? (stays == falls ? Ties::up : Ties::start) : rule.ties);
         plot(scene, is_x_major ? along : pixel, is_x_major ? pixel : along, line.color, picture);
@@ -288,12 +288,13 @@ Rational exact_area2(const std::array<ExactPoint, 3>& t) {
 
 CoveredPixels covered_by(const std::array<ExactPoint, 3>& triangle, const Method& method,
                          const Canvas& canvas) {
-    if (method.fill == Fill::scanline || method.fill == Fill::two_halves)
+    const FillTraits fill = traits_of(method.fill);
+    if (fill.rule == PixelRule::row_ends)
         return covered_rows(triangle, span_rounding(method), canvas);
     if (exact_area2(triangle) == 0)
         return CoveredPixels(static_cast<std::size_t>(canvas.width) *
                              static_cast<std::size_t>(canvas.height));
-    return covered_samples({triangle.begin(), triangle.end()}, method.fill == Fill::barycentric,
+    return covered_samples({triangle.begin(), triangle.end()}, fill.is_closed,
                            sample_offset_of(method).exact(), canvas);
 }
 

@@ -3,10 +3,10 @@
 
 #include "job_builder.h"
 
-#include <rastertrace/core/draw/filtered/adaptive.h>
 #include <rastertrace/core/draw/list/screen_list.h>
 #include <rastertrace/core/draw/paint/piece_in.h>
 #include <rastertrace/core/draw/plan/stages.h>
+#include <rastertrace/core/numbers/adaptive.h>
 
 #include <map>
 #include <utility>

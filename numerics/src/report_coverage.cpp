@@ -242,7 +242,7 @@ private:
     /// The fills that go by rows ask only for the pixels that they draw.
     static std::uint64_t pixels_tested(const Scene& scene, const PixelSink& sink,
                                        std::uint64_t drawn) {
-        return scene.method.fill == Fill::barycentric ? sink.tested : drawn;
+        return traits_of(scene.method.fill).tests_box ? sink.tested : drawn;
     }
 
     /// Fills everything in numbers that count; returns the pixels.

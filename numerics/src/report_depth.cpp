@@ -161,7 +161,7 @@ private:
     /// Calls `visit(row, span, piece)` with the depths of each row of each piece.
     template <typename D, typename Visit>
     static void for_each_row(const DepthInput<D>& input, const DepthScene& shared,
-                             DepthBuffer<D>& buffer, Visit&& visit) {
+                             DepthTests<D>& buffer, Visit&& visit) {
         for (std::size_t i = 0; i < input.pieces.size(); ++i) {
             const auto& [triangle, depths] = input.pieces[i];
             const auto plane =
@@ -182,7 +182,7 @@ private:
             const Scene scene = scene_with(kind, ScalarKind::exact);
             const Plan plan = plan_for(scene);
             const auto input = input_of<Rational>(scene, plan);
-            DepthBuffer<Rational> buffer(whole(shared_->canvas), input->rule);
+            DepthTests<Rational> buffer(whole(shared_->canvas), input->rule);
             for_each_row(*input, *shared_, buffer,
                          [&](const DepthRow<Rational>& row, const PieceSpan& span, std::size_t) {
                              for (int x = span.from; x <= span.to; ++x)
@@ -222,7 +222,7 @@ private:
     template <typename D, typename DepthsOf>
     static Winners run_buffer(const DepthInput<D>& input, const DepthScene& shared,
                               const DepthsOf& depths_of) {
-        DepthBuffer<D> buffer(whole(shared.canvas), input.rule);
+        DepthTests<D> buffer(whole(shared.canvas), input.rule);
         Winners winners(static_cast<std::size_t>(shared.canvas.width) *
                         static_cast<std::size_t>(shared.canvas.height));
         for_each_row(input, shared, buffer,
@@ -309,7 +309,7 @@ private:
     template <typename D, typename VisitDepths>
     ErrorValue largest_error(Depth kind, const DepthInput<D>& input,
                              VisitDepths&& visit_depths) const {
-        DepthBuffer<D> buffer(whole(shared_->canvas), input.rule);
+        DepthTests<D> buffer(whole(shared_->canvas), input.rule);
         std::optional<double> largest;
         std::size_t fragment = 0;
         for_each_row(input, *shared_, buffer,
@@ -382,7 +382,7 @@ private:
     /// leave it open whether a triangle has area.
     template <typename Visit>
     static void for_each_adaptive_row(AdaptiveTriangles& input, const DepthScene& shared,
-                                      DepthBuffer<Adaptive>& buffer, Visit&& visit) {
+                                      DepthTests<Adaptive>& buffer, Visit&& visit) {
         input.begin();
         for (std::size_t i = 0; i < input.placed.size(); ++i) {
             const AdaptiveTriangles::Placed& one = input.placed[i];
@@ -390,7 +390,7 @@ private:
             buffer.begin(static_cast<std::uint32_t>(i));
             const auto visit_rows = [&](const auto& plane) {
                 for (const PieceSpan& span : shared.pieces[i].spans)
-                    visit(buffer.compared(plane.on_row(span.y), span.from, span.to), span, i);
+                    visit(buffer.tested(plane.on_row(span.y), {span.from, span.to}), span, i);
             };
             const auto plane_of = [&]<typename Scalar>(const Piece<Scalar>& piece) {
                 using D = DepthOf<Scalar>;
@@ -412,7 +412,7 @@ private:
 
     /// The whole work of the depth buffer of `adaptive`.
     static Winners run_adaptive(AdaptiveTriangles& input, const DepthScene& shared) {
-        DepthBuffer<Adaptive> buffer(whole(shared.canvas), depth_rule<Adaptive>(input.scene));
+        DepthTests<Adaptive> buffer(whole(shared.canvas), depth_rule<Adaptive>(input.scene));
         buffer.ask(
             [&input](auto... asked) {
                 return is_nearer(input.scene, input.plan, input.exactness, asked...);
@@ -454,7 +454,7 @@ private:
 
     /// The largest error of the doubles that `adaptive` tests.
     ErrorValue largest_error(Depth kind, AdaptiveTriangles& input) const {
-        DepthBuffer<Adaptive> buffer(whole(shared_->canvas), depth_rule<Adaptive>(input.scene));
+        DepthTests<Adaptive> buffer(whole(shared_->canvas), depth_rule<Adaptive>(input.scene));
         std::optional<double> largest;
         std::size_t fragment = 0;
         for_each_adaptive_row(
@@ -529,7 +529,7 @@ private:
     template <typename Code, typename D, typename Store>
     static Winners run_stored(const DepthInput<D>& input, const DepthScene& shared,
                               const Store& store) {
-        DepthBuffer<D> unused(DepthRegion{}, input.rule);
+        DepthTests<D> unused(DepthRegion{}, input.rule);
         const auto size = static_cast<std::size_t>(shared.canvas.width) *
                           static_cast<std::size_t>(shared.canvas.height);
         std::vector<Code> codes(size, std::numeric_limits<Code>::max());

@@ -4,7 +4,7 @@
 #include "stress_rows.h"
 
 #include <rastertrace/core/raster/line_bresenham.h>
-#include <rastertrace/core/raster/line_lerp.h>
+#include <rastertrace/core/raster/line_sampling.h>
 #include <rastertrace/core/raster/rounding.h>
 
 #include <fmt/core.h>

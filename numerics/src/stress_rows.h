@@ -5,10 +5,10 @@
 
 #include "reference.h"
 
-#include <rastertrace/core/draw/filtered/adaptive.h>
 #include <rastertrace/core/draw/list/screen_list.h>
 #include <rastertrace/core/draw/plan/plan.h>
 #include <rastertrace/core/draw/scene/scene.h>
+#include <rastertrace/core/numbers/adaptive.h>
 #include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/core/raster/image.h>
 #include <rastertrace/numerics/stress.h>

@@ -120,8 +120,8 @@ void run_with_depth(benchmark::State& state, FillOne&& fill_one) {
     const auto all =
         triangles<Scalar>(pixels, static_cast<std::size_t>(2'000'000 / pixels + 1), side);
     Image image({.width = side, .height = side, .origin = Origin::top_left});
-    DepthBuffer<DepthOf<Scalar>> buffer({.left = 0, .top_row = 0, .width = side, .height = side},
-                                        {.larger_passes = true, .cleared = 0});
+    DepthTests<DepthOf<Scalar>> buffer({.left = 0, .top_row = 0, .width = side, .height = side},
+                                       {.larger_passes = true, .cleared = 0});
     double nearness = 1;
     for (auto _ : state)
         for (const auto& triangle : all) {
@@ -143,7 +143,7 @@ template <typename Scalar> void top_left_with_depth(benchmark::State& state) {
                                      buffer.larger_passes());
         const auto plane = depth.plane(D(0.5));
         PixelPainter<Scalar> pixels{
-            .image = image, .stages = {.tests_depth = true}, .buffer = &buffer};
+            .image = image, .stages = {.tests_depth = true}, .tests = &buffer};
         fill_top_left(triangle, grid, image.canvas(), RowPainter<Scalar>(pixels, plane));
     });
 }
@@ -154,7 +154,7 @@ void glm_barycentric_with_depth(benchmark::State& state) {
     std::vector<float> z_buffer(side * side, 1e9F);
     run_with_depth<double>(state, [&](const Triangle<double>& triangle,
                                       const std::array<double, 3>& depths, Image& image,
-                                      DepthBuffer<double>&) {
+                                      DepthTests<double>&) {
         const glm::vec2 a(triangle.vertices[0]), b(triangle.vertices[1]), c(triangle.vertices[2]);
         const glm::vec3 inverse_z(depths[0], depths[1], depths[2]);
         const float limit = static_cast<float>(side - 1);

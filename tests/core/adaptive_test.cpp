@@ -7,8 +7,8 @@
 #include "random_choice.h"
 #include "scene_text.h"
 
-#include <rastertrace/core/draw/filtered/adaptive.h>
 #include <rastertrace/core/draw/filtered/exactly.h>
+#include <rastertrace/core/numbers/adaptive.h>
 
 #include <gtest/gtest.h>
 

@@ -102,13 +102,13 @@ TEST(Painters, PaintTheRowsOfAnyFillAndTellItsSteps) {
 
 TEST(Painters, HideWhatIsFartherThanWhatAnyFillHasDrawn) {
     Image image(small_canvas);
-    DepthBuffer<double> buffer({.left = 0, .top_row = 0, .width = 6, .height = 4},
-                               {.larger_passes = true, .cleared = 0});
+    DepthTests<double> buffer({.left = 0, .top_row = 0, .width = 6, .height = 4},
+                              {.larger_passes = true, .cleared = 0});
     const auto draw_at = [&](const Triangle<double>& triangle, double z, Color color) {
         TriangleDepth<double> depth(triangle.vertices, {1 / z, 1 / z, 1 / z},
                                     buffer.larger_passes());
         PixelPainter<double> pixels{
-            .image = image, .stages = {.tests_depth = true}, .flat = color, .buffer = &buffer};
+            .image = image, .stages = {.tests_depth = true}, .flat = color, .tests = &buffer};
         fill_box(triangle, small_canvas, RowPainter<double>(pixels, depth));
     };
     const Color near{255, 0, 0}, far{0, 0, 255};

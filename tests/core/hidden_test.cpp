@@ -5,6 +5,7 @@
 #include "random_choice.h"
 #include "random_triangle.h"
 
+#include <rastertrace/core/draw/list/light.h>
 #include <rastertrace/core/raster/shading.h>
 
 #include <gtest/gtest.h>

@@ -7,6 +7,7 @@
 #include <rastertrace/core/draw/list/geometry.h>
 #include <rastertrace/core/draw/list/pieces.h>
 #include <rastertrace/core/draw/paint/fill_top_left.h>
+#include <rastertrace/core/numbers/irrational.h>
 #include <rastertrace/core/raster/clip.h>
 #include <rastertrace/core/raster/flat_painter.h>
 
@@ -531,7 +532,8 @@ TEST(Model, GoesInTheOrderListed) {
 }
 
 TEST(Model, ShearAddsEachOfTheSixMultiples) {
-    const auto matrix = matrix_of(Shear{.xy = 1, .xz = 2, .yx = 3, .yz = 4, .zx = 5, .zy = 6});
+    const auto matrix =
+        Model({Shear{.xy = 1, .xz = 2, .yx = 3, .yz = 4, .zx = 5, .zy = 6}}).matrix();
     const auto at =
         matrix * Vec<Rational, 4>{Rational(1), Rational(10), Rational(100), Rational(1)};
     EXPECT_EQ(at.x, 1 + 1 * 10 + 2 * 100);
@@ -547,7 +549,7 @@ TEST(Model, QuarterTurnsAreExact) {
             EXPECT_FALSE(is_rounded(ModelStep(turn)));
             Matrix<Rational> all = identity<Rational>();
             for (int i = 0; i < 4; ++i)
-                all = matrix_of(turn) * all;
+                all = Model({turn}).matrix() * all;
             EXPECT_TRUE(all == identity<Rational>());
         }
     EXPECT_TRUE(is_rounded(ModelStep(Rotate{{1, 0, 0}, 45})));
@@ -556,15 +558,16 @@ TEST(Model, QuarterTurnsAreExact) {
     // Half a turn needs no sine, and swaps x and y about (1, 1, 0).
     EXPECT_FALSE(is_rounded(ModelStep(Rotate{{1, 1, 0}, 180})));
     const Matrix<Rational> swap{{{{0, 1, 0, 0}, {1, 0, 0, 0}, {0, 0, -1, 0}, {0, 0, 0, 1}}}};
-    EXPECT_TRUE(matrix_of(Rotate{{1, 1, 0}, 180}) == swap);
+    EXPECT_TRUE(Model({Rotate{{1, 1, 0}, 180}}).matrix() == swap);
 }
 
 // Each entry of the matrix is off by at most half an ulp of 1, and so is its norm by a few; n turns
 // add up: n (4 u) of the radius, and as much again for the roundings of each product.
 TEST(Model, TurningAllTheWayRoundReturns) {
     for (const int n : {3, 5, 7, 12, 360, 1000}) {
-        const auto matrix = rounded<double>(matrix_of(
-            Rotate{{1, 2, 3}, Number::fraction(mpq_class(mpz_class(360), mpz_class(n)))}));
+        const auto matrix = rounded<double>(
+            Model({Rotate{{1, 2, 3}, Number::fraction(mpq_class(mpz_class(360), mpz_class(n)))}})
+                .matrix());
         Vec<double, 4> point{1, -2, 3, 1};
         for (int i = 0; i < n; ++i)
             point = matrix * point;
@@ -661,7 +664,7 @@ TEST(Pipeline, AgreesWithGlm) {
     expect_near(view_matrix({.position = {1, 2, 3}, .look_at = {4, -5, 6}, .up = {1, 1, 0}},
                             ViewAxis::minus_z),
                 glm::lookAt(glm::dvec3(1, 2, 3), glm::dvec3(4, -5, 6), glm::dvec3(1, 1, 0)));
-    expect_near(matrix_of(Rotate{{1, 2, 3}, 77}),
+    expect_near(Model({Rotate{{1, 2, 3}, 77}}).matrix(),
                 glm::rotate(glm::dmat4(1), 77 * pi / 180, glm::dvec3(1, 2, 3)));
 }
 

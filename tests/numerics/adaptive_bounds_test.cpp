@@ -7,7 +7,7 @@
 #include <rastertrace/core/draw/filtered/adaptive_color.h>
 #include <rastertrace/core/draw/filtered/adaptive_depth.h>
 #include <rastertrace/core/raster/barycentric.h>
-#include <rastertrace/core/raster/depth.h>
+#include <rastertrace/core/raster/depth_interpolation.h>
 #include <rastertrace/core/raster/mixed_colors.h>
 #include <rastertrace/core/raster/triangle.h>
 

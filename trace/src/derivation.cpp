@@ -169,7 +169,7 @@ RoundedEnd rounded_end(const Numbers& numbers, std::size_t row, const std::strin
     const Trace& trace = numbers.trace();
     const Method method = method_of(trace);
     const auto x = numbers.one(row, side);
-    const bool is_by_samples = method.fill == Fill::top_left;
+    const bool is_by_samples = traits_of(method.fill).rule == PixelRule::samples;
     return {.x = x.value_or(0) - (is_by_samples ? sample_offset(trace) : Rational(0)),
             .rule = is_by_samples ? SpanRounding{.rounding = Rounding::half_open}
                                   : span_rounding(method),

@@ -24,13 +24,18 @@ constexpr std::array scalars{
     Word{ScalarKind::single_precision, "float"}, Word{ScalarKind::double_precision, "double"},
     Word{ScalarKind::fixed, "fixed"}, Word{ScalarKind::adaptive, "adaptive"},
     Word{ScalarKind::exact, "exact"}};
-constexpr std::array lines{Word{LineMethod::naive, "naive"}, Word{LineMethod::dda, "dda"},
-                           Word{LineMethod::bresenham, "bresenham"}};
+/// The names that stand in the rows of algorithms.
+template <typename Enum, std::size_t count>
+constexpr std::array<Word<Enum>, count> names_of(const std::array<Enum, count>& all) {
+    std::array<Word<Enum>, count> words{};
+    for (std::size_t i = 0; i < count; ++i)
+        words[i] = {all[i], traits_of(all[i]).name};
+    return words;
+}
+constexpr auto lines = names_of(all_lines);
 constexpr std::array starts{Word{LineStart::first, "first"}, Word{LineStart::low, "low"}};
 constexpr std::array end_pixels{Word{EndPixels::both, "both"}, Word{EndPixels::first, "first"}};
-constexpr std::array fills{Word{Fill::scanline, "scanline"}, Word{Fill::two_halves, "two-halves"},
-                           Word{Fill::barycentric, "barycentric"}, Word{Fill::top_left, "top-left"},
-                           Word{Fill::fan, "fan"}};
+constexpr auto fills = names_of(all_fills);
 constexpr std::array passes{Word{1, "1"}, Word{2, "2"}, Word{3, "3"}};
 constexpr std::array roundings{Word{Rounding::floor, "floor"}, Word{Rounding::nearest, "nearest"},
                                Word{Rounding::truncate, "truncate"},
@@ -82,14 +87,14 @@ bool has_lines(const Scene& scene) {
             return one.kind == PrimitiveKind::line || one.kind == PrimitiveKind::outline;
         });
 }
-bool fills_by(const Scene& scene, Fill fill) {
-    return has_triangles(scene) && scene.method.fill == fill;
+bool fills_by(const Scene& scene, PixelRule rule) {
+    return has_triangles(scene) && traits_of(scene.method.fill).rule == rule;
 }
 bool fills_spans(const Scene& scene) {
-    return fills_by(scene, Fill::scanline) || fills_by(scene, Fill::two_halves);
+    return fills_by(scene, PixelRule::row_ends);
 }
 bool rounds_lines(const Scene& scene) {
-    return scene.method.line != LineMethod::bresenham && has_lines(scene);
+    return !traits_of(scene.method.line).is_on_grid && has_lines(scene);
 }
 bool rounds(const Scene& scene) {
     return fills_spans(scene) || rounds_lines(scene);
@@ -107,8 +112,8 @@ std::string default_of_two(const Scene& scene, std::string_view for_spans,
 /// Bresenham's line has a rule of its own for ties. `up`, `away` and `even`, which are for others, leave it as
 /// it is.
 bool has_ties_of_bresenham(const Scene& scene) {
-    const bool draws_lines = (has_lines(scene) && scene.method.line == LineMethod::bresenham) ||
-                             fills_by(scene, Fill::fan);
+    const bool draws_lines = (has_lines(scene) && traits_of(scene.method.line).is_on_grid) ||
+                             fills_by(scene, PixelRule::lines);
     return draws_lines && (scene.method.ties == Ties::start || scene.method.ties == Ties::step);
 }
 
@@ -167,7 +172,7 @@ std::span<const MethodKey> method_keys() {
         key<&Method::fill, fills>("fill", "the algorithm that fills triangles", has_triangles),
         key<&Method::fan_passes, passes>(
             "fan_passes", "from how many edges the fan is drawn",
-            [](const Scene& scene) { return fills_by(scene, Fill::fan); }),
+            [](const Scene& scene) { return fills_by(scene, PixelRule::lines); }),
         key<&Method::rounding, roundings>(
             "rounding", "how a span's ends, or a line's points, become pixels", rounds,
             [](const Scene& scene) { return default_of_two(scene, "floor", "nearest"); }),
@@ -181,9 +186,7 @@ std::span<const MethodKey> method_keys() {
                                       }),
         key<&Method::sample, samples>(
             "sample", "where a pixel is tested",
-            [](const Scene& scene) {
-                return fills_by(scene, Fill::barycentric) || fills_by(scene, Fill::top_left);
-            },
+            [](const Scene& scene) { return fills_by(scene, PixelRule::samples); },
             [](const Scene& scene) {
                 return std::string(sample_of(scene.method) == Sample::center ? "center"
                                                                              : "integer");
@@ -224,11 +227,12 @@ std::span<const MethodKey> method_keys() {
             [](const Scene& scene) {
                 return std::string(scene.mixes_colors() ? "interpolate" : "flat");
             }),
-        key<&Method::color_lerp, color_lerps>(
-            "color_lerp", "what the color along a line goes by",
-            [](const Scene& scene) {
-                return scene.mixes_colors() && (has_lines(scene) || fills_by(scene, Fill::fan));
-            }),
+        key<&Method::color_lerp, color_lerps>("color_lerp", "what the color along a line goes by",
+                                              [](const Scene& scene) {
+                                                  return scene.mixes_colors() &&
+                                                         (has_lines(scene) ||
+                                                          fills_by(scene, PixelRule::lines));
+                                              }),
         key<&Method::color_rounding, color_roundings>(
             "color_rounding", "what becomes of a channel that is no whole level",
             [](const Scene& scene) {

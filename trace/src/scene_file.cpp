@@ -548,14 +548,14 @@ private:
             scene_.has(PrimitiveKind::line) || scene_.has(PrimitiveKind::outline);
         const JsonValue blamed = root.find("method").value_or(root);
         if (method.rounding == Rounding::half_open && has_lines &&
-            method.line != LineMethod::bresenham)
+            !traits_of(method.line).is_on_grid)
             json_.fail(
                 blamed,
                 "expected a rounding that lines can have, found \"half-open\": a line has no "
                 "right end",
                 R"(say "line": "bresenham", which needs none, or another rounding)");
         const bool rounds_spans = scene_.has(PrimitiveKind::triangle) &&
-                                  depth_form_of(method.fill) == DepthForm::along_edges &&
+                                  traits_of(method.fill).rule == PixelRule::row_ends &&
                                   method.rounding == Rounding::nearest;
         if (method.ties == Ties::step && (rounds_spans || method.snap == Snap::nearest))
             json_.fail(blamed,
@@ -564,14 +564,16 @@ private:
                                    rounds_spans ? "the rows of triangles" : "a snapped vertex"),
                        "the others are start, up, away and even");
         if (place_of_hidden_lines_ && !scene_.has_depth_buffer()) {
-            const bool is_said = method.fill == Fill::fan || method.depth.has_value();
+            const FillTraits fill = traits_of(method.fill);
+            const bool has_no_depths = fill.depths == DepthForm::none;
+            const bool is_said = has_no_depths || method.depth.has_value();
             json_.fail(
                 *place_of_hidden_lines_,
                 fmt::format("expected a depth buffer for hidden lines, found {}",
-                            method.fill == Fill::fan ? R"("fill": "fan")"
-                            : method.depth           ? fmt::format(R"("depth": "{}")",
-                                                                   find_method_key("depth")->get(method))
-                                                     : "none"),
+                            has_no_depths  ? fmt::format(R"("fill": "{}")", fill.name)
+                            : method.depth ? fmt::format(R"("depth": "{}")",
+                                                         find_method_key("depth")->get(method))
+                                           : "none"),
                 is_said
                     ? R"(the fan has no depths, the painter no buffer; "depth": "linear-z" has one)"
                     : R"(say "projection": {...}, or "method": {"depth": "linear-z"})");

@@ -29,7 +29,7 @@ EdgesOfRow<Scalar> edges_of_row(const Triangle<Scalar>& triangle, int y, int dow
 
 /// True if the fill that the scene names finds depths along the edges; else they lie in a plane.
 bool finds_depths_along_edges(const Scene& scene) {
-    return depth_form_of(scene.method.fill) == DepthForm::along_edges;
+    return traits_of(scene.method.fill).depths == DepthForm::along_edges;
 }
 
 bool is_finite(const Quantity& number) {

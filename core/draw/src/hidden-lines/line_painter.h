@@ -17,19 +17,19 @@
 //
 // Source: T1, "Remoção de linhas e superfícies ocultas", by a depth buffer.
 //
-//     LinePainter painter(piece, side, scene, target, NullSink());
+//     LinePainter painter(piece, side, scene, image, tests, owners, NullSink());
 //     draw_line(piece, side, method, canvas, painter);
 
-#include "paint/target.h"
+#include "hidden-lines/owners.h"
 
-#include <rastertrace/core/draw/filtered/adaptive.h>
 #include <rastertrace/core/draw/list/pieces.h>
+#include <rastertrace/core/draw/paint/depth_tests.h>
 #include <rastertrace/core/draw/scene/scene.h>
+#include <rastertrace/core/numbers/adaptive.h>
 #include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/core/numbers/vec.h>
 #include <rastertrace/core/raster/canvas.h>
-#include <rastertrace/core/raster/depth.h>
-#include <rastertrace/core/raster/line_lerp.h>
+#include <rastertrace/core/raster/line_sampling.h>
 #include <rastertrace/core/raster/sink.h>
 #include <rastertrace/core/raster/steps.h>
 
@@ -174,10 +174,11 @@ inline bool is_side_of(const Scene& scene, const std::array<std::size_t, 2>& end
 /// Paints those pixels of a point, a line or a side that nothing hides, and tells every step on.
 template <typename Scalar, typename OfPixels, typename Sink> class LinePainter {
 public:
-    LinePainter(const Piece<Scalar>& piece, EdgeName side, const Scene& scene,
-                Target<Scalar, OfPixels>& target, const Sink& sink)
-        : side_(side), scene_(scene), target_(target), buffer_(*target.depth),
-          points_(line_points(piece, side, buffer_.larger_passes())),
+    LinePainter(const Piece<Scalar>& piece, EdgeName side, const Scene& scene, Image& image,
+                DepthTests<DepthOf<OfPixels>>& tests, const Owners<DepthOf<OfPixels>>& owners,
+                const Sink& sink)
+        : side_(side), scene_(scene), image_(image), tests_(tests), owners_(owners),
+          points_(line_points(piece, side, tests_.larger_passes())),
           thickness_(thickness_of(piece.kind)), ends_(ends_in_scene(scene, piece, side)),
           sink_(sink) {}
 
@@ -187,18 +188,18 @@ public:
 
     void operator()(const PixelPlotted& plotted) const {
         const Pixel pixel = plotted.pixel;
-        const auto row = static_cast<int>(target_.image.canvas().row_of(pixel.y));
-        auto& cell = *buffer_.row_from(pixel.x, row);
-        const auto depth = buffer_.compared(points_.depth_at(pixel));
+        const auto row = static_cast<int>(image_.canvas().row_of(pixel.y));
+        auto& cell = *tests_.row_from(pixel.x, row);
+        const auto depth = tests_.tested(points_.depth_at(pixel));
         const auto test = [&] { return verdict_on(pixel, row, cell, depth); };
         bool passes = false;
         if constexpr (keeps_steps<Sink>)
-            passes = buffer_.decide_and_tell(pixel, row, cell, depth, test, sink_);
+            passes = tests_.decide_and_tell(pixel, cell, depth, test, sink_);
         else
             passes = test().passes;
         if (!passes)
             return;
-        target_.image.at(pixel) = plotted.color;
+        image_.at(pixel) = plotted.color;
         sink_(plotted);
     }
 
@@ -220,20 +221,20 @@ private:
             verdict.reason = reason;
             verdict.other = primitive_of(owner).name;
         };
-        const auto owner = buffer_.owner_of(cell);
-        if (buffer_.is_behind_thin(cell, depth, thickness_)) {
+        const auto owner = tests_.owner_of(cell);
+        if (tests_.is_behind_thin(cell, depth, thickness_)) {
             // A line does not hide its own ends.
-            const std::uint32_t thin = *buffer_.thin_owner_of(cell);
+            const std::uint32_t thin = *tests_.thin_owner_of(cell);
             verdict.is_by_thin = true;
             if (thickness_ < thickness_of(primitive_of(thin).kind) && is_side_of(thin))
                 pass_because(DepthReason::side_of, thin);
-        } else if (owner && buffer_.hides(cell, depth)) {
+        } else if (owner && tests_.hides(cell, depth)) {
             pass_because(is_side_of(*owner) ? DepthReason::side_of : DepthReason::beside, *owner);
         } else {
-            verdict.passes = owner || buffer_.is_nearer(cell, depth);
+            verdict.passes = owner || tests_.is_nearer(cell, depth);
         }
         if (verdict.passes)
-            buffer_.keep_thin(cell, depth, thickness_);
+            tests_.keep_thin(cell, depth, thickness_);
         return verdict;
     }
 
@@ -250,9 +251,9 @@ private:
         // The pixel itself first: mostly that decides.
         for (const int dy : {0, -1, 1})
             for (const int dx : {0, -1, 1}) {
-                if (!buffer_.has(pixel.x + dx, row + dy))
+                if (!tests_.has(pixel.x + dx, row + dy))
                     continue;
-                const auto owner = buffer_.owner_of(*buffer_.row_from(pixel.x + dx, row + dy));
+                const auto owner = tests_.owner_of(*tests_.row_from(pixel.x + dx, row + dy));
                 if (!owner || std::find(seen.begin(), end, *owner) != end)
                     continue;
                 *end++ = *owner;
@@ -274,26 +275,18 @@ private:
         bool is_exact = false; ///< it took exact numbers
     };
     Hiding hiding_of(std::uint32_t owner, Pixel pixel) const {
-        const bool larger_passes = buffer_.larger_passes();
         if constexpr (std::same_as<Scalar, OfPixels>)
             try {
-                return {hides_point(target_.triangle_of(owner), points_.at(pixel), larger_passes)};
+                return {hides_point(owners_.triangle_of(owner), points_.at(pixel),
+                                    tests_.larger_passes())};
             } catch (const Undecided&) {
-                ++target_.exactness->fallbacks.depths;
             }
-        if constexpr (std::same_as<OfPixels, Adaptive>) {
-            Exactness& exactness = *target_.exactness;
-            const auto line =
-                line_points(exactness.pieces.piece(exactness.drawn.back()), side_, larger_passes);
-            const auto face = corners_of(exactness.pieces.piece(exactness.drawn[owner]));
-            return {hides_point(face, line.at(pixel), larger_passes), true};
-        }
-        return {false}; // only filtered doubles leave anything undecided
+        return {owners_.hides_exactly(owner, side_, pixel), true};
     }
 
     /// The same owner is asked about again and again.
     bool is_side_of(std::uint32_t owner) const {
-        const std::size_t primitive = target_.primitive_index_of(owner);
+        const std::size_t primitive = owners_.primitive_of(owner);
         const std::uint32_t polygon = scene_.primitives[primitive].polygon;
         if (polygon == 0)
             return rastertrace::is_side_of(scene_, ends_, primitive);
@@ -304,13 +297,14 @@ private:
         return is_side_of_asked_;
     }
     const ScenePrimitive& primitive_of(std::uint32_t owner) const {
-        return scene_.primitives[target_.primitive_index_of(owner)];
+        return scene_.primitives[owners_.primitive_of(owner)];
     }
 
     EdgeName side_;
     const Scene& scene_;
-    Target<Scalar, OfPixels>& target_;
-    DepthBuffer<PixelDepth>& buffer_;
+    Image& image_;
+    DepthTests<PixelDepth>& tests_;
+    const Owners<PixelDepth>& owners_;
     LinePoints<DepthOf<Scalar>> points_;
     Thickness thickness_;
     std::array<std::size_t, 2> ends_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <rastertrace/core/draw/filtered/adaptive.h>
 #include <rastertrace/core/draw/list/geometry.h>
+#include <rastertrace/core/numbers/adaptive.h>
 
 #include "tell/listener_sink.h"
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <rastertrace/core/draw/filtered/adaptive.h>
 #include <rastertrace/core/draw/list/pieces.h>
+#include <rastertrace/core/numbers/adaptive.h>
 
 #include "tell/listener_sink.h"
 
-#include <rastertrace/core/draw/filtered/adaptive_light.h>
-#include <rastertrace/core/draw/list/exact_cosine.h>
+#include <rastertrace/core/draw/list/light.h>
 #include <rastertrace/core/raster/clip.h>
 
 #include <algorithm>

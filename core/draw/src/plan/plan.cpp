@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <rastertrace/core/draw/filtered/adaptive.h>
 #include <rastertrace/core/draw/plan/plan.h>
+#include <rastertrace/core/numbers/adaptive.h>
 
 #include "plan/stages_of.h"
 
@@ -63,15 +63,14 @@ AnyScreenList screen_list_for(const Scene& scene) {
 ///     so   |numerator| < 2^(2b + d + 3),   denominator < 2^(b + 2d + 1)
 ///
 /// and comparing it with a vertex, or its distance to a sample with a half, multiplies by 2D or
-/// by 8. A naive line has the denominator of the slope twice. Mixing colors multiplies a weight, a
+/// by 8. A line may need more (LineTraits). Mixing colors multiplies a weight, a
 /// quotient of two areas, by 255 three times.
 int bits_of_drawing(const Scene& scene, int numerator_bits, int denominator_bits) {
     const int of_edges = 2 * numerator_bits + 2 * denominator_bits + 8;
     const int of_weights = 2 * numerator_bits + denominator_bits + 18;
     const bool has_lines = scene.has(PrimitiveKind::line) || scene.has(PrimitiveKind::outline);
-    const int of_lines = has_lines && scene.method.line == LineMethod::naive
-                             ? 3 * numerator_bits + 2 * denominator_bits + 8
-                             : 0;
+    const int of_lines =
+        has_lines ? traits_of(scene.method.line).fraction.of(numerator_bits, denominator_bits) : 0;
     return std::max({of_edges, of_weights, of_lines});
 }
 
@@ -209,11 +208,11 @@ std::optional<Unfit> unfit_of(const Piece<Coordinate>& piece, const Method& meth
     const bool is_rounded = method.scalar == ScalarKind::double_precision ||
                             method.scalar == ScalarKind::single_precision;
     const bool is_triangle = piece.kind == PrimitiveKind::triangle;
-    const bool is_fan = is_triangle && method.fill == Fill::fan;
-    const bool is_on_grid = is_fan || (!is_triangle && method.line == LineMethod::bresenham);
+    const FillTraits fill = traits_of(method.fill);
+    const bool is_fan = is_triangle && fill.rule == PixelRule::lines;
+    const bool is_on_grid = is_fan || (!is_triangle && traits_of(method.line).is_on_grid);
     const bool has_weights =
-        is_rounded && is_triangle &&
-        (mixes_colors || method.fill == Fill::barycentric || method.fill == Fill::top_left);
+        is_rounded && is_triangle && (mixes_colors || fill.rule == PixelRule::samples);
 
     std::array<std::array<double, 2>, 3> at{};
     for (std::size_t i = 0; i < piece.count; ++i)

@@ -5,13 +5,13 @@
 //
 //     Stages stages = stages_of(scene, screen_list_of(scene, geometry), sizeof(double));
 
-#include <rastertrace/core/draw/filtered/adaptive.h>
 #include <rastertrace/core/draw/list/pieces.h>
 #include <rastertrace/core/draw/plan/stages.h>
 #include <rastertrace/core/draw/scene/scene.h>
+#include <rastertrace/core/numbers/adaptive.h>
 #include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/core/raster/canvas.h>
-#include <rastertrace/core/raster/depth.h>
+#include <rastertrace/core/raster/depth_interpolation.h>
 
 #include <algorithm>
 #include <array>

@@ -5,12 +5,18 @@
 #include <rastertrace/core/transform/model.h>
 #include <rastertrace/core/transform/viewport.h>
 
+#include <algorithm>
+
 namespace rastertrace {
 
 std::vector<MatrixFactor<Rational>> factors_of(const Viewport& viewport, const Canvas& canvas) {
     switch (viewport.type) {
     case ViewportType::fit:
-        return fit_to<Rational>(canvas);
+        return fit_to<Rational>({.left = canvas.left(),
+                                 .lowest_y = std::min(canvas.top(), canvas.bottom()),
+                                 .width = canvas.width,
+                                 .height = canvas.height,
+                                 .is_y_down = canvas.down() > 0});
     case ViewportType::pixels_per_unit: {
         const Rational scale = viewport.pixels_per_unit.exact();
         return {{"scale", scaling<Rational>({scale, scale, 1})}};

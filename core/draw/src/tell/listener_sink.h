@@ -5,7 +5,7 @@
 // listener takes such.
 
 #include <rastertrace/core/draw/tell/listener.h>
-#include <rastertrace/core/draw/tell/quantity.h>
+#include <rastertrace/core/numbers/quantity.h>
 #include <rastertrace/core/raster/sink.h>
 #include <rastertrace/core/raster/steps.h>
 

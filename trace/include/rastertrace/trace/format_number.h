@@ -7,7 +7,7 @@
 //     char buffer[32];
 //     char* const end = format_number(buffer, 0.25);   // 0.25
 
-#include <rastertrace/core/draw/filtered/adaptive.h>
+#include <rastertrace/core/numbers/adaptive.h>
 #include <rastertrace/core/numbers/conversion.h>
 
 #include <array>

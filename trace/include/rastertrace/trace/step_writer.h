@@ -13,7 +13,7 @@
 // is never formatted.
 
 #include <rastertrace/core/draw/scene/method.h>
-#include <rastertrace/core/draw/tell/quantity.h>
+#include <rastertrace/core/numbers/quantity.h>
 #include <rastertrace/core/raster/steps.h>
 #include <rastertrace/trace/color_text.h>
 #include <rastertrace/trace/format_number.h>

@@ -115,6 +115,9 @@ template <typename Scalar> bool surely_differ(const Scalar& a, const Scalar& b) 
 /// has its own.
 template <typename Scalar> void require_finite(const Scalar&) {}
 
+/// Does nothing: the whole number below a number is certain. Of a filtered double it may not be.
+template <typename Scalar> void require_certain_index(const Scalar&) {}
+
 /// Writes `step` over the denominator of `value`, so that adding it again and again does not make
 /// the fraction grow. The denominator of `value` must be a multiple of that of `step`, as it is for
 /// a point on a line and the line's slope. Other scalars need no such care.

@@ -16,11 +16,15 @@
 #include <rastertrace/core/numbers/scalar.h>
 #include <rastertrace/core/numbers/vec.h>
 #include <rastertrace/core/raster/edge.h>
+#include <rastertrace/core/raster/steps.h>
+
+#include <array>
 
 namespace rastertrace {
 
 /// An edge of a triangle as a function, in square pixels.
 template <typename Scalar> struct EdgeFunction {
+    EdgeName name;        ///< from its upper vertex to its lower one
     Vec<Scalar, 2> start; ///< the upper end
     Scalar a;
     Scalar b;
@@ -28,15 +32,15 @@ template <typename Scalar> struct EdgeFunction {
 
     Scalar at(const Vec<Scalar, 2>& p) const { return a * (p.x - start.x) + b * (p.y - start.y); }
 
-    /// The tie rule: true if the edge lets the triangle have this sample.
-    bool admits(const Vec<Scalar, 2>& sample) const {
-        const Scalar value = at(sample);
+    /// The tie rule: true if the edge lets the triangle have a sample at which the function has this value.
+    bool admits_value(const Scalar& value) const {
         const Scalar zero = scalar_from<Scalar>(0);
         return is_top_left ? !(value < zero) : zero < value;
     }
+    bool admits(const Vec<Scalar, 2>& sample) const { return admits_value(at(sample)); }
 
     /// The function of the triangle on the other side, but for the tie rule.
-    EdgeFunction negated() const { return {start, Scalar(-a), Scalar(-b), is_top_left}; }
+    EdgeFunction negated() const { return {name, start, Scalar(-a), Scalar(-b), is_top_left}; }
 };
 
 /// The function of an edge from its upper vertex to its lower one. It is positive where (x, y) lies
@@ -46,7 +50,7 @@ EdgeFunction<Scalar> edge_function(const Vertex<Scalar>& upper, const Vertex<Sca
                                    bool is_top_left = false) {
     const auto& p = upper.position;
     const auto& q = lower.position;
-    return {p, Scalar(p.y - q.y), Scalar(q.x - p.x), is_top_left};
+    return {{upper.index, lower.index}, p, Scalar(p.y - q.y), Scalar(q.x - p.x), is_top_left};
 }
 
 /// The function of an edge that is not horizontal, for the triangle on its right in the picture: a sample
@@ -67,6 +71,26 @@ int side_of_edge(const Vertex<Scalar>& top, const Vertex<Scalar>& bottom,
     const Scalar zero = scalar_from<Scalar>(0);
     const int turn = value < zero ? -1 : zero < value ? 1 : 0;
     return -down * turn;
+}
+
+/// The three edges of a triangle whose vertices are sorted from the top of the picture: from top to middle,
+/// from middle to bottom, from top to bottom. Each is positive inside. A horizontal upper edge is a top edge, a
+/// horizontal lower one a bottom edge.
+template <typename Scalar>
+std::array<EdgeFunction<Scalar>, 3> edge_functions(const std::array<Vertex<Scalar>, 3>& sorted,
+                                                   bool long_edge_is_left, int down) {
+    const auto& [top, middle, bottom] = sorted;
+    const bool is_left = long_edge_is_left;
+    const bool has_top_edge = top.position.y == middle.position.y;
+    const bool has_bottom_edge = middle.position.y == bottom.position.y;
+    const auto upper = edge_function(top, middle, has_top_edge || !is_left);
+    const auto lower = edge_function(middle, bottom, !has_bottom_edge && !is_left);
+    const auto long_edge = edge_function(top, bottom, is_left);
+
+    // The short edges have the triangle on one side, the long edge on the other.
+    if (is_left == (down > 0))
+        return {upper, lower, long_edge.negated()};
+    return {upper.negated(), lower.negated(), long_edge};
 }
 
 } // namespace rastertrace

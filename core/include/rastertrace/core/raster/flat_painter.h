@@ -57,6 +57,13 @@ public:
             (*this)(PixelPlotted{.pixel = sample.pixel, .color = color_});
     }
 
+    template <typename Scalar>
+    [[gnu::always_inline]] void operator()(const EdgesTested<Scalar>& sample) const {
+        sink_(sample);
+        if (sample.is_inside)
+            (*this)(PixelPlotted{.pixel = sample.pixel, .color = color_});
+    }
+
     /// A pixel of a line, or of the fan, brings its color.
     [[gnu::always_inline]] void operator()(const PixelPlotted& plotted) const {
         image_.at(plotted.pixel) = plotted.color;

@@ -11,16 +11,7 @@
 #include <rastertrace/core/draw/tell/listener.h>
 #include <rastertrace/core/raster/image.h>
 
-#include <cstdint>
-
 namespace rastertrace {
-
-/// How often `adaptive` could not decide with doubles.
-struct Fallbacks {
-    std::uint64_t primitives = 0; ///< or parts of one: drawn with exact numbers
-    std::uint64_t depths = 0;     ///< tests
-    std::uint64_t colors = 0;     ///< of pixels
-};
 
 /// Draws a scene in which find_unfit has found nothing, and returns its picture. `listener` is told every
 /// step that it takes; the picture is the same whoever listens. Who wants to know is told how often

@@ -8,8 +8,8 @@
 //     MixedColors<Adaptive> colors(corners, triangle, sample_offset, inverse_w, rounding, exact_color);
 //     colors.at<false>({3, 4});
 
-#include <rastertrace/core/draw/filtered/adaptive.h>
 #include <rastertrace/core/draw/filtered/adaptive_depth.h>
+#include <rastertrace/core/numbers/adaptive.h>
 #include <rastertrace/core/numbers/scalar.h>
 #include <rastertrace/core/raster/barycentric.h>
 #include <rastertrace/core/raster/canvas.h>

@@ -2,18 +2,20 @@
 #pragma once
 
 // Depths in filtered doubles, and the buffer that they are tested against. The formulas
-// are those of depth.h, in an order in which nothing gets larger or smaller than the depths are; in place
+// are those of depth_interpolation.h, in an order in which nothing gets larger or smaller than the depths are; in place
 // of an error for every operation there is one for a whole row, edge or triangle. u is 2^-53, what a
 // result may be rounded by, relative to it.
 //
-//     DepthBuffer<Adaptive> buffer(region, rule);
-//     buffer.ask(is_nearer);  // who decides what errors leave open
+//     DepthTests<Adaptive> tests(region, rule);
+//     tests.ask(is_nearer, exact_depth);  // who decides what errors leave open
 
-#include <rastertrace/core/draw/filtered/adaptive.h>
+#include <rastertrace/core/draw/paint/depth_tests.h>
+#include <rastertrace/core/draw/paint/thin_depths.h>
+#include <rastertrace/core/numbers/adaptive.h>
 #include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/core/numbers/vec.h>
 #include <rastertrace/core/raster/canvas.h>
-#include <rastertrace/core/raster/depth.h>
+#include <rastertrace/core/raster/depth_interpolation.h>
 #include <rastertrace/core/raster/sink.h>
 #include <rastertrace/core/raster/steps.h>
 
@@ -25,7 +27,6 @@
 #include <functional>
 #include <limits>
 #include <optional>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -33,7 +34,7 @@ namespace rastertrace {
 
 /// One double per pixel, and which piece it is of: where the errors of two depths leave it open which
 /// one is nearer, the exact depths of the two pieces are asked for.
-template <> class DepthBuffer<Adaptive> {
+template <> class DepthTests<Adaptive> {
 public:
     /// Says whether the first piece is nearer than the second one, or than a clear cell if there is
     /// none, in the pixel at this x and row.
@@ -43,12 +44,11 @@ public:
     /// Says how deep a piece lies in a pixel, exactly; or a clear cell.
     using ExactDepth = std::function<Rational(std::optional<std::uint32_t> piece, int x, int row)>;
 
-    /// It always remembers whose depths it has.
-    DepthBuffer(const DepthRegion& region, const DepthRule<Adaptive>& rule, bool = true)
+    /// The owner of each depth is always known.
+    DepthTests(const DepthRegion& region, const DepthRule<Adaptive>& rule, bool = true)
         : region_(region), rule_(rule),
-          cells_(static_cast<std::size_t>(region.width) * static_cast<std::size_t>(region.height),
-                 rule.cleared ? turned(*rule.cleared).value()
-                              : std::numeric_limits<double>::infinity()),
+          cells_(region.area(), rule.cleared ? turned(*rule.cleared).value()
+                                             : std::numeric_limits<double>::infinity()),
           pieces_(cells_.size(), no_piece),
           largest_error_(rule.cleared ? rule.cleared->error() : 0) {}
 
@@ -64,22 +64,18 @@ public:
     std::uint64_t exact_tests() const { return exact_tests_; }
 
     /// Depths may be worked out in exact numbers, too.
+    static Adaptive tested(Adaptive depth) { return depth; }
+    static Adaptive tested(const Rational& depth) { return with_error(depth); }
+    static const DepthRow<Adaptive>& tested(const DepthRow<Adaptive>& row, PixelSpan);
+    static DepthRow<Adaptive> tested(const DepthRow<Rational>& row, PixelSpan pixels);
+
     bool larger_passes() const { return rule_.larger_passes; }
     template <typename Depth> Depth turned(const Depth& depth) const {
         return rastertrace::turned(depth, rule_.larger_passes);
     }
-    template <typename Depth> static Adaptive compared(const Depth& depth) {
-        return with_error(depth);
-    }
-    static const DepthRow<Adaptive>& compared(const DepthRow<Adaptive>& row, int, int);
-    static DepthRow<Adaptive> compared(const DepthRow<Rational>& row, int from, int to);
+    double* row_from(int x, int row) { return cells_.data() + region_.offset_of(x, row); }
 
-    double* row_from(int x, int row) {
-        return cells_.data() + static_cast<std::ptrdiff_t>(row - region_.top_row) * region_.width +
-               (x - region_.left);
-    }
-
-    /// The same as in depth.h, but for what doubles leave open: that is asked exactly.
+    /// The same as in depth_tests.h, but for what doubles leave open: that is asked exactly.
     [[gnu::always_inline]] bool is_nearer(const double& cell, Adaptive depth) {
         const double difference = cell - depth.value();
         const double error = (depth.error() + largest_error_) * Adaptive::widening;
@@ -102,23 +98,23 @@ public:
     }
 
     bool is_behind_thin(const double& cell, Adaptive depth, Thickness thickness) {
-        const Thin* const thin = thin_in(cell);
+        const Thin* const thin = thin_.find(index_of(cell));
         if (!thin)
             return false;
         const bool is_thinner = thickness < thin->thickness;
         if (const auto order = order_of(depth, thin->depth))
             return is_thinner ? *order > 0 : *order >= 0;
-        return is_thinner ? is_nearer_exactly(thin->piece, piece_, index_of(cell))
-                          : !is_nearer_exactly(piece_, thin->piece, index_of(cell));
+        return is_thinner ? is_nearer_exactly(thin->owner, piece_, index_of(cell))
+                          : !is_nearer_exactly(piece_, thin->owner, index_of(cell));
     }
 
     std::optional<std::uint32_t> thin_owner_of(const double& cell) const {
-        const Thin* const thin = thin_in(cell);
-        return thin ? std::optional(thin->piece) : std::nullopt;
+        const Thin* const thin = thin_.find(index_of(cell));
+        return thin ? std::optional(thin->owner) : std::nullopt;
     }
 
     void keep_thin(const double& cell, Adaptive depth, Thickness thickness) {
-        thin_[index_of(cell)] = {depth, thickness, piece_};
+        thin_.keep(index_of(cell), {depth, thickness, piece_});
     }
 
     /// Tests a face's row, all of whose depths have one error: calls `keep(x)` where they pass. No pixel has a
@@ -143,22 +139,22 @@ public:
     /// Decides about a depth by `test()`, and tells both depths: as doubles if these have decided, else
     /// exactly.
     template <typename Test, typename Sink>
-    bool decide_and_tell(Pixel pixel, int row, const double& cell, Adaptive depth, Test&& test,
+    bool decide_and_tell(Pixel pixel, const double& cell, Adaptive depth, Test&& test,
                          Sink&& sink) {
         if (!takes<DepthTested<Adaptive>>(sink))
             return test().passes;
         const std::uint64_t exact_before = exact_tests_;
         std::optional<Thin> thin;
-        if (const Thin* const found = thin_in(cell))
+        if (const Thin* const found = thin_.find(index_of(cell)))
             thin = *found;
         std::optional<Adaptive> stored_depth = stored(cell);
         std::optional<std::uint32_t> stored_piece = owner_of(cell);
         const bool is_thin_nearer =
-            thin && (!stored_piece || !hides(cell, thin->depth, thin->piece));
+            thin && (!stored_piece || !hides(cell, thin->depth, thin->owner));
         const auto [passes, reason, other, is_by_thin, is_exact] = test();
         if (is_thin_nearer || is_by_thin) {
             stored_depth = turned(thin->depth);
-            stored_piece = thin->piece;
+            stored_piece = thin->owner;
         }
         const bool told_by_doubles = !is_exact && exact_tests_ == exact_before &&
                                      std::isfinite(depth.value()) &&
@@ -171,6 +167,7 @@ public:
                                        .reason = reason,
                                        .other = other});
         } else {
+            const int row = row_of(index_of(cell));
             std::optional<Rational> exactly_stored;
             if (stored_depth)
                 exactly_stored = exact_depth_(stored_piece, pixel.x, row);
@@ -185,17 +182,7 @@ public:
     }
 
 private:
-    /// A point or a line, as it was drawn in a pixel.
-    struct Thin {
-        Adaptive depth;
-        Thickness thickness;
-        std::uint32_t piece;
-    };
-    const Thin* thin_in(const double& cell) const {
-        const auto found = thin_.empty() ? thin_.end() : thin_.find(index_of(cell));
-        return found == thin_.end() ? nullptr : &found->second;
-    }
-
+    using Thin = ThinDepths<Adaptive>::Thin;
     static constexpr std::uint32_t no_piece = std::numeric_limits<std::uint32_t>::max();
 
     std::size_t index_of(const double& cell) const {
@@ -226,8 +213,11 @@ private:
         ++exact_tests_;
         const auto width = static_cast<std::size_t>(region_.width);
         return is_nearer_(piece, other == no_piece ? std::nullopt : std::optional(other),
-                          region_.left + static_cast<int>(index % width),
-                          region_.top_row + static_cast<int>(index / width));
+                          region_.left + static_cast<int>(index % width), row_of(index));
+    }
+
+    int row_of(std::size_t index) const {
+        return region_.top_row + static_cast<int>(index / static_cast<std::size_t>(region_.width));
     }
 
     DepthRegion region_;
@@ -237,7 +227,7 @@ private:
     double largest_error_; ///< of a depth that has been stored
     std::uint32_t piece_ = no_piece;
     std::uint64_t exact_tests_ = 0;
-    std::unordered_map<std::size_t, Thin> thin_; ///< the nearest of each cell that has one
+    ThinDepths<Adaptive> thin_;
     IsNearer is_nearer_;
     ExactDepth exact_depth_;
 };
@@ -259,8 +249,8 @@ template <> struct DepthRow<Adaptive> {
 
 template <typename Keep>
 [[gnu::always_inline]] inline void
-DepthBuffer<Adaptive>::keep_nearer(int row, int first, int last, const DepthRow<Adaptive>& depths,
-                                   Keep&& keep) {
+DepthTests<Adaptive>::keep_nearer(int row, int first, int last, const DepthRow<Adaptive>& depths,
+                                  Keep&& keep) {
     double* const cells = row_from(0, row);
     const std::ptrdiff_t begin = cells - cells_.data();
     std::uint32_t* const pieces = pieces_.data() + begin;
@@ -287,22 +277,23 @@ DepthBuffer<Adaptive>::keep_nearer(int row, int first, int last, const DepthRow<
         widen_largest_error(near.error);
 }
 
-inline const DepthRow<Adaptive>& DepthBuffer<Adaptive>::compared(const DepthRow<Adaptive>& row, int,
-                                                                 int) {
+inline const DepthRow<Adaptive>& DepthTests<Adaptive>::tested(const DepthRow<Adaptive>& row,
+                                                              PixelSpan) {
     return row;
 }
 
 /// d + s (x - x0) from exact numbers, each rounded once, and each of the three operations. No pixel is
 /// farther from x0 than the first or the last one, or has a farther end to hold on to.
-inline DepthRow<Adaptive> DepthBuffer<Adaptive>::compared(const DepthRow<Rational>& row, int from,
-                                                          int to) {
+inline DepthRow<Adaptive> DepthTests<Adaptive>::tested(const DepthRow<Rational>& row,
+                                                       PixelSpan pixels) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     constexpr double u = Adaptive::half_ulp;
     const Adaptive x = with_error(row.x);
     const Adaptive depth = with_error(row.depth);
     const Adaptive slope = with_error(row.slope);
     const Adaptive end = row.end ? with_error(*row.end) : x;
-    const double reach = std::max(std::abs(from - x.value()), std::abs(to - x.value()));
+    const double reach =
+        std::max(std::abs(pixels.first - x.value()), std::abs(pixels.last - x.value()));
     const double steepest = std::abs(slope.value()) + slope.error();
     const double of_way = x.error() + end.error() + u * reach;
     const bool is_level = steepest == 0;

@@ -6,8 +6,8 @@
 //
 //     edge_between(upper, lower).x_at(3.0);
 
-#include <rastertrace/core/draw/filtered/adaptive.h>
 #include <rastertrace/core/draw/paint/sample_walk.h>
+#include <rastertrace/core/numbers/adaptive.h>
 #include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/core/numbers/vec.h>
 #include <rastertrace/core/raster/canvas.h>

@@ -8,7 +8,7 @@
 //     if (!left_open_by([&] { fill_top_left(triangle, grid, canvas, rows); }))
 //         rows.paint_with(painter, [&](const auto& again) { fill_top_left(triangle, grid, canvas, again); });
 
-#include <rastertrace/core/draw/filtered/adaptive.h>
+#include <rastertrace/core/numbers/adaptive.h>
 #include <rastertrace/core/raster/steps.h>
 
 #include <optional>

@@ -7,8 +7,6 @@
 //     ExactPieces exact(scene, plan);
 //     exact.piece({.primitive = 3, .part = 0});  // its corners as fractions
 
-#include <rastertrace/core/draw/draw.h>
-#include <rastertrace/core/draw/filtered/adaptive.h>
 #include <rastertrace/core/draw/filtered/adaptive_color.h>
 #include <rastertrace/core/draw/filtered/adaptive_depth.h>
 #include <rastertrace/core/draw/filtered/adaptive_edge.h>
@@ -18,11 +16,12 @@
 #include <rastertrace/core/draw/plan/plan.h>
 #include <rastertrace/core/draw/scene/scene.h>
 #include <rastertrace/core/draw/tell/listener.h>
-#include <rastertrace/core/draw/tell/quantity.h>
+#include <rastertrace/core/numbers/adaptive.h>
 #include <rastertrace/core/numbers/conversion.h>
+#include <rastertrace/core/numbers/quantity.h>
 #include <rastertrace/core/numbers/vec.h>
 #include <rastertrace/core/raster/barycentric.h>
-#include <rastertrace/core/raster/depth.h>
+#include <rastertrace/core/raster/depth_interpolation.h>
 #include <rastertrace/core/raster/mixed_colors.h>
 #include <rastertrace/core/raster/steps.h>
 #include <rastertrace/core/raster/triangle.h>

@@ -11,11 +11,11 @@
 //     const auto geometry = geometry_of<double>(scene);
 //     geometry.list.vertices[0].position;
 
-#include <rastertrace/core/draw/filtered/adaptive.h>
 #include <rastertrace/core/draw/list/screen_list.h>
 #include <rastertrace/core/draw/scene/fit.h>
 #include <rastertrace/core/draw/scene/scene.h>
 #include <rastertrace/core/draw/tell/listener.h>
+#include <rastertrace/core/numbers/adaptive.h>
 #include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/core/numbers/vec.h>
 #include <rastertrace/core/raster/steps.h>

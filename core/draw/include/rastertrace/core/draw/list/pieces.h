@@ -9,14 +9,14 @@
 //
 // What is found out on the way and is not drawn, like normals, is worked out again for who listens.
 
-#include <rastertrace/core/draw/filtered/adaptive.h>
 #include <rastertrace/core/draw/list/geometry.h>
 #include <rastertrace/core/draw/list/screen_list.h>
 #include <rastertrace/core/draw/scene/scene.h>
 #include <rastertrace/core/draw/tell/listener.h>
+#include <rastertrace/core/numbers/adaptive.h>
 #include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/core/numbers/vec.h>
-#include <rastertrace/core/raster/depth.h>
+#include <rastertrace/core/raster/depth_interpolation.h>
 #include <rastertrace/core/raster/image.h>
 #include <rastertrace/core/raster/shading.h>
 #include <rastertrace/core/raster/steps.h>
@@ -160,16 +160,28 @@ void tell_pieces(const Scene& scene, const ScreenList<Scalar>& list, std::size_t
 /// What the list would hold of a primitive.
 ScreenPrimitive typed_primitive(const Scene& scene, std::size_t index);
 
-/// Calls `visit(one)` with each of the list.
-template <typename Scalar, typename Visit>
-void for_each_primitive(const Scene&, const ScreenList<Scalar>& list, Visit&& visit) {
-    for (const ScreenPrimitive& one : list.primitives)
-        visit(one);
+/// How many the list holds.
+template <typename Scalar> std::size_t count_of(const Scene&, const ScreenList<Scalar>& list) {
+    return list.primitives.size();
 }
-template <typename Visit>
-void for_each_primitive(const Scene& scene, const TypedVertices&, Visit&& visit) {
-    for (std::size_t index = 0; index < scene.primitives.size(); ++index)
-        visit(typed_primitive(scene, index));
+inline std::size_t count_of(const Scene& scene, const TypedVertices&) {
+    return scene.primitives.size();
+}
+
+/// The one at a place in the list.
+template <typename Scalar>
+const ScreenPrimitive& nth_of(const Scene&, const ScreenList<Scalar>& list, std::size_t place) {
+    return list.primitives[place];
+}
+inline ScreenPrimitive nth_of(const Scene& scene, const TypedVertices&, std::size_t place) {
+    return typed_primitive(scene, place);
+}
+
+/// Calls `visit(one)` with each of the list.
+template <typename AList, typename Visit>
+void for_each_primitive(const Scene& scene, const AList& list, Visit&& visit) {
+    for (std::size_t place = 0; place < count_of(scene, list); ++place)
+        visit(nth_of(scene, list, place));
 }
 
 /// The same, telling what is found out about each primitive before: `visit(one, face)`.

@@ -5,7 +5,6 @@
 //
 //     fill(triangle, colors, method, grid, canvas, FlatPainter(image, color));
 
-#include <rastertrace/core/draw/filtered/adaptive_edge.h>
 #include <rastertrace/core/draw/paint/fill_top_left.h>
 #include <rastertrace/core/draw/paint/sample_walk.h>
 #include <rastertrace/core/draw/plan/plan.h>
@@ -44,10 +43,10 @@ void fill(const Triangle<Scalar>& triangle, const std::array<Color, 3>& colors,
     case Fill::top_left:
         return fill_top_left(triangle, grid, canvas, sink);
     case Fill::fan:
-        break;
+        return fill_fan(triangle, colors,
+                        {.passes = method.fan_passes, .lines = line_rules(method)}, canvas, sink);
     }
-    fill_fan(triangle, colors, {.passes = method.fan_passes, .lines = line_rules(method)}, canvas,
-             sink);
+    not_an_enumerator();
 }
 
 } // namespace rastertrace

@@ -16,8 +16,8 @@
 // lies between: from the first sample that the left edge admits to the last one that the right edge does.
 // Both owners of a shared edge find one crossing: there is neither a gap nor a double.
 
-#include <rastertrace/core/draw/filtered/adaptive.h>
 #include <rastertrace/core/draw/paint/sample_walk.h>
+#include <rastertrace/core/numbers/adaptive.h>
 #include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/core/raster/canvas.h>
 #include <rastertrace/core/raster/edge.h>
@@ -44,30 +44,6 @@ struct TriangleOrder {
     bool long_edge_is_left; ///< it passes the middle vertex on the left
 };
 
-/// The three edges as functions, to be told: from top to middle, from middle to bottom, from top to
-/// bottom. (A fill walks down two edges at a time, see sample_walk.h.)
-template <typename Scalar>
-std::array<EdgeFunction<Scalar>, 3> edge_functions(const Triangle<Scalar>& triangle,
-                                                   const TriangleOrder& order, int down) {
-    const auto vertex = [&triangle](std::uint8_t index) {
-        return Vertex<Scalar>{triangle.vertices[index], index};
-    };
-    const auto top = vertex(order.top), middle = vertex(order.middle),
-               bottom = vertex(order.bottom);
-
-    // A horizontal upper edge is a top edge, a horizontal lower one a bottom edge. The short edges have
-    // the triangle on one side, the long edge on the other.
-    const bool is_left = order.long_edge_is_left;
-    const bool has_top_edge = top.position.y == middle.position.y;
-    const bool has_bottom_edge = middle.position.y == bottom.position.y;
-    const auto upper = edge_function(top, middle, has_top_edge || !is_left);
-    const auto lower = edge_function(middle, bottom, !has_bottom_edge && !is_left);
-    const auto long_edge = edge_function(top, bottom, is_left);
-    if (is_left == (down > 0))
-        return {upper, lower, long_edge.negated()};
-    return {upper.negated(), lower.negated(), long_edge};
-}
-
 /// Tells the edge functions.
 template <typename Scalar, typename Sink>
 requires SinkFor<Sink, EdgeFunctionSetUp<Scalar>>
@@ -75,14 +51,16 @@ void tell_edge_functions(const Triangle<Scalar>& triangle, const TriangleOrder& 
                          Sink&& sink) {
     if (!takes<EdgeFunctionSetUp<Scalar>>(sink))
         return;
-    const std::array<EdgeName, 3> names{
-        {{order.top, order.middle}, {order.middle, order.bottom}, {order.top, order.bottom}}};
-    const auto functions = edge_functions(triangle, order, down);
-    for (std::size_t i = 0; i < functions.size(); ++i)
-        sink(EdgeFunctionSetUp<Scalar>{.edge = names[i],
-                                       .a = functions[i].a,
-                                       .b = functions[i].b,
-                                       .is_top_left = functions[i].is_top_left});
+    const auto vertex = [&triangle](std::uint8_t index) {
+        return Vertex<Scalar>{triangle.vertices[index], index};
+    };
+    for (const EdgeFunction<Scalar>& function :
+         edge_functions<Scalar>({vertex(order.top), vertex(order.middle), vertex(order.bottom)},
+                                order.long_edge_is_left, down))
+        sink(EdgeFunctionSetUp<Scalar>{.edge = function.name,
+                                       .a = function.a,
+                                       .b = function.b,
+                                       .is_top_left = function.is_top_left});
 }
 
 /// Adds where the two edges of the row meet it.
@@ -103,11 +81,9 @@ void add_crossings(const Triangle<Scalar>& triangle, const TriangleOrder& order,
     span.right = right_edge.x_at(sample_y);
     span.left_edge = left_edge.name;
     span.right_edge = right_edge.name;
-    // Doubles with errors have to tell a crossing that is as certain as the pixel that it was rounded to.
-    if constexpr (std::same_as<Scalar, Adaptive>) {
-        static_cast<void>(ceil_index(Scalar(span.left - sample_offset)));
-        static_cast<void>(ceil_index(Scalar(span.right - sample_offset)));
-    }
+    // A filtered double has to tell a crossing that is as certain as the pixel that it was rounded to.
+    require_certain_index(Scalar(span.left - sample_offset));
+    require_certain_index(Scalar(span.right - sample_offset));
 }
 
 /// True if all of a triangle lies right of the canvas, as its corners do: its left edges admit no sample of the

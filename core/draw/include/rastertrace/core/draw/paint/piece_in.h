@@ -5,9 +5,9 @@
 //
 //     const Piece<double> triangle = piece_in<double>(piece, plan);
 
-#include <rastertrace/core/draw/filtered/adaptive.h>
 #include <rastertrace/core/draw/list/pieces.h>
 #include <rastertrace/core/draw/plan/plan.h>
+#include <rastertrace/core/numbers/adaptive.h>
 #include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/core/numbers/vec.h>
 #include <rastertrace/core/raster/canvas.h>

@@ -9,12 +9,12 @@
 //
 // One call a row, into loops that are compiled once for each kind of number: no fill includes them.
 
-#include <rastertrace/core/draw/filtered/adaptive_depth.h>
+#include <rastertrace/core/draw/paint/depth_tests.h>
 #include <rastertrace/core/draw/plan/stages.h>
 #include <rastertrace/core/draw/scene/method.h>
 #include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/core/raster/canvas.h>
-#include <rastertrace/core/raster/depth.h>
+#include <rastertrace/core/raster/depth_interpolation.h>
 #include <rastertrace/core/raster/image.h>
 #include <rastertrace/core/raster/mixed_colors.h>
 #include <rastertrace/core/raster/sink.h>
@@ -29,18 +29,18 @@ namespace rastertrace {
 /// Paints those pixels of a row that nothing nearer hides, in one color, and tells nobody.
 template <typename Scalar>
 [[gnu::noinline]] void paint_nearer(const ImageRow& row, PixelSpan pixels,
-                                    const DepthRow<Scalar>& depths, DepthBuffer<Scalar>& buffer,
+                                    const DepthRow<Scalar>& depths, DepthTests<Scalar>& tests,
                                     Color color) {
     Color* const colors = row.colors - row.left;
-    buffer.keep_nearer(row.index, pixels.first, pixels.last, depths,
-                       [=](int x) { colors[x] = color; });
+    tests.keep_nearer(row.index, pixels.first, pixels.last, depths,
+                      [=](int x) { colors[x] = color; });
 }
 
 /// The same for a triangle that only hides.
 template <typename Scalar>
 [[gnu::noinline]] void hide_behind(const ImageRow& row, PixelSpan pixels,
-                                   const DepthRow<Scalar>& depths, DepthBuffer<Scalar>& buffer) {
-    buffer.keep_nearer(row.index, pixels.first, pixels.last, depths, [](int) {});
+                                   const DepthRow<Scalar>& depths, DepthTests<Scalar>& tests) {
+    tests.keep_nearer(row.index, pixels.first, pixels.last, depths, [](int) {});
 }
 
 /// Paints where the depths lie on one line, from `depth` at `x0`. All of it is handed over in registers: a
@@ -66,7 +66,7 @@ template <typename Scalar, typename Sink = NullSink> struct PixelPainter {
     PixelStages stages = {};
     Color flat = {};                            ///< of every pixel, unless colors are mixed
     const MixedColors<Scalar>* mixed = nullptr; ///< if colors are mixed
-    DepthBuffer<D>* buffer = nullptr;           ///< if depths are tested
+    DepthTests<D>* tests = nullptr;             ///< if depths are tested
     DepthAt depth_at = DepthAt::pixel;
     [[no_unique_address]] Sink sink = {};
 
@@ -79,16 +79,16 @@ template <typename Scalar, typename Sink = NullSink> struct PixelPainter {
     /// Paints those that no nearer triangle hides, at these turned depths.
     [[gnu::noinline]] void paint_row(const ImageRow& row, PixelSpan pixels,
                                      const DepthRow<D>& depths) {
-        auto* const cells = buffer->row_from(0, row.index);
+        auto* const cells = tests->row_from(0, row.index);
         for (int x = pixels.first; x <= pixels.last; ++x)
-            if (passes_depth_test({x, row.y}, row.index, depths.at(x), cells[x]))
+            if (passes_depth_test({x, row.y}, depths.at(x), cells[x]))
                 plot({x, row.y}, row.at(x));
     }
 
     /// Paints one pixel of the canvas, at this turned depth if it is tested.
     [[gnu::noinline]] void paint(Pixel pixel, const std::optional<D>& depth) {
         const int row = static_cast<int>(image.canvas().row_of(pixel.y));
-        if (!buffer || passes_depth_test(pixel, row, *depth, *buffer->row_from(pixel.x, row)))
+        if (!tests || passes_depth_test(pixel, *depth, *tests->row_from(pixel.x, row)))
             plot(pixel, image.at(pixel));
     }
 
@@ -113,11 +113,10 @@ private:
     }
 
     /// Tests a turned depth against what is stored for the pixel, and keeps the nearer one.
-    template <typename Cell>
-    bool passes_depth_test(Pixel pixel, int row, const D& depth, Cell& cell) {
-        const auto test = [&] { return DepthVerdict{buffer->keep_if_nearer(cell, depth)}; };
+    template <typename Cell> bool passes_depth_test(Pixel pixel, const D& depth, Cell& cell) {
+        const auto test = [&] { return DepthVerdict{tests->keep_if_nearer(cell, depth)}; };
         if constexpr (keeps_steps<Sink>)
-            return buffer->decide_and_tell(pixel, row, cell, depth, test, sink);
+            return tests->decide_and_tell(pixel, cell, depth, test, sink);
         else
             return test().passes;
     }
@@ -165,7 +164,7 @@ public:
         pixels_.sink(sample);
         if (sample.is_inside && triangle_)
             pixels_.paint(sample.pixel,
-                          pixels_.buffer->compared(triangle_->by_weights(
+                          pixels_.tests->tested(triangle_->by_weights(
                               {depth_scalar(sample.weights[0]), depth_scalar(sample.weights[1]),
                                depth_scalar(sample.weights[2])})));
         else if (sample.is_inside)
@@ -186,8 +185,8 @@ private:
         const D right = triangle_->on_edge(span.right_edge, height);
         if (rastertrace::takes<ScanlineSpanned<Scalar>>(pixels_.sink)) {
             ScanlineSpanned<Scalar> told = span;
-            told.left_depth = pixels_.buffer->turned(left);
-            told.right_depth = pixels_.buffer->turned(right);
+            told.left_depth = pixels_.tests->turned(left);
+            told.right_depth = pixels_.tests->turned(right);
             pixels_.sink(told);
         }
         if (pixels_.depth_at == DepthAt::rounded_ends)
@@ -211,19 +210,19 @@ private:
     void paint(const ImageRow& row, PixelSpan pixels) const { pixels_.paint_row(row, pixels); }
     [[gnu::always_inline]] void paint(const ImageRow& row, PixelSpan pixels,
                                       const DepthRow<D>& depths) const {
-        auto& buffer = *pixels_.buffer;
-        const auto& compared = buffer.compared(depths, pixels.first, pixels.last);
+        auto& tests = *pixels_.tests;
+        const auto& tested = tests.tested(depths, pixels);
         if constexpr (!keeps_steps<Sink> && std::floating_point<DepthOf<OfPixels>>)
             if (pixels_.stages.colors == ColorStage::flat && pixels_.stages.is_painted &&
-                !compared.end && !buffer.remembers_owners())
-                return paint_nearer(row.colors - row.left, buffer.row_from(0, row.index), pixels,
-                                    compared.x, compared.depth, compared.slope, pixels_.flat);
+                !tested.end && !tests.has_owners())
+                return paint_nearer(row.colors - row.left, tests.row_from(0, row.index), pixels,
+                                    tested.x, tested.depth, tested.slope, pixels_.flat);
         if (!keeps_steps<Sink> && !pixels_.stages.is_painted)
-            hide_behind(row, pixels, compared, buffer);
+            hide_behind(row, pixels, tested, tests);
         else if (!keeps_steps<Sink> && pixels_.stages.colors == ColorStage::flat)
-            paint_nearer(row, pixels, compared, buffer, pixels_.flat);
+            paint_nearer(row, pixels, tested, tests, pixels_.flat);
         else
-            pixels_.paint_row(row, pixels, compared);
+            pixels_.paint_row(row, pixels, tested);
     }
 
     PixelPainter<OfPixels, Sink>& pixels_;

@@ -9,8 +9,8 @@
 //     walk.first_sample();  // in row 3: the first x whose sample does not lie left of the edge
 //     walk.step();          // row 4
 
-#include <rastertrace/core/draw/filtered/adaptive.h>
 #include <rastertrace/core/draw/paint/divisor.h>
+#include <rastertrace/core/numbers/adaptive.h>
 #include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/core/numbers/fraction.h>
 #include <rastertrace/core/numbers/vec.h>

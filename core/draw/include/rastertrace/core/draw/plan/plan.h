@@ -7,9 +7,9 @@
 //     const Plan plan = plan_for(scene);
 //     const Image picture = draw(scene, plan);
 
-#include <rastertrace/core/draw/filtered/adaptive.h>
 #include <rastertrace/core/draw/plan/stages.h>
 #include <rastertrace/core/draw/scene/scene.h>
+#include <rastertrace/core/numbers/adaptive.h>
 #include <rastertrace/core/numbers/conversion.h>
 
 #include <array>
@@ -42,6 +42,13 @@ struct Plan {
     bool mixes_colors = false;                      ///< vertices have colors that count
 };
 
+/// How often `adaptive` could not decide with doubles.
+struct Fallbacks {
+    std::uint64_t primitives = 0; ///< or parts of one: drawn with exact numbers
+    std::uint64_t depths = 0;     ///< tests
+    std::uint64_t colors = 0;     ///< of pixels
+};
+
 /// Calls `draw_with.template operator()<Scalar>()` with the scalar that the plan has chosen.
 template <typename DrawWith> decltype(auto) with_scalar(const Plan& plan, DrawWith&& draw_with) {
     switch (plan.number) {
@@ -56,9 +63,9 @@ template <typename DrawWith> decltype(auto) with_scalar(const Plan& plan, DrawWi
     case NumberType::rational:
         return draw_with.template operator()<Rational>();
     case NumberType::binary64:
-        break;
+        return draw_with.template operator()<double>();
     }
-    return draw_with.template operator()<double>();
+    not_an_enumerator();
 }
 
 /// Why a scene cannot be drawn by its method, and between which vertices.

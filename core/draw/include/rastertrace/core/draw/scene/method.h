@@ -5,6 +5,7 @@
 //
 //     Method method{.scalar = ScalarKind::exact, .rounding = Rounding::truncate};
 
+#include <rastertrace/core/draw/scene/algorithms.h>
 #include <rastertrace/core/draw/scene/viewport.h>
 #include <rastertrace/core/numbers/number.h>
 #include <rastertrace/core/raster/edge.h>
@@ -24,46 +25,6 @@ enum class ScalarKind {
     fixed,            ///< vertices snapped to 1/256 pixel, then exact whole numbers of that size
     adaptive, ///< filtered doubles, and exact numbers where the bound decides nothing: as exact
     exact,    ///< fractions of whole numbers; nothing is ever rounded but to a pixel
-};
-
-/// The algorithm that draws lines, and the sides of outlines.
-enum class LineMethod { naive, dda, bresenham };
-
-/// The algorithm that fills triangles.
-enum class Fill {
-    scanline,    ///< row by row, the long edge against the two short ones joined
-    two_halves,  ///< the lower half, then the upper one
-    barycentric, ///< every pixel of the box, by its barycentric coordinates
-    top_left,    ///< edge functions; each sample of a shared edge has one owner
-    fan,         ///< a line from each pixel of an edge to the third vertex; has holes
-};
-
-/// How a fill finds the depths of its pixels.
-enum class DepthForm {
-    none,        ///< it cannot: it may not be asked for them
-    along_edges, ///< along the edges, then across each row
-    plane,       ///< as a plane over the screen
-    weights,     ///< by the weights of each sample: in exact arithmetic, that plane
-};
-inline DepthForm depth_form_of(Fill fill) {
-    switch (fill) {
-    case Fill::scanline:
-    case Fill::two_halves:
-        return DepthForm::along_edges;
-    case Fill::top_left:
-        return DepthForm::plane;
-    case Fill::barycentric:
-        return DepthForm::weights;
-    case Fill::fan:
-        break;
-    }
-    return DepthForm::none;
-}
-
-/// Where a pixel is tested.
-enum class Sample {
-    integer, ///< at its integer point
-    center,  ///< half a pixel from there, in x and in y
 };
 
 /// Where the colors of pixels come from.
@@ -145,7 +106,7 @@ inline LineRules line_rules(const Method& method) {
 /// Where the fill tests pixels: the choice in force, and how far that is from a pixel's integer
 /// point, in x and in y.
 inline Sample sample_of(const Method& method) {
-    return method.sample.value_or(method.fill == Fill::top_left ? Sample::center : Sample::integer);
+    return method.sample.value_or(traits_of(method.fill).sample);
 }
 
 inline Number sample_offset_of(const Method& method) {

@@ -132,10 +132,11 @@ struct Scene {
                has(PrimitiveKind::triangle);
     }
 
-    /// True if pixels are tested against a buffer of depths. The fan's are not.
+    /// True if pixels are tested against a buffer of depths. Those of a fill that finds no depths are not.
     bool has_depth_buffer() const {
         const Depth in_force = depth();
-        return in_force != Depth::none && in_force != Depth::painter && method.fill != Fill::fan;
+        return in_force != Depth::none && in_force != Depth::painter &&
+               traits_of(method.fill).depths != DepthForm::none;
     }
 
     /// True if points or lines are tested against it, too.

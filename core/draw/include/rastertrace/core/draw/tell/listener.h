@@ -10,7 +10,7 @@
 // Which kinds it takes is asked once; no other is put together. One that takes PrimitiveBegan for its names alone
 // says so by reads_corners().
 
-#include <rastertrace/core/draw/tell/quantity.h>
+#include <rastertrace/core/numbers/quantity.h>
 #include <rastertrace/core/raster/sink.h>
 #include <rastertrace/core/raster/steps.h>
 

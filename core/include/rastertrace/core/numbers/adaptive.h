@@ -3,7 +3,7 @@
 
 // A filtered double: it has a bound on its error. As long as that decides every comparison, drawing costs
 // little more than with doubles; where it does not, Undecided is thrown, and what could not be
-// decided is done again with exact numbers (exactly.h). So every decision is the one that exact
+// decided is done again with exact numbers (draw/filtered/exactly.h). So every decision is the one that exact
 // arithmetic takes.
 //
 //     const Adaptive third = Adaptive(1) / Adaptive(3);  // 0.333..., off by at most 2^-54 or so
@@ -15,8 +15,8 @@
 // theorem 7). Bounds are rounded, too, and are widened for that. A filter with exact arithmetic
 // behind it: Fortune and Van Wyk 1993; CGAL's Filtered_kernel.
 
-#include <rastertrace/core/draw/tell/quantity.h>
 #include <rastertrace/core/numbers/conversion.h>
+#include <rastertrace/core/numbers/quantity.h>
 
 #include <cmath>
 #include <compare>
@@ -25,30 +25,11 @@
 
 namespace rastertrace {
 
-template <typename Scalar> struct Edge;
-template <typename Scalar> class SampleGrid;
-template <typename Scalar> struct MixedColors;
-template <typename Scalar> class DepthBuffer;
-template <typename Scalar> struct DepthRow;
-template <typename Scalar> class DepthEdge;
-template <typename Scalar> class DepthPlane;
-
 /// What is thrown where a bound leaves it open which of two numbers is the larger one.
 struct Undecided {
     double difference; ///< of the two, as it was calculated
     double error;      ///< that it may be off by
 };
-
-// The pages of raster/ and paint/ that have a form of their own for it: adaptive_edge.h, adaptive_depth.h
-// and adaptive_color.h.
-class Adaptive;
-template <> struct Edge<Adaptive>;
-template <> class SampleGrid<Adaptive>;
-template <> struct MixedColors<Adaptive>;
-template <> class DepthBuffer<Adaptive>;
-template <> struct DepthRow<Adaptive>;
-template <> class DepthEdge<Adaptive>;
-template <> class DepthPlane<Adaptive>;
 
 /// A double with a bound on its distance from the number that it stands for. Two doubles wide, so that
 /// it is handed over in registers. What has left the doubles has a bound that is infinite or no number,
@@ -248,6 +229,11 @@ inline double error_of(Adaptive number) {
 inline void require_finite(Adaptive number) {
     if (!std::isfinite(number.value()) || !std::isfinite(number.error()))
         Adaptive::leave_open(number.value(), number.error());
+}
+
+/// Throws Undecided if the bound reaches over a whole number.
+inline void require_certain_index(Adaptive number) {
+    static_cast<void>(ceil_index(number));
 }
 
 inline bool surely_differ(Adaptive a, Adaptive b) {

@@ -5,12 +5,11 @@
 // Compiled once for each kind, in draw_in_*.cpp.
 
 #include "hidden-lines/line_painter.h"
-#include "paint/target.h"
+#include "hidden-lines/owners.h"
 #include "tell/listener_sink.h"
 
 #include <rastertrace/core/draw/draw.h>
 
-#include <rastertrace/core/draw/filtered/adaptive.h>
 #include <rastertrace/core/draw/filtered/adaptive_depth.h>
 #include <rastertrace/core/draw/filtered/exactly.h>
 #include <rastertrace/core/draw/list/pieces.h>
@@ -20,11 +19,13 @@
 #include <rastertrace/core/draw/paint/sample_walk.h>
 #include <rastertrace/core/draw/plan/plan.h>
 #include <rastertrace/core/draw/scene/scene.h>
-#include <rastertrace/core/raster/depth.h>
+#include <rastertrace/core/numbers/adaptive.h>
+#include <rastertrace/core/raster/depth_interpolation.h>
 #include <rastertrace/core/raster/flat_painter.h>
 #include <rastertrace/core/raster/image.h>
 #include <rastertrace/core/raster/line_bresenham.h>
-#include <rastertrace/core/raster/line_lerp.h>
+#include <rastertrace/core/raster/line_dda.h>
+#include <rastertrace/core/raster/line_naive.h>
 #include <rastertrace/core/raster/mixed_colors.h>
 #include <rastertrace/core/raster/sink.h>
 #include <rastertrace/core/raster/steps.h>
@@ -42,6 +43,21 @@
 #include <vector>
 
 namespace rastertrace {
+
+/// A drawing: what of, on which picture, against which depths.
+template <typename Scalar, typename OfPixels = Scalar> struct Drawing {
+    const Scene& scene;
+    const Plan& plan;
+    Image& image;
+    SampleGrid<Scalar> grid = sample_grid<Scalar>(scene, plan);
+    DepthTests<DepthOf<OfPixels>>* depth = nullptr; ///< if depths are tested
+    Exactness* exactness = nullptr;                 ///< of filtered doubles
+    Owners<DepthOf<OfPixels>> owners = {};          ///< if lines are tested
+
+    const PixelStages& stages_of(std::size_t primitive) const {
+        return plan.stages.pixels[primitive];
+    }
+};
 
 /// The sink that tells a listener; none keeps none.
 template <typename Sink> Sink sink_to(const Listener& listener) {
@@ -78,7 +94,7 @@ DirectedLine<Scalar> directed_line(const Piece<Scalar>& primitive, EdgeName side
     };
     const Index columns = std::abs(to_pixel.x - from_pixel.x);
     const Index rows = std::abs(to_pixel.y - from_pixel.y);
-    const bool is_reversed = method.line == LineMethod::bresenham
+    const bool is_reversed = traits_of(method.line).is_on_grid
                                  ? runs_down(from_pixel, to_pixel, columns >= rows)
                                  : runs_down(from, to, is_longer_in_x(forward.segment));
     return is_reversed ? DirectedLine<Scalar>{{to, from}, reversed(forward.pixels)} : forward;
@@ -96,11 +112,16 @@ template <typename Scalar, typename Sink>
 bool draw_line(const Piece<Scalar>& primitive, EdgeName side, const Method& method,
                const Canvas& canvas, Sink&& sink) {
     const auto [segment, pixels] = directed_line(primitive, side, method);
-    if (method.line == LineMethod::bresenham)
+    const LineSampling sampling{line_rounding(method), pixels, line_rules(method)};
+    switch (method.line) {
+    case LineMethod::naive:
+        return draw_naive_line(segment, sampling, canvas, sink);
+    case LineMethod::dda:
+        return draw_dda_line(segment, sampling, canvas, sink);
+    case LineMethod::bresenham:
         return draw_bresenham(pixels, line_rules(method), canvas, sink);
-    return draw_line_by_lerp(segment,
-                             method.line == LineMethod::naive ? LineForm::naive : LineForm::dda,
-                             line_rounding(method), pixels, line_rules(method), canvas, sink);
+    }
+    not_an_enumerator();
 }
 
 /// Doubles can tell the depths along an edge only if they hold the difference of its ends, with some to spare
@@ -116,10 +137,10 @@ inline void require_finite_differences(const std::array<Adaptive, 3>& depths) {
 /// colors are mixed from, and how deep they lie.
 template <typename Scalar, typename OfPixels> class TrianglePaint {
 public:
-    TrianglePaint(const Piece<Scalar>& primitive, const Scene& scene, const Plan& plan,
-                  const Target<Scalar, OfPixels>& target)
-        : stages_(plan.stages.pixels[primitive.primitive]), flat_(primitive.color),
-          depth_at_(scene.method.depth_at) {
+    TrianglePaint(const Piece<Scalar>& primitive, const Drawing<Scalar, OfPixels>& drawing)
+        : stages_(drawing.stages_of(primitive.primitive)), flat_(primitive.color),
+          depth_at_(drawing.scene.method.depth_at) {
+        const Method& method = drawing.scene.method;
         // Without area, and where its vertices agree, it has one color.
         const Triangle<Scalar> triangle{primitive.positions};
         const auto& [a, b, c] = primitive.colors;
@@ -130,45 +151,53 @@ public:
             if (barycentric.area2() == scalar_from<Scalar>(0))
                 stages_.colors = ColorStage::flat;
             else if constexpr (std::same_as<OfPixels, Adaptive>)
-                mixed_ = mixed_colors(primitive, stages_.colors, scene.method.color_rounding,
-                                      *target.exactness);
+                mixed_ = mixed_colors(primitive, stages_.colors, method.color_rounding,
+                                      *drawing.exactness);
             else
-                mixed_ = {primitive.colors, barycentric, target.grid.sample_offset(),
-                          primitive.inverse_w, scene.method.color_rounding};
+                mixed_ = {primitive.colors, barycentric, drawing.grid.sample_offset(),
+                          primitive.inverse_w, method.color_rounding};
         }
         if (!stages_.tests_depth)
             return;
-        depth_.emplace(depth_positions(triangle), primitive.depths, target.depth->larger_passes());
-        const DepthForm form = depth_form_of(scene.method.fill);
+        depth_.emplace(depth_positions(triangle), primitive.depths, drawing.depth->larger_passes());
+        const DepthForm form = traits_of(method.fill).depths;
         if (form == DepthForm::plane)
-            plane_ = depth_->plane(depth_scalar(target.grid.sample_offset()));
+            plane_ = depth_->plane(depth_scalar(drawing.grid.sample_offset()));
         if constexpr (std::same_as<Scalar, Adaptive>)
             if (form == DepthForm::along_edges)
                 require_finite_differences(primitive.depths);
     }
 
-    /// Calls `fill_with(painter)`.
-    template <typename Sink, typename FillWith>
-    void with_painter(Target<Scalar, OfPixels>& target, const Sink& sink, FillWith&& fill_with) {
-        // The plain loop, if that is all.
-        if constexpr (!keeps_steps<Sink>) {
-            if (!stages_.is_painted && !stages_.tests_depth)
-                return;
-            if (stages_.colors == ColorStage::flat && !stages_.tests_depth)
-                return fill_with(FlatPainter<>(target.image, flat_, {}, stages_.tests_canvas));
-        }
+    /// True if the plain loop is all: one color, no depths.
+    bool is_flat() const { return stages_.colors == ColorStage::flat && !stages_.tests_depth; }
 
-        PixelPainter<OfPixels, Sink> pixels{.image = target.image,
-                                            .stages = stages_,
-                                            .flat = flat_,
-                                            .mixed = mixed_ ? &*mixed_ : nullptr,
-                                            .buffer = stages_.tests_depth ? target.depth : nullptr,
-                                            .depth_at = depth_at_,
-                                            .sink = sink};
+    /// False if its pixels are neither painted nor tested.
+    bool has_work() const { return stages_.is_painted || stages_.tests_depth; }
+
+    FlatPainter<> flat_painter(Image& image) const {
+        return FlatPainter<>(image, flat_, {}, stages_.tests_canvas);
+    }
+
+    /// What is done with its pixels.
+    template <typename Sink>
+    PixelPainter<OfPixels, Sink> pixel_painter(const Drawing<Scalar, OfPixels>& drawing,
+                                               const Sink& sink) const {
+        return {.image = drawing.image,
+                .stages = stages_,
+                .flat = flat_,
+                .mixed = mixed_ ? &*mixed_ : nullptr,
+                .tests = stages_.tests_depth ? drawing.depth : nullptr,
+                .depth_at = depth_at_,
+                .sink = sink};
+    }
+
+    /// What finds the depths of its rows.
+    template <typename Sink>
+    RowPainter<Scalar, OfPixels, Sink> row_painter(PixelPainter<OfPixels, Sink>& pixels) {
         using Painter = RowPainter<Scalar, OfPixels, Sink>;
-        fill_with(plane_   ? Painter(pixels, *plane_)
-                  : depth_ ? Painter(pixels, *depth_)
-                           : Painter(pixels));
+        return plane_   ? Painter(pixels, *plane_)
+               : depth_ ? Painter(pixels, *depth_)
+                        : Painter(pixels);
     }
 
 private:
@@ -214,7 +243,7 @@ void draw_lines(const Piece<Scalar>& primitive, const Method& method, const Canv
 /// Tells that a piece begins. `told` are its corners in the numbers that they are told in.
 template <typename Scalar, typename Told, typename Sink>
 void tell_beginning(const Piece<Scalar>& piece, const PieceNames& names, const Piece<Told>& told,
-                    bool has_depths, const Scene& scene, const Plan& plan, Sink&& sink) {
+                    bool has_depths, const Plan& plan, const Method& method, Sink&& sink) {
     sink(PrimitiveBegan<Told>{
         .kind = piece.kind,
         .name = names.piece,
@@ -222,7 +251,7 @@ void tell_beginning(const Piece<Scalar>& piece, const PieceNames& names, const P
         .positions = std::span(told.positions).first(piece.count),
         .color = piece.color,
         .colors = std::span(piece.colors).first(plan.mixes_colors ? piece.count : 0),
-        .octant = piece.kind == PrimitiveKind::line ? octant_of(piece, {0, 1}, scene.method) : 0,
+        .octant = piece.kind == PrimitiveKind::line ? octant_of(piece, {0, 1}, method) : 0,
         .is_part = piece.is_part,
         .depths = std::span(told.depths).first(has_depths ? piece.count : 0),
         .is_painted = plan.stages.pixels[piece.primitive].is_painted});
@@ -230,61 +259,69 @@ void tell_beginning(const Piece<Scalar>& piece, const PieceNames& names, const P
 
 /// Draws a point, a line or an outline, tested against the depth buffer or not.
 template <typename Scalar, typename OfPixels, typename Sink>
-void draw_thin(const Piece<Scalar>& piece, const Scene& scene, const Plan& plan,
-               Target<Scalar, OfPixels>& target, const Sink& sink) {
-    const Canvas& canvas = target.image.canvas();
-    if (!plan.stages.pixels[piece.primitive].tests_depth)
-        return draw_lines(piece, scene.method, canvas,
-                          [&](EdgeName) { return FlatPainter(target.image, piece.color, sink); });
-    draw_lines(piece, scene.method, canvas, [&](EdgeName side) {
-        target.begin_side(side);
-        return LinePainter<Scalar, OfPixels, Sink>(piece, side, scene, target, sink);
+void draw_thin(const Piece<Scalar>& piece, Drawing<Scalar, OfPixels>& drawing, const Sink& sink) {
+    const Scene& scene = drawing.scene;
+    if (!drawing.stages_of(piece.primitive).tests_depth)
+        return draw_lines(piece, scene.method, scene.canvas,
+                          [&](EdgeName) { return FlatPainter(drawing.image, piece.color, sink); });
+    draw_lines(piece, scene.method, scene.canvas, [&](EdgeName side) {
+        if (drawing.owners.begin_side)
+            drawing.owners.begin_side(side);
+        return LinePainter<Scalar, OfPixels, Sink>(piece, side, scene, drawing.image,
+                                                   *drawing.depth, drawing.owners, sink);
     });
 }
 
 /// Draws a primitive, or a part of one, with its numbers ready to draw.
 template <typename Scalar, typename OfPixels, typename Sink>
-void draw_piece(const Piece<Scalar>& piece, const Scene& scene, const Plan& plan,
-                Target<Scalar, OfPixels>& target, const Sink& sink) {
-    const Canvas& canvas = target.image.canvas();
-    if (piece.kind == PrimitiveKind::triangle)
-        TrianglePaint<Scalar, OfPixels>(piece, scene, plan, target)
-            .with_painter(target, sink, [&](const auto& painter) {
-                fill(Triangle<Scalar>{piece.positions}, piece.colors, scene.method, target.grid,
-                     canvas, painter);
-            });
-    else
-        draw_thin(piece, scene, plan, target, sink);
+void draw_piece(const Piece<Scalar>& piece, Drawing<Scalar, OfPixels>& drawing, const Sink& sink) {
+    if (piece.kind != PrimitiveKind::triangle)
+        return draw_thin(piece, drawing, sink);
+    const Scene& scene = drawing.scene;
+    const Triangle<Scalar> triangle{piece.positions};
+    TrianglePaint<Scalar, OfPixels> paint(piece, drawing);
+    if constexpr (!keeps_steps<Sink>) {
+        if (!paint.has_work())
+            return;
+        if (paint.is_flat())
+            return fill(triangle, piece.colors, scene.method, drawing.grid, scene.canvas,
+                        paint.flat_painter(drawing.image));
+    }
+    auto pixels = paint.pixel_painter(drawing, sink);
+    fill(triangle, piece.colors, scene.method, drawing.grid, scene.canvas,
+         paint.row_painter(pixels));
 }
 
 /// Tells of a piece. The corners of `adaptive` are told as what they stand for: all decisions are about
 /// those.
 template <typename AFace, typename Scalar, typename OfPixels, typename Sink>
 void tell_piece(const PieceNames& names, const AFace& face, const Piece<Scalar>& piece,
-                const Scene& scene, const Plan& plan, const Target<Scalar, OfPixels>& target,
-                const Sink& sink) {
-    const bool has_depths = target.depth != nullptr;
+                const Drawing<Scalar, OfPixels>& drawing, const Sink& sink) {
+    const auto begin = [&](const auto& told) {
+        tell_beginning(piece, names, told, drawing.depth != nullptr, drawing.plan,
+                       drawing.scene.method, sink);
+    };
     bool is_told = false;
     if constexpr (std::same_as<Scalar, Adaptive>)
         if (sink.reads_corners()) {
-            const auto exact = target.exactness->pieces.piece(target.exactness->drawn.back());
-            tell_beginning(piece, names, exact, has_depths, scene, plan, sink);
+            begin(drawing.exactness->pieces.piece(drawing.exactness->drawn.back()));
             is_told = true;
         }
     if (!is_told)
-        tell_beginning(piece, names, piece, has_depths, scene, plan, sink);
+        begin(piece);
     tell_face(face, sink);
 }
 
 /// Tells of a piece and draws it.
 template <typename AList, typename AFace, typename Scalar, typename OfPixels, typename Sink>
 void tell_and_draw(const AList& list, const ScreenPrimitive& one, const AFace& face,
-                   const Piece<Scalar>& piece, const Scene& scene, const Plan& plan,
-                   Target<Scalar, OfPixels>& target, const Sink& sink) {
-    const PieceNames names(scene, list, one); // a listener may refer to them until the piece ends
-    tell_piece(names, face, piece, scene, plan, target, sink);
+                   const Piece<Scalar>& piece, Drawing<Scalar, OfPixels>& drawing,
+                   const Sink& sink) {
+    const PieceNames names(drawing.scene, list,
+                           one); // a listener may refer to them until the piece ends
+    tell_piece(names, face, piece, drawing, sink);
     if (!piece.is_skipped)
-        draw_piece(piece, scene, plan, target, sink);
+        draw_piece(piece, drawing, sink);
 }
 
 /// A triangle of the list, in the numbers that depths are tested in.
@@ -307,68 +344,69 @@ DeepTriangle<DepthOf<Scalar>> triangle_in(const Scene& scene, const ScreenList<C
 
 /// Draws the list.
 template <typename Scalar, typename AList, typename Sink>
-void draw_list(const Scene& scene, const Plan& plan, const AList& list, Target<Scalar>& target,
-               const Listener& listener, const Sink& sink) {
-    if constexpr (!std::same_as<AList, TypedVertices>) {
-        target.listed = list.primitives;
-        target.triangle_of = [&](std::uint32_t owner) {
-            return triangle_in<Scalar>(scene, list, list.primitives[owner], plan);
-        };
-    }
-    const auto begin = [&target](const ScreenPrimitive& one) {
-        if (target.depth)
-            target.depth->begin(static_cast<std::uint32_t>(&one - target.listed.data()));
+void draw_list(const AList& list, Drawing<Scalar>& drawing, const Listener& listener,
+               const Sink& sink) {
+    const Scene& scene = drawing.scene;
+    const Plan& plan = drawing.plan;
+    if constexpr (!std::same_as<AList, TypedVertices>)
+        drawing.owners = {
+            .primitive_of = [&](std::uint32_t owner) { return list.primitives[owner].primitive; },
+            .triangle_of =
+                [&](std::uint32_t owner) {
+                    return triangle_in<Scalar>(scene, list, list.primitives[owner], plan);
+                }};
+    // The owner of depths is a place in the list. Vertices as typed have no depths.
+    const auto begin = [&]([[maybe_unused]] const ScreenPrimitive& one) {
+        if constexpr (!std::same_as<AList, TypedVertices>)
+            if (drawing.depth)
+                drawing.depth->begin(static_cast<std::uint32_t>(&one - list.primitives.data()));
     };
     if constexpr (keeps_steps<Sink>)
         tell_all_pieces(scene, list, listener, [&](const ScreenPrimitive& one, const auto& face) {
             const auto piece = piece_in<Scalar>(piece_of(scene, list, one), plan);
             begin(one);
-            tell_and_draw(list, one, face, piece, scene, plan, target, sink);
+            tell_and_draw(list, one, face, piece, drawing, sink);
         });
     else
-        for_each_primitive(scene, list, [&](const ScreenPrimitive& one) {
+        for (std::size_t place = 0; place < count_of(scene, list); ++place) {
+            const ScreenPrimitive& one = nth_of(scene, list, place);
             const auto piece = piece_of(scene, list, one);
             begin(one);
             if (!piece.is_skipped)
-                draw_piece(piece_in<Scalar>(piece, plan), scene, plan, target, sink);
-        });
+                draw_piece(piece_in<Scalar>(piece, plan), drawing, sink);
+        }
 }
 
-/// Draws a scene with the numbers that its plan has chosen, with a sink or without one.
-template <typename Scalar, typename Sink>
-Image draw_with(const Scene& scene, const Plan& plan, const Listener& listener, const Sink& sink,
-                Fallbacks* fallbacks) {
-    Image image(scene.canvas);
-    Target<Scalar> target{image, sample_grid<Scalar>(scene, plan)};
-    std::optional<DepthBuffer<DepthOf<Scalar>>> depth;
-    if (scene.has_depth_buffer())
-        target.depth = &depth.emplace(plan.stages.depth_region, depth_rule<DepthOf<Scalar>>(scene),
-                                      scene.has_tested_lines());
-    std::optional<Exactness> exactness;
-    if constexpr (std::same_as<Scalar, Adaptive>)
-        target.exactness = &exactness.emplace(Exactness{
-            ExactPieces(scene, plan), scalar_from<Rational>(sample_offset_of(scene.method))});
-    std::visit(
-        [&]<typename AList>(const AList& list) {
-            // All vertices on their way to the screen, then what is drawn between them.
-            if constexpr (draws<Scalar, AList>) {
-                if constexpr (!std::same_as<AList, TypedVertices>)
-                    tell_geometry(scene, list, listener);
-                draw_list(scene, plan, list, target, listener, sink);
-            }
-        },
-        *plan.list);
-    if (fallbacks && exactness)
-        *fallbacks = exactness->fallbacks;
-    return image;
-}
-
+/// Draws a scene with the numbers that its plan has chosen.
 template <typename Scalar>
 Image draw_in(const Scene& scene, const Plan& plan, const Listener& listener,
               Fallbacks* fallbacks) {
-    if (listener.takes_nothing())
-        return draw_with<Scalar>(scene, plan, listener, NullSink{}, fallbacks);
-    return draw_with<Scalar>(scene, plan, listener, ListenerSink(listener), fallbacks);
+    Image image(scene.canvas);
+    Drawing<Scalar> drawing{scene, plan, image};
+    std::optional<DepthTests<DepthOf<Scalar>>> depth;
+    if (scene.has_depth_buffer())
+        drawing.depth = &depth.emplace(plan.stages.depth_region, depth_rule<DepthOf<Scalar>>(scene),
+                                       scene.has_tested_lines());
+    std::optional<Exactness> exactness;
+    if constexpr (std::same_as<Scalar, Adaptive>)
+        drawing.exactness = &exactness.emplace(Exactness{
+            ExactPieces(scene, plan), scalar_from<Rational>(sample_offset_of(scene.method))});
+
+    // All vertices on their way to the screen, then what is drawn between them.
+    const auto draw_all = [&]<typename AList>(const AList& list) {
+        if constexpr (draws<Scalar, AList>) {
+            if constexpr (!std::same_as<AList, TypedVertices>)
+                tell_geometry(scene, list, listener);
+            if (listener.takes_nothing())
+                draw_list(list, drawing, listener, NullSink{});
+            else
+                draw_list(list, drawing, listener, ListenerSink(listener));
+        }
+    };
+    std::visit(draw_all, *plan.list);
+    if (fallbacks && exactness)
+        *fallbacks = exactness->fallbacks;
+    return image;
 }
 
 } // namespace rastertrace

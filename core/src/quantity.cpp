@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <rastertrace/core/draw/tell/quantity.h>
+#include <rastertrace/core/numbers/quantity.h>
 
 #include <array>
 #include <charconv>

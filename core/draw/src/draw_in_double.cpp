@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "paint/draw_in.h"
-#include "paint/draw_scalar.h"
+#include "draw_in.h"
+#include "draw_scalar.h"
 
 namespace rastertrace {
 

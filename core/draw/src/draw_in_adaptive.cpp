@@ -4,8 +4,8 @@
 // piece is drawn with rationals instead. What hangs on a single pixel, a depth test or a color, is
 // decided for that pixel (exactly.h).
 
-#include "paint/draw_in.h"
-#include "paint/draw_scalar.h"
+#include "draw_in.h"
+#include "draw_scalar.h"
 
 #include <rastertrace/core/draw/filtered/certain_rows.h>
 #include <rastertrace/core/draw/filtered/exactly.h>
@@ -20,10 +20,10 @@
 namespace rastertrace {
 
 // What is drawn with rationals is compiled in draw_in_adaptive_exactly.cpp.
-extern template void draw_piece(const Piece<Rational>&, const Scene&, const Plan&,
-                                Target<Rational, Adaptive>&, const NullSink&);
-extern template void draw_piece(const Piece<Rational>&, const Scene&, const Plan&,
-                                Target<Rational, Adaptive>&, const ListenerSink&);
+extern template void draw_piece(const Piece<Rational>&, Drawing<Rational, Adaptive>&,
+                                const NullSink&);
+extern template void draw_piece(const Piece<Rational>&, Drawing<Rational, Adaptive>&,
+                                const ListenerSink&);
 
 namespace {
 
@@ -109,17 +109,31 @@ private:
 /// Draws the pieces of a scene, with a sink or without one.
 template <typename Sink> class AdaptiveDrawing {
 public:
-    AdaptiveDrawing(const Scene& scene, const Plan& plan, Target<Adaptive>& target,
-                    const Listener& listener)
-        : scene_(scene), plan_(plan),
-          target_(target), exact_target_{target.image, sample_grid<Rational>(scene, plan),
-                                         target.depth, target.exactness},
-          exactness_(*target.exactness), listener_(listener), certifier_(listener),
+    AdaptiveDrawing(Drawing<Adaptive>& filtered, const Listener& listener)
+        : scene_(filtered.scene), plan_(filtered.plan),
+          filtered_(filtered), exact_{.scene = scene_,
+                                      .plan = plan_,
+                                      .image = filtered.image,
+                                      .depth = filtered.depth,
+                                      .exactness = filtered.exactness},
+          exactness_(*filtered.exactness), listener_(listener), certifier_(listener),
           certifying_(certifier_) {
-        if (target.depth)
-            target.depth->ask(
+        if (filtered.depth)
+            filtered.depth->ask(
                 [this](auto... asked) { return is_nearer(scene_, plan_, exactness_, asked...); },
                 [this](auto... asked) { return told_depth(scene_, exactness_, asked...); });
+        exact_.owners = {
+            .primitive_of =
+                [this](std::uint32_t owner) { return exactness_.drawn[owner].primitive; },
+            .hides_exactly = [this](auto... asked) { return hides_exactly(asked...); },
+            .begin_side = [this](EdgeName side) { begin_side(side); }};
+        filtered_.owners = {.primitive_of = exact_.owners.primitive_of,
+                            .hides_exactly =
+                                [this](auto... asked) {
+                                    ++exactness_.fallbacks.depths;
+                                    return hides_exactly(asked...);
+                                },
+                            .begin_side = exact_.owners.begin_side};
     }
 
     /// Draws the list.
@@ -130,8 +144,8 @@ public:
         });
     }
     template <typename Coordinate> void draw(const ScreenList<Coordinate>& list) {
-        target_.listed = list.primitives;
-        target_.triangle_of = [&](std::uint32_t owner) {
+        listed_ = list.primitives;
+        filtered_.owners.triangle_of = [&](std::uint32_t owner) {
             const PieceIndex& index = exactness_.drawn[owner];
             if (!index.listed)
                 return corners_of(piece_in<Adaptive>(exactness_.pieces.piece(index), plan_));
@@ -204,12 +218,30 @@ private:
     /// What follows is about the next piece of a primitive; `one` if the plan's list has it.
     void begin(std::size_t index, const ScreenPrimitive* one = nullptr) {
         PieceIndex piece{index, parts_++};
-        if (one && !target_.listed.empty() && &target_.listed.front() <= one &&
-            one <= &target_.listed.back())
-            piece.listed = static_cast<std::uint32_t>(one - target_.listed.data());
+        if (one && !listed_.empty() && &listed_.front() <= one && one <= &listed_.back())
+            piece.listed = static_cast<std::uint32_t>(one - listed_.data());
         exactness_.drawn.push_back(piece);
-        if (target_.depth)
-            target_.depth->begin(static_cast<std::uint32_t>(exactness_.drawn.size() - 1));
+        if (filtered_.depth)
+            filtered_.depth->begin(static_cast<std::uint32_t>(exactness_.drawn.size() - 1));
+    }
+
+    /// What follows is about a side of the same piece: its depths have an owner of their own.
+    void begin_side(EdgeName side) {
+        if (side.from == 0)
+            return;
+        PieceIndex piece = exactness_.drawn.back();
+        piece.side = side.from;
+        filtered_.depth->begin(static_cast<std::uint32_t>(exactness_.drawn.size()));
+        exactness_.drawn.push_back(piece);
+    }
+
+    /// Whether a face hides the point of a side of the piece that is being drawn, at a pixel, in exact numbers.
+    bool hides_exactly(std::uint32_t owner, EdgeName side, Pixel pixel) {
+        const bool larger_passes = filtered_.depth->larger_passes();
+        const auto line =
+            line_points(exactness_.pieces.piece(exactness_.drawn.back()), side, larger_passes);
+        const auto face = corners_of(exactness_.pieces.piece(exactness_.drawn[owner]));
+        return hides_point(face, line.at(pixel), larger_passes);
     }
 
     /// Draws the next piece of a primitive.
@@ -224,11 +256,11 @@ private:
             draw_exactly(list, one, face, Listener(telling));
         } else if constexpr (keeps_steps<Sink>) {
             if (takes_pixels_)
-                return tell_and_draw(list, one, face, piece, scene_, plan_, target_,
+                return tell_and_draw(list, one, face, piece, filtered_,
                                      NearestSlopes(listener, piece, exactness_));
             const PieceNames names(scene_, list, one);
             const ListenerSink sink(listener);
-            tell_piece(names, face, piece, scene_, plan_, target_, sink);
+            tell_piece(names, face, piece, filtered_, sink);
             if (rows_.skipped())
                 sink(*rows_.skipped());
         }
@@ -240,8 +272,7 @@ private:
                       const Listener& listener) {
         ++exactness_.fallbacks.primitives;
         const auto exact = exactness_.pieces.piece(exactness_.drawn.back());
-        tell_and_draw(list, one, face, exact, scene_, plan_, exact_target_,
-                      sink_to<Sink>(listener));
+        tell_and_draw(list, one, face, exact, exact_, sink_to<Sink>(listener));
     }
 
     /// Takes all decisions about a piece; what is left open, if any. A listener that takes no pixels is told of it
@@ -257,7 +288,7 @@ private:
                 if (!tell_face(face, sink) || !takes_pixels_)
                     return;
                 if (piece.kind == PrimitiveKind::triangle)
-                    TrianglePaint<Adaptive, Adaptive>(piece, scene_, plan_, target_);
+                    TrianglePaint<Adaptive, Adaptive>(piece, filtered_);
                 decide(piece, sink);
             });
             if (open || takes_pixels_)
@@ -273,7 +304,7 @@ private:
         std::optional<TrianglePaint<Adaptive, Adaptive>> paint;
         const auto open = left_open_by([&] {
             if (piece.kind == PrimitiveKind::triangle)
-                paint.emplace(piece, scene_, plan_, target_);
+                paint.emplace(piece, filtered_);
             decide(piece, rows_);
         });
         const auto paint_with = [&](const auto& painter) {
@@ -281,23 +312,27 @@ private:
         };
         if (open)
             return open;
-        if (paint)
-            paint->with_painter(target_, NullSink{}, paint_with);
-        else
-            draw_thin(piece, scene_, plan_, target_, NullSink{});
+        if (paint && paint->is_flat() && paint->has_work()) {
+            paint_with(paint->flat_painter(filtered_.image));
+        } else if (paint && paint->has_work()) {
+            auto pixels = paint->pixel_painter(filtered_, NullSink{});
+            paint_with(paint->row_painter(pixels));
+        } else if (!paint) {
+            draw_thin(piece, filtered_, NullSink{});
+        }
         return std::nullopt;
     }
 
     template <typename Decisions> void decide(const Piece<Adaptive>& piece, Decisions&& decisions) {
-        const Canvas& canvas = target_.image.canvas();
+        const Canvas& canvas = filtered_.image.canvas();
         if (piece.kind == PrimitiveKind::triangle)
-            fill(Triangle<Adaptive>{piece.positions}, piece.colors, scene_.method, target_.grid,
+            fill(Triangle<Adaptive>{piece.positions}, piece.colors, scene_.method, filtered_.grid,
                  canvas, decisions);
         else
             draw_lines(piece, scene_.method, canvas, [&](EdgeName side) -> Decisions& {
                 if (plan_.stages.pixels[piece.primitive].tests_depth) {
                     require_finite_differences(piece.depths);
-                    line_points(piece, side, target_.depth->larger_passes());
+                    line_points(piece, side, filtered_.depth->larger_passes());
                 }
                 return decisions;
             });
@@ -305,25 +340,26 @@ private:
 
     const Scene& scene_;
     const Plan& plan_;
-    Target<Adaptive>& target_;
-    Target<Rational, Adaptive> exact_target_;
+    Drawing<Adaptive>& filtered_;
+    Drawing<Rational, Adaptive> exact_;
     Exactness& exactness_;
     const Listener& listener_;
     const Certifier certifier_;
     const Listener certifying_; ///< tells the certifier
     const bool takes_pixels_ = listener_.takes_pixels();
     CertainRows rows_;
-    std::size_t parts_ = 0; ///< of the primitive, so far
+    std::span<const ScreenPrimitive> listed_; ///< the plan's list
+    std::size_t parts_ = 0;                   ///< of the primitive, so far
 };
 
 } // namespace
 
 template <typename AList, typename Sink>
-void draw_list(const Scene& scene, const Plan& plan, const AList& list, Target<Adaptive>& target,
-               const Listener& listener, const Sink&) {
-    AdaptiveDrawing<Sink>(scene, plan, target, listener).draw(list);
-    if (target.depth)
-        target.exactness->fallbacks.depths += target.depth->exact_tests();
+void draw_list(const AList& list, Drawing<Adaptive>& drawing, const Listener& listener,
+               const Sink&) {
+    AdaptiveDrawing<Sink>(drawing, listener).draw(list);
+    if (drawing.depth)
+        drawing.exactness->fallbacks.depths += drawing.depth->exact_tests();
 }
 
 template Image draw_in<Adaptive>(const Scene&, const Plan&, const Listener&, Fallbacks*);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Light in filtered doubles: the formulas of shading.h, with their errors.
+// The formulas of shading.h in exact numbers and in filtered doubles.
 
-#include <rastertrace/core/draw/filtered/adaptive.h>
+#include <rastertrace/core/numbers/adaptive.h>
+#include <rastertrace/core/numbers/irrational.h>
+#include <rastertrace/core/numbers/rational.h>
 #include <rastertrace/core/numbers/vec.h>
 #include <rastertrace/core/raster/facing.h>
 #include <rastertrace/core/raster/shading.h>
@@ -14,6 +16,17 @@
 
 namespace rastertrace {
 
+/// The cosine of the angle between two exact vectors: the nearest double to its root. `nullopt` if one
+/// of them has no length.
+inline std::optional<double> cosine_between(const Vec<Rational, 3>& a, const Vec<Rational, 3>& b) {
+    if (has_no_length<Rational>(a) || has_no_length<Rational>(b))
+        return std::nullopt;
+    const Rational product = dot(a, b);
+    const Rational square = product * product / (dot(a, a) * dot(b, b));
+    return sgn(product) * nearest_double(square_root(square));
+}
+
+/// The same in filtered doubles.
 inline std::optional<Adaptive> cosine_between(const Vec<Adaptive, 3>& a,
                                               const Vec<Adaptive, 3>& b) {
     if (has_no_length<Adaptive>(a) || has_no_length<Adaptive>(b))

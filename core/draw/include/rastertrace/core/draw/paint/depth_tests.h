@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The depth tests of a picture: the depth buffer of its faces; if it has points or lines that are tested, the
+// owner of each depth, and the nearest point or line of each pixel; and the step that tells a test.
+//
+//     DepthTests<double> tests(region, rule, has_lines);
+//     tests.begin(3);  // the depths that follow are of number 3 of what is drawn
+//     tests.keep_if_nearer(*tests.row_from(x, row), tests.turned(0.25));
+
+#include <rastertrace/core/draw/paint/thin_depths.h>
+#include <rastertrace/core/raster/canvas.h>
+#include <rastertrace/core/raster/depth_buffer.h>
+#include <rastertrace/core/raster/depth_interpolation.h>
+#include <rastertrace/core/raster/sink.h>
+#include <rastertrace/core/raster/span.h>
+#include <rastertrace/core/raster/steps.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace rastertrace {
+
+/// Filtered doubles have a form of their own: filtered/adaptive_depth.h.
+template <typename Depth> class DepthTests {
+public:
+    DepthTests(const DepthRegion& region, const DepthRule<Depth>& rule, bool has_lines = false)
+        : buffer_(region, rule), owners_(has_lines ? region.area() : 0, no_owner) {}
+
+    /// A depth, or those of the pixels of a row, in the numbers that are tested: filtered doubles round.
+    static const Depth& tested(const Depth& depth) { return depth; }
+    static const DepthRow<Depth>& tested(const DepthRow<Depth>& row, PixelSpan) { return row; }
+
+    bool larger_passes() const { return buffer_.larger_passes(); }
+    Depth turned(const Depth& depth) const { return buffer_.turned(depth); }
+    bool has(int x, int row) const { return buffer_.region().has(x, row); }
+    Depth* row_from(int x, int row) { return buffer_.row_from(x, row); }
+    bool is_nearer(const Depth& cell, const Depth& depth) const {
+        return buffer_.is_nearer(cell, depth);
+    }
+
+    /// The depths that follow are of this one of those that are drawn.
+    void begin(std::uint32_t owner) { owner_ = owner; }
+
+    /// True if the owner of each depth is known.
+    bool has_owners() const { return !owners_.empty(); }
+
+    /// The face whose depth a cell of row_from(...) holds, if one has been drawn there.
+    std::optional<std::uint32_t> owner_of(const Depth& cell) const {
+        const std::uint32_t owner = owners_[buffer_.index_of(cell)];
+        return owner == no_owner ? std::nullopt : std::optional(owner);
+    }
+
+    /// True if a face in the cell is nearer than a turned depth.
+    bool hides(const Depth& cell, const Depth& depth) const {
+        return !buffer_.is_clear(cell) && cell < depth;
+    }
+
+    /// Tests a turned depth of a face, and keeps it if no face in the cell is as near. True if no point or
+    /// line is as near either.
+    bool keep_if_nearer(Depth& cell, const Depth& depth) {
+        if (!buffer_.keep_if_nearer(cell, depth))
+            return false;
+        if (!has_owners()) [[likely]]
+            return true;
+        owners_[buffer_.index_of(cell)] = owner_;
+        return !is_behind_thin(cell, depth, Thickness::face);
+    }
+
+    /// True if the point or line that is kept for a cell is nearer than a turned depth, or as near and no
+    /// thicker.
+    bool is_behind_thin(const Depth& cell, const Depth& depth, Thickness thickness) const {
+        const auto* const thin = thin_.find(buffer_.index_of(cell));
+        return thin && (thickness < thin->thickness ? thin->depth < depth : !(depth < thin->depth));
+    }
+
+    /// The point or line that is kept for a cell.
+    std::optional<std::uint32_t> thin_owner_of(const Depth& cell) const {
+        const auto* const thin = thin_.find(buffer_.index_of(cell));
+        return thin ? std::optional(thin->owner) : std::nullopt;
+    }
+
+    /// Keeps the turned depth of a point or a line that is drawn.
+    void keep_thin(const Depth& cell, const Depth& depth, Thickness thickness) {
+        thin_.keep(buffer_.index_of(cell), {depth, thickness, owner_});
+    }
+
+    /// Decides about a turned depth by `test()`, and tells both depths and what was decided.
+    template <typename Test, typename Sink>
+    bool decide_and_tell(Pixel pixel, const Depth& cell, const Depth& depth, Test&& test,
+                         Sink&& sink) {
+        if (!takes<DepthTested<Depth>>(sink))
+            return test().passes;
+        std::optional<Depth> of_thin;
+        std::optional<Depth> nearest = buffer_.stored(cell);
+        if (const auto* const thin = thin_.find(buffer_.index_of(cell))) {
+            of_thin = turned(thin->depth);
+            if (!owner_of(cell) || !(cell < thin->depth))
+                nearest = of_thin;
+        }
+        const DepthVerdict verdict = test();
+        sink(DepthTested<Depth>{.pixel = pixel,
+                                .depth = turned(depth),
+                                .stored = verdict.is_by_thin ? of_thin : nearest,
+                                .passes = verdict.passes,
+                                .reason = verdict.reason,
+                                .other = verdict.other});
+        return verdict.passes;
+    }
+
+    /// Tests the turned depths of a face's row: calls `keep(x)` where they pass.
+    template <typename Keep>
+    [[gnu::always_inline]] void keep_nearer(int row, int first, int last,
+                                            const DepthRow<Depth>& depths, Keep&& keep) {
+        const DepthRow<Depth> near = depths; // a copy: no depth that is written can be part of it
+        Depth* const cells = row_from(0, row);
+        for (int x = first; x <= last; ++x)
+            if (keep_if_nearer(cells[x], near.at(x)))
+                keep(x);
+    }
+
+private:
+    static constexpr std::uint32_t no_owner = std::numeric_limits<std::uint32_t>::max();
+
+    DepthBuffer<Depth> buffer_;
+    std::vector<std::uint32_t> owners_; ///< of the cells, if points or lines are tested
+    std::uint32_t owner_ = no_owner;
+    ThinDepths<Depth> thin_;
+};
+
+} // namespace rastertrace

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The algorithms that a scene can name, and what the rest of the program has to know about each: one row an
+// algorithm. A new one is a page in raster/, an enumerator, its row here, and its case in draw/paint/fill.h, or
+// in draw_line of draw_in.h for a line.
+//
+//     traits_of(Fill::top_left).depths;  // DepthForm::plane
+
+#include <array>
+#include <cstdlib>
+#include <string_view>
+
+namespace rastertrace {
+
+/// The algorithm that fills triangles.
+enum class Fill {
+    scanline,    ///< row by row, the long edge against the two short ones joined
+    two_halves,  ///< the lower half, then the upper one
+    barycentric, ///< every pixel of the box, by its barycentric coordinates
+    top_left,    ///< edge functions; each sample of a shared edge has one owner
+    fan,         ///< a line from each pixel of an edge to the third vertex; has holes
+};
+inline constexpr std::array all_fills{Fill::scanline, Fill::two_halves, Fill::barycentric,
+                                      Fill::top_left, Fill::fan};
+
+/// The algorithm that draws lines, and the sides of outlines.
+enum class LineMethod { naive, dda, bresenham };
+inline constexpr std::array all_lines{LineMethod::naive, LineMethod::dda, LineMethod::bresenham};
+
+/// What decides which pixels a fill draws.
+enum class PixelRule {
+    row_ends, ///< the two ends of each row, rounded
+    samples,  ///< whether the pixel's sample lies in the triangle
+    lines,    ///< Bresenham's lines between pixels
+};
+
+/// Where a pixel is tested.
+enum class Sample {
+    integer, ///< at its integer point
+    center,  ///< half a pixel from there, in x and in y
+};
+
+/// How a fill finds the depths of its pixels (depth_interpolation.h).
+enum class DepthForm {
+    none,        ///< it cannot: it may not be asked for them
+    along_edges, ///< along the edges, then across each row
+    plane,       ///< as a plane over the screen
+    weights,     ///< by the weights of each sample: in exact arithmetic, that plane
+};
+
+struct FillTraits {
+    std::string_view name; ///< in a scene
+    PixelRule rule;
+    Sample sample;  ///< unless the scene says otherwise
+    bool is_closed; ///< by samples: those on any edge are drawn
+    bool tests_box; ///< every pixel of the box, where others ask only for what they draw
+    DepthForm depths;
+};
+
+/// How many bits a fraction's numerator may have, with coordinates n/D, |n| < 2^b and D <= 2^d.
+struct BitsNeeded {
+    int per_numerator_bit = 0;
+    int per_denominator_bit = 0;
+    int more = 0;
+
+    constexpr int of(int b, int d) const {
+        return per_numerator_bit * b + per_denominator_bit * d + more;
+    }
+};
+
+struct LineTraits {
+    std::string_view name;    ///< in a scene
+    bool is_on_grid;          ///< it goes from pixel to pixel, and rounds nothing on the way
+    bool adds_up;             ///< each step adds to the one before
+    BitsNeeded fraction = {}; ///< more than an edge needs (plan.cpp)
+};
+
+/// Of a value that is no enumerator. A switch that ends here has a case for every enumerator: the compiler warns
+/// of a new one.
+[[noreturn]] inline void not_an_enumerator() {
+    std::abort();
+}
+
+constexpr FillTraits traits_of(Fill fill) {
+    switch (fill) {
+    case Fill::scanline:
+        return {.name = "scanline",
+                .rule = PixelRule::row_ends,
+                .sample = Sample::integer,
+                .is_closed = false,
+                .tests_box = false,
+                .depths = DepthForm::along_edges};
+    case Fill::two_halves:
+        return {.name = "two-halves",
+                .rule = PixelRule::row_ends,
+                .sample = Sample::integer,
+                .is_closed = false,
+                .tests_box = false,
+                .depths = DepthForm::along_edges};
+    case Fill::barycentric:
+        return {.name = "barycentric",
+                .rule = PixelRule::samples,
+                .sample = Sample::integer,
+                .is_closed = true,
+                .tests_box = true,
+                .depths = DepthForm::weights};
+    case Fill::top_left:
+        return {.name = "top-left",
+                .rule = PixelRule::samples,
+                .sample = Sample::center,
+                .is_closed = false,
+                .tests_box = false,
+                .depths = DepthForm::plane};
+    case Fill::fan:
+        return {.name = "fan",
+                .rule = PixelRule::lines,
+                .sample = Sample::integer,
+                .is_closed = false,
+                .tests_box = false,
+                .depths = DepthForm::none};
+    }
+    not_an_enumerator();
+}
+
+constexpr LineTraits traits_of(LineMethod line) {
+    switch (line) {
+    case LineMethod::naive: // y = m x + b has the denominator of m twice
+        return {.name = "naive", .is_on_grid = false, .adds_up = false, .fraction = {3, 2, 8}};
+    case LineMethod::dda:
+        return {.name = "dda", .is_on_grid = false, .adds_up = true};
+    case LineMethod::bresenham:
+        return {.name = "bresenham", .is_on_grid = true, .adds_up = false};
+    }
+    not_an_enumerator();
+}
+
+} // namespace rastertrace

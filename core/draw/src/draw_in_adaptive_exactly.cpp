@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// The pieces that doubles leave open: drawn with rationals, into a picture whose depths and colors are
+// filtered doubles.
+
+#include "draw_in.h"
+
+namespace rastertrace {
+
+template void draw_piece(const Piece<Rational>&, Drawing<Rational, Adaptive>&, const NullSink&);
+template void draw_piece(const Piece<Rational>&, Drawing<Rational, Adaptive>&, const ListenerSink&);
+
+} // namespace rastertrace

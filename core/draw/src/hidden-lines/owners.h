@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What hidden lines ask of the faces that have been drawn: which face a depth is of, and where it lies.
+
+#include <rastertrace/core/draw/list/pieces.h>
+#include <rastertrace/core/numbers/vec.h>
+#include <rastertrace/core/raster/canvas.h>
+#include <rastertrace/core/raster/steps.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+
+namespace rastertrace {
+
+/// A point on the screen, and how deep it lies there.
+template <typename Depth> struct DeepPoint {
+    Vec<Depth, 2> at;
+    Depth depth;
+};
+
+/// A corner of a piece, in the numbers of depths.
+template <typename Scalar>
+DeepPoint<DepthOf<Scalar>> corner_of(const Piece<Scalar>& piece, std::size_t corner) {
+    const auto& at = piece.positions[corner];
+    return {{depth_scalar(at.x), depth_scalar(at.y)}, piece.depths[corner]};
+}
+
+/// The corners of a triangle on the screen.
+template <typename Depth> using DeepTriangle = std::array<DeepPoint<Depth>, 3>;
+
+template <typename Scalar> DeepTriangle<DepthOf<Scalar>> corners_of(const Piece<Scalar>& triangle) {
+    return {corner_of(triangle, 0), corner_of(triangle, 1), corner_of(triangle, 2)};
+}
+
+/// The owners of depths, by their numbers in DepthTests.
+template <typename Depth> struct Owners {
+    /// The index of the scene's primitive.
+    std::function<std::size_t(std::uint32_t owner)> primitive_of = {};
+
+    /// The triangle on the screen.
+    std::function<DeepTriangle<Depth>(std::uint32_t owner)> triangle_of = {};
+
+    /// Filtered doubles have two more. Whether a face hides the point that the line or side which is being drawn
+    /// has at a pixel, in exact numbers:
+    std::function<bool(std::uint32_t owner, EdgeName side, Pixel pixel)> hides_exactly = {};
+
+    /// The depths that follow are of another side of the same piece.
+    std::function<void(EdgeName side)> begin_side = {};
+};
+
+} // namespace rastertrace

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The depth buffer: for each pixel, the depth of the nearest triangle drawn there so far. A pixel is
+// drawn only if its own depth is nearer.
+//
+//     kind        depth at a vertex      the buffer starts at    nearer is
+//     linear-z    the distance z         farther than all        smaller
+//     inverse-z   1/z                    0, infinitely far       larger
+//     ndc-z       z after division       the far end             smaller (larger: view-plane)
+//
+// The comparison is strict: of equal depths, the first one drawn stays.
+//
+// The buffer holds every depth turned: with the sign that makes the one that passes smaller (the nearer
+// one, unless the scene asks for the other with `depth_compare`), so that one comparison serves all. Turning is
+// exact, and turning twice gives the depth back.
+//
+// Source: Catmull 1974; T0, "Pintando faces", after Gambetta.
+//
+//     DepthBuffer<double> buffer(region, {.larger_passes = true, .cleared = 0.0});
+//     buffer.keep_if_nearer(*buffer.row_from(x, row), buffer.turned(0.25));
+
+#include <rastertrace/core/numbers/scalar.h>
+
+#include <concepts>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace rastertrace {
+
+/// When a depth passes, and what an untouched pixel holds.
+template <typename Scalar> struct DepthRule {
+    bool larger_passes = false;
+    std::optional<Scalar> cleared = {}; ///< none: every depth passes
+};
+
+/// A depth with the sign that makes the nearer one smaller.
+template <typename Depth> Depth turned(const Depth& depth, bool larger_passes) {
+    return larger_passes ? Depth(-depth) : depth;
+}
+
+/// The pixels that have a depth: columns from `left` on, rows from `top_row` on.
+struct DepthRegion {
+    int left = 0;
+    int top_row = 0;
+    int width = 0;
+    int height = 0;
+
+    bool has(int x, int row) const {
+        return left <= x && x < left + width && top_row <= row && row < top_row + height;
+    }
+
+    std::size_t area() const {
+        return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    }
+
+    /// The place of a pixel in row-major order. It may lie beside the region, as a column to count from.
+    std::ptrdiff_t offset_of(int x, int row) const {
+        return static_cast<std::ptrdiff_t>(row - top_row) * width + (x - left);
+    }
+};
+
+/// One number per pixel of its region, the turned depth of what is nearest.
+template <typename Scalar> class DepthBuffer {
+public:
+    DepthBuffer(const DepthRegion& region, const DepthRule<Scalar>& rule)
+        : region_(region), rule_(rule), cells_(region.area(), clear_cell()),
+          is_clear_(has_clear_cells() ? cells_.size() : 0, true) {}
+
+    const DepthRegion& region() const { return region_; }
+    bool larger_passes() const { return rule_.larger_passes; }
+    Scalar turned(const Scalar& depth) const {
+        return rastertrace::turned(depth, rule_.larger_passes);
+    }
+
+    /// The turned depths of a row from column x on. The region must have the pixel.
+    Scalar* row_from(int x, int row) { return cells_.data() + region_.offset_of(x, row); }
+
+    /// The place of a cell of row_from(...) among all.
+    std::size_t index_of(const Scalar& cell) const {
+        return static_cast<std::size_t>(&cell - cells_.data());
+    }
+
+    /// True if a turned depth is nearer than a cell of row_from(...) has it.
+    bool is_nearer(const Scalar& cell, const Scalar& depth) const {
+        return is_clear(cell) || depth < cell;
+    }
+
+    /// Tests a turned depth, and keeps it if it is nearer.
+    bool keep_if_nearer(Scalar& cell, const Scalar& depth) {
+        if (!is_nearer(cell, depth))
+            return false;
+        cell = depth;
+        if (has_clear_cells())
+            is_clear_[index_of(cell)] = false;
+        return true;
+    }
+
+    /// True if nothing has been drawn in a cell, and no number says so: floating point has one beyond all
+    /// others; of exact numbers it is remembered.
+    bool is_clear(const Scalar& cell) const {
+        return has_clear_cells() && is_clear_[index_of(cell)];
+    }
+
+    /// The depth that a cell holds, if that is a number.
+    std::optional<Scalar> stored(const Scalar& cell) const {
+        if constexpr (std::floating_point<Scalar>)
+            if (!rule_.cleared && cell == clear_cell())
+                return std::nullopt;
+        return is_clear(cell) ? std::nullopt : std::optional(turned(cell));
+    }
+
+private:
+    bool has_clear_cells() const { return !std::floating_point<Scalar> && !rule_.cleared; }
+
+    Scalar clear_cell() const {
+        if (rule_.cleared)
+            return turned(*rule_.cleared);
+        if constexpr (std::floating_point<Scalar>)
+            return std::numeric_limits<Scalar>::infinity();
+        else
+            return Scalar(0);
+    }
+
+    DepthRegion region_;
+    DepthRule<Scalar> rule_;
+    std::vector<Scalar> cells_;
+    std::vector<bool> is_clear_;
+};
+
+} // namespace rastertrace

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The half-space fill of graphics hardware: a pixel is drawn if its sample lies on the inner side of all three
+// edges. A sample exactly on an edge belongs to the triangle only if that edge is a top or a left one, so
+// every sample on an edge that two triangles share has exactly one owner.
+//
+// Source: Pineda 1988 (edge functions); Direct3D 11 specification, section 3.4.2.1 (the top-left rule).
+//
+//     fill_half_space(triangle, 0.5, canvas, FlatPainter(image, color));
+//
+// This is the page to read. `"fill": "top-left"` draws the same pixels from row to row (draw/paint/fill_top_left.h).
+
+#include <rastertrace/core/numbers/scalar.h>
+#include <rastertrace/core/raster/bounding_box.h>
+#include <rastertrace/core/raster/canvas.h>
+#include <rastertrace/core/raster/edge.h>
+#include <rastertrace/core/raster/edge_function.h>
+#include <rastertrace/core/raster/sink.h>
+#include <rastertrace/core/raster/steps.h>
+#include <rastertrace/core/raster/triangle.h>
+
+#include <array>
+
+namespace rastertrace {
+
+/// Fills a triangle: tests every pixel of its box, top row first. A sample lies `sample_offset` from its pixel's
+/// integer point, in x and in y. A triangle without area has no inside and is skipped.
+template <typename Scalar, typename Sink>
+requires SinkFor<Sink, EdgesTested<Scalar>, PrimitiveSkipped>
+void fill_half_space(const Triangle<Scalar>& triangle, const Scalar& sample_offset,
+                     const Canvas& canvas, Sink&& sink) {
+    // The edges, each a function that is positive inside.
+    const auto sorted = sorted_from_top(triangle, canvas.down());
+    const auto& [top, middle, bottom] = sorted;
+    const int middle_side = side_of_edge(top, bottom, middle, canvas.down());
+    if (middle_side == 0) {
+        sink(PrimitiveSkipped{.why = SkipReason::zero_area});
+        return;
+    }
+    const auto [upper, lower, long_edge] = edge_functions(sorted, middle_side > 0, canvas.down());
+
+    const BoundingBox box = bounding_box(triangle, sample_offset, canvas);
+    if (box.is_empty()) {
+        sink(PrimitiveSkipped{.why = SkipReason::off_canvas});
+        return;
+    }
+    for_each_pixel(box, canvas, [&](Pixel pixel) {
+        const auto sample = sample_point(pixel, sample_offset);
+        const std::array values{upper.at(sample), lower.at(sample), long_edge.at(sample)};
+        const bool is_inside = upper.admits_value(values[0]) && lower.admits_value(values[1]) &&
+                               long_edge.admits_value(values[2]);
+        sink(EdgesTested<Scalar>{.pixel = pixel, .values = values, .is_inside = is_inside});
+    });
+}
+
+} // namespace rastertrace

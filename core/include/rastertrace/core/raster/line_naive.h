@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The naive line of the textbooks: y from the equation of the line at every step, rounded.
+//
+//     y = m x + b,   m = dy/dx,   b = y0 - m x0
+//
+// Source: the report on points and lines, with y = m x0 + b put right.
+
+#include <rastertrace/core/numbers/scalar.h>
+#include <rastertrace/core/raster/canvas.h>
+#include <rastertrace/core/raster/line_sampling.h>
+#include <rastertrace/core/raster/sink.h>
+#include <rastertrace/core/raster/steps.h>
+
+namespace rastertrace {
+
+/// Draws a line between any two points; false if it has no pixel to draw (SampledLine::has_pixels). Time
+/// follows the canvas. x and y change places where the line is steep.
+template <typename Scalar, typename Sink>
+requires SinkFor<Sink, LineSampled<Scalar>, PixelPlotted, PixelsRejected>
+bool draw_naive_line(const Segment<Scalar>& segment, const LineSampling& sampling,
+                     const Canvas& canvas, Sink&& sink) {
+    const SampledLine<Scalar> line(segment, sampling, canvas);
+    if (!line.has_pixels())
+        return false;
+
+    const Scalar& m = line.slope;
+    const Scalar b = line.across_from - m * line.along_from;
+    const auto y_at = [&m, &b](Index x) { return Scalar(m * scalar_from<Scalar>(x) + b); };
+
+    const auto steps = line.steps_on_canvas();
+    line.reject_before(steps, y_at, sink);
+    for (Index i = steps.begin; i <= steps.end; ++i)
+        line.plot(i, y_at(line.along(i)), sink);
+    line.reject_behind(steps, y_at, sink);
+    return true;
+}
+
+} // namespace rastertrace

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What the naive line and the DDA share: one pixel for each step along the major axis, x if |dx| >= |dy|,
+// else y. "Along" is the coordinate on that axis and "across" the other one. The algorithms differ in how
+// they find the coordinate across.
+
+#include <rastertrace/core/numbers/index.h>
+#include <rastertrace/core/numbers/scalar.h>
+#include <rastertrace/core/numbers/vec.h>
+#include <rastertrace/core/raster/canvas.h>
+#include <rastertrace/core/raster/image.h>
+#include <rastertrace/core/raster/line.h>
+#include <rastertrace/core/raster/rounding.h>
+#include <rastertrace/core/raster/sink.h>
+#include <rastertrace/core/raster/steps.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace rastertrace {
+
+/// A line between any two points.
+template <typename Scalar> struct Segment {
+    Vec<Scalar, 2> from;
+    Vec<Scalar, 2> to;
+};
+
+/// True if x is the major axis of a line.
+template <typename Scalar> bool is_longer_in_x(const Segment<Scalar>& segment) {
+    const Scalar zero = scalar_from<Scalar>(0);
+    const auto magnitude = [&zero](const Scalar& value) {
+        return value < zero ? Scalar(-value) : value;
+    };
+    // One after the other: of signs that a filtered double leaves open, the first one is told.
+    const Scalar dy = magnitude(segment.to.y - segment.from.y);
+    const Scalar dx = magnitude(segment.to.x - segment.from.x);
+    return !(dx < dy);
+}
+
+/// The pixel of a coordinate across a line. A tie with Ties::start stays on the side that the line
+/// comes from: below if it rises, above if it falls; with Ties::step it goes to the other side.
+template <typename Scalar>
+Index pixel_across(const Scalar& value, const SpanRounding& rule, bool falls) {
+    if (rule.rounding == Rounding::nearest && falls) {
+        if (rule.ties == Ties::start)
+            return nearest_index(value, Ties::up);
+        if (rule.ties == Ties::step)
+            return nearest_index(value, Ties::start);
+    }
+    return first_pixel(value, rule);
+}
+
+/// The choices that both algorithms leave open, and the colors of the ends.
+struct LineSampling {
+    SpanRounding rounding;
+    GridLine colors; ///< and, in whole pixels, where the ends are
+    LineRules rules;
+};
+
+/// A line along its major axis. Its steps are the whole numbers along the axis from the one nearest to the
+/// start to the one nearest to the end (a half goes up).
+template <typename Scalar> class SampledLine {
+public:
+    SampledLine(const Segment<Scalar>& segment, const LineSampling& sampling, const Canvas& canvas)
+        : sampling_(sampling), canvas_(canvas) {
+        const auto& [from, to] = segment;
+        const Scalar zero = scalar_from<Scalar>(0);
+        const Scalar dx = to.x - from.x;
+        const Scalar dy = to.y - from.y;
+        is_x_major_ = is_longer_in_x(segment);
+        along_from = is_x_major_ ? from.x : from.y;
+        across_from = is_x_major_ ? from.y : from.x;
+        const Scalar d_along = is_x_major_ ? dx : dy;
+        const Scalar d_across = is_x_major_ ? dy : dx;
+        slope = d_along == zero ? zero : Scalar(d_across / d_along);
+        falls_ = d_across < zero;
+
+        first_ = nearest_index(along_from, Ties::up);
+        const Index last = nearest_index(is_x_major_ ? to.x : to.y, Ties::up);
+        goes_back = last < first_;
+        steps_ = std::abs(last - first_);
+        last_step_ = steps_ - (sampling.rules.ends == EndPixels::both ? 0 : 1);
+    }
+
+    Scalar along_from{};
+    Scalar across_from{};
+    Scalar slope{};         ///< m; 0 for a line without length
+    bool goes_back = false; ///< toward smaller coordinates along the axis
+
+    /// False if its only pixel is the last one, which `ends: first` leaves out.
+    bool has_pixels() const { return last_step_ >= 0; }
+
+    /// The coordinate along the axis after so many steps.
+    Index along(Index step) const { return goes_back ? first_ - step : first_ + step; }
+
+    /// The steps that the canvas has a column or row for, both included; none if end < begin.
+    struct Steps {
+        Index begin;
+        Index end;
+    };
+    Steps steps_on_canvas() const {
+        const Index low = is_x_major_ ? canvas_.left() : std::min(canvas_.top(), canvas_.bottom());
+        const Index high =
+            is_x_major_ ? canvas_.right() : std::max(canvas_.top(), canvas_.bottom());
+        return {std::max<Index>(0, goes_back ? first_ - high : low - first_),
+                std::min<Index>(last_step_, goes_back ? first_ - low : high - first_)};
+    }
+
+    /// Tells the steps before those on the canvas: all of them, if it has none. `across_at(along)` is the
+    /// coordinate across.
+    template <typename AcrossAt, typename Sink>
+    void reject_before(const Steps& steps, AcrossAt&& across_at, Sink&& sink) const {
+        if (steps.end < steps.begin)
+            reject(0, last_step_, across_at, sink);
+        else if (steps.begin > 0)
+            reject(0, steps.begin - 1, across_at, sink);
+    }
+
+    /// Tells the steps behind those on the canvas.
+    template <typename AcrossAt, typename Sink>
+    void reject_behind(const Steps& steps, AcrossAt&& across_at, Sink&& sink) const {
+        if (steps.begin <= steps.end && steps.end < last_step_)
+            reject(steps.end + 1, last_step_, across_at, sink);
+    }
+
+    /// Rounds the coordinate across at a step, and plots the pixel if the canvas has it.
+    template <typename Sink> void plot(Index step, const Scalar& across, Sink&& sink) const {
+        const Index rounded = pixel_across(across, sampling_.rounding, falls_);
+        sink(LineSampled<Scalar>{
+            .is_x_major = is_x_major_, .at = along(step), .value = across, .pixel = rounded});
+        const GridPoint at = point(along(step), rounded);
+        if (!canvas_.contains(at.x, at.y))
+            return sink(PixelsRejected{at.x, at.y, at.x, at.y});
+        const Color color = color_on_line(sampling_.colors, sampling_.rules, at, step, steps_);
+        sink(PixelPlotted{.pixel = {static_cast<int>(at.x), static_cast<int>(at.y)},
+                          .color = color});
+    }
+
+private:
+    GridPoint point(Index along, Index across) const {
+        return is_x_major_ ? GridPoint{along, across} : GridPoint{across, along};
+    }
+
+    template <typename AcrossAt, typename Sink>
+    void reject(Index from_step, Index to_step, AcrossAt&& across_at, Sink&& sink) const {
+        const auto pixel = [&](Index along) {
+            return point(along, pixel_across(across_at(along), sampling_.rounding, falls_));
+        };
+        const GridPoint p = pixel(along(from_step));
+        const GridPoint q = pixel(along(to_step));
+        sink(PixelsRejected{p.x, p.y, q.x, q.y});
+    }
+
+    const LineSampling& sampling_;
+    const Canvas& canvas_;
+    bool is_x_major_ = true;
+    bool falls_ = false; ///< the coordinate across becomes smaller from start to end
+    Index first_ = 0;
+    Index steps_ = 0;     ///< from end to end
+    Index last_step_ = 0; ///< that is drawn
+};
+
+} // namespace rastertrace
