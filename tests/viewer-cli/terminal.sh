@@ -80,5 +80,5 @@ pane 80 24 "TERM=dumb COLORTERM=truecolor" "$lit"
 
 # A sequence that nobody could scroll through is refused, and the way out is told.
 pane 80 24 "COLORTERM=" "'$examples/t0-projection/turning.json' --vary /model/0/rotate/degrees=0:360:1001"
-grep -q 'at most 1000 frames' "$folder/pane" || fail "1001 frames on a terminal"
+tr -d '\n' <"$folder/pane" | grep -q 'at most 1000 frames' || fail "1001 frames on a terminal"
 grep -q -- '--frame 1 shows the first' "$folder/pane" || fail "no hint at --frame"

@@ -2,7 +2,7 @@
 #include <rastertrace/core/draw/list/geometry.h>
 #include <rastertrace/core/numbers/adaptive.h>
 
-#include "tell/listener_sink.h"
+#include "list/vertex_spaces.h"
 
 #include <rastertrace/core/draw/scene/camera.h>
 #include <rastertrace/core/draw/scene/model.h>
@@ -75,33 +75,6 @@ template <typename Scalar> Transforms<Scalar> transforms_of(const Scene& scene) 
     return result;
 }
 
-/// `matrix` times `vector`, or `vector` itself if there is no matrix.
-template <typename Scalar>
-Vec<Scalar, 4> moved(const std::optional<Matrix<Scalar>>& matrix, const Vec<Scalar, 4>& vector) {
-    return matrix ? *matrix * vector : vector;
-}
-
-/// The first spaces of a vertex, in homogeneous coordinates.
-template <typename Scalar> struct VertexPositions {
-    Vec<Scalar, 4> object;
-    Vec<Scalar, 4> world;
-    Vec<Scalar, 4> camera;
-    Vec<Scalar, 4> clip;
-};
-
-template <typename Scalar>
-VertexPositions<Scalar> positions_of(const SceneVertex& vertex,
-                                     const std::optional<Matrix<Scalar>>& model,
-                                     const Transforms<Scalar>& transforms) {
-    VertexPositions<Scalar> positions;
-    positions.object = {scalar_from<Scalar>(vertex.x), scalar_from<Scalar>(vertex.y),
-                        scalar_from<Scalar>(vertex.z), scalar_from<Scalar>(1)};
-    positions.world = moved(model, positions.object);
-    positions.camera = moved(transforms.view, positions.world);
-    positions.clip = moved(transforms.projection, positions.camera);
-    return positions;
-}
-
 /// x/w, y/w and z/w, moved to the screen. w must not be 0.
 template <typename Scalar>
 ScreenPositions<Scalar> positions_on_screen(const Vec<Scalar, 4>& clip,
@@ -143,115 +116,6 @@ std::vector<bool> used_vertices(const Scene& scene) {
     return is_used;
 }
 
-namespace {
-
-/// Places as whole numbers over one denominator: fractions would be reduced in each of their sums.
-struct WholePlaces {
-    std::vector<std::array<mpz_class, 3>> above;
-    mpz_class below = 1;
-};
-
-/// The vertices first .. end - 1 that are used, moved by a matrix.
-WholePlaces whole_places(const Scene& scene, const std::vector<bool>& is_used, std::size_t first,
-                         std::size_t end, const Matrix<Rational>& matrix) {
-    WholePlaces places;
-    std::vector<std::array<Rational, 3>> typed;
-    mpz_class below_typed = 1;
-    for (std::size_t i = first; i < end; ++i) {
-        if (!is_used[i])
-            continue;
-        const SceneVertex& vertex = scene.vertices[i];
-        typed.push_back({vertex.x.exact(), vertex.y.exact(), vertex.z.exact()});
-        for (const Rational& coordinate : typed.back())
-            below_typed = lcm(below_typed, coordinate.get_den());
-    }
-    mpz_class below_matrix = 1;
-    for (const auto& row : matrix.rows)
-        for (const Rational& entry : row)
-            below_matrix = lcm(below_matrix, entry.get_den());
-    const auto whole = [](const Rational& value, const mpz_class& below) {
-        return mpz_class(value.get_num() * (below / value.get_den()));
-    };
-
-    std::array<std::array<mpz_class, 4>, 3> rows;
-    for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t j = 0; j < 4; ++j)
-            rows[i][j] = whole(matrix.rows[i][j], below_matrix);
-    places.below = below_matrix * below_typed;
-    for (const auto& [x, y, z] : typed) {
-        const mpz_class whole_x = whole(x, below_typed);
-        const mpz_class whole_y = whole(y, below_typed);
-        const mpz_class whole_z = whole(z, below_typed);
-        auto& place = places.above.emplace_back();
-        for (std::size_t i = 0; i < 3; ++i)
-            place[i] = rows[i][0] * whole_x + rows[i][1] * whole_y + rows[i][2] * whole_z +
-                       rows[i][3] * below_typed;
-    }
-    return places;
-}
-
-/// Calls `visit` with the places in the world, from `origin`, of each object that has any.
-template <typename Visit>
-void for_each_object(const Scene& scene, const Vec<Rational, 3>& origin, Visit&& visit) {
-    const std::vector<bool> is_used = used_vertices(scene);
-    const auto from_origin = translation<Rational>(Vec<Rational, 3>{} - origin);
-    std::size_t first = 0;
-    const auto visit_next = [&](std::size_t end, const Matrix<Rational>& model) {
-        const WholePlaces places = whole_places(scene, is_used, first, end, from_origin * model);
-        if (!places.above.empty())
-            visit(places);
-        first = end;
-    };
-    for (const SceneObject& object : scene.objects)
-        visit_next(object.end_vertex, object.model.matrix());
-    visit_next(scene.vertices.size(), identity<Rational>());
-}
-
-} // namespace
-
-Box world_box(const Scene& scene) {
-    std::optional<Box> box;
-    for_each_object(scene, {}, [&box](const WholePlaces& places) {
-        std::array<mpz_class, 3> low = places.above.front();
-        std::array<mpz_class, 3> high = low;
-        for (const auto& place : places.above)
-            for (std::size_t i = 0; i < 3; ++i) {
-                low[i] = std::min(low[i], place[i]);
-                high[i] = std::max(high[i], place[i]);
-            }
-        for (const auto& corner : {low, high})
-            include(box,
-                    {quotient_of(corner[0], places.below), quotient_of(corner[1], places.below),
-                     quotient_of(corner[2], places.below)});
-    });
-    return *box;
-}
-
-Rational farthest_square(const Scene& scene, const Vec<Rational, 3>& center) {
-    Rational farthest = 0;
-    for_each_object(scene, center, [&farthest](const WholePlaces& places) {
-        mpz_class square = 0;
-        for (const auto& [x, y, z] : places.above)
-            square = std::max<mpz_class>(square, x * x + y * y + z * z);
-        farthest = std::max(farthest, quotient_of(square, mpz_class(places.below * places.below)));
-    });
-    return farthest;
-}
-
-/// Calls `visit(index, model)` with each vertex that is used, and the matrix of its object.
-template <typename Scalar, typename Visit>
-void for_each_used_vertex(const Scene& scene, const Transforms<Scalar>& transforms,
-                          const std::vector<bool>& is_used, Visit&& visit) {
-    std::size_t object = 0;
-    for (std::size_t i = 0; i < scene.vertices.size(); ++i) {
-        while (object < scene.objects.size() && i >= scene.objects[object].end_vertex)
-            ++object;
-        if (is_used[i])
-            visit(i, object < scene.objects.size() ? transforms.models[object]
-                                                   : transforms.rest_model);
-    }
-}
-
 /// The matrix of the object that a vertex belongs to.
 template <typename Scalar>
 const std::optional<Matrix<Scalar>>&
@@ -285,13 +149,6 @@ template <typename Scalar> Vec<Scalar, 3> eye_of(const Scene& scene) {
                        : ahead;
     return {nearest_scalar<Scalar>(eye.x), nearest_scalar<Scalar>(eye.y),
             nearest_scalar<Scalar>(eye.z)};
-}
-
-/// A vertex in clip space is in view if it lies outside of no plane.
-template <typename Scalar>
-bool is_in_view(const Vec<Scalar, 4>& clip, const Transforms<Scalar>& transforms) {
-    return std::all_of(transforms.planes.begin(), transforms.planes.end(),
-                       [&clip](const auto& plane) { return plane.has_inside(clip); });
 }
 
 /// A vertex in the world and in clip space.
@@ -417,171 +274,23 @@ template <typename Scalar> Geometry<Scalar> geometry_of(const Scene& scene) {
     return result;
 }
 
-/// Tells a place of a vertex: the first `count` coordinates.
-template <typename Scalar>
-void tell_position(std::string_view name, Space space, const Vec<Scalar, 4>& at, std::size_t count,
-                   const Listener& listener) {
-    const ListenerSink sink(listener);
-    const std::array<Scalar, 4> coordinates{at.x, at.y, at.z, at.w};
-    sink(VertexPlaced<Scalar>{
-        .name = name, .space = space, .at = std::span(coordinates).first(count), .snapped = {}});
-}
-
-/// Tells the spaces of a vertex from clip space on.
-template <typename Scalar>
-void tell_positions_on_screen(std::string_view name, const Vec<Scalar, 4>& clip,
-                              const Transforms<Scalar>& transforms, const Listener& listener) {
-    const ListenerSink sink(listener);
-    const ScreenPositions<Scalar> positions = positions_on_screen(clip, transforms);
-    if (transforms.projection && transforms.divides)
-        tell_position<Scalar>(name, Space::canonical, positions.canonical, 3, listener);
-    const std::array<Scalar, 2> screen{positions.screen.x, positions.screen.y};
-    const std::array<Scalar, 2> pixel{positions.pixel.x, positions.pixel.y};
-    sink(VertexPlaced<Scalar>{.name = name,
-                              .space = Space::screen,
-                              .at = screen,
-                              .snapped = transforms.snap == Snap::none
-                                             ? std::span<const Scalar>()
-                                             : std::span<const Scalar>(pixel)});
-}
-
-/// Tells every vertex through its spaces; a space that the scene has no matrix for is passed over.
-/// A vertex that cannot be seen stops at clip space.
-template <typename Scalar>
-void tell_vertices(const Scene& scene, const Transforms<Scalar>& transforms,
-                   const Listener& listener) {
-    if (!listener.takes<VertexPlaced<Scalar>>())
-        return;
-    for_each_used_vertex(
-        scene, transforms, used_vertices(scene), [&](std::size_t i, const auto& model) {
-            const std::string_view name = scene.vertices[i].name;
-            const auto positions = positions_of(scene.vertices[i], model, transforms);
-            if (model)
-                tell_position<Scalar>(name, Space::object, positions.object, 3, listener);
-            tell_position<Scalar>(name, Space::world, positions.world, 3, listener);
-            if (transforms.view)
-                tell_position<Scalar>(name, Space::camera, positions.camera, 3, listener);
-            if (transforms.projection)
-                tell_position<Scalar>(name, Space::clip, positions.clip, 4, listener);
-            if (is_in_view(positions.clip, transforms))
-                tell_positions_on_screen(name, positions.clip, transforms, listener);
-        });
-}
-
-template <typename Scalar> bool is_finite(const Scalar& number) {
-    if constexpr (std::floating_point<Scalar>)
-        return std::isfinite(number);
-    else
-        return true;
-}
-
-/// Tells a matrix, what it is a product of, and the camera of a view.
-template <typename Scalar>
-void tell_matrix(std::string_view name, std::string_view object,
-                 const std::optional<Matrix<Scalar>>& matrix,
-                 const std::vector<MatrixFactor<Rational>>& exact_factors, const Camera* camera,
-                 const Listener& listener) {
-    if (!matrix)
-        return;
-    bool are_finite = true;
-    std::vector<MatrixFactor<Scalar>> factors;
-    for (const MatrixFactor<Rational>& factor : exact_factors) {
-        factors.push_back({factor.name, rounded<Scalar>(factor.matrix)});
-        for (const auto& row : factors.back().matrix.rows)
-            are_finite = are_finite && std::all_of(row.begin(), row.end(), is_finite<Scalar>);
-    }
-    std::vector<Vec<Scalar, 3>> vectors;
-    if (camera != nullptr)
-        for (const Numbers3& numbers : {camera->position, camera->look_at, camera->up}) {
-            const Vec<Rational, 3> v = exact(numbers);
-            vectors.push_back({nearest_scalar<Scalar>(v.x), nearest_scalar<Scalar>(v.y),
-                               nearest_scalar<Scalar>(v.z)});
-            for (const Scalar& coordinate : {vectors.back().x, vectors.back().y, vectors.back().z})
-                are_finite = are_finite && is_finite(coordinate);
-        }
-    if (!are_finite) {
-        factors.clear();
-        vectors.clear();
-    }
-    ListenerSink{listener}(MatrixSetUp<Scalar>{
-        .name = name, .object = object, .matrix = *matrix, .factors = factors, .camera = vectors});
-}
-
-/// Tells the matrices of a scene.
-template <typename Scalar>
-void tell_matrices(const Scene& scene, const Transforms<Scalar>& transforms,
-                   const Listener& listener) {
-    if (!listener.takes<MatrixSetUp<Scalar>>())
-        return;
-    for (std::size_t i = 0; i < transforms.models.size(); ++i)
-        tell_matrix<Scalar>("model", scene.objects[i].name, transforms.models[i],
-                            factors_of(scene.objects[i].model.steps()), nullptr, listener);
-    if (scene.objects.empty())
-        tell_matrix<Scalar>("model", {}, transforms.rest_model, {}, nullptr, listener);
-    tell_matrix<Scalar>("view", {}, transforms.view,
-                        scene.camera
-                            ? factors_of(*scene.camera, view_axis_of(scene.projection.type))
-                            : std::vector<MatrixFactor<Rational>>(),
-                        scene.camera ? &*scene.camera : nullptr, listener);
-    tell_matrix<Scalar>("projection", {}, transforms.projection,
-                        factors_of(scene.projection, scene.canvas), nullptr, listener);
-    tell_matrix<Scalar>("viewport", {}, transforms.viewport,
-                        factors_of(scene.viewport, scene.canvas), nullptr, listener);
-}
-
-/// Tells the matrices, then the vertices, then what the painter has sorted.
-template <typename Scalar>
-void tell_geometry(const Scene& scene, const ScreenList<Scalar>& list, const Listener& listener) {
-    const ListenerSink sink(listener);
-    const Transforms<Scalar>& transforms = list.transforms;
-    tell_matrices(scene, transforms, listener);
-    if (scene.has_transforms() || scene.keeps_transforms())
-        tell_vertices(scene, transforms, listener);
-    if (list.order) {
-        std::vector<std::string_view> names;
-        std::vector<std::size_t> indices;
-        for (const std::size_t i : list.order->primitives)
-            if (scene.primitives[i].kind == PrimitiveKind::triangle) {
-                names.push_back(scene.primitives[i].name);
-                indices.push_back(i);
-            }
-        sink(PrimitivesOrdered<Scalar>{
-            .names = names, .distances = list.order->keys, .indices = indices});
-    }
-}
-
 // For every kind of number that vertices are moved in.
 
 template Geometry<float> geometry_of(const Scene&);
 template VertexInSpace<float> vertex_in_space(const Scene&, const Transforms<float>&, std::size_t);
 template ScreenPositions<float> positions_on_screen(const Vec<float, 4>&, const Transforms<float>&);
-template void tell_position<float>(std::string_view, Space, const Vec<float, 4>&, std::size_t,
-                                   const Listener&);
-template void tell_positions_on_screen<float>(std::string_view, const Vec<float, 4>&,
-                                              const Transforms<float>&, const Listener&);
-template void tell_geometry(const Scene&, const ScreenList<float>&, const Listener&);
 
 template Geometry<double> geometry_of(const Scene&);
 template VertexInSpace<double> vertex_in_space(const Scene&, const Transforms<double>&,
                                                std::size_t);
 template ScreenPositions<double> positions_on_screen(const Vec<double, 4>&,
                                                      const Transforms<double>&);
-template void tell_position<double>(std::string_view, Space, const Vec<double, 4>&, std::size_t,
-                                    const Listener&);
-template void tell_positions_on_screen<double>(std::string_view, const Vec<double, 4>&,
-                                               const Transforms<double>&, const Listener&);
-template void tell_geometry(const Scene&, const ScreenList<double>&, const Listener&);
 
 template Geometry<Adaptive> geometry_of(const Scene&);
 template VertexInSpace<Adaptive> vertex_in_space(const Scene&, const Transforms<Adaptive>&,
                                                  std::size_t);
 template ScreenPositions<Adaptive> positions_on_screen(const Vec<Adaptive, 4>&,
                                                        const Transforms<Adaptive>&);
-template void tell_position<Adaptive>(std::string_view, Space, const Vec<Adaptive, 4>&, std::size_t,
-                                      const Listener&);
-template void tell_positions_on_screen<Adaptive>(std::string_view, const Vec<Adaptive, 4>&,
-                                                 const Transforms<Adaptive>&, const Listener&);
-template void tell_geometry(const Scene&, const ScreenList<Adaptive>&, const Listener&);
 
 template Geometry<Rational> geometry_of(const Scene&);
 template Geometry<Rational> empty_geometry(const Scene&);
@@ -590,10 +299,5 @@ template VertexInSpace<Rational> vertex_in_space(const Scene&, const Transforms<
 template void move_vertex(const Scene&, std::size_t, Geometry<Rational>&);
 template ScreenPositions<Rational> positions_on_screen(const Vec<Rational, 4>&,
                                                        const Transforms<Rational>&);
-template void tell_position<Rational>(std::string_view, Space, const Vec<Rational, 4>&, std::size_t,
-                                      const Listener&);
-template void tell_positions_on_screen<Rational>(std::string_view, const Vec<Rational, 4>&,
-                                                 const Transforms<Rational>&, const Listener&);
-template void tell_geometry(const Scene&, const ScreenList<Rational>&, const Listener&);
 
 } // namespace rastertrace

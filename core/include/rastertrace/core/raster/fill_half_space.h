@@ -38,7 +38,7 @@ void fill_half_space(const Triangle<Scalar>& triangle, const Scalar& sample_offs
         sink(PrimitiveSkipped{.why = SkipReason::zero_area});
         return;
     }
-    const auto [upper, lower, long_edge] = edge_functions(sorted, middle_side > 0, canvas.down());
+    const auto edges = edge_functions(sorted, middle_side > 0, canvas.down());
 
     const BoundingBox box = bounding_box(triangle, sample_offset, canvas);
     if (box.is_empty()) {
@@ -47,9 +47,9 @@ void fill_half_space(const Triangle<Scalar>& triangle, const Scalar& sample_offs
     }
     for_each_pixel(box, canvas, [&](Pixel pixel) {
         const auto sample = sample_point(pixel, sample_offset);
-        const std::array values{upper.at(sample), lower.at(sample), long_edge.at(sample)};
-        const bool is_inside = upper.admits_value(values[0]) && lower.admits_value(values[1]) &&
-                               long_edge.admits_value(values[2]);
+        const std::array values{edges[0].at(sample), edges[1].at(sample), edges[2].at(sample)};
+        const bool is_inside = edges[0].admits_value(values[0]) &&
+                               edges[1].admits_value(values[1]) && edges[2].admits_value(values[2]);
         sink(EdgesTested<Scalar>{.pixel = pixel, .values = values, .is_inside = is_inside});
     });
 }

@@ -44,13 +44,12 @@ struct TriangleOrder {
     bool long_edge_is_left; ///< it passes the middle vertex on the left
 };
 
-/// Tells the edge functions.
+/// Tells the edge functions. Not inlined: the rows of a fill that tells nobody are to be compiled as if it were not
+/// there.
 template <typename Scalar, typename Sink>
 requires SinkFor<Sink, EdgeFunctionSetUp<Scalar>>
-void tell_edge_functions(const Triangle<Scalar>& triangle, const TriangleOrder& order, int down,
-                         Sink&& sink) {
-    if (!takes<EdgeFunctionSetUp<Scalar>>(sink))
-        return;
+[[gnu::noinline]] void tell_edge_functions(const Triangle<Scalar>& triangle,
+                                           const TriangleOrder& order, int down, Sink&& sink) {
     const auto vertex = [&triangle](std::uint8_t index) {
         return Vertex<Scalar>{triangle.vertices[index], index};
     };
@@ -144,7 +143,8 @@ void fill_top_left(const Triangle<Scalar>& triangle, const SampleGrid<Scalar>& g
     }
     const bool long_edge_is_left = middle_side > 0;
     const TriangleOrder order{top.index, middle.index, bottom.index, long_edge_is_left};
-    tell_edge_functions(triangle, order, canvas.down(), sink);
+    if (takes<EdgeFunctionSetUp<Scalar>>(sink))
+        tell_edge_functions(triangle, order, canvas.down(), sink);
 
     // The rows of samples from the top vertex, included, to the bottom vertex, not included, as far as
     // the canvas has them. The row of the middle vertex belongs to the lower short edge.
