@@ -30,7 +30,7 @@ template <typename Scalar> using DistanceOf = std::function<const Scalar&(std::s
 
 /// The distances that the triangles of a scene are sorted by, in the scene's order.
 template <typename Scalar>
-std::vector<Scalar> painter_keys(const Scene& scene, const DistanceOf<Scalar>& distance_of) {
+std::vector<Scalar> keys_of_triangles(const Scene& scene, const DistanceOf<Scalar>& distance_of) {
     std::vector<Scalar> keys;
     for (const ScenePrimitive& one : scene.primitives)
         if (one.kind == PrimitiveKind::triangle)
@@ -42,7 +42,7 @@ std::vector<Scalar> painter_keys(const Scene& scene, const DistanceOf<Scalar>& d
 /// True if sorting the triangles would leave them as they are.
 template <typename Scalar>
 bool comes_farthest_first(const Scene& scene, const DistanceOf<Scalar>& distance_of) {
-    const std::vector<Scalar> keys = painter_keys(scene, distance_of);
+    const std::vector<Scalar> keys = keys_of_triangles(scene, distance_of);
     return std::is_sorted(keys.begin(), keys.end(),
                           [](const Scalar& a, const Scalar& b) { return b < a; });
 }
@@ -50,7 +50,7 @@ bool comes_farthest_first(const Scene& scene, const DistanceOf<Scalar>& distance
 /// Sorts the triangles by their distance from the eye.
 template <typename Scalar>
 PainterOrder<Scalar> sorted_by_distance(const Scene& scene, const DistanceOf<Scalar>& distance_of) {
-    const std::vector<Scalar> keys = painter_keys(scene, distance_of);
+    const std::vector<Scalar> keys = keys_of_triangles(scene, distance_of);
     std::vector<std::size_t> triangles;
     for (std::size_t i = 0; i < scene.primitives.size(); ++i)
         if (scene.primitives[i].kind == PrimitiveKind::triangle)
