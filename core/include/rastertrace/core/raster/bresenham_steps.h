@@ -70,23 +70,19 @@ public:
     }
     GridPoint diagonal() const { return {x_step_, y_step_}; }
 
-    /// The steps whose pixels lie on a canvas, from `first` to `last`; none if last < first. Both
-    /// coordinates change in one direction only, so these are consecutive.
-    struct Range {
-        Index first;
-        Index last;
-    };
-    Range steps_on(const Canvas& canvas) const {
+    /// The steps up to `end` whose pixels lie on a canvas. Both coordinates change in one direction only,
+    /// so these are consecutive.
+    StepRange steps_on(const Canvas& canvas, Index end) const {
         if (canvas.contains(from_.x, from_.y) && canvas.contains(to_.x, to_.y))
-            return {0, major_};
+            return {0, end};
         const Index low_y = std::min(canvas.top(), canvas.bottom());
         const Index high_y = std::max(canvas.top(), canvas.bottom());
-        const Range x = distances(from_.x, x_step_, canvas.left(), canvas.right());
-        const Range y = distances(from_.y, y_step_, low_y, high_y);
-        const Range& along_major = is_x_major_ ? x : y;
-        const Range& along_minor = is_x_major_ ? y : x;
+        const StepRange x = distances(from_.x, x_step_, canvas.left(), canvas.right());
+        const StepRange y = distances(from_.y, y_step_, low_y, high_y);
+        const StepRange& along_major = is_x_major_ ? x : y;
+        const StepRange& along_minor = is_x_major_ ? y : x;
         return {std::max({Index{0}, along_major.first, first_step_with(along_minor.first)}),
-                std::min({major_, along_major.last, first_step_with(along_minor.last + 1) - 1})};
+                std::min({end, along_major.last, first_step_with(along_minor.last + 1) - 1})};
     }
 
 private:
@@ -96,8 +92,9 @@ private:
     }
 
     /// How far one has to go from `start` in steps of +-1 to be between `low` and `high`.
-    static Range distances(Index start, int step, Index low, Index high) {
-        return step > 0 ? Range{low - start, high - start} : Range{start - high, start - low};
+    static StepRange distances(Index start, int step, Index low, Index high) {
+        return step > 0 ? StepRange{low - start, high - start}
+                        : StepRange{start - high, start - low};
     }
 
     /// The first step after which at least k steps were diagonal: i minor/major - 1/2 > k - 1, or at

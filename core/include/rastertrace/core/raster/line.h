@@ -77,6 +77,38 @@ void draw_point(GridPoint point, Color color, const Canvas& canvas, Sink&& sink)
         sink(PixelsRejected{point.x, point.y, point.x, point.y});
 }
 
+/// Steps of a line, counted from its start: from `first` to `last`; none if last < first.
+struct StepRange {
+    Index first;
+    Index last;
+
+    bool is_empty() const { return last < first; }
+};
+
+/// Reports the pixels before those on the canvas: all up to step `end`, if the canvas has none of them.
+/// `pixel_at(step)` is the pixel of a step.
+template <typename PixelAt, typename Sink>
+requires SinkFor<Sink, PixelsRejected>
+void reject_before(const StepRange& on_canvas, Index end, PixelAt&& pixel_at, Sink&& sink) {
+    const Index last = on_canvas.is_empty() ? end : on_canvas.first - 1;
+    if (last < 0)
+        return;
+    const GridPoint p = pixel_at(Index{0});
+    const GridPoint q = pixel_at(last);
+    sink(PixelsRejected{p.x, p.y, q.x, q.y});
+}
+
+/// Reports the pixels behind those on the canvas, up to step `end`.
+template <typename PixelAt, typename Sink>
+requires SinkFor<Sink, PixelsRejected>
+void reject_behind(const StepRange& on_canvas, Index end, PixelAt&& pixel_at, Sink&& sink) {
+    if (on_canvas.is_empty() || on_canvas.last >= end)
+        return;
+    const GridPoint p = pixel_at(on_canvas.last + 1);
+    const GridPoint q = pixel_at(end);
+    sink(PixelsRejected{p.x, p.y, q.x, q.y});
+}
+
 /// The octant of a direction, 1 to 8, by the signs of dx and dy and whether |dx| >= |dy|: 1
 /// (+,+,yes), 2 (+,+,no), 3 (-,+,no), 4 (-,+,yes), 5 (-,-,yes), 6 (-,-,no), 7 (+,-,no), 8
 /// (+,-,yes). A 0 counts as +. Octants run counter-clockwise where y points up.

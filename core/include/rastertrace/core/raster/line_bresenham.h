@@ -45,26 +45,19 @@ bool draw_bresenham(const GridLine& line, const LineRules& rules, const Canvas& 
     const Index end = path.steps() - (rules.ends == EndPixels::both ? 0 : 1);
     if (end < 0)
         return false;
-    const auto on_canvas = path.steps_on(canvas);
-    const Index first = on_canvas.first;
-    const Index last = std::min(on_canvas.last, end);
-    const auto reject = [&](const GridPoint& from, const GridPoint& to) {
-        sink(PixelsRejected{from.x, from.y, to.x, to.y});
-    };
-    if (last < first) {
-        reject(line.from, path.pixel(end));
+    const auto pixel_at = [&path](Index i) { return path.pixel(i); };
+    const StepRange steps = path.steps_on(canvas, end);
+    reject_before(steps, end, pixel_at, sink);
+    if (steps.is_empty())
         return true;
-    }
-    if (first > 0)
-        reject(line.from, path.pixel(first - 1));
 
-    GridPoint at = path.pixel(first);
-    std::int64_t d = path.d(first);
-    for (Index i = first;; ++i) {
+    GridPoint at = path.pixel(steps.first);
+    std::int64_t d = path.d(steps.first);
+    for (Index i = steps.first;; ++i) {
         const Color color = color_on_line(line, rules, at, i, path.steps());
         const Pixel pixel{static_cast<int>(at.x), static_cast<int>(at.y)};
         sink(PixelPlotted{.pixel = pixel, .color = color});
-        if (i == last)
+        if (i == steps.last)
             break;
 
         // Straight on, or diagonally?
@@ -74,9 +67,7 @@ bool draw_bresenham(const GridLine& line, const LineRules& rules, const Canvas& 
         d += goes_straight ? path.d_straight() : path.d_diagonal();
         at = {at.x + step.x, at.y + step.y};
     }
-
-    if (last < end)
-        reject(path.pixel(last + 1), path.pixel(end));
+    reject_behind(steps, end, pixel_at, sink);
     return true;
 }
 

@@ -15,34 +15,37 @@
 
 namespace rastertrace {
 
-/// Draws a line between any two points; false if it has no pixel to draw (SampledLine::has_pixels). Time
+/// Draws a line between any two points; false if it has no pixel to draw (SampledLine::last_step). Time
 /// follows the canvas. x and y change places where the line is steep.
 template <typename Scalar, typename Sink>
 requires SinkFor<Sink, LineSampled<Scalar>, PixelPlotted, PixelsRejected>
 bool draw_dda_line(const Segment<Scalar>& segment, const LineSampling& sampling,
                    const Canvas& canvas, Sink&& sink) {
     const SampledLine<Scalar> line(segment, sampling, canvas);
-    if (!line.has_pixels())
+    if (line.last_step() < 0)
         return false;
 
-    const auto y_at = [&line](Index x) {
-        return linear(line.across_from, line.slope, scalar_from<Scalar>(x), line.along_from);
+    const auto y_at = [&line](Index step) {
+        return linear(line.across_from, line.slope, scalar_from<Scalar>(line.along(step)),
+                      line.along_from);
     };
-    const auto steps = line.steps_on_canvas();
-    line.reject_before(steps, y_at, sink);
+    const auto pixel_at = [&](Index step) { return line.pixel(step, y_at(step)); };
+
+    const StepRange steps = line.steps_on_canvas();
+    reject_before(steps, line.last_step(), pixel_at, sink);
 
     Scalar m = line.goes_back ? Scalar(-line.slope) : line.slope;
     Scalar y{};
-    for (Index i = steps.begin; i <= steps.end; ++i) {
-        if (i == steps.begin) {
-            y = y_at(line.along(i));
+    for (Index i = steps.first; i <= steps.last; ++i) {
+        if (i == steps.first) {
+            y = y_at(i);
             write_over_denominator_of(y, m);
         } else {
             y += m;
         }
         line.plot(i, y, sink);
     }
-    line.reject_behind(steps, y_at, sink);
+    reject_behind(steps, line.last_step(), pixel_at, sink);
     return true;
 }
 

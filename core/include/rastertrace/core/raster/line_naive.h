@@ -15,25 +15,28 @@
 
 namespace rastertrace {
 
-/// Draws a line between any two points; false if it has no pixel to draw (SampledLine::has_pixels). Time
+/// Draws a line between any two points; false if it has no pixel to draw (SampledLine::last_step). Time
 /// follows the canvas. x and y change places where the line is steep.
 template <typename Scalar, typename Sink>
 requires SinkFor<Sink, LineSampled<Scalar>, PixelPlotted, PixelsRejected>
 bool draw_naive_line(const Segment<Scalar>& segment, const LineSampling& sampling,
                      const Canvas& canvas, Sink&& sink) {
     const SampledLine<Scalar> line(segment, sampling, canvas);
-    if (!line.has_pixels())
+    if (line.last_step() < 0)
         return false;
 
     const Scalar& m = line.slope;
     const Scalar b = line.across_from - m * line.along_from;
-    const auto y_at = [&m, &b](Index x) { return Scalar(m * scalar_from<Scalar>(x) + b); };
+    const auto y_at = [&](Index step) {
+        return Scalar(m * scalar_from<Scalar>(line.along(step)) + b);
+    };
+    const auto pixel_at = [&](Index step) { return line.pixel(step, y_at(step)); };
 
-    const auto steps = line.steps_on_canvas();
-    line.reject_before(steps, y_at, sink);
-    for (Index i = steps.begin; i <= steps.end; ++i)
-        line.plot(i, y_at(line.along(i)), sink);
-    line.reject_behind(steps, y_at, sink);
+    const StepRange steps = line.steps_on_canvas();
+    reject_before(steps, line.last_step(), pixel_at, sink);
+    for (Index i = steps.first; i <= steps.last; ++i)
+        line.plot(i, y_at(i), sink);
+    reject_behind(steps, line.last_step(), pixel_at, sink);
     return true;
 }
 

@@ -88,18 +88,14 @@ public:
     Scalar slope{};         ///< m; 0 for a line without length
     bool goes_back = false; ///< toward smaller coordinates along the axis
 
-    /// False if its only pixel is the last one, which `ends: first` leaves out.
-    bool has_pixels() const { return last_step_ >= 0; }
-
     /// The coordinate along the axis after so many steps.
     Index along(Index step) const { return goes_back ? first_ - step : first_ + step; }
 
-    /// The steps that the canvas has a column or row for, both included; none if end < begin.
-    struct Steps {
-        Index begin;
-        Index end;
-    };
-    Steps steps_on_canvas() const {
+    /// The last step that is drawn; -1 if the only pixel is the last one, which `ends: first` leaves out.
+    Index last_step() const { return last_step_; }
+
+    /// The steps that are drawn and have a column, or row, of the canvas.
+    StepRange steps_on_canvas() const {
         const Index low = is_x_major_ ? canvas_.left() : std::min(canvas_.top(), canvas_.bottom());
         const Index high =
             is_x_major_ ? canvas_.right() : std::max(canvas_.top(), canvas_.bottom());
@@ -107,21 +103,9 @@ public:
                 std::min<Index>(last_step_, goes_back ? first_ - low : high - first_)};
     }
 
-    /// Tells the steps before those on the canvas: all of them, if it has none. `across_at(along)` is the
-    /// coordinate across.
-    template <typename AcrossAt, typename Sink>
-    void reject_before(const Steps& steps, AcrossAt&& across_at, Sink&& sink) const {
-        if (steps.end < steps.begin)
-            reject(0, last_step_, across_at, sink);
-        else if (steps.begin > 0)
-            reject(0, steps.begin - 1, across_at, sink);
-    }
-
-    /// Tells the steps behind those on the canvas.
-    template <typename AcrossAt, typename Sink>
-    void reject_behind(const Steps& steps, AcrossAt&& across_at, Sink&& sink) const {
-        if (steps.begin <= steps.end && steps.end < last_step_)
-            reject(steps.end + 1, last_step_, across_at, sink);
+    /// The pixel of a step, where the line has this coordinate across.
+    GridPoint pixel(Index step, const Scalar& across) const {
+        return point(along(step), pixel_across(across, sampling_.rounding, falls_));
     }
 
     /// Rounds the coordinate across at a step, and plots the pixel if the canvas has it.
@@ -140,16 +124,6 @@ public:
 private:
     GridPoint point(Index along, Index across) const {
         return is_x_major_ ? GridPoint{along, across} : GridPoint{across, along};
-    }
-
-    template <typename AcrossAt, typename Sink>
-    void reject(Index from_step, Index to_step, AcrossAt&& across_at, Sink&& sink) const {
-        const auto pixel = [&](Index along) {
-            return point(along, pixel_across(across_at(along), sampling_.rounding, falls_));
-        };
-        const GridPoint p = pixel(along(from_step));
-        const GridPoint q = pixel(along(to_step));
-        sink(PixelsRejected{p.x, p.y, q.x, q.y});
     }
 
     const LineSampling& sampling_;
