@@ -1245,6 +1245,24 @@ TEST_F(ProgramTest, ReadingTakesLittleMemory) {
     EXPECT_EQ(peak("mesh.json").status, 0);
 }
 
+// 16 bytes for each pixel and 256 MB, however many steps there are: pixels of a row are one step.
+TEST_F(ProgramTest, ALargeCanvasTakesSixteenBytesForEachPixel) {
+#ifdef __SANITIZE_ADDRESS__
+    GTEST_SKIP() << "the sanitizer needs memory of its own";
+#endif
+    constexpr long width = 8192;
+    constexpr long height = 2048;
+    write("scene.json", R"({"canvas":{"width":8192,"height":2048},
+        "vertices":{"A":[-4000,-1000],"B":[4000,-1000],"C":[0,1000],"D":[0,-1000]},
+        "triangles":["ABC","ADC"],"outlines":["ABC"]})");
+    for (const std::string command : {"stats scene.json", "explain scene.json --pair ABC,ADC",
+                                      "figure scene.json -o o.png --cell 1"}) {
+        const Outcome outcome = shell("$rastertrace " + command);
+        EXPECT_EQ(outcome.status, 0) << command << outcome.err;
+        EXPECT_LE(outcome.peak_memory, 16 * width * height + 256'000'000) << command;
+    }
+}
+
 // A scene from somewhere else cannot look around.
 TEST_F(ProgramTest, AnObjFileLiesInTheFolderOfItsScene) {
     shell("mkdir -p scenes/models; ln -s ../../outside.obj scenes/models/link.obj; "
