@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The box of a triangle: the pixels that a fill has to try which asks every pixel for itself.
+// The bounding box of a triangle: the pixels that a fill tests one by one.
 //
 //     for (const Pixel pixel : ...)  // box.first_row to box.last_row, box.first_x to box.last_x
 

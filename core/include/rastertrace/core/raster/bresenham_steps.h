@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Bresenham's line in closed form: pixel i and its d without the steps before it. So a line of which the
-// canvas has a part costs that part.
+// Bresenham's line in closed form: pixel i and its d without the steps before it. So drawing a line costs
+// only the part of it that lies on the canvas.
 //
 //     BresenhamLine({0, 0}, {5, 2}).pixel(4);  // (4, 2)
 
@@ -18,8 +18,7 @@
 
 namespace rastertrace {
 
-/// The pixels of Bresenham's line, which can be asked for out of order: pixel i is reached after i
-/// steps.
+/// The pixels of Bresenham's line in any order. Pixel i is reached after i steps.
 class BresenhamLine {
 public:
     explicit BresenhamLine(GridPoint from, GridPoint to, Ties ties = Ties::start)
@@ -38,8 +37,8 @@ public:
     /// True if the next step goes straight on.
     bool goes_straight(std::int64_t d) const { return steps_at_ties_ ? d < 0 : d <= 0; }
 
-    /// How many of the first i steps are diagonal: the least k with d <= 0, that is, k at least
-    /// i minor/major - 1/2; or with d < 0, that is, above that less 1.
+    /// How many of the first i steps are diagonal. A step goes straight on if d <= 0: this is the least
+    /// k >= i minor/major - 1/2. With ties that step (d < 0): the least k > i minor/major - 1/2.
     Index diagonals_before(Index i) const {
         if (i == 0)
             return 0;
@@ -97,8 +96,8 @@ private:
                         : StepRange{start - high, start - low};
     }
 
-    /// The first step after which at least k steps were diagonal: i minor/major - 1/2 > k - 1, or at
-    /// least that.
+    /// The first step i after which at least k steps were diagonal: the least i with
+    /// i minor/major - 1/2 > k - 1, or >= with ties that step.
     Index first_step_with(Index k) const {
         if (k <= 0)
             return 0;

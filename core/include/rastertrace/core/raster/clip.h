@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Clipping in homogeneous coordinates, before anything is divided by w: what lies behind the eye is
-// cut off while it still is behind the eye. After the division it would stand mirrored in front.
+// Clipping in homogeneous coordinates, before the division by w: what lies behind the eye is cut off.
+// After the division it would appear mirrored in front of the eye.
 //
 // Source: Sutherland and Hodgman 1974, one plane after the other; Blinn and Newell 1978 for doing
 // so before the division.
@@ -21,8 +21,8 @@
 
 namespace rastertrace {
 
-/// A side of the space that can be seen. A point in clip space lies on the side that is seen, or on
-/// the plane, if a x + b y + c z + d w + e is not negative.
+/// A plane of the view volume. A point in clip space lies inside, or on the plane, if
+/// a x + b y + c z + d w + e >= 0.
 template <typename Scalar> struct ClipPlane {
     std::string_view name; ///< near, far, left, right, bottom, top
     Vec<Scalar, 4> factors;
@@ -32,7 +32,7 @@ template <typename Scalar> struct ClipPlane {
         return factors.x * p.x + factors.y * p.y + factors.z * p.z + factors.w * p.w + constant;
     }
 
-    /// True if the point can be seen as far as this plane goes.
+    /// True if the point lies inside the plane, or on it.
     bool has_inside(const Vec<Scalar, 4>& p) const {
         return !(value_at(p) < scalar_from<Scalar>(0));
     }
@@ -43,11 +43,11 @@ template <typename Scalar> struct ClipVertex {
     Vec<Scalar, 4> position;
     Scalar distance; ///< from the eye along the view
     Color color;
-    int original = -1; ///< its place among the primitive's own vertices; -1 if clipping made it
+    int original = -1; ///< its index among the primitive's own vertices; -1 if clipping made it
 };
 
-/// The point where the way from a vertex inside to one outside meets the plane. Always computed
-/// from the inside: two triangles that share the edge get the same point.
+/// The intersection of the plane with the edge from a vertex inside to one outside. It is always
+/// computed in this direction: two triangles that share the edge get the same point.
 template <typename Scalar>
 ClipVertex<Scalar> meeting_point(const ClipVertex<Scalar>& inside,
                                  const ClipVertex<Scalar>& outside, const ClipPlane<Scalar>& plane,

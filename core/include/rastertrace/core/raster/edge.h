@@ -116,7 +116,7 @@ JoinedEdges<Scalar> joined_edges(const Triangle<Scalar>& triangle, int down) {
             .long_edge_is_left = !(middle.position.x < x_opposite_middle)};
 }
 
-/// Walks along an edge from row to row of the picture and gives x on each.
+/// Walks along an edge from row to row of the picture and returns x on each.
 template <typename Scalar> class EdgeWalk {
 public:
     /// `y_step` is the step in y from one row to the next, +1 or -1.

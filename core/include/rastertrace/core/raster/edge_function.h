@@ -32,14 +32,14 @@ template <typename Scalar> struct EdgeFunction {
 
     Scalar at(const Vec<Scalar, 2>& p) const { return a * (p.x - start.x) + b * (p.y - start.y); }
 
-    /// The tie rule: true if the edge lets the triangle have a sample at which the function has this value.
+    /// The tie rule: true if a sample with this value of the function may belong to the triangle.
     bool admits_value(const Scalar& value) const {
         const Scalar zero = scalar_from<Scalar>(0);
         return is_top_left ? !(value < zero) : zero < value;
     }
     bool admits(const Vec<Scalar, 2>& sample) const { return admits_value(at(sample)); }
 
-    /// The function of the triangle on the other side, but for the tie rule.
+    /// The function for the triangle on the other side; the tie rule is not changed.
     EdgeFunction negated() const { return {name, start, Scalar(-a), Scalar(-b), is_top_left}; }
 };
 
@@ -53,8 +53,8 @@ EdgeFunction<Scalar> edge_function(const Vertex<Scalar>& upper, const Vertex<Sca
     return {{upper.index, lower.index}, p, Scalar(p.y - q.y), Scalar(q.x - p.x), is_top_left};
 }
 
-/// The function of an edge that is not horizontal, for the triangle on its right in the picture: a sample
-/// on the edge is that one's.
+/// The function of an edge that is not horizontal, for the triangle on its right in the picture. Samples
+/// on the edge belong to that triangle.
 template <typename Scalar>
 EdgeFunction<Scalar> function_of_left_edge(const Vertex<Scalar>& upper, const Vertex<Scalar>& lower,
                                            int down) {

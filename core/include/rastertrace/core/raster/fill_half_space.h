@@ -9,7 +9,7 @@
 //
 //     fill_half_space(triangle, 0.5, canvas, FlatPainter(image, color));
 //
-// This is the page to read. `"fill": "top-left"` draws the same pixels from row to row (draw/paint/fill_top_left.h).
+// `"fill": "top-left"` of a scene draws the same pixels row by row (draw/paint/fill_top_left.h).
 
 #include <rastertrace/core/numbers/scalar.h>
 #include <rastertrace/core/raster/bounding_box.h>
@@ -30,7 +30,7 @@ template <typename Scalar, typename Sink>
 requires SinkFor<Sink, EdgesTested<Scalar>, PrimitiveSkipped>
 void fill_half_space(const Triangle<Scalar>& triangle, const Scalar& sample_offset,
                      const Canvas& canvas, Sink&& sink) {
-    // The edges, each a function that is positive inside.
+    // Three edge functions, positive inside.
     const auto sorted = sorted_from_top(triangle, canvas.down());
     const auto& [top, middle, bottom] = sorted;
     const int middle_side = side_of_edge(top, bottom, middle, canvas.down());

@@ -35,8 +35,8 @@ inline Move move_of(GridPoint step) {
     return moves[static_cast<std::size_t>(step.x + 1)][static_cast<std::size_t>(step.y + 1)];
 }
 
-/// Draws a line; false if its only pixel is the last one, which `ends: first` leaves out. Time follows the
-/// pixels on the canvas. The ends must lie within +-farthest_index / 4.
+/// Draws a line; false if its only pixel is the last one, which `ends: first` leaves out. The
+/// time is proportional to the pixels on the canvas. The ends must lie within +-farthest_index / 4.
 template <typename Sink>
 requires SinkFor<Sink, LineDecided, PixelPlotted, PixelsRejected>
 bool draw_bresenham(const GridLine& line, const LineRules& rules, const Canvas& canvas,

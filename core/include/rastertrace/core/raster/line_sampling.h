@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the naive line and the DDA share: one pixel for each step along the major axis, x if |dx| >= |dy|,
-// else y. "Along" is the coordinate on that axis and "across" the other one. The algorithms differ in how
-// they find the coordinate across.
+// What the naive line and the DDA share: one pixel for each step along the major axis, which is x if
+// |dx| >= |dy|, else y. "Along" names the coordinate on the major axis, "across" the other one. The two
+// algorithms differ in how they find the coordinate across.
 
 #include <rastertrace/core/numbers/index.h>
 #include <rastertrace/core/numbers/scalar.h>
@@ -32,14 +32,14 @@ template <typename Scalar> bool is_longer_in_x(const Segment<Scalar>& segment) {
     const auto magnitude = [&zero](const Scalar& value) {
         return value < zero ? Scalar(-value) : value;
     };
-    // One after the other: of signs that a filtered double leaves open, the first one is told.
+    // In this order: if filtered doubles leave both signs open, dy is reported.
     const Scalar dy = magnitude(segment.to.y - segment.from.y);
     const Scalar dx = magnitude(segment.to.x - segment.from.x);
     return !(dx < dy);
 }
 
-/// The pixel of a coordinate across a line. A tie with Ties::start stays on the side that the line
-/// comes from: below if it rises, above if it falls; with Ties::step it goes to the other side.
+/// The pixel of a coordinate across a line. At a tie, Ties::start stays on the side that the line comes
+/// from: below if it rises, above if it falls. Ties::step goes to the other side.
 template <typename Scalar>
 Index pixel_across(const Scalar& value, const SpanRounding& rule, bool falls) {
     if (rule.rounding == Rounding::nearest && falls) {
@@ -51,15 +51,15 @@ Index pixel_across(const Scalar& value, const SpanRounding& rule, bool falls) {
     return first_pixel(value, rule);
 }
 
-/// The choices that both algorithms leave open, and the colors of the ends.
+/// The choices that both algorithms leave open.
 struct LineSampling {
     SpanRounding rounding;
-    GridLine colors; ///< and, in whole pixels, where the ends are
+    GridLine colors; ///< of the ends, and their pixels
     LineRules rules;
 };
 
-/// A line along its major axis. Its steps are the whole numbers along the axis from the one nearest to the
-/// start to the one nearest to the end (a half goes up).
+/// A line along its major axis. Its steps are the whole numbers along the axis, from the one nearest to
+/// the start to the one nearest to the end (a half goes up).
 template <typename Scalar> class SampledLine {
 public:
     SampledLine(const Segment<Scalar>& segment, const LineSampling& sampling, const Canvas& canvas)
