@@ -271,7 +271,7 @@ TEST(Independently, HalfOfTheLeastFloatIsNothing) {
 }
 
 // Depths of samples by a plane through the corners: gradients, then the row, then the column. The
-// formulas are those of depth.h, written out for 1/z.
+// formulas are those of depth_interpolation.h, written out for 1/z.
 
 template <typename Real> struct PlaneOf {
     std::array<std::array<double, 3>, 3> at; ///< x, y and 1/z, which is rounded already

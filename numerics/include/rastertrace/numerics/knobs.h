@@ -171,7 +171,7 @@ private:
 };
 
 /// The depths that a buffer of whole numbers tells apart: 2^bits codes from the nearest depth to the
-/// farthest. Depths are turned (depth.h): a nearer one has the smaller code.
+/// farthest. Depths are turned (depth_buffer.h): a nearer one has the smaller code.
 template <typename Scalar> class DepthCodes {
 public:
     DepthCodes(const Scalar& nearest, const Scalar& farthest, int bits)
