@@ -42,6 +42,12 @@ double nearest_double(const mpq_class& value);
 /// The same for float.
 float nearest_float(const mpq_class& value);
 
+/// The denominator of a fraction in lowest terms, if it fits.
+std::optional<std::int64_t> denominator_of(const mpq_class& value);
+
+/// value * denominator, rounded to the nearest whole number (a half up), if it is below 2^62.
+std::optional<std::int64_t> nearest_numerator(const mpq_class& value, std::int64_t denominator);
+
 /// A decimal of up to 18 digits is held in place, as digits x 10^exponent; any other number as a
 /// fraction in lowest terms on the heap. Every Number is finite and lies in the range of double.
 /// It takes 16 bytes: a model has hundreds of thousands.
@@ -65,6 +71,10 @@ public:
     }
 
     /// digits x 10^exponent.
+    struct Decimal {
+        std::int64_t digits;
+        int exponent;
+    };
     static Number decimal(std::int64_t digits, int exponent) {
         Number number(digits);
         number.exponent_ = digits == 0 ? 0 : exponent;
@@ -78,12 +88,6 @@ public:
         number.exponent_ = fraction_instead;
         return number;
     }
-
-    /// digits x 10^exponent.
-    struct Decimal {
-        std::int64_t digits;
-        int exponent;
-    };
 
     /// The decimal that is held in place, if it is one.
     std::optional<Decimal> as_decimal() const {
@@ -102,15 +106,11 @@ public:
     /// The nearest float, ties to even; beyond the largest float there is only infinity.
     float nearest_float() const;
 
-    /// A denominator that the value can be written over (not the least one), or nothing if it
-    /// does not fit: 10^3 for 0.250.
+    /// A denominator that the value can be written over (not the least one), if it fits: 10^3 for 0.250.
     std::optional<std::int64_t> denominator() const;
 
     /// value * denominator, if that is a whole number that fits.
     std::optional<std::int64_t> numerator_over(std::int64_t denominator) const;
-
-    /// value * denominator, rounded to the nearest whole number (a half up), if it is below 2^62.
-    std::optional<std::int64_t> nearest_numerator_over(std::int64_t denominator) const;
 
     /// Equal values, however they were typed.
     friend bool operator==(const Number& a, const Number& b) {

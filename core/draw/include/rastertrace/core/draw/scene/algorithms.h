@@ -52,10 +52,10 @@ enum class DepthForm {
 struct FillTraits {
     std::string_view name; ///< in a scene
     PixelRule rule;
-    Sample sample;  ///< unless the scene says otherwise
-    bool is_closed; ///< by samples: those on any edge are drawn
-    bool tests_box; ///< every pixel of the box, where others ask only for what they draw
     DepthForm depths;
+    Sample sample = Sample::integer; ///< unless the scene says otherwise
+    bool is_closed = false;          ///< by samples: those on any edge are drawn
+    bool tests_box = false; ///< every pixel of the box, where others ask only for what they draw
 };
 
 /// How many bits a fraction's numerator may have, with coordinates n/D, |n| < 2^b and D <= 2^d.
@@ -71,8 +71,8 @@ struct BitsNeeded {
 
 struct LineTraits {
     std::string_view name;    ///< in a scene
-    bool is_on_grid;          ///< it goes from pixel to pixel, and rounds nothing on the way
-    bool adds_up;             ///< each step adds to the one before
+    bool is_on_grid = false;  ///< it goes from pixel to pixel, and rounds nothing on the way
+    bool adds_up = false;     ///< each step adds to the one before
     BitsNeeded fraction = {}; ///< more than an edge needs (plan.cpp)
 };
 
@@ -85,40 +85,23 @@ struct LineTraits {
 constexpr FillTraits traits_of(Fill fill) {
     switch (fill) {
     case Fill::scanline:
-        return {.name = "scanline",
-                .rule = PixelRule::row_ends,
-                .sample = Sample::integer,
-                .is_closed = false,
-                .tests_box = false,
-                .depths = DepthForm::along_edges};
+        return {.name = "scanline", .rule = PixelRule::row_ends, .depths = DepthForm::along_edges};
     case Fill::two_halves:
-        return {.name = "two-halves",
-                .rule = PixelRule::row_ends,
-                .sample = Sample::integer,
-                .is_closed = false,
-                .tests_box = false,
-                .depths = DepthForm::along_edges};
+        return {
+            .name = "two-halves", .rule = PixelRule::row_ends, .depths = DepthForm::along_edges};
     case Fill::barycentric:
         return {.name = "barycentric",
                 .rule = PixelRule::samples,
-                .sample = Sample::integer,
+                .depths = DepthForm::weights,
                 .is_closed = true,
-                .tests_box = true,
-                .depths = DepthForm::weights};
+                .tests_box = true};
     case Fill::top_left:
         return {.name = "top-left",
                 .rule = PixelRule::samples,
-                .sample = Sample::center,
-                .is_closed = false,
-                .tests_box = false,
-                .depths = DepthForm::plane};
+                .depths = DepthForm::plane,
+                .sample = Sample::center};
     case Fill::fan:
-        return {.name = "fan",
-                .rule = PixelRule::lines,
-                .sample = Sample::integer,
-                .is_closed = false,
-                .tests_box = false,
-                .depths = DepthForm::none};
+        return {.name = "fan", .rule = PixelRule::lines, .depths = DepthForm::none};
     }
     not_an_enumerator();
 }
@@ -126,11 +109,11 @@ constexpr FillTraits traits_of(Fill fill) {
 constexpr LineTraits traits_of(LineMethod line) {
     switch (line) {
     case LineMethod::naive: // y = m x + b has the denominator of m twice
-        return {.name = "naive", .is_on_grid = false, .adds_up = false, .fraction = {3, 2, 8}};
+        return {.name = "naive", .fraction = {3, 2, 8}};
     case LineMethod::dda:
-        return {.name = "dda", .is_on_grid = false, .adds_up = true};
+        return {.name = "dda", .adds_up = true};
     case LineMethod::bresenham:
-        return {.name = "bresenham", .is_on_grid = true, .adds_up = false};
+        return {.name = "bresenham", .is_on_grid = true};
     }
     not_an_enumerator();
 }

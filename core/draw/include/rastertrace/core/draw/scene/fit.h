@@ -15,9 +15,7 @@
 // All of it is worked out in fractions, and what is rounded is rounded to the safe side: the same
 // camera on every machine.
 
-#include <rastertrace/core/draw/scene/camera.h>
-#include <rastertrace/core/draw/scene/projection.h>
-#include <rastertrace/core/draw/scene/viewport.h>
+#include <rastertrace/core/draw/scene/transforms.h>
 #include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/core/numbers/vec.h>
 #include <rastertrace/core/raster/canvas.h>

@@ -6,7 +6,6 @@
 //     Method method{.scalar = ScalarKind::exact, .rounding = Rounding::truncate};
 
 #include <rastertrace/core/draw/scene/algorithms.h>
-#include <rastertrace/core/draw/scene/viewport.h>
 #include <rastertrace/core/numbers/number.h>
 #include <rastertrace/core/raster/edge.h>
 #include <rastertrace/core/raster/facing.h>
@@ -56,6 +55,14 @@ enum class DepthCompare {
 enum class DepthAt {
     pixel,        ///< where the edges meet the row: each pixel has the depth of its own place
     rounded_ends, ///< at the row's first and last pixel; a row of one pixel has that of its left end
+};
+
+/// Where screen vertices go before anything is drawn.
+enum class Snap {
+    none,
+    floor,
+    truncate, ///< toward zero
+    nearest,  ///< a half goes as `ties` says, up if it says nothing
 };
 
 /// The choices of a scene, with their defaults. Where the default depends on what is drawn, nothing

@@ -8,12 +8,9 @@
 //     scene.vertices = {{"A", 2, 5}, {"B", -4, -3}, {"C", 5, -3}};
 //     scene.primitives = {{.kind = PrimitiveKind::triangle, .name = "ABC", .vertices = {0, 1, 2}}};
 
-#include <rastertrace/core/draw/scene/camera.h>
 #include <rastertrace/core/draw/scene/method.h>
-#include <rastertrace/core/draw/scene/model.h>
-#include <rastertrace/core/draw/scene/projection.h>
 #include <rastertrace/core/draw/scene/stage.h>
-#include <rastertrace/core/draw/scene/viewport.h>
+#include <rastertrace/core/draw/scene/transforms.h>
 #include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/core/numbers/number.h>
 #include <rastertrace/core/numbers/vec.h>
