@@ -13,7 +13,7 @@
 
 namespace rastertrace {
 
-/// What an exact number becomes in one kind of number: the nearest float or double, or itself.
+/// An exact number as a Scalar: the nearest float or double, or itself.
 template <typename Scalar> struct Conversion;
 
 template <> struct Conversion<float> {
@@ -34,7 +34,7 @@ template <typename Scalar> Scalar nearest_scalar(const Rational& exact) {
     return Conversion<Scalar>::of(exact);
 }
 
-/// A number of the scene as a Scalar that needs no denominator.
+/// A number of the scene as a Scalar other than a fraction.
 template <typename Scalar> Scalar scalar_from(const Number& number) {
     return Conversion<Scalar>::of(number);
 }
@@ -58,8 +58,8 @@ inline std::optional<std::int64_t> nearest_numerator(double number, std::int64_t
     return static_cast<std::int64_t>(below) + (numerator - below >= 0.5 ? 1 : 0);
 }
 
-/// A coordinate as a Scalar. Where one is rounded (to a grid of fractions), a half goes up; plan.h
-/// finds a denominator that suits them all, or the grid to snap to.
+/// A coordinate as a Scalar: a fraction over `denominator`, to which a half is rounded up. plan.h finds a
+/// denominator for all coordinates, or the grid to snap to.
 template <typename Scalar, typename Coordinate>
 Scalar scalar_from(const Coordinate& coordinate, std::int64_t denominator) {
     if constexpr (std::same_as<Scalar, Coordinate>) {
@@ -99,12 +99,12 @@ inline double to_double(const Number& number) {
     return number.nearest_double();
 }
 
-/// How far the double nearest to a coordinate may lie from the coordinate that is drawn with.
+/// How far to_double may lie from the coordinate that is drawn with.
 template <typename Coordinate> double error_of(const Coordinate&) {
     return 0;
 }
 
-/// True if two numbers are not equal, or it is not known that they are.
+/// True unless two numbers are certain to be equal.
 template <typename Scalar> bool may_differ(const Scalar& a, const Scalar& b) {
     return a != b;
 }

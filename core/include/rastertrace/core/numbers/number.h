@@ -2,8 +2,7 @@
 #pragma once
 
 // A number exactly as the author of a scene typed it: a decimal or a fraction. It becomes a Scalar
-// only when drawing starts, so that 0.1 is 1/10 in exact arithmetic and the nearest double in
-// double.
+// only when drawing starts, so that 0.1 is 1/10 in exact arithmetic.
 //
 //     const auto slope = parse_number("25/8");   // a Number, or what is wrong with the text
 //     std::get<Number>(slope).nearest_double();  // 3.125
@@ -12,7 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -147,8 +145,8 @@ enum class NumberFault {
     too_long,         ///< of more characters than longest_number
 };
 
-/// The most characters of a number of a scene. Every double can be written out in fewer, digit by digit;
-/// exact arithmetic on much longer ones would take its time at every pixel.
+/// The most characters of a number of a scene. Every double can be written out in fewer; exact
+/// arithmetic on much longer numbers would be slow at every pixel.
 inline constexpr std::size_t longest_number = 1200;
 
 namespace number_text {
@@ -174,10 +172,10 @@ inline bool take(std::string_view& text, char c) {
 
 } // namespace number_text
 
-/// Which sizes of numbers are taken.
+/// Which sizes of numbers are read.
 enum class NumberSize {
     of_double, ///< those of a scene
-    any,       ///< fractions of any size too: exact results may leave the range of double
+    any,       ///< fractions and whole numbers of any size too, as exact results have
 };
 
 /// Reads a decimal (`-4`, `0.25`, `1e-3`) or a fraction of whole numbers (`25/8`, `-1/4`).
