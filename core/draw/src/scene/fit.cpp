@@ -95,6 +95,13 @@ Interval intersection(const Interval& a, const Interval& b) {
 
 // Where the camera stands.
 
+/// The eye's distance from the sphere's center, and the center's distances from the middle of the view.
+struct Standpoint {
+    Rational distance;
+    Rational x;
+    Rational y;
+};
+
 /// An axis of a perspective: the distance from which its two sides leave a sphere of this radius whole,
 /// and the sphere's center there.
 struct Sides {
@@ -111,6 +118,23 @@ struct Sides {
         return ((slopes.low + slopes.high) * distance + radius * (low_root - high_root)) / 2;
     }
 };
+
+/// Where a camera sees all of a sphere of this radius; x and y are multiples of `step`.
+Standpoint standpoint(const ViewVolume& volume, const Rational& radius, const Rational& step) {
+    if (!volume.is_perspective)
+        return {volume.far ? rounded(middle_of(volume.near, *volume.far), step) : 2 * radius,
+                rounded(middle_of(volume.x.low, volume.x.high), step),
+                rounded(middle_of(volume.y.low, volume.y.high), step)};
+    const Sides x{volume.x, radius};
+    const Sides y{volume.y, radius};
+    const Rational least = std::max<Rational>({x.distance(), y.distance(), volume.near + radius});
+    const Rational distance = rounded_up(least, step_of(least));
+    return {distance, rounded(x.center_at(distance), step), rounded(y.center_at(distance), step)};
+}
+
+Numbers3 numbers_of(const Vec<Rational, 3>& point) {
+    return {number_of(point.x), number_of(point.y), number_of(point.z)};
+}
 
 } // namespace
 
@@ -177,7 +201,9 @@ ViewVolume intersection(const ViewVolume& a, const ViewVolume& b) {
             .x = intersection(a.x, b.x),
             .y = intersection(a.y, b.y),
             .near = std::max(a.near, b.near),
-            .far = a.far && b.far ? std::min(*a.far, *b.far) : (a.far ? a.far : b.far)};
+            .far = !a.far   ? b.far
+                   : !b.far ? a.far
+                            : std::min(a.far, b.far)};
 }
 
 std::variant<FittedCamera, FitFault> fitted_camera(const Vec<Rational, 3>& center,
@@ -197,36 +223,19 @@ std::variant<FittedCamera, FitFault> fitted_camera(const Vec<Rational, 3>& cente
     if (exact_radius < Rational(smallest_fit) || reach > Rational(largest_fit))
         return FitFault::size;
 
-    // How far the eye stands from the center, and how far the center lies from the middle of the view.
-    Rational distance;
-    Rational x;
-    Rational y;
-    if (volume.is_perspective) {
-        const Sides x_sides{volume.x, radius};
-        const Sides y_sides{volume.y, radius};
-        distance =
-            std::max<Rational>({x_sides.distance(), y_sides.distance(), volume.near + radius});
-        distance = rounded_up(distance, step_of(distance));
-        x = rounded(x_sides.center_at(distance), step);
-        y = rounded(y_sides.center_at(distance), step);
-    } else {
-        distance = volume.far ? rounded((volume.near + *volume.far) / 2, step) : 2 * radius;
-        x = rounded(middle_of(volume.x.low, volume.x.high), step);
-        y = rounded(middle_of(volume.y.low, volume.y.high), step);
-    }
+    const auto [distance, x, y] = standpoint(volume, radius, step);
     if (distance > Rational(largest_fit))
         return FitFault::size;
 
-    // An eye that is in the center itself, or beyond it, looks just as far ahead as the sphere reaches.
+    // An eye at the center, or beyond it, looks as far ahead as the sphere reaches.
     const int back = axis == ViewAxis::minus_z ? 1 : -1; // world z against the view
     const Rational ahead = distance > 0 ? distance : radius;
     const Vec<Rational, 3> eye{center.x - back * x, center.y - y, center.z + back * distance};
     const Rational nearest = distance - radius;
     const Rational farthest = distance + radius;
     return FittedCamera{
-        .camera = {.position = {number_of(eye.x), number_of(eye.y), number_of(eye.z)},
-                   .look_at = {number_of(eye.x), number_of(eye.y), number_of(eye.z - back * ahead)},
-                   .up = {0, 1, 0}},
+        .camera = {.position = numbers_of(eye),
+                   .look_at = numbers_of({eye.x, eye.y, eye.z - back * ahead})},
         .near = number_of(nearest > 0 ? rounded_down(nearest, step_of(nearest)) : nearest),
         .far = number_of(farthest > 0 ? rounded_up(farthest, step_of(farthest)) : farthest)};
 }

@@ -58,13 +58,12 @@ inline std::int64_t floor_quotient(std::int64_t above, std::int64_t below) {
                            : floor_quotient<std::int64_t>(above, below);
 }
 
-template <typename Integer> struct FractionNumber {
+template <typename Integer> struct FractionNumber : PlainNumber<Fraction<Integer>> {
     static Index floor(const Fraction<Integer>& x) {
         const Integer quotient = floor_quotient(x.numerator, x.denominator);
         return static_cast<Index>(
             std::clamp(quotient, Integer{-farthest_index}, Integer{farthest_index}));
     }
-    static Fraction<Integer> from(Index whole) { return static_cast<Fraction<Integer>>(whole); }
 };
 
 /// Depths are doubles: their denominators would grow too large.

@@ -39,14 +39,12 @@ template <typename Scalar> Matrix<Scalar> rounded(const Matrix<Rational>& exact)
 /// Multiplies x, y and z each by its own number.
 struct Scale {
     Numbers3 by;
-
     friend bool operator==(const Scale&, const Scale&) = default;
 };
 
 /// Adds to x, y and z.
 struct Translate {
     Numbers3 by;
-
     friend bool operator==(const Translate&, const Translate&) = default;
 };
 
@@ -54,14 +52,12 @@ struct Translate {
 struct Rotate {
     Numbers3 axis; ///< of any length but 0
     Number degrees;
-
     friend bool operator==(const Rotate&, const Rotate&) = default;
 };
 
 /// Adds to each coordinate multiples of the others: x grows by xy y + xz z, and so on.
 struct Shear {
     Number xy, xz, yx, yz, zx, zy;
-
     friend bool operator==(const Shear&, const Shear&) = default;
 };
 
@@ -77,9 +73,8 @@ MatrixFactors<Rational> factors_of(std::span<const ModelStep> steps);
 /// The steps of a model, from object space to the world, and their matrix, which is worked out once.
 class Model {
 public:
-    Model() : Model(std::vector<ModelStep>()) {}
     Model(std::initializer_list<ModelStep> steps) : Model(std::vector<ModelStep>(steps)) {}
-    Model(std::vector<ModelStep> steps) // NOLINT: steps are a model
+    Model(std::vector<ModelStep> steps = {}) // NOLINT: steps are a model
         : steps_(std::move(steps)), matrix_(product_of(factors_of(steps_))) {}
 
     const std::vector<ModelStep>& steps() const { return steps_; }
