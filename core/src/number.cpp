@@ -68,6 +68,18 @@ constexpr bool is_within(std::int64_t whole, std::int64_t limit) {
     return -limit <= whole && whole <= limit;
 }
 
+/// The Real nearest to digits x 10^exponent, if digits and power of ten are Reals: an operation on them
+/// rounds once (Clinger 1990).
+template <typename Real> std::optional<Real> rounded_once(std::int64_t digits, int exponent) {
+    constexpr bool is_float = std::same_as<Real, float>;
+    if (!is_within(digits, is_float ? std::int64_t{1} << 24 : exact_in_double) ||
+        !is_within(exponent, is_float ? 10 : 18))
+        return std::nullopt;
+    const auto whole = static_cast<Real>(digits);
+    const auto power = static_cast<Real>(power_of_ten(std::abs(exponent)));
+    return exponent < 0 ? whole / power : whole * power;
+}
+
 /// digits x 10^exponent.
 mpq_class decimal_value(const mpz_class& digits, std::int64_t exponent) {
     mpz_class power;
@@ -89,13 +101,8 @@ mpq_class Number::exact() const {
 double Number::nearest_double() const {
     if (is_fraction())
         return rastertrace::nearest_double(*held_.fraction);
-    // Digits below 2^53 and powers of ten up to 10^22 are doubles, so an operation on them
-    // rounds once (Clinger 1990). Everything else is left to from_chars, which rounds correctly.
-    if (is_within(held_.digits, exact_in_double) && is_within(exponent_, 18)) {
-        const auto digits = static_cast<double>(held_.digits);
-        const auto power = static_cast<double>(power_of_ten(std::abs(exponent_)));
-        return exponent_ < 0 ? digits / power : digits * power;
-    }
+    if (const auto nearest = rounded_once<double>(held_.digits, exponent_))
+        return *nearest;
     const std::string text = std::to_string(held_.digits) + "e" + std::to_string(exponent_);
     double value = 0;
     std::from_chars(text.data(), text.data() + text.size(), value);
@@ -113,13 +120,9 @@ bool Number::is_exactly(double value) const {
 }
 
 float Number::nearest_float() const {
-    // As above: digits below 2^24 and powers of ten up to 10^10 are floats.
-    constexpr std::int64_t exact_in_float = std::int64_t{1} << 24;
-    if (!is_fraction() && is_within(held_.digits, exact_in_float) && is_within(exponent_, 10)) {
-        const auto digits = static_cast<float>(held_.digits);
-        const auto power = static_cast<float>(power_of_ten(std::abs(exponent_)));
-        return exponent_ < 0 ? digits / power : digits * power;
-    }
+    if (!is_fraction())
+        if (const auto nearest = rounded_once<float>(held_.digits, exponent_))
+            return *nearest;
     return rastertrace::nearest_float(exact());
 }
 
