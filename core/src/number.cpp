@@ -30,17 +30,14 @@ double nearest_quotient(Int128 above, Int128 below) {
 }
 
 float nearest_float(const mpq_class& value) {
-    // The nearest double is rounded already: where it lies halfway between two floats, the exact
-    // value may lie on either side, and is nudged back there before it is rounded again.
-    double near = nearest_double(value);
-    if (std::isfinite(near) && mpq_class(near) != value) {
-        const double limit = std::numeric_limits<double>::infinity();
-        const bool was_rounded_up = mpq_class(near) > value;
-        const bool is_odd = std::bit_cast<std::uint64_t>(near) % 2 == 1;
-        if (!is_odd)
-            near = std::nextafter(near, was_rounded_up ? -limit : limit);
-    }
-    return static_cast<float>(near);
+    // A double halfway between two floats, whose last bit is 0, may have been rounded to there: it is
+    // moved back to the side of the exact value before it is rounded again.
+    const double near = nearest_double(value);
+    const bool is_odd = std::bit_cast<std::uint64_t>(near) % 2 == 1;
+    if (!std::isfinite(near) || is_odd || mpq_class(near) == value)
+        return static_cast<float>(near);
+    const double limit = std::numeric_limits<double>::infinity();
+    return static_cast<float>(std::nextafter(near, mpq_class(near) > value ? -limit : limit));
 }
 
 std::optional<std::int64_t> denominator_of(const mpq_class& value) {
@@ -135,22 +132,22 @@ std::optional<std::int64_t> Number::denominator() const {
 }
 
 std::optional<std::int64_t> Number::numerator_over(std::int64_t denominator) const {
-    std::int64_t numerator = 0;
-    if (!is_fraction()) {
-        const auto own = this->denominator();
-        if (!own || denominator % *own != 0 || exponent_ > 18)
+    if (is_fraction()) {
+        const mpq_class scaled = *held_.fraction * mpz_class(denominator);
+        if (scaled.get_den() != 1 || !scaled.get_num().fits_slong_p())
             return std::nullopt;
-        const std::int64_t factor = exponent_ >= 0 ? power_of_ten(exponent_) : denominator / *own;
-        if (__builtin_mul_overflow(held_.digits, factor, &numerator))
-            return std::nullopt;
-        if (exponent_ >= 0 && __builtin_mul_overflow(numerator, denominator, &numerator))
-            return std::nullopt;
-        return numerator;
+        return scaled.get_num().get_si();
     }
-    const mpq_class scaled = *held_.fraction * mpz_class(denominator);
-    if (scaled.get_den() != 1 || !scaled.get_num().fits_slong_p())
+    const auto own = this->denominator();
+    if (!own || denominator % *own != 0 || exponent_ > 18)
         return std::nullopt;
-    return scaled.get_num().get_si();
+    std::int64_t factor = denominator / *own;
+    if (exponent_ > 0 && __builtin_mul_overflow(factor, power_of_ten(exponent_), &factor))
+        return std::nullopt;
+    std::int64_t numerator = 0;
+    if (__builtin_mul_overflow(held_.digits, factor, &numerator))
+        return std::nullopt;
+    return numerator;
 }
 
 namespace {
