@@ -15,7 +15,7 @@ mpq_class quotient_of(const mpz_class& above, const mpz_class& below) {
 
 namespace {
 
-/// Numbers below are whole multiples of 2^-bits. With so many bits the smallest double, 2^-1074, has more than 200.
+/// Numbers below are whole multiples of 2^-bits. With most_bits, the smallest double still has 200.
 constexpr unsigned most_bits = 1344;
 
 mpz_class fixed_one(unsigned bits) {
@@ -53,7 +53,7 @@ mpz_class alternating_series(const mpz_class& first, const mpz_class& x, unsigne
     return sum;
 }
 
-/// So many bits that the smaller of sine and cosine has 256 or more. `share` of a quarter turn is below 1.
+/// So many bits that the smaller of sine and cosine of a share of a quarter turn has at least 256.
 unsigned bits_for(const mpq_class& share) {
     constexpr unsigned in_limb = 64;
     constexpr unsigned needed = 256;

@@ -30,8 +30,8 @@ double nearest_quotient(Int128 above, Int128 below) {
 }
 
 float nearest_float(const mpq_class& value) {
-    // A double halfway between two floats, whose last bit is 0, may have been rounded to there: it is
-    // moved back to the side of the exact value before it is rounded again.
+    // A double halfway between two floats, whose last bit is 0, may have been rounded to there: it
+    // is moved back to the side of the exact value before it is rounded again.
     const double near = nearest_double(value);
     const bool is_odd = std::bit_cast<std::uint64_t>(near) % 2 == 1;
     if (!std::isfinite(near) || is_odd || mpq_class(near) == value)
@@ -65,8 +65,8 @@ constexpr bool is_within(std::int64_t whole, std::int64_t limit) {
     return -limit <= whole && whole <= limit;
 }
 
-/// The Real nearest to digits x 10^exponent, if digits and power of ten are Reals: an operation on them
-/// rounds once (Clinger 1990).
+/// The Real nearest to digits x 10^exponent, if digits and power of ten are Reals: an operation on
+/// them rounds once (Clinger 1990).
 template <typename Real> std::optional<Real> rounded_once(std::int64_t digits, int exponent) {
     constexpr bool is_float = std::same_as<Real, float>;
     if (!is_within(digits, is_float ? std::int64_t{1} << 24 : exact_in_double) ||
@@ -188,13 +188,13 @@ Parsed parse_fraction(bool is_negative, std::string_view above, std::string_view
     return Number::fraction(std::move(value));
 }
 
-/// The significant digits of a decimal, and where they stand: 0007.50 is 75 x 10^-1. No digits are 0.
+/// digits x 10^exponent without zeros at the ends: 0007.50 is 75 x 10^-1. 0 has no digits.
 struct DecimalText {
     std::string digits;
     std::int64_t exponent;
 };
 
-/// The exponent that `text` begins with, behind its e: kept within 32 bits, which is too large anyway.
+/// The exponent that `text` begins with, behind its e. It is clamped to 32 bits: too large anyway.
 std::optional<std::int64_t> take_exponent(std::string_view& text) {
     const bool is_negative = take(text, '-');
     if (!is_negative)
@@ -209,8 +209,7 @@ std::optional<std::int64_t> take_exponent(std::string_view& text) {
     return is_negative ? -std::int64_t{exponent} : exponent;
 }
 
-/// A decimal without its sign: what stands before the point, and the rest of its text. `nullopt` if it is
-/// malformed.
+/// A decimal without its sign: `whole` is before the point. `nullopt` if it is malformed.
 std::optional<DecimalText> decimal_text(std::string_view whole, std::string_view rest) {
     std::string_view fraction;
     if (take(rest, '.')) {
@@ -239,8 +238,8 @@ Parsed parse_decimal(bool is_negative, const DecimalText& text) {
     if (digits.empty())
         return Number(0);
 
-    // The decimal point of 1.797e308 stands 309 digits right of its first digit. Beyond that, and below
-    // 1e-324, the size is clear without writing the power of ten out.
+    // The decimal point of 1.797e308 stands 309 digits right of its first digit. Beyond that, and
+    // below 1e-324, the size is clear without writing the power of ten out.
     const std::int64_t places = exponent + static_cast<std::int64_t>(digits.size());
     if (places > 309)
         return NumberFault::too_large;

@@ -68,7 +68,7 @@ Rational root_from_above(const Rational& square) {
 
 // What can be seen.
 
-/// How far an axis is shown to both sides of the center, in canonical units: to 1, or to the last pixel.
+/// How far an axis is shown to both sides of the center, in canonical units.
 Rational half_of(const Viewport& viewport, int extent) {
     if (viewport.type == ViewportType::fit)
         return 1;
@@ -95,15 +95,15 @@ Interval intersection(const Interval& a, const Interval& b) {
 
 // Where the camera stands.
 
-/// The eye's distance from the sphere's center, and the center's distances from the middle of the view.
+/// The eye's distance from the sphere's center, and the center's from the middle of the view.
 struct Standpoint {
     Rational distance;
     Rational x;
     Rational y;
 };
 
-/// An axis of a perspective: the distance from which its two sides leave a sphere of this radius whole,
-/// and the sphere's center there.
+/// An axis of a perspective: the least distance at which its two sides leave a sphere of this
+/// radius whole, and the sphere's center there.
 struct Sides {
     const Interval& slopes;
     const Rational& radius;
@@ -214,7 +214,7 @@ std::variant<FittedCamera, FitFault> fitted_camera(const Vec<Rational, 3>& cente
     if (volume.x.low >= volume.x.high || volume.y.low >= volume.y.high)
         return FitFault::no_view;
 
-    // Rounding may move what is seen by a step. That much is added to the radius.
+    // Rounding may move the view by a step, which is added to the radius.
     const Rational exact_radius = root_from_above(square);
     const Rational step = step_of(exact_radius);
     const Rational radius = rounded_up(exact_radius, step) + step;

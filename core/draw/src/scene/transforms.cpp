@@ -38,7 +38,7 @@ Matrix<Rational> product_of(std::span<const MatrixFactor<Rational>> factors) {
 
 namespace {
 
-/// A number divided by the square root of another: exactly if that is rational, else the nearest double.
+/// number / sqrt(square): exactly if the root is rational, else the nearest double.
 Rational over_root(const Rational& number, const Rational& square) {
     return sgn(number) * square_root(number * number / square);
 }
@@ -91,7 +91,7 @@ bool is_rounded(const ModelStep& step) {
 MatrixFactors<Rational> factors_of(std::span<const ModelStep> steps) {
     MatrixFactors<Rational> factors;
     for (const ModelStep& step : steps)
-        factors.push_back(std::visit([](const auto& one) { return factor_of(one); }, step));
+        factors.push_back(std::visit([](const auto& kind) { return factor_of(kind); }, step));
     std::reverse(factors.begin(), factors.end());
     return factors;
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The sink with which algorithms tell a listener: a step over a Scalar becomes one over Quantity, if the
-// listener takes such.
+// The sink between algorithms and a listener: a step over a Scalar becomes a step over Quantity, if
+// the listener takes its kind.
 
 #include <rastertrace/core/draw/tell/listener.h>
 
@@ -21,7 +21,7 @@ template <typename Scalar> Matrix<Quantity> quantities(const Matrix<Scalar>& mat
     return mapped<Quantity>(matrix, [](const Scalar& entry) { return Quantity(entry); });
 }
 
-/// Steps without numbers are told as they are; each of the others field by field, in their order.
+/// Hands a step to the listener: field by field if it has numbers, else as it is.
 template <typename Step> void tell(const Step& step, const Listener& listener) {
     listener(step);
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// From one kind of number to another: what was typed in a scene becomes a Scalar to draw with, and a
-// Scalar becomes a double to look at.
+// From one kind of number to another: what was typed in a scene becomes a Scalar to draw with, and
+// a Scalar becomes a double to look at.
 //
 //     scalar_from<double>(Number::decimal(1, -1));         // the double nearest to 1/10
 //     scalar_from<Fraction64>(Number::decimal(5, -1), 2);  // 1/2
@@ -58,8 +58,8 @@ inline std::optional<std::int64_t> nearest_numerator(double number, std::int64_t
     return static_cast<std::int64_t>(below) + (numerator - below >= 0.5 ? 1 : 0);
 }
 
-/// A coordinate as a Scalar: a fraction over `denominator`, to which a half is rounded up. plan.h finds a
-/// denominator for all coordinates, or the grid to snap to.
+/// A coordinate as a Scalar: a fraction over `denominator`, to which a half is rounded up. plan.h
+/// finds a denominator for all coordinates, or the grid to snap to.
 template <typename Scalar, typename Coordinate>
 Scalar scalar_from(const Coordinate& coordinate, std::int64_t denominator) {
     if constexpr (std::same_as<Scalar, Coordinate>) {

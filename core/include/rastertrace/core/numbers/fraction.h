@@ -2,8 +2,8 @@
 #pragma once
 
 // Exact fractions on machine integers that are never reduced: an operation is a few integer
-// instructions, as cheap as with double. The caller must know that the numbers fit; plan.h works that
-// out from the scene before drawing.
+// instructions, as cheap as with double. The caller must know that the numbers fit; plan.h works
+// that out from the scene before drawing.
 //
 //     Fraction<std::int64_t> half{1, 2};
 //     half + half  // 2/2, equal to 1
@@ -18,8 +18,8 @@ namespace rastertrace {
 __extension__ using Int128 = __int128;
 __extension__ using UInt128 = unsigned __int128;
 
-/// numerator / denominator, not in lowest terms; the denominator is positive. Sums and differences of
-/// fractions over the same denominator keep it. No operation checks for overflow.
+/// numerator / denominator, not in lowest terms; the denominator is positive. Sums and differences
+/// of fractions over the same denominator keep it. No operation checks for overflow.
 template <typename Integer> struct Fraction {
     Integer numerator = 0;
     Integer denominator = 1;

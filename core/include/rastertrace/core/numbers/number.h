@@ -33,8 +33,8 @@ constexpr std::int64_t power_of_ten(int exponent) {
     return powers_of_ten[static_cast<std::size_t>(exponent)];
 }
 
-/// The double nearest to an exact value; ties go to the even significand, as in IEEE 754. Beyond the
-/// largest double there is only infinity.
+/// The double nearest to an exact value; ties go to the even significand, as in IEEE 754. Beyond
+/// the largest double there is only infinity.
 double nearest_double(const mpq_class& value);
 
 /// The same for float.
@@ -73,6 +73,7 @@ public:
         std::int64_t digits;
         int exponent;
     };
+    /// A number of up to 18 digits.
     static Number decimal(std::int64_t digits, int exponent) {
         Number number(digits);
         number.exponent_ = digits == 0 ? 0 : exponent;
@@ -87,7 +88,7 @@ public:
         return number;
     }
 
-    /// The decimal that is held in place, if it is one.
+    /// The decimal that is held in place, if it is.
     std::optional<Decimal> as_decimal() const {
         return is_fraction() ? std::nullopt : std::optional(Decimal{held_.digits, exponent_});
     }
@@ -104,7 +105,7 @@ public:
     /// The nearest float, ties to even; beyond the largest float there is only infinity.
     float nearest_float() const;
 
-    /// A denominator that the value can be written over (not the least one), if it fits: 10^3 for 0.250.
+    /// A denominator that the value can be written over, if it fits: 10^3 for 0.250.
     std::optional<std::int64_t> denominator() const;
 
     /// value * denominator, if that is a whole number that fits.

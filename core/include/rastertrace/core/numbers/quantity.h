@@ -11,8 +11,8 @@
 
 namespace rastertrace {
 
-/// A number as the algorithm had it. A Rational is referred to, not copied: a Quantity is valid during
-/// the call that it is handed to. `exact()` and `to_double()` are values to keep.
+/// A number as the algorithm had it. A Rational is referred to, not copied: a Quantity is valid
+/// during the call that it is handed to. `exact()` and `to_double()` are values to keep.
 class Quantity {
 public:
     Quantity() = default;

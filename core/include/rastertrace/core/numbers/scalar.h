@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the algorithms ask of a number. An algorithm that needs more than + - * / and < finds it here.
-// NumberTraits has a specialization for each kind of number: float, double and fractions here, GMP's
-// rationals in rational.h.
+// What the algorithms ask of a number. An algorithm that needs more than + - * / and < finds it
+// here. NumberTraits has a specialization for each kind of number: float, double and fractions
+// here, GMP's rationals in rational.h.
 //
 //     floor_index(2.75)                              // 2
 //     floor_index(Fraction<std::int64_t>{-1, 4})     // -1
@@ -18,7 +18,7 @@
 
 namespace rastertrace {
 
-/// What most kinds of numbers share: whole numbers are cast to them, and depths are of the same kind.
+/// What most kinds of numbers share: a cast from whole numbers, and depths of the same kind.
 template <typename Scalar> struct PlainNumber {
     using Depth = Scalar;
     static Scalar from(Index whole) { return static_cast<Scalar>(whole); }
@@ -97,7 +97,7 @@ template <typename Scalar> Scalar scalar_from(Index whole) {
 /// The numbers of depths, and of colors in a perspective.
 template <typename Scalar> using DepthOf = typename NumberTraits<Scalar>::Depth;
 
-/// A coordinate as one of these.
+/// A coordinate as a number for depths.
 template <typename Scalar> decltype(auto) depth_scalar(const Scalar& x) {
     return NumberTraits<Scalar>::depth(x);
 }
@@ -113,9 +113,9 @@ template <typename Scalar> void require_finite(const Scalar&) {}
 /// Does nothing: floor_index is certain. A filtered double has its own.
 template <typename Scalar> void require_certain_index(const Scalar&) {}
 
-/// Writes `step`, a fraction, over the denominator of `value`, so that repeated additions do not make the
-/// sum's denominator grow. The denominator of `value` must be a multiple of that of `step`, as for a point
-/// on a line and the line's slope.
+/// Writes `step`, a fraction, over the denominator of `value`, so that repeated additions do not
+/// make the sum's denominator grow. The denominator of `value` must be a multiple of that of
+/// `step`, as for a point on a line and the line's slope.
 template <typename Scalar>
 void write_over_denominator_of([[maybe_unused]] const Scalar& value,
                                [[maybe_unused]] Scalar& step) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// From object space to world space: a model scales, moves, turns and shears. Translation is in matrix.h.
+// From object space to world space: a model scales, moves (matrix.h), turns and shears.
 //
 //     translation<double>({0, 0, 4}) * scaling<double>({2, 2, 2});  // scales first, then moves
 
@@ -18,10 +18,10 @@ template <typename Scalar> Matrix<Scalar> scaling(const Vec<Scalar, 3>& by) {
     return diagonal<Scalar>(by.x, by.y, by.z, 1);
 }
 
-/// Turns about an axis through the origin, counter-clockwise as seen from the axis's tip. Rodrigues'
-/// formula: cos I + (1 - cos) a a^T + sin [a]x, for the unit axis a. `axis` has any length but 0, and `unit`
-/// is a vector of length 1 in its direction: the products of the components of a are quotients by the
-/// square of the length, and need no root.
+/// Turns about an axis through the origin, counter-clockwise as seen from the axis's tip.
+/// Rodrigues' formula: cos I + (1 - cos) a a^T + sin [a]x, for the unit axis a. `axis` has any
+/// length but 0, and `unit` is a vector of length 1 in its direction: the products of the
+/// components of a are quotients by the square of the length, and need no root.
 template <typename Scalar>
 Matrix<Scalar> rotation(const Vec<Scalar, 3>& axis, const Vec<Scalar, 3>& unit, const Scalar& sine,
                         const Scalar& cosine) {

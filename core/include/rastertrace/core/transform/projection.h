@@ -59,7 +59,7 @@ template <typename Scalar> MatrixFactors<Scalar> view_plane(const Scalar& d) {
     return {{"perspective", perspective}, {"translate", translation<Scalar>({0, 0, d})}};
 }
 
-/// A frustum through these sides at the near plane. Infinitely far is the limit of the finite formulas.
+/// A frustum through these sides at the near plane. No `far` is the limit of the finite formulas.
 template <typename Scalar>
 Matrix<Scalar> frustum(const ViewSides<Scalar>& sides, const ViewRange<Scalar>& range) {
     const auto& [left, right, bottom, top] = sides;
@@ -73,8 +73,8 @@ Matrix<Scalar> frustum(const ViewSides<Scalar>& sides, const ViewRange<Scalar>& 
               {0, 0, -1, 0}}}};
 }
 
-/// A frustum by its field of view: y is scaled by the cotangent of half its angle, x by that over the
-/// aspect, width over height.
+/// A frustum by its field of view: y is scaled by the cotangent of half its angle, x by that over
+/// the aspect, width over height.
 template <typename Scalar>
 Matrix<Scalar> frustum_of_view(const Scalar& cotangent, const Scalar& aspect,
                                const ViewRange<Scalar>& range) {

@@ -3,11 +3,11 @@
 
 // From canonical space to the screen: the scene's own coordinates of pixels (raster/canvas.h).
 //
-//     fit:              x = left + (x + 1) (W - 1)/2     y = 1 is the top row, y = -1 the bottom row
-//     pixels-per-unit:  x = x s                          y = y s, on a canvas with the origin in its
-//                                                        center
+//     fit:              x = left + (x + 1) (W - 1)/2   y = 1: the top row, y = -1: the bottom row
+//     pixels-per-unit:  x = x s                        y = y s, on a canvas with a centered origin
 //
-// Sources: fit, T4 (flip y, shift by 1, scale by (W - 1)/2 and (H - 1)/2); pixels-per-unit, T0: scaling.
+// Sources: fit, T4 (flip y, shift by 1, scale by (W - 1)/2 and (H - 1)/2); pixels-per-unit, T0:
+// scaling.
 
 #include <rastertrace/core/transform/matrix.h>
 
@@ -22,8 +22,8 @@ struct ScreenBox {
     bool is_y_down;
 };
 
-/// The factors of `fit`: T4's flip, translation and scale, and a translation to the corner of a canvas
-/// that does not begin at (0, 0). The last factor moves a point first.
+/// The factors of `fit`: T4's flip, translation and scale, and a translation to the corner of a
+/// canvas that does not begin at (0, 0). The last factor moves a point first.
 template <typename Scalar> MatrixFactors<Scalar> fit_to(const ScreenBox& screen) {
     const Scalar left(screen.left);
     const Scalar lowest_y(screen.lowest_y);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The algorithms that a scene can name, and what the rest of the program has to know about each: one row an
-// algorithm. A new one is a page in raster/, an enumerator, its row here, and its case in draw/paint/fill.h, or
-// in draw_line of draw_in.h for a line.
+// The algorithms that a scene can name, and their properties: a row for each. A new algorithm is a
+// page in raster/, an enumerator, its row here, and its case in draw/paint/fill.h, or for a line in
+// draw_line of draw_in.h.
 //
 //     traits_of(Fill::top_left).depths;  // DepthForm::plane
 
@@ -76,8 +76,7 @@ struct LineTraits {
     BitsNeeded fraction = {}; ///< more than an edge needs (plan.cpp)
 };
 
-/// Of a value that is no enumerator. A switch that ends here has a case for every enumerator: the compiler warns
-/// of a new one.
+/// Ends a switch that has a case for every enumerator: the compiler warns of a new one.
 [[noreturn]] inline void not_an_enumerator() {
     std::abort();
 }

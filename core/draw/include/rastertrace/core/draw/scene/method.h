@@ -63,7 +63,7 @@ enum class Snap {
     nearest,  ///< a half goes as `ties` says, up if it says nothing
 };
 
-/// The choices of a scene, with their defaults. `nullopt` where the default depends on what is drawn.
+/// The choices of a scene and their defaults: `nullopt` where that depends on what is drawn.
 struct Method {
     ScalarKind scalar = ScalarKind::double_precision;
     LineMethod line = LineMethod::bresenham;

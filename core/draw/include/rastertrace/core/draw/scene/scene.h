@@ -104,7 +104,7 @@ struct Scene {
                has(PrimitiveKind::triangle);
     }
 
-    /// True if pixels are tested against a depth buffer. Those of a fill that finds no depths are not.
+    /// True if pixels are tested against a depth buffer: never those of a fill without depths.
     bool has_depth_buffer() const {
         const Depth in_force = depth();
         return in_force != Depth::none && in_force != Depth::painter &&

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What a scene says of its spaces: models, a camera, a projection and a viewport, and the matrices of
-// transform/ for them in exact numbers. What is irrational in a matrix is the nearest double; each
-// Scalar then rounds each entry once.
+// What a scene says of its spaces: models, a camera, a projection and a viewport, and the matrices
+// of transform/ for them in exact numbers. What is irrational in a matrix is the nearest double;
+// each Scalar then rounds each entry once.
 //
 //     Model({Scale{{2, 2, 2}}, Translate{{0, 0, 4}}}).matrix();  // scales first, then moves
 //     view_matrix({.position = {0, 0, 4}}, ViewAxis::minus_z);   // moves the world by (0, 0, -4)
@@ -70,7 +70,7 @@ bool is_rounded(const ModelStep& step);
 /// The factors of a model: the first step moves a point first, so it is the last factor.
 MatrixFactors<Rational> factors_of(std::span<const ModelStep> steps);
 
-/// The steps of a model, from object space to the world, and their matrix, which is worked out once.
+/// The steps of a model, from object space to the world, and their matrix.
 class Model {
 public:
     Model(std::initializer_list<ModelStep> steps) : Model(std::vector<ModelStep>(steps)) {}
@@ -106,8 +106,8 @@ bool is_rounded(const Camera& camera);
 /// The rotation and the translation of a camera, which must have no fault.
 MatrixFactors<Rational> factors_of(const Camera& camera, ViewAxis axis);
 
-/// The product of the factors. Where the length of an axis is irrational, the shift -position . axis is
-/// divided by it last, and rounded once: a position at right angles to the axis gives 0.
+/// The product of the factors. Where the length of an axis is irrational, the shift -position .
+/// axis is divided by it last, and rounded once: a position at right angles to the axis gives 0.
 Matrix<Rational> view_matrix(const Camera& camera, ViewAxis axis);
 
 enum class ProjectionType { none, orthographic, pinhole, view_plane, frustum };
@@ -138,20 +138,20 @@ inline ViewAxis view_axis_of(ProjectionType type) {
 bool is_rounded(const Projection& projection);
 
 /// The nearest distance from the eye that is shown; `nullopt` if everything is. A pinhole or a view
-/// plane without `near` shows nothing nearer than 1/1000 of the view plane's distance: what lies at the
-/// eye itself cannot be projected.
+/// plane without `near` shows nothing nearer than 1/1000 of the view plane's distance: what lies at
+/// the eye itself cannot be projected.
 std::optional<Rational> near_of(const Projection& projection);
 
 std::optional<Rational> far_of(const Projection& projection);
 
-/// The factors of a projection: two of a view plane and of an orthographic one, one of the others. The
-/// canvas gives the frustum of a field of view its width.
+/// The factors of a projection: two of a view plane and of an orthographic one, one of the others.
+/// The canvas gives the frustum of a field of view its width.
 MatrixFactors<Rational> factors_of(const Projection& projection, const Canvas& canvas);
 
-/// The planes of a projection. Near and far are distances from the eye, which in a perspective are a
-/// multiple of w, so that the rounding of z does not matter. The four sides stand `guard` x (half the
-/// canvas) away from the middle: the fill drops what lies nearer pixel by pixel; what lies beyond would
-/// be too far out for it.
+/// The planes of a projection. Near and far are distances from the eye, which in a perspective are
+/// a multiple of w, so that the rounding of z does not matter. The four sides stand `guard` x (half
+/// the canvas) away from the middle: the fill drops what lies nearer pixel by pixel; what lies
+/// beyond would be too far out for it.
 std::vector<ClipPlane<Rational>> clip_planes(const Projection& projection,
                                              const Rational& half_width,
                                              const Rational& half_height, const Rational& guard);
@@ -170,7 +170,7 @@ struct Viewport {
 /// The factors of a viewport.
 MatrixFactors<Rational> factors_of(const Viewport& viewport, const Canvas& canvas);
 
-/// Half the canvas in canonical units (all of it without a viewport): `extent` is its width or height.
+/// Half of a canvas of this width or height in canonical units; all of it without a viewport.
 Rational half_extent(const Viewport& viewport, int extent);
 
 } // namespace rastertrace

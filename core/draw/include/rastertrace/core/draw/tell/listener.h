@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Who listens to the steps of a drawing: any callable that takes one kind of step, or more, with the
-// numbers as Quantity.
+// A listener to the steps of a drawing: any callable that takes some kind of step, its numbers as
+// Quantity.
 //
 //     int plotted = 0;
 //     draw(scene, plan, [&](const PixelPlotted&) { ++plotted; });
 //
-// Which kinds it takes is asked once; no other is put together. One that takes PrimitiveBegan for its names alone
-// says so by reads_corners().
+// It is asked once which kinds it takes; no others are put together. A callable that takes
+// PrimitiveBegan for its names alone has a member reads_corners() that returns false.
 
 #include <rastertrace/core/numbers/quantity.h>
 #include <rastertrace/core/raster/sink.h>
@@ -31,8 +31,8 @@ public:
     /// Takes no step.
     Listener() = default;
 
-    /// `callable` takes steps by `callable(step)`. If it has a member `takes<Step>()`, that is asked
-    /// first: a kind of which it is false is never handed over.
+    /// `callable` takes steps by `callable(step)`. If it has a member `takes<Step>()`, that is
+    /// asked first: a kind of which it is false is never handed over.
     template <typename Callable>
     requires(std::is_class_v<std::remove_cvref_t<Callable>> &&
              !std::same_as<std::remove_cvref_t<Callable>, Listener>)
@@ -69,8 +69,8 @@ public:
                takes<RowsRejected>();
     }
 
-    /// True if it takes PrimitiveBegan, and may read its positions and depths. For one that does not,
-    /// `adaptive` need not work them out exactly.
+    /// True if it takes PrimitiveBegan, and may read its positions and depths. For one that does
+    /// not, `adaptive` need not work them out exactly.
     bool reads_corners() const { return reads_corners_ && takes<PrimitiveBegan<Quantity>>(); }
 
     /// Hands a step over Quantity, or one without numbers, to the callable if it takes such.
