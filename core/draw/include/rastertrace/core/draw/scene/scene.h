@@ -162,7 +162,10 @@ struct Scene {
     }
 
     /// True if pixels are mixed from the colors of vertices.
-    bool mixes_colors() const { return shade() == Shade::interpolate || shade() == Shade::affine; }
+    bool mixes_colors() const {
+        const Shade in_force = shade();
+        return in_force == Shade::interpolate || in_force == Shade::affine;
+    }
 };
 
 } // namespace rastertrace
