@@ -15,7 +15,7 @@ mpq_class quotient_of(const mpz_class& above, const mpz_class& below) {
 
 namespace {
 
-/// Numbers below are whole multiples of 2^-bits. With so many bits the smallest double, 2^-1074, has more than 200.
+/// Numbers below are whole multiples of 2^-bits. With most_bits, the smallest double still has 200.
 constexpr unsigned most_bits = 1344;
 
 mpz_class fixed_one(unsigned bits) {
@@ -53,14 +53,7 @@ mpz_class alternating_series(const mpz_class& first, const mpz_class& x, unsigne
     return sum;
 }
 
-/// Sine and cosine as multiples of 2^-bits. Exact where they are 0, 1 or -1.
-struct FixedSineCosine {
-    mpz_class sine;
-    mpz_class cosine;
-    unsigned bits;
-};
-
-/// So many bits that the smaller of sine and cosine has 256 or more; of a share of a quarter turn, below 1.
+/// So many bits that the smaller of sine and cosine of a share of a quarter turn has at least 256.
 unsigned bits_for(const mpq_class& share) {
     constexpr unsigned in_limb = 64;
     constexpr unsigned needed = 256;
@@ -74,7 +67,8 @@ unsigned bits_for(const mpq_class& share) {
     return std::min(most_bits, (needed + zeros + in_limb - 1) / in_limb * in_limb);
 }
 
-FixedSineCosine sine_cosine(const mpq_class& degrees) {
+/// The sine of an angle: exact where it is 0, 1 or -1, else with many more bits than a double.
+mpq_class sine(const mpq_class& degrees) {
     // Quarter turns are taken off exactly; an angle from 0 to 90 degrees is left.
     mpz_class quarters;
     const mpq_class in_quarters = degrees / 90;
@@ -83,18 +77,16 @@ FixedSineCosine sine_cosine(const mpq_class& degrees) {
     const unsigned bits = bits_for(rest);
     const mpz_class pi = fixed_pi() >> (most_bits - bits);
     const mpz_class radians = pi * rest.get_num() / (2 * rest.get_den());
-    const mpz_class sine = alternating_series(radians, radians, 2, bits);
-    const mpz_class cosine = alternating_series(fixed_one(bits), radians, 1, bits);
-    switch (mpz_fdiv_ui(quarters.get_mpz_t(), 4)) {
-    case 0:
-        return {sine, cosine, bits};
-    case 1:
-        return {cosine, -sine, bits};
-    case 2:
-        return {-sine, -cosine, bits};
-    default:
-        return {-cosine, sine, bits};
-    }
+
+    const auto quadrant = mpz_fdiv_ui(quarters.get_mpz_t(), 4);
+    const mpz_class size = quadrant % 2 == 0
+                               ? alternating_series(radians, radians, 2, bits)
+                               : alternating_series(fixed_one(bits), radians, 1, bits);
+    return quotient_of(quadrant < 2 ? size : mpz_class(-size), fixed_one(bits));
+}
+
+mpq_class cosine(const mpq_class& degrees) {
+    return sine(degrees + 90);
 }
 
 } // namespace
@@ -104,18 +96,15 @@ bool is_quarter_turn(const mpq_class& degrees) {
 }
 
 double sine_of_degrees(const mpq_class& degrees) {
-    const auto [sine, cosine, bits] = sine_cosine(degrees);
-    return nearest_double(quotient_of(sine, fixed_one(bits)));
+    return nearest_double(sine(degrees));
 }
 
 double cosine_of_degrees(const mpq_class& degrees) {
-    const auto [sine, cosine, bits] = sine_cosine(degrees);
-    return nearest_double(quotient_of(cosine, fixed_one(bits)));
+    return nearest_double(cosine(degrees));
 }
 
 double cotangent_of_degrees(const mpq_class& degrees) {
-    const auto [sine, cosine, bits] = sine_cosine(degrees);
-    return nearest_double(quotient_of(cosine, sine));
+    return nearest_double(cosine(degrees) / sine(degrees));
 }
 
 bool has_rational_root(const mpq_class& square) {

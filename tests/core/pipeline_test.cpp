@@ -30,6 +30,14 @@
 namespace rastertrace {
 namespace {
 
+Matrix<Rational> projection_matrix(const Projection& projection, const Canvas& canvas) {
+    return product_of(factors_of(projection, canvas));
+}
+
+Matrix<Rational> viewport_matrix(const Viewport& viewport, const Canvas& canvas) {
+    return product_of(factors_of(viewport, canvas));
+}
+
 using ::testing::ElementsAre;
 
 /// Keeps where each vertex was placed, and the matrices.

@@ -10,7 +10,7 @@
 #include "json_document.h"
 #include "json_key.h"
 
-#include <rastertrace/core/draw/scene/model.h>
+#include <rastertrace/core/draw/scene/transforms.h>
 #include <rastertrace/core/numbers/number.h>
 #include <rastertrace/trace/problem.h>
 

@@ -7,11 +7,8 @@
 #include "json_document.h"
 #include "json_reader.h"
 
-#include <rastertrace/core/draw/scene/camera.h>
-#include <rastertrace/core/draw/scene/model.h>
-#include <rastertrace/core/draw/scene/projection.h>
 #include <rastertrace/core/draw/scene/scene.h>
-#include <rastertrace/core/draw/scene/viewport.h>
+#include <rastertrace/core/draw/scene/transforms.h>
 
 #include <vector>
 

@@ -8,7 +8,7 @@
 
 #include "json_key.h"
 
-#include <rastertrace/core/draw/scene/projection.h>
+#include <rastertrace/core/draw/scene/transforms.h>
 
 #include <array>
 #include <cstddef>

@@ -4,8 +4,7 @@
 
 #include "list/vertex_spaces.h"
 
-#include <rastertrace/core/draw/scene/camera.h>
-#include <rastertrace/core/draw/scene/model.h>
+#include <rastertrace/core/draw/scene/transforms.h>
 #include <rastertrace/core/numbers/irrational.h>
 #include <rastertrace/core/raster/rounding.h>
 
@@ -50,9 +49,9 @@ template <typename Scalar> Transforms<Scalar> transforms_of(const Scene& scene) 
         Stage::view, scene.camera ? view_matrix(*scene.camera, view_axis_of(scene.projection.type))
                                   : identity<Rational>());
     if (scene.projection.type != ProjectionType::none)
-        result.projection = rounded<Scalar>(projection_matrix(scene.projection, scene.canvas));
+        result.projection = rounded<Scalar>(product_of(factors_of(scene.projection, scene.canvas)));
     if (scene.viewport.type != ViewportType::none)
-        result.viewport = rounded<Scalar>(viewport_matrix(scene.viewport, scene.canvas));
+        result.viewport = rounded<Scalar>(product_of(factors_of(scene.viewport, scene.canvas)));
 
     // A plane near the eye must not be rounded into it.
     const auto nearest = [](const Rational& exact) {

@@ -4,8 +4,6 @@
 #include <rastertrace/core/numbers/irrational.h>
 
 #include <algorithm>
-#include <array>
-#include <utility>
 
 namespace rastertrace {
 
@@ -13,8 +11,8 @@ namespace {
 
 // Numbers of few digits.
 
-/// The power of ten that a positive value begins with: 10^e <= value < 10^(e + 1).
-Rational leading_power(const Rational& value) {
+/// A unit of the third digit of a positive value: 10^(e - 2) where 10^e <= value < 10^(e + 1).
+Rational step_of(const Rational& value) {
     const auto digits = [](const mpz_class& number) {
         return mpz_sizeinbase(number.get_mpz_t(), 10);
     };
@@ -22,20 +20,15 @@ Rational leading_power(const Rational& value) {
     mpz_ui_pow_ui(power.get_num_mpz_t(), 10, digits(value.get_num()));
     mpz_ui_pow_ui(power.get_den_mpz_t(), 10, digits(value.get_den()));
     power.canonicalize();
-    // So many digits can be too many by one, above and below.
+    // Both counts of digits can be too large by 1.
     while (power > value)
         power /= 10;
     while (power * 10 <= value)
         power *= 10;
-    return power;
+    return power / 100;
 }
 
-/// One in the third digit of a positive value.
-Rational step_of(const Rational& value) {
-    return leading_power(value) / 100;
-}
-
-/// The multiple of `step` that is not above the value, and nearest to it.
+/// The largest multiple of `step` that is not above the value.
 Rational rounded_down(const Rational& value, const Rational& step) {
     const Rational steps = value / step;
     mpz_class whole;
@@ -50,6 +43,10 @@ Rational rounded_up(const Rational& value, const Rational& step) {
 /// The nearest multiple of `step`.
 Rational rounded(const Rational& value, const Rational& step) {
     return rounded_down(value + step / 2, step);
+}
+
+Rational middle_of(const Rational& low, const Rational& high) {
+    return (low + high) / 2;
 }
 
 Number number_of(const Rational& value) {
@@ -71,8 +68,7 @@ Rational root_from_above(const Rational& square) {
 
 // What can be seen.
 
-/// What of an axis is shown, in canonical units: -1..1, or what the pixels of a canvas are that lie on
-/// both sides of its center.
+/// How far an axis is shown to both sides of the center, in canonical units.
 Rational half_of(const Viewport& viewport, int extent) {
     if (viewport.type == ViewportType::fit)
         return 1;
@@ -82,13 +78,9 @@ Rational half_of(const Viewport& viewport, int extent) {
                : pixels;
 }
 
-Interval around_zero(const Rational& half) {
-    return {-half, half};
-}
-
-/// `half` canonical units to each side of the middle, where low..high is one unit to each side.
+/// `half` canonical units to each side of the middle, where low..high is a unit to each side.
 Interval scaled(const Number& low, const Number& high, const Rational& half) {
-    const Rational middle = (low.exact() + high.exact()) / 2;
+    const Rational middle = middle_of(low.exact(), high.exact());
     const Rational reach = half * (high.exact() - low.exact()) / 2;
     return {middle - reach, middle + reach};
 }
@@ -103,8 +95,15 @@ Interval intersection(const Interval& a, const Interval& b) {
 
 // Where the camera stands.
 
-/// One axis of a perspective: from which distance on its two sides leave a sphere of this radius whole,
-/// and where the sphere's center then is.
+/// The eye's distance from the sphere's center, and the center's from the middle of the view.
+struct Standpoint {
+    Rational distance;
+    Rational x;
+    Rational y;
+};
+
+/// An axis of a perspective: the least distance at which its two sides leave a sphere of this
+/// radius whole, and the sphere's center there.
 struct Sides {
     const Interval& slopes;
     const Rational& radius;
@@ -114,32 +113,41 @@ struct Sides {
     Rational distance() const {
         return radius * (low_root + high_root) / (slopes.high - slopes.low);
     }
-    /// The middle of those places that are possible; 0 if both sides are alike.
+    /// The middle of the possible centers; 0 if both sides are alike.
     Rational center_at(const Rational& distance) const {
         return ((slopes.low + slopes.high) * distance + radius * (low_root - high_root)) / 2;
     }
 };
 
-Rational middle_of(const Interval& interval) {
-    return (interval.low + interval.high) / 2;
+/// Where a camera sees all of a sphere of this radius; x and y are multiples of `step`.
+Standpoint standpoint(const ViewVolume& volume, const Rational& radius, const Rational& step) {
+    if (!volume.is_perspective)
+        return {volume.far ? rounded(middle_of(volume.near, *volume.far), step) : 2 * radius,
+                rounded(middle_of(volume.x.low, volume.x.high), step),
+                rounded(middle_of(volume.y.low, volume.y.high), step)};
+    const Sides x{volume.x, radius};
+    const Sides y{volume.y, radius};
+    const Rational least = std::max<Rational>({x.distance(), y.distance(), volume.near + radius});
+    const Rational distance = rounded_up(least, step_of(least));
+    return {distance, rounded(x.center_at(distance), step), rounded(y.center_at(distance), step)};
+}
+
+Numbers3 numbers_of(const Vec<Rational, 3>& point) {
+    return {number_of(point.x), number_of(point.y), number_of(point.z)};
 }
 
 } // namespace
 
-void include(std::optional<Box>& box, const Vec<Rational, 3>& place) {
-    if (!box) {
-        box = Box{place, place};
-        return;
+void include(std::optional<Box>& box, const Vec<Rational, 3>& point) {
+    if (!box)
+        box = Box{point, point};
+    for (Rational Vec<Rational, 3>::*const axis :
+         {&Vec<Rational, 3>::x, &Vec<Rational, 3>::y, &Vec<Rational, 3>::z}) {
+        if (point.*axis < box->low.*axis)
+            box->low.*axis = point.*axis;
+        if (point.*axis > box->high.*axis)
+            box->high.*axis = point.*axis;
     }
-    const auto reach = [](Rational& low, Rational& high, const Rational& value) {
-        if (value < low)
-            low = value;
-        if (value > high)
-            high = value;
-    };
-    reach(box->low.x, box->high.x, place.x);
-    reach(box->low.y, box->high.y, place.y);
-    reach(box->low.z, box->high.z, place.z);
 }
 
 Vec<Rational, 3> center_of(const Box& box) {
@@ -148,9 +156,9 @@ Vec<Rational, 3> center_of(const Box& box) {
     if (largest == 0)
         return box.low;
     const Rational step = step_of(largest);
-    return {rounded((box.low.x + box.high.x) / 2, step),
-            rounded((box.low.y + box.high.y) / 2, step),
-            rounded((box.low.z + box.high.z) / 2, step)};
+    return {rounded(middle_of(box.low.x, box.high.x), step),
+            rounded(middle_of(box.low.y, box.high.y), step),
+            rounded(middle_of(box.low.z, box.high.z), step)};
 }
 
 ViewVolume view_volume(const Projection& projection, const Viewport& viewport,
@@ -158,8 +166,8 @@ ViewVolume view_volume(const Projection& projection, const Viewport& viewport,
     const Rational half_x = half_of(viewport, canvas.width);
     const Rational half_y = half_of(viewport, canvas.height);
     ViewVolume volume{.is_perspective = is_perspective(projection.type),
-                      .x = around_zero(half_x),
-                      .y = around_zero(half_y),
+                      .x = {-half_x, half_x},
+                      .y = {-half_y, half_y},
                       .near = near_of(projection).value_or(0),
                       .far = far_of(projection)};
     switch (projection.type) {
@@ -193,7 +201,9 @@ ViewVolume intersection(const ViewVolume& a, const ViewVolume& b) {
             .x = intersection(a.x, b.x),
             .y = intersection(a.y, b.y),
             .near = std::max(a.near, b.near),
-            .far = a.far && b.far ? std::min(*a.far, *b.far) : (a.far ? a.far : b.far)};
+            .far = !a.far   ? b.far
+                   : !b.far ? a.far
+                            : std::min(a.far, b.far)};
 }
 
 std::variant<FittedCamera, FitFault> fitted_camera(const Vec<Rational, 3>& center,
@@ -204,7 +214,7 @@ std::variant<FittedCamera, FitFault> fitted_camera(const Vec<Rational, 3>& cente
     if (volume.x.low >= volume.x.high || volume.y.low >= volume.y.high)
         return FitFault::no_view;
 
-    // Rounding may move what is seen by a step. That much is added to the radius.
+    // Rounding may move the view by a step, which is added to the radius.
     const Rational exact_radius = root_from_above(square);
     const Rational step = step_of(exact_radius);
     const Rational radius = rounded_up(exact_radius, step) + step;
@@ -213,36 +223,19 @@ std::variant<FittedCamera, FitFault> fitted_camera(const Vec<Rational, 3>& cente
     if (exact_radius < Rational(smallest_fit) || reach > Rational(largest_fit))
         return FitFault::size;
 
-    // How far the eye stands from the center, and how far the center lies from the middle of the view.
-    Rational distance;
-    Rational x;
-    Rational y;
-    if (volume.is_perspective) {
-        const Sides x_sides{volume.x, radius};
-        const Sides y_sides{volume.y, radius};
-        distance =
-            std::max<Rational>({x_sides.distance(), y_sides.distance(), volume.near + radius});
-        distance = rounded_up(distance, step_of(distance));
-        x = rounded(x_sides.center_at(distance), step);
-        y = rounded(y_sides.center_at(distance), step);
-    } else {
-        distance = volume.far ? rounded((volume.near + *volume.far) / 2, step) : 2 * radius;
-        x = rounded(middle_of(volume.x), step);
-        y = rounded(middle_of(volume.y), step);
-    }
+    const auto [distance, x, y] = standpoint(volume, radius, step);
     if (distance > Rational(largest_fit))
         return FitFault::size;
 
-    // An eye that is in the center itself, or beyond it, looks just as far ahead as the sphere reaches.
+    // An eye at the center, or beyond it, looks as far ahead as the sphere reaches.
     const int back = axis == ViewAxis::minus_z ? 1 : -1; // world z against the view
     const Rational ahead = distance > 0 ? distance : radius;
     const Vec<Rational, 3> eye{center.x - back * x, center.y - y, center.z + back * distance};
     const Rational nearest = distance - radius;
     const Rational farthest = distance + radius;
     return FittedCamera{
-        .camera = {.position = {number_of(eye.x), number_of(eye.y), number_of(eye.z)},
-                   .look_at = {number_of(eye.x), number_of(eye.y), number_of(eye.z - back * ahead)},
-                   .up = {0, 1, 0}},
+        .camera = {.position = numbers_of(eye),
+                   .look_at = numbers_of({eye.x, eye.y, eye.z - back * ahead})},
         .near = number_of(nearest > 0 ? rounded_down(nearest, step_of(nearest)) : nearest),
         .far = number_of(farthest > 0 ? rounded_up(farthest, step_of(farthest)) : farthest)};
 }

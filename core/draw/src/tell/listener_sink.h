@@ -1,26 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The sink with which algorithms tell a listener: a step over a Scalar becomes one over Quantity, if the
-// listener takes such.
+// The sink between algorithms and a listener: a step over a Scalar becomes a step over Quantity, if
+// the listener takes its kind.
 
 #include <rastertrace/core/draw/tell/listener.h>
-#include <rastertrace/core/numbers/quantity.h>
-#include <rastertrace/core/raster/sink.h>
-#include <rastertrace/core/raster/steps.h>
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
-#include <optional>
-#include <span>
 #include <vector>
 
 namespace rastertrace {
 
-template <typename Scalar> std::optional<Quantity> quantity(const std::optional<Scalar>& number) {
-    return number ? std::optional<Quantity>(*number) : std::nullopt;
-}
 template <typename Scalar> Vec<Quantity, 2> quantities(const Vec<Scalar, 2>& at) {
     return {at.x, at.y};
 }
@@ -28,13 +18,10 @@ template <typename Scalar> Vec<Quantity, 3> quantities(const Vec<Scalar, 3>& at)
     return {at.x, at.y, at.z};
 }
 template <typename Scalar> Matrix<Quantity> quantities(const Matrix<Scalar>& matrix) {
-    Matrix<Quantity> result;
-    for (std::size_t row = 0; row < 4; ++row)
-        std::copy(matrix.rows[row].begin(), matrix.rows[row].end(), result.rows[row].begin());
-    return result;
+    return mapped<Quantity>(matrix, [](const Scalar& entry) { return Quantity(entry); });
 }
 
-/// Steps without numbers are told as they are.
+/// Hands a step to the listener: field by field if it has numbers, else as it is.
 template <typename Step> void tell(const Step& step, const Listener& listener) {
     listener(step);
 }
@@ -46,11 +33,8 @@ template <typename Scalar> void tell(const MatrixSetUp<Scalar>& step, const List
     std::vector<Vec<Quantity, 3>> camera;
     for (const Vec<Scalar, 3>& vector : step.camera)
         camera.push_back(quantities<Scalar>(vector));
-    listener(MatrixSetUp<Quantity>{.name = step.name,
-                                   .object = step.object,
-                                   .matrix = quantities(step.matrix),
-                                   .factors = factors,
-                                   .camera = camera});
+    listener(
+        MatrixSetUp<Quantity>{step.name, step.object, quantities(step.matrix), factors, camera});
 }
 
 template <typename Scalar> void tell(const VertexPlaced<Scalar>& step, const Listener& listener) {
@@ -58,35 +42,26 @@ template <typename Scalar> void tell(const VertexPlaced<Scalar>& step, const Lis
     std::array<Quantity, 4> snapped;
     std::copy(step.at.begin(), step.at.end(), at.begin());
     std::copy(step.snapped.begin(), step.snapped.end(), snapped.begin());
-    listener(VertexPlaced<Quantity>{.name = step.name,
-                                    .space = step.space,
-                                    .at = std::span(at).first(step.at.size()),
-                                    .snapped = std::span(snapped).first(step.snapped.size())});
+    listener(VertexPlaced<Quantity>{step.name, step.space, std::span(at).first(step.at.size()),
+                                    std::span(snapped).first(step.snapped.size())});
 }
 
 template <typename Scalar>
 void tell(const PrimitivesOrdered<Scalar>& step, const Listener& listener) {
     const std::vector<Quantity> distances(step.distances.begin(), step.distances.end());
-    listener(PrimitivesOrdered<Quantity>{
-        .names = step.names, .distances = distances, .indices = step.indices});
+    listener(PrimitivesOrdered<Quantity>{step.names, distances, step.indices});
 }
 
 template <typename Scalar> void tell(const FaceTested<Scalar>& step, const Listener& listener) {
-    listener(FaceTested<Quantity>{.normal = quantities<Scalar>(step.normal),
-                                  .view = quantities<Scalar>(step.view),
-                                  .dot = step.dot,
-                                  .cosine = step.cosine,
-                                  .is_by_light = step.is_by_light,
-                                  .is_culled = step.is_culled,
-                                  .is_culled_opposite = step.is_culled_opposite});
+    const auto& [normal, view, dot, cosine, is_by_light, is_culled, is_culled_opposite] = step;
+    listener(FaceTested<Quantity>{quantities<Scalar>(normal), quantities<Scalar>(view), dot, cosine,
+                                  is_by_light, is_culled, is_culled_opposite});
 }
 
 template <typename Scalar> void tell(const FaceLit<Scalar>& step, const Listener& listener) {
-    listener(FaceLit<Quantity>{.normal = quantities<Scalar>(step.normal),
-                               .light = quantities<Scalar>(step.light),
-                               .dot = step.dot,
-                               .intensity = step.intensity,
-                               .color = step.color});
+    const auto& [normal, light, dot, intensity, color] = step;
+    listener(FaceLit<Quantity>{quantities<Scalar>(normal), quantities<Scalar>(light), dot,
+                               intensity, color});
 }
 
 template <typename Scalar> void tell(const PrimitiveBegan<Scalar>& step, const Listener& listener) {
@@ -95,61 +70,40 @@ template <typename Scalar> void tell(const PrimitiveBegan<Scalar>& step, const L
                    [](const auto& at) { return quantities<Scalar>(at); });
     std::array<Quantity, 3> depths;
     std::copy(step.depths.begin(), step.depths.end(), depths.begin());
-    listener(
-        PrimitiveBegan<Quantity>{.kind = step.kind,
-                                 .name = step.name,
-                                 .vertices = step.vertices,
-                                 .positions = std::span(positions).first(step.positions.size()),
-                                 .color = step.color,
-                                 .colors = step.colors,
-                                 .octant = step.octant,
-                                 .is_part = step.is_part,
-                                 .depths = std::span(depths).first(step.depths.size()),
-                                 .is_painted = step.is_painted});
+    listener(PrimitiveBegan<Quantity>{
+        step.kind, step.name, step.vertices, std::span(positions).first(step.positions.size()),
+        step.color, step.colors, step.octant, step.is_part,
+        std::span(depths).first(step.depths.size()), step.is_painted});
 }
 
 template <typename Scalar> void tell(const EdgeSetUp<Scalar>& step, const Listener& listener) {
-    listener(EdgeSetUp<Quantity>{
-        .edge = step.edge, .is_horizontal = step.is_horizontal, .dx_dy = step.dx_dy});
+    listener(EdgeSetUp<Quantity>{step.edge, step.is_horizontal, step.dx_dy});
 }
 
 template <typename Scalar>
 void tell(const EdgeFunctionSetUp<Scalar>& step, const Listener& listener) {
-    listener(EdgeFunctionSetUp<Quantity>{
-        .edge = step.edge, .a = step.a, .b = step.b, .is_top_left = step.is_top_left});
+    listener(EdgeFunctionSetUp<Quantity>{step.edge, step.a, step.b, step.is_top_left});
 }
 
 template <typename Scalar>
 void tell(const ScanlineSpanned<Scalar>& step, const Listener& listener) {
-    listener(ScanlineSpanned<Quantity>{.y = step.y,
-                                       .left = step.left,
-                                       .right = step.right,
-                                       .from = step.from,
-                                       .to = step.to,
-                                       .left_edge = step.left_edge,
-                                       .right_edge = step.right_edge,
-                                       .left_depth = quantity(step.left_depth),
-                                       .right_depth = quantity(step.right_depth)});
+    const auto& [y, left, right, from, to, left_edge, right_edge, left_depth, right_depth] = step;
+    listener(ScanlineSpanned<Quantity>{y, left, right, from, to, left_edge, right_edge, left_depth,
+                                       right_depth});
 }
 
 template <typename Scalar> void tell(const LineSampled<Scalar>& step, const Listener& listener) {
-    listener(LineSampled<Quantity>{
-        .is_x_major = step.is_x_major, .at = step.at, .value = step.value, .pixel = step.pixel});
+    listener(LineSampled<Quantity>{step.is_x_major, step.at, step.value, step.pixel});
 }
 
 template <typename Scalar> void tell(const SampleTested<Scalar>& step, const Listener& listener) {
-    listener(SampleTested<Quantity>{.pixel = step.pixel,
-                                    .weights = {step.weights[0], step.weights[1], step.weights[2]},
-                                    .is_inside = step.is_inside});
+    const auto& [a, b, c] = step.weights;
+    listener(SampleTested<Quantity>{step.pixel, {a, b, c}, step.is_inside});
 }
 
 template <typename Scalar> void tell(const DepthTested<Scalar>& step, const Listener& listener) {
-    listener(DepthTested<Quantity>{.pixel = step.pixel,
-                                   .depth = step.depth,
-                                   .stored = quantity(step.stored),
-                                   .passes = step.passes,
-                                   .reason = step.reason,
-                                   .other = step.other});
+    const auto& [pixel, depth, stored, passes, reason, other] = step;
+    listener(DepthTested<Quantity>{pixel, depth, stored, passes, reason, other});
 }
 
 /// A sink for every step, of every Scalar.

@@ -3,8 +3,7 @@
 
 // The names that scene files and traces have for projections and viewports.
 
-#include <rastertrace/core/draw/scene/projection.h>
-#include <rastertrace/core/draw/scene/viewport.h>
+#include <rastertrace/core/draw/scene/transforms.h>
 
 #include <optional>
 #include <string_view>

@@ -1,26 +1,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// From one kind of number to another: what was typed in a scene becomes a Scalar to draw with, and a
-// Scalar becomes a double to look at.
+// From one kind of number to another: what was typed in a scene becomes a Scalar to draw with, and
+// a Scalar becomes a double to look at.
 //
 //     scalar_from<double>(Number::decimal(1, -1));         // the double nearest to 1/10
 //     scalar_from<Fraction64>(Number::decimal(5, -1), 2);  // 1/2
 
-#include <rastertrace/core/numbers/fraction.h>
-#include <rastertrace/core/numbers/number.h>
 #include <rastertrace/core/numbers/rational.h>
-#include <rastertrace/core/numbers/scalar.h>
 
 #include <cassert>
-#include <cmath>
-#include <concepts>
-#include <cstdint>
-#include <optional>
 
 namespace rastertrace {
 
-/// What an exact number becomes in one kind of number: the nearest float or double, or itself.
+/// An exact number as a Scalar: the nearest float or double, or itself.
 template <typename Scalar> struct Conversion;
 
 template <> struct Conversion<float> {
@@ -41,7 +34,7 @@ template <typename Scalar> Scalar nearest_scalar(const Rational& exact) {
     return Conversion<Scalar>::of(exact);
 }
 
-/// A number of the scene as a Scalar that needs no denominator.
+/// A number of the scene as a Scalar other than a fraction.
 template <typename Scalar> Scalar scalar_from(const Number& number) {
     return Conversion<Scalar>::of(number);
 }
@@ -52,19 +45,10 @@ template <typename Scalar> Scalar scalar_from(const Number& number) {
 inline std::optional<std::int64_t> denominator_of(const Number& number) {
     return number.denominator();
 }
-inline std::optional<std::int64_t> denominator_of(const Rational& number) {
-    if (!number.get_den().fits_slong_p())
-        return std::nullopt;
-    return number.get_den().get_si();
-}
 inline std::optional<std::int64_t> nearest_numerator(const Number& number,
                                                      std::int64_t denominator) {
     const auto exact = number.numerator_over(denominator);
-    return exact ? exact : number.nearest_numerator_over(denominator);
-}
-inline std::optional<std::int64_t> nearest_numerator(const Rational& number,
-                                                     std::int64_t denominator) {
-    return Number::fraction(number).nearest_numerator_over(denominator);
+    return exact ? exact : nearest_numerator(number.exact(), denominator);
 }
 inline std::optional<std::int64_t> nearest_numerator(double number, std::int64_t denominator) {
     const double numerator = number * static_cast<double>(denominator);
@@ -74,37 +58,34 @@ inline std::optional<std::int64_t> nearest_numerator(double number, std::int64_t
     return static_cast<std::int64_t>(below) + (numerator - below >= 0.5 ? 1 : 0);
 }
 
-/// A coordinate as a Scalar. Where one is rounded (to a grid of fractions), a half goes up; plan.h
-/// finds a denominator that suits them all, or the grid to snap to.
+/// A coordinate as a Scalar: a fraction over `denominator`, to which a half is rounded up. plan.h
+/// finds a denominator for all coordinates, or the grid to snap to.
 template <typename Scalar, typename Coordinate>
 Scalar scalar_from(const Coordinate& coordinate, std::int64_t denominator) {
     if constexpr (std::same_as<Scalar, Coordinate>) {
         return coordinate;
-    } else if constexpr (std::same_as<Scalar, Rational>) {
-        if constexpr (!std::floating_point<Coordinate>)
+    } else if constexpr (std::same_as<Scalar, Rational> || is_fraction<Scalar>) {
+        if constexpr (std::same_as<Scalar, Rational> && !std::floating_point<Coordinate>)
             if (denominator == 1)
                 return scalar_from<Scalar>(coordinate);
         const auto numerator = nearest_numerator(coordinate, denominator);
-        assert(numerator && "find_unfit has seen that every number fits");
-        Rational snapped(*numerator, denominator);
-        snapped.canonicalize();
-        return snapped;
-    } else if constexpr (is_fraction<Scalar>) {
-        const auto numerator = nearest_numerator(coordinate, denominator);
         assert(numerator && "the plan has seen that every number fits");
-        return Scalar{*numerator, denominator};
+        Scalar snapped(*numerator, denominator);
+        if constexpr (std::same_as<Scalar, Rational>)
+            snapped.canonicalize();
+        return snapped;
     } else {
         return Conversion<Scalar>::of(coordinate);
     }
 }
 
 /// The same number over a denominator that is `factor` times as large, if it has one.
-template <typename Scalar> Scalar written_finer(Scalar value, std::int64_t) {
-    return value;
-}
-template <typename Integer>
-Fraction<Integer> written_finer(const Fraction<Integer>& value, std::int64_t factor) {
-    return {value.numerator * factor, value.denominator * factor};
+template <typename Scalar>
+Scalar written_finer(const Scalar& value, [[maybe_unused]] std::int64_t factor) {
+    if constexpr (is_fraction<Scalar>)
+        return {value.numerator * factor, value.denominator * factor};
+    else
+        return value;
 }
 
 /// The double nearest to a coordinate.
@@ -118,12 +99,12 @@ inline double to_double(const Number& number) {
     return number.nearest_double();
 }
 
-/// How far the double nearest to a coordinate may lie from the coordinate that is drawn with.
+/// How far to_double may lie from the coordinate that is drawn with.
 template <typename Coordinate> double error_of(const Coordinate&) {
     return 0;
 }
 
-/// True if two numbers are not equal, or it is not known that they are.
+/// True unless two numbers are certain to be equal.
 template <typename Scalar> bool may_differ(const Scalar& a, const Scalar& b) {
     return a != b;
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Exact fractions on machine integers that are never reduced: adding and multiplying two of them is
-// a handful of integer instructions, as cheap as double. The price is that the caller must know
-// that the numbers fit; plan.h works that out from the scene before drawing.
+// Exact fractions on machine integers that are never reduced: an operation is a few integer
+// instructions, as cheap as with double. The caller must know that the numbers fit; plan.h works
+// that out from the scene before drawing.
 //
 //     Fraction<std::int64_t> half{1, 2};
 //     half + half  // 2/2, equal to 1
@@ -18,9 +18,8 @@ namespace rastertrace {
 __extension__ using Int128 = __int128;
 __extension__ using UInt128 = unsigned __int128;
 
-/// numerator / denominator, not in lowest terms; the denominator is positive. Two fractions over
-/// the same denominator stay over it when added or subtracted, and lose it when divided. No
-/// operation checks for overflow.
+/// numerator / denominator, not in lowest terms; the denominator is positive. Sums and differences
+/// of fractions over the same denominator keep it. No operation checks for overflow.
 template <typename Integer> struct Fraction {
     Integer numerator = 0;
     Integer denominator = 1;
@@ -37,7 +36,6 @@ template <typename Integer> struct Fraction {
     }
 
     friend constexpr Fraction operator-(const Fraction& a) { return {-a.numerator, a.denominator}; }
-
     friend constexpr Fraction operator-(const Fraction& a, const Fraction& b) { return a + -b; }
 
     friend constexpr Fraction operator*(const Fraction& a, const Fraction& b) {

@@ -2,8 +2,7 @@
 #pragma once
 
 // A number exactly as the author of a scene typed it: a decimal or a fraction. It becomes a Scalar
-// only when drawing starts, so that 0.1 is 1/10 in exact arithmetic and the nearest double in
-// double.
+// only when drawing starts, so that 0.1 is 1/10 in exact arithmetic.
 //
 //     const auto slope = parse_number("25/8");   // a Number, or what is wrong with the text
 //     std::get<Number>(slope).nearest_double();  // 3.125
@@ -12,7 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -35,12 +33,18 @@ constexpr std::int64_t power_of_ten(int exponent) {
     return powers_of_ten[static_cast<std::size_t>(exponent)];
 }
 
-/// The double nearest to an exact value; ties go to the even significand, as in IEEE 754. Beyond the
-/// largest double there is only infinity.
+/// The double nearest to an exact value; ties go to the even significand, as in IEEE 754. Beyond
+/// the largest double there is only infinity.
 double nearest_double(const mpq_class& value);
 
 /// The same for float.
 float nearest_float(const mpq_class& value);
+
+/// The denominator of a fraction in lowest terms, if it fits.
+std::optional<std::int64_t> denominator_of(const mpq_class& value);
+
+/// value * denominator, rounded to the nearest whole number (a half up), if it is below 2^62.
+std::optional<std::int64_t> nearest_numerator(const mpq_class& value, std::int64_t denominator);
 
 /// A decimal of up to 18 digits is held in place, as digits x 10^exponent; any other number as a
 /// fraction in lowest terms on the heap. Every Number is finite and lies in the range of double.
@@ -65,6 +69,11 @@ public:
     }
 
     /// digits x 10^exponent.
+    struct Decimal {
+        std::int64_t digits;
+        int exponent;
+    };
+    /// A number of up to 18 digits.
     static Number decimal(std::int64_t digits, int exponent) {
         Number number(digits);
         number.exponent_ = digits == 0 ? 0 : exponent;
@@ -79,13 +88,7 @@ public:
         return number;
     }
 
-    /// digits x 10^exponent.
-    struct Decimal {
-        std::int64_t digits;
-        int exponent;
-    };
-
-    /// The decimal that is held in place, if it is one.
+    /// The decimal that is held in place, if it is.
     std::optional<Decimal> as_decimal() const {
         return is_fraction() ? std::nullopt : std::optional(Decimal{held_.digits, exponent_});
     }
@@ -102,15 +105,11 @@ public:
     /// The nearest float, ties to even; beyond the largest float there is only infinity.
     float nearest_float() const;
 
-    /// A denominator that the value can be written over (not the least one), or nothing if it
-    /// does not fit: 10^3 for 0.250.
+    /// A denominator that the value can be written over, if it fits: 10^3 for 0.250.
     std::optional<std::int64_t> denominator() const;
 
     /// value * denominator, if that is a whole number that fits.
     std::optional<std::int64_t> numerator_over(std::int64_t denominator) const;
-
-    /// value * denominator, rounded to the nearest whole number (a half up), if it is below 2^62.
-    std::optional<std::int64_t> nearest_numerator_over(std::int64_t denominator) const;
 
     /// Equal values, however they were typed.
     friend bool operator==(const Number& a, const Number& b) {
@@ -147,8 +146,8 @@ enum class NumberFault {
     too_long,         ///< of more characters than longest_number
 };
 
-/// The most characters of a number of a scene. Every double can be written out in fewer, digit by digit;
-/// exact arithmetic on much longer ones would take its time at every pixel.
+/// The most characters of a number of a scene. Every double can be written out in fewer; exact
+/// arithmetic on much longer numbers would be slow at every pixel.
 inline constexpr std::size_t longest_number = 1200;
 
 namespace number_text {
@@ -174,10 +173,10 @@ inline bool take(std::string_view& text, char c) {
 
 } // namespace number_text
 
-/// Which sizes of numbers are taken.
+/// Which sizes of numbers are read.
 enum class NumberSize {
     of_double, ///< those of a scene
-    any,       ///< fractions of any size too: exact results may leave the range of double
+    any,       ///< fractions and whole numbers of any size too, as exact results have
 };
 
 /// Reads a decimal (`-4`, `0.25`, `1e-3`) or a fraction of whole numbers (`25/8`, `-1/4`).

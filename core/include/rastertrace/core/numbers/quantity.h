@@ -1,22 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A number that a step tells, whatever Scalar the scene is drawn with.
+// A number of a step, whatever Scalar the scene is drawn with.
 //
 //     [](const ScanlineSpanned<Quantity>& step) { step.left.to_double(); step.left.text(); }
 
 #include <rastertrace/core/numbers/conversion.h>
-#include <rastertrace/core/numbers/rational.h>
 
-#include <concepts>
 #include <string>
-#include <utility>
-#include <variant>
 
 namespace rastertrace {
 
-/// A number as the algorithm had it. One of any size is referred to, not copied: a Quantity lives as
-/// long as the call that it is handed to. Who needs it for longer takes `exact()` or `to_double()`.
+/// A number as the algorithm had it. A Rational is referred to, not copied: a Quantity is valid
+/// during the call that it is handed to. `exact()` and `to_double()` are values to keep.
 class Quantity {
 public:
     Quantity() = default;
@@ -25,7 +21,7 @@ public:
     Quantity(const Fraction64& value) : held_(value) {}  // NOLINT
     Quantity(const Fraction128& value) : held_(value) {} // NOLINT
     Quantity(const Rational& value) : held_(&value) {}   // NOLINT
-    Quantity(Rational&&) = delete;                       // it would be gone
+    Quantity(Rational&&) = delete;                       // the reference would dangle
 
     /// The nearest double.
     double to_double() const;
@@ -36,7 +32,7 @@ public:
     /// As a trace writes it, without quotes: "3.125", or "25/8" where fractions are drawn with.
     std::string text() const;
 
-    /// The number if it is a fraction of any size.
+    /// The number if it is a Rational, else null.
     const Rational* rational() const {
         const auto* const held = std::get_if<const Rational*>(&held_);
         return held ? *held : nullptr;
@@ -44,7 +40,7 @@ public:
 
     /// Calls `use` with the number in its own type.
     template <typename Use> decltype(auto) visit(Use&& use) const {
-        // Doubles are most of all, and are not looked up in a table.
+        // Doubles are the most frequent, and need no table.
         if (const auto* const number = std::get_if<double>(&held_))
             return use(*number);
         return std::visit(
@@ -57,7 +53,7 @@ public:
             held_);
     }
 
-    /// True if two quantities are the same number.
+    /// True if both are the same number, of whatever type.
     friend bool operator==(const Quantity& a, const Quantity& b) { return a.exact() == b.exact(); }
 
 private:

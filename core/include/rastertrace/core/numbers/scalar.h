@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the algorithms ask of a number. An algorithm that needs more than + - * / and < finds it here.
-// NumberTraits has a specialization for each kind of number: float, double and fractions here, GMP's
-// rationals in rational.h.
+// What the algorithms ask of a number. An algorithm that needs more than + - * / and < finds it
+// here. NumberTraits has a specialization for each kind of number: float, double and fractions
+// here, GMP's rationals in rational.h.
 //
 //     floor_index(2.75)                              // 2
 //     floor_index(Fraction<std::int64_t>{-1, 4})     // -1
@@ -15,12 +15,10 @@
 #include <bit>
 #include <cassert>
 #include <cmath>
-#include <concepts>
-#include <cstdint>
 
 namespace rastertrace {
 
-/// What most kinds of numbers have: a cast makes them of whole numbers, and depths are of the same kind.
+/// What most kinds of numbers share: a cast from whole numbers, and depths of the same kind.
 template <typename Scalar> struct PlainNumber {
     using Depth = Scalar;
     static Scalar from(Index whole) { return static_cast<Scalar>(whole); }
@@ -31,8 +29,8 @@ template <typename Scalar> struct PlainNumber {
 ///
 ///     static Index floor(x)        the largest whole number not above x, within +-farthest_index
 ///     static Scalar from(whole)    a whole number as a Scalar
-///     using Depth                  the numbers that depths, and colors in a perspective, are worked out in
-///     static Depth depth(x)        a coordinate as one of these
+///     using Depth                  the numbers of depths, and of colors in a perspective
+///     static Depth depth(x)        a coordinate as a Depth
 template <typename Scalar> struct NumberTraits : PlainNumber<Scalar> {};
 
 template <std::floating_point Real> struct NumberTraits<Real> : PlainNumber<Real> {
@@ -53,24 +51,22 @@ template <typename Integer> Integer floor_quotient(Integer above, Integer below)
     return above % below < 0 ? toward_zero - 1 : toward_zero;
 }
 
-/// The same on 64 bits, where dividing by a power of two is worth a shift: `fixed` does it all the
-/// time.
+/// The same on 64 bits, with a shift for a power of two, as `fixed` has it.
 inline std::int64_t floor_quotient(std::int64_t above, std::int64_t below) {
     const bool is_power_of_two = (below & (below - 1)) == 0;
     return is_power_of_two ? above >> std::countr_zero(static_cast<std::uint64_t>(below))
                            : floor_quotient<std::int64_t>(above, below);
 }
 
-template <typename Integer> struct FractionNumber {
+template <typename Integer> struct FractionNumber : PlainNumber<Fraction<Integer>> {
     static Index floor(const Fraction<Integer>& x) {
-        Integer quotient = floor_quotient(x.numerator, x.denominator);
+        const Integer quotient = floor_quotient(x.numerator, x.denominator);
         return static_cast<Index>(
             std::clamp(quotient, Integer{-farthest_index}, Integer{farthest_index}));
     }
-    static Fraction<Integer> from(Index whole) { return static_cast<Fraction<Integer>>(whole); }
 };
 
-/// The denominators of depths would grow too far: what is drawn on a grid takes doubles for them.
+/// Depths are doubles: their denominators would grow too large.
 template <typename Integer> struct NumberTraits<Fraction<Integer>> : FractionNumber<Integer> {
     using Depth = double;
     static double depth(const Fraction<Integer>& x) { return to_double(x); }
@@ -98,7 +94,7 @@ template <typename Scalar> Scalar scalar_from(Index whole) {
     return NumberTraits<Scalar>::from(whole);
 }
 
-/// The numbers that depths, and colors in a perspective, are worked out in.
+/// The numbers of depths, and of colors in a perspective.
 template <typename Scalar> using DepthOf = typename NumberTraits<Scalar>::Depth;
 
 /// A coordinate as a number for depths.
@@ -106,27 +102,27 @@ template <typename Scalar> decltype(auto) depth_scalar(const Scalar& x) {
     return NumberTraits<Scalar>::depth(x);
 }
 
-/// True if two numbers are not equal, whatever else is not known about them.
+/// True if two numbers are certain to differ.
 template <typename Scalar> bool surely_differ(const Scalar& a, const Scalar& b) {
     return a != b;
 }
 
-/// Does nothing: plan.h has seen that every number is finite. A number that may have left the doubles since
-/// has its own.
+/// Does nothing: plan.h has seen that every number is finite. A filtered double has its own.
 template <typename Scalar> void require_finite(const Scalar&) {}
 
-/// Does nothing: the whole number below a number is certain. Of a filtered double it may not be.
+/// Does nothing: floor_index is certain. A filtered double has its own.
 template <typename Scalar> void require_certain_index(const Scalar&) {}
 
-/// Writes `step` over the denominator of `value`, so that adding it again and again does not make
-/// the fraction grow. The denominator of `value` must be a multiple of that of `step`, as it is for
-/// a point on a line and the line's slope. Other scalars need no such care.
-template <typename Scalar> void write_over_denominator_of(const Scalar&, Scalar&) {}
-
-template <typename Integer>
-void write_over_denominator_of(const Fraction<Integer>& value, Fraction<Integer>& step) {
-    assert(value.denominator % step.denominator == 0);
-    step = {step.numerator * (value.denominator / step.denominator), value.denominator};
+/// Writes `step`, a fraction, over the denominator of `value`, so that repeated additions do not
+/// make the sum's denominator grow. The denominator of `value` must be a multiple of that of
+/// `step`, as for a point on a line and the line's slope.
+template <typename Scalar>
+void write_over_denominator_of([[maybe_unused]] const Scalar& value,
+                               [[maybe_unused]] Scalar& step) {
+    if constexpr (is_fraction<Scalar>) {
+        assert(value.denominator % step.denominator == 0);
+        step = {step.numerator * (value.denominator / step.denominator), value.denominator};
+    }
 }
 
 } // namespace rastertrace

@@ -15,6 +15,7 @@
 
 #include <concepts>
 #include <cstddef>
+#include <type_traits>
 
 namespace rastertrace {
 
@@ -51,14 +52,11 @@ template <typename Scalar> struct ExactVec<Scalar, 4> {
     Scalar w{};
 };
 
-template <typename Scalar, std::size_t size> struct VecOf { using type = ExactVec<Scalar, size>; };
-
-template <std::floating_point Scalar, std::size_t size> struct VecOf<Scalar, size> {
-    using type = glm::vec<static_cast<glm::length_t>(size), Scalar>;
-};
-
 /// A vector with components x, y and so on, up to four of them. `+`, `-`, `dot` and `cross` of
 /// three-component vectors are the same for every scalar; for float and double they are GLM's.
-template <typename Scalar, std::size_t size> using Vec = typename VecOf<Scalar, size>::type;
+template <typename Scalar, std::size_t size>
+using Vec =
+    std::conditional_t<std::floating_point<Scalar>,
+                       glm::vec<static_cast<glm::length_t>(size), Scalar>, ExactVec<Scalar, size>>;
 
 } // namespace rastertrace

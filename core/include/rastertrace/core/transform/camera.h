@@ -9,11 +9,8 @@
 // Source: the look-at matrix of every text, here with T4's two slips put right: the translation is
 // by -position and comes first, and z points from what is looked at to the eye.
 
-#include <rastertrace/core/numbers/scalar.h>
 #include <rastertrace/core/numbers/vec.h>
 #include <rastertrace/core/transform/matrix.h>
-
-#include <array>
 
 namespace rastertrace {
 
@@ -36,20 +33,18 @@ CameraAxes<Scalar> camera_axes(const Vec<Scalar, 3>& position, const Vec<Scalar,
     return {right, cross(back, right), back};
 }
 
-/// What a view is the product of: a rotation, whose rows are the axes, of length 1, and a translation by
+/// The factors of a view: a rotation, whose rows are the axes of length 1, and a translation by
 /// -position, which moves a point first.
 template <typename Scalar>
-std::array<MatrixFactor<Scalar>, 2> view(const CameraAxes<Scalar>& unit_axes,
-                                         const Vec<Scalar, 3>& position, ViewAxis axis) {
+MatrixFactors<Scalar> view(const CameraAxes<Scalar>& unit_axes, const Vec<Scalar, 3>& position,
+                           ViewAxis axis) {
     const auto& [x, y, back] = unit_axes;
-    const Scalar zero = scalar_from<Scalar>(0);
-    const Scalar sign = scalar_from<Scalar>(axis == ViewAxis::minus_z ? 1 : -1);
-    return {{{"rotate",
-              {{{{x.x, x.y, x.z, zero},
-                 {y.x, y.y, y.z, zero},
-                 {Scalar(sign * back.x), Scalar(sign * back.y), Scalar(sign * back.z), zero},
-                 {zero, zero, zero, scalar_from<Scalar>(1)}}}}},
-             {"translate", translation<Scalar>(Vec<Scalar, 3>{} - position)}}};
+    const Vec<Scalar, 3> z = axis == ViewAxis::minus_z ? back : Vec<Scalar, 3>{} - back;
+    const Matrix<Scalar> rotation{{{{x.x, x.y, x.z, 0}, //
+                                    {y.x, y.y, y.z, 0},
+                                    {z.x, z.y, z.z, 0},
+                                    {0, 0, 0, 1}}}};
+    return {{"rotate", rotation}, {"translate", translation<Scalar>(Vec<Scalar, 3>{} - position)}};
 }
 
 } // namespace rastertrace

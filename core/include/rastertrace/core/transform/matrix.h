@@ -7,12 +7,12 @@
 //     const auto rows = translation<double>({0, 0, 4});
 //     rows * Vec<double, 4>{1, 1, 1, 1};  // (1, 1, 5, 1)
 
-#include <rastertrace/core/numbers/scalar.h>
 #include <rastertrace/core/numbers/vec.h>
 
 #include <array>
 #include <cstddef>
 #include <string_view>
+#include <vector>
 
 namespace rastertrace {
 
@@ -44,16 +44,14 @@ template <typename Scalar> struct Matrix {
 /// A matrix with these numbers on its diagonal and 0 elsewhere.
 template <typename Scalar>
 Matrix<Scalar> diagonal(const Scalar& x, const Scalar& y, const Scalar& z, const Scalar& w) {
-    const Scalar zero = scalar_from<Scalar>(0);
-    return {{{{x, zero, zero, zero},
-              {zero, y, zero, zero},
-              {zero, zero, z, zero},
-              {zero, zero, zero, w}}}};
+    return {{{{x, 0, 0, 0}, //
+              {0, y, 0, 0},
+              {0, 0, z, 0},
+              {0, 0, 0, w}}}};
 }
 
 template <typename Scalar> Matrix<Scalar> identity() {
-    const Scalar one = scalar_from<Scalar>(1);
-    return diagonal(one, one, one, one);
+    return diagonal<Scalar>(1, 1, 1, 1);
 }
 
 /// Moves a point by `by`.
@@ -65,10 +63,23 @@ template <typename Scalar> Matrix<Scalar> translation(const Vec<Scalar, 3>& by) 
     return matrix;
 }
 
-/// One of the matrices whose product leads from one space to the next.
+/// The matrix whose entries are `entry_of` those of another one.
+template <typename Scalar, typename From, typename EntryOf>
+Matrix<Scalar> mapped(const Matrix<From>& from, EntryOf&& entry_of) {
+    Matrix<Scalar> matrix;
+    for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t j = 0; j < 4; ++j)
+            matrix.rows[i][j] = entry_of(from.rows[i][j]);
+    return matrix;
+}
+
+/// A factor of the matrix that leads from one space to the next.
 template <typename Scalar> struct MatrixFactor {
     std::string_view name; ///< scale, translate, rotate, shear, perspective, flip
     Matrix<Scalar> matrix;
 };
+
+/// Factors whose product, in this order, is such a matrix: the last one moves a point first.
+template <typename Scalar> using MatrixFactors = std::vector<MatrixFactor<Scalar>>;
 
 } // namespace rastertrace

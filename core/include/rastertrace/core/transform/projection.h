@@ -16,11 +16,8 @@
 //
 //     pinhole(2.0) * Vec<double, 4>{1, 1, 4, 1};  // (2, 2, 2, 4): x/w = 1/2
 
-#include <rastertrace/core/numbers/scalar.h>
-#include <rastertrace/core/numbers/vec.h>
 #include <rastertrace/core/transform/matrix.h>
 
-#include <array>
 #include <optional>
 
 namespace rastertrace {
@@ -36,68 +33,55 @@ template <typename Scalar> struct ViewRange {
 
 /// Scale and translation of an orthographic view. Without near or far, z is only turned.
 template <typename Scalar>
-std::array<MatrixFactor<Scalar>, 2> orthographic(const ViewSides<Scalar>& sides,
-                                                 const ViewRange<Scalar>& range) {
+MatrixFactors<Scalar> orthographic(const ViewSides<Scalar>& sides, const ViewRange<Scalar>& range) {
     const auto& [left, right, bottom, top] = sides;
     const auto& [near, far] = range;
-    const Scalar zero = scalar_from<Scalar>(0);
-    const Scalar one = scalar_from<Scalar>(1);
-    const Scalar two = scalar_from<Scalar>(2);
     const bool has_depth = near && far;
-    const Scalar z_scale = has_depth ? Scalar(-two / (*far - *near)) : Scalar(-one);
-    const Scalar z_shift = has_depth ? Scalar((*far + *near) / two) : zero;
-    return {{{"scale", diagonal<Scalar>(Scalar(two / (right - left)), Scalar(two / (top - bottom)),
-                                        z_scale, one)},
-             {"translate", translation<Scalar>({Scalar(-(left + right) / two),
-                                                Scalar(-(bottom + top) / two), z_shift})}}};
+    const Scalar z_scale = has_depth ? Scalar(-2 / (*far - *near)) : Scalar(-1);
+    const Scalar z_shift = has_depth ? Scalar((*far + *near) / 2) : Scalar(0);
+    return {
+        {"scale", diagonal<Scalar>(2 / (right - left), 2 / (top - bottom), z_scale, 1)},
+        {"translate", translation<Scalar>({-(left + right) / 2, -(bottom + top) / 2, z_shift})}};
 }
 
 /// A pinhole at the distance `d` before its view plane.
 template <typename Scalar> Matrix<Scalar> pinhole(const Scalar& d) {
-    const Scalar zero = scalar_from<Scalar>(0);
-    const Scalar one = scalar_from<Scalar>(1);
-    return {{{{d, zero, zero, zero},
-              {zero, d, zero, zero},
-              {zero, zero, one, Scalar(-d)},
-              {zero, zero, one, zero}}}};
+    return {{{{d, 0, 0, 0}, //
+              {0, d, 0, 0},
+              {0, 0, 1, -d},
+              {0, 0, 1, 0}}}};
 }
 
 /// T4's Mp Mt: the eye at the distance `d` before the view plane.
-template <typename Scalar> std::array<MatrixFactor<Scalar>, 2> view_plane(const Scalar& d) {
-    const Scalar zero = scalar_from<Scalar>(0);
+template <typename Scalar> MatrixFactors<Scalar> view_plane(const Scalar& d) {
     Matrix<Scalar> perspective = identity<Scalar>();
-    perspective.rows[3][2] = -scalar_from<Scalar>(1) / d;
-    return {{{"perspective", perspective}, {"translate", translation<Scalar>({zero, zero, d})}}};
+    perspective.rows[3][2] = -1 / d;
+    return {{"perspective", perspective}, {"translate", translation<Scalar>({0, 0, d})}};
 }
 
-/// A frustum through these sides at the near plane. Infinitely far is the limit of the finite formulas.
+/// A frustum through these sides at the near plane. No `far` is the limit of the finite formulas.
 template <typename Scalar>
 Matrix<Scalar> frustum(const ViewSides<Scalar>& sides, const ViewRange<Scalar>& range) {
     const auto& [left, right, bottom, top] = sides;
     const Scalar& near = *range.near;
     const auto& far = range.far;
-    const Scalar zero = scalar_from<Scalar>(0);
-    const Scalar one = scalar_from<Scalar>(1);
-    const Scalar two = scalar_from<Scalar>(2);
-    const Scalar z_scale = far ? Scalar(-(*far + near) / (*far - near)) : Scalar(-one);
-    const Scalar z_shift = far ? Scalar(-two * *far * near / (*far - near)) : Scalar(-two * near);
-    return {{{{Scalar(two * near / (right - left)), zero, Scalar((right + left) / (right - left)),
-               zero},
-              {zero, Scalar(two * near / (top - bottom)), Scalar((top + bottom) / (top - bottom)),
-               zero},
-              {zero, zero, z_scale, z_shift},
-              {zero, zero, Scalar(-one), zero}}}};
+    const Scalar z_scale = far ? Scalar(-(*far + near) / (*far - near)) : Scalar(-1);
+    const Scalar z_shift = far ? Scalar(-2 * *far * near / (*far - near)) : Scalar(-2 * near);
+    return {{{{2 * near / (right - left), 0, (right + left) / (right - left), 0},
+              {0, 2 * near / (top - bottom), (top + bottom) / (top - bottom), 0},
+              {0, 0, z_scale, z_shift},
+              {0, 0, -1, 0}}}};
 }
 
-/// A frustum by its field of view: y is scaled by the cotangent of half its angle, x by that over the
-/// aspect, width over height.
+/// A frustum by its field of view: y is scaled by the cotangent of half its angle, x by that over
+/// the aspect, width over height.
 template <typename Scalar>
 Matrix<Scalar> frustum_of_view(const Scalar& cotangent, const Scalar& aspect,
                                const ViewRange<Scalar>& range) {
     const Scalar& near = *range.near;
     const Scalar x = near * aspect / cotangent;
     const Scalar y = near / cotangent;
-    return frustum<Scalar>({Scalar(-x), x, Scalar(-y), y}, range);
+    return frustum<Scalar>({-x, x, -y, y}, range);
 }
 
 } // namespace rastertrace

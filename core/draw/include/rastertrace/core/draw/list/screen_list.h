@@ -5,7 +5,7 @@
 // color. geometry.h and pieces.h make it; the plan owns it; drawing walks it.
 
 #include <rastertrace/core/draw/list/drawing_order.h>
-#include <rastertrace/core/draw/scene/projection.h>
+#include <rastertrace/core/draw/scene/transforms.h>
 #include <rastertrace/core/draw/scene/scene.h>
 #include <rastertrace/core/numbers/adaptive.h>
 #include <rastertrace/core/numbers/conversion.h>

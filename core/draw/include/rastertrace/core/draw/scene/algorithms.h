@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The algorithms that a scene can name, and what the rest of the program has to know about each: one row an
-// algorithm. A new one is a page in raster/, an enumerator, its row here, and its case in draw/paint/fill.h, or
-// in draw_line of draw_in.h for a line.
+// The algorithms that a scene can name, and their properties: a row for each. A new algorithm is a
+// page in raster/, an enumerator, its row here, and its case in draw/paint/fill.h, or for a line in
+// draw_line of draw_in.h.
 //
 //     traits_of(Fill::top_left).depths;  // DepthForm::plane
 
@@ -52,10 +52,10 @@ enum class DepthForm {
 struct FillTraits {
     std::string_view name; ///< in a scene
     PixelRule rule;
-    Sample sample;  ///< unless the scene says otherwise
-    bool is_closed; ///< by samples: those on any edge are drawn
-    bool tests_box; ///< every pixel of the box, where others ask only for what they draw
     DepthForm depths;
+    Sample sample = Sample::integer; ///< unless the scene says otherwise
+    bool is_closed = false;          ///< by samples: those on any edge are drawn
+    bool tests_box = false; ///< every pixel of the box, where others ask only for what they draw
 };
 
 /// How many bits a fraction's numerator may have, with coordinates n/D, |n| < 2^b and D <= 2^d.
@@ -71,13 +71,12 @@ struct BitsNeeded {
 
 struct LineTraits {
     std::string_view name;    ///< in a scene
-    bool is_on_grid;          ///< it goes from pixel to pixel, and rounds nothing on the way
-    bool adds_up;             ///< each step adds to the one before
+    bool is_on_grid = false;  ///< it goes from pixel to pixel, and rounds nothing on the way
+    bool adds_up = false;     ///< each step adds to the one before
     BitsNeeded fraction = {}; ///< more than an edge needs (plan.cpp)
 };
 
-/// Of a value that is no enumerator. A switch that ends here has a case for every enumerator: the compiler warns
-/// of a new one.
+/// Ends a switch that has a case for every enumerator: the compiler warns of a new one.
 [[noreturn]] inline void not_an_enumerator() {
     std::abort();
 }
@@ -85,40 +84,23 @@ struct LineTraits {
 constexpr FillTraits traits_of(Fill fill) {
     switch (fill) {
     case Fill::scanline:
-        return {.name = "scanline",
-                .rule = PixelRule::row_ends,
-                .sample = Sample::integer,
-                .is_closed = false,
-                .tests_box = false,
-                .depths = DepthForm::along_edges};
+        return {.name = "scanline", .rule = PixelRule::row_ends, .depths = DepthForm::along_edges};
     case Fill::two_halves:
-        return {.name = "two-halves",
-                .rule = PixelRule::row_ends,
-                .sample = Sample::integer,
-                .is_closed = false,
-                .tests_box = false,
-                .depths = DepthForm::along_edges};
+        return {
+            .name = "two-halves", .rule = PixelRule::row_ends, .depths = DepthForm::along_edges};
     case Fill::barycentric:
         return {.name = "barycentric",
                 .rule = PixelRule::samples,
-                .sample = Sample::integer,
+                .depths = DepthForm::weights,
                 .is_closed = true,
-                .tests_box = true,
-                .depths = DepthForm::weights};
+                .tests_box = true};
     case Fill::top_left:
         return {.name = "top-left",
                 .rule = PixelRule::samples,
-                .sample = Sample::center,
-                .is_closed = false,
-                .tests_box = false,
-                .depths = DepthForm::plane};
+                .depths = DepthForm::plane,
+                .sample = Sample::center};
     case Fill::fan:
-        return {.name = "fan",
-                .rule = PixelRule::lines,
-                .sample = Sample::integer,
-                .is_closed = false,
-                .tests_box = false,
-                .depths = DepthForm::none};
+        return {.name = "fan", .rule = PixelRule::lines, .depths = DepthForm::none};
     }
     not_an_enumerator();
 }
@@ -126,11 +108,11 @@ constexpr FillTraits traits_of(Fill fill) {
 constexpr LineTraits traits_of(LineMethod line) {
     switch (line) {
     case LineMethod::naive: // y = m x + b has the denominator of m twice
-        return {.name = "naive", .is_on_grid = false, .adds_up = false, .fraction = {3, 2, 8}};
+        return {.name = "naive", .fraction = {3, 2, 8}};
     case LineMethod::dda:
-        return {.name = "dda", .is_on_grid = false, .adds_up = true};
+        return {.name = "dda", .adds_up = true};
     case LineMethod::bresenham:
-        return {.name = "bresenham", .is_on_grid = true, .adds_up = false};
+        return {.name = "bresenham", .is_on_grid = true};
     }
     not_an_enumerator();
 }

@@ -6,15 +6,12 @@
 //     Method method{.scalar = ScalarKind::exact, .rounding = Rounding::truncate};
 
 #include <rastertrace/core/draw/scene/algorithms.h>
-#include <rastertrace/core/draw/scene/viewport.h>
 #include <rastertrace/core/numbers/number.h>
 #include <rastertrace/core/raster/edge.h>
 #include <rastertrace/core/raster/facing.h>
 #include <rastertrace/core/raster/line.h>
 #include <rastertrace/core/raster/painter.h>
 #include <rastertrace/core/raster/rounding.h>
-
-#include <optional>
 
 namespace rastertrace {
 
@@ -30,7 +27,7 @@ enum class ScalarKind {
 /// Where the colors of pixels come from.
 enum class Shade {
     flat,        ///< the primitive's color
-    faces,       ///< one of a fixed row of colors for each primitive
+    faces,       ///< a color for each primitive, from a fixed list
     interpolate, ///< mixed from the colors of its vertices; in a perspective, as they mix in space
     affine,      ///< mixed as if the picture were flat: wrong in a perspective
     lambert,     ///< the primitive's color, as bright as its face is turned to the light
@@ -38,28 +35,35 @@ enum class Shade {
 
 /// How triangles in front hide those behind.
 enum class Depth {
-    none,      ///< the last one drawn stays
+    none,      ///< the last primitive drawn stays
     painter,   ///< sorted, the farthest drawn first
     linear_z,  ///< a buffer of the distance, interpolated on the screen: wrong in a perspective
     inverse_z, ///< a buffer of 1/distance, which is linear on the screen
     ndc_z,     ///< a buffer of z after the division by w, which is linear on the screen
 };
 
-/// When a pixel passes the depth test. Always strict: of equals, the first one stays.
+/// When a pixel passes the depth test. Always strict: of equal depths, the first stays.
 enum class DepthCompare {
-    automatic, ///< as the depth's kind has it: what is nearer passes
+    automatic, ///< what is nearer passes
     less,
     greater,
 };
 
 /// Where the depths of a row's ends lie.
 enum class DepthAt {
-    pixel,        ///< where the edges meet the row: each pixel has the depth of its own place
-    rounded_ends, ///< at the row's first and last pixel; a row of one pixel has that of its left end
+    pixel,        ///< where the edges meet the row: each pixel has the depth at its sample point
+    rounded_ends, ///< at the row's first and last pixel; a single pixel has that of its left end
 };
 
-/// The choices of a scene, with their defaults. Where the default depends on what is drawn, nothing
-/// is said until someone says it.
+/// Where screen vertices go before anything is drawn.
+enum class Snap {
+    none,
+    floor,
+    truncate, ///< toward zero
+    nearest,  ///< a half goes as `ties` says, up if it says nothing
+};
+
+/// The choices of a scene and their defaults: `nullopt` where that depends on what is drawn.
 struct Method {
     ScalarKind scalar = ScalarKind::double_precision;
     LineMethod line = LineMethod::bresenham;
@@ -103,12 +107,12 @@ inline LineRules line_rules(const Method& method) {
             method.ends};
 }
 
-/// Where the fill tests pixels: the choice in force, and how far that is from a pixel's integer
-/// point, in x and in y.
+/// Where the fill tests pixels.
 inline Sample sample_of(const Method& method) {
     return method.sample.value_or(traits_of(method.fill).sample);
 }
 
+/// How far that is from a pixel's integer point, in x and in y.
 inline Number sample_offset_of(const Method& method) {
     return sample_of(method) == Sample::center ? Number::decimal(5, -1) : Number(0);
 }

@@ -8,27 +8,14 @@
 //     scene.vertices = {{"A", 2, 5}, {"B", -4, -3}, {"C", 5, -3}};
 //     scene.primitives = {{.kind = PrimitiveKind::triangle, .name = "ABC", .vertices = {0, 1, 2}}};
 
-#include <rastertrace/core/draw/scene/camera.h>
 #include <rastertrace/core/draw/scene/method.h>
-#include <rastertrace/core/draw/scene/model.h>
-#include <rastertrace/core/draw/scene/projection.h>
 #include <rastertrace/core/draw/scene/stage.h>
-#include <rastertrace/core/draw/scene/viewport.h>
-#include <rastertrace/core/numbers/conversion.h>
-#include <rastertrace/core/numbers/number.h>
-#include <rastertrace/core/numbers/vec.h>
-#include <rastertrace/core/raster/canvas.h>
+#include <rastertrace/core/draw/scene/transforms.h>
 #include <rastertrace/core/raster/image.h>
 #include <rastertrace/core/raster/steps.h>
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <span>
 #include <string>
-#include <vector>
 
 namespace rastertrace {
 
@@ -52,29 +39,16 @@ struct SceneObject {
 struct ScenePrimitive {
     PrimitiveKind kind = PrimitiveKind::triangle;
     bool is_painted = true; ///< false: a triangle that hides what lies behind it, and is not seen
-    bool is_side = false;   ///< a line that is drawn only if a face is that it is a side of
+    bool is_side = false;   ///< a line that is drawn only if a face that it bounds is drawn
     std::string name;
     std::array<std::size_t, 3> vertices{}; ///< indices in Scene::vertices, in the author's order
     Color color = {};
-    std::uint32_t polygon = 0; ///< triangles in a row with one number above 0 are parts of one face
+    std::uint32_t polygon = 0; ///< successive triangles with the same number above 0 make a face
 
     /// Its vertices: the first one, two or three of `vertices`.
     std::span<const std::size_t> corners() const {
-        return std::span(vertices).first(corner_count(kind));
-    }
-
-    /// How many vertices a primitive of a kind has.
-    static constexpr std::size_t corner_count(PrimitiveKind kind) {
-        switch (kind) {
-        case PrimitiveKind::point:
-            return 1;
-        case PrimitiveKind::line:
-            return 2;
-        case PrimitiveKind::outline:
-        case PrimitiveKind::triangle:
-            break;
-        }
-        return 3;
+        const bool is_point = kind == PrimitiveKind::point;
+        return std::span(vertices).first(is_point ? 1 : kind == PrimitiveKind::line ? 2 : 3);
     }
 };
 
@@ -102,16 +76,14 @@ struct Light {
 struct Scene {
     std::string title;
     Canvas canvas;
-    std::optional<Color>
-        background; ///< what pixels that nothing draws look like; it draws none of them
+    std::optional<Color> background; ///< of pixels that nothing draws
     std::vector<SceneVertex> vertices;
     std::vector<ScenePrimitive> primitives; ///< drawn in this order
     Method method;
 
-    std::vector<CutFace> cut_faces; ///< what is told of them
-
+    std::vector<CutFace> cut_faces;
     std::vector<SceneObject> objects; ///< none: no vertex has a model
-    std::optional<Camera> camera;     ///< none: the world is the camera's space
+    std::optional<Camera> camera;     ///< none: world space is camera space
     Projection projection;
     Viewport viewport;
     std::optional<Light> light;
@@ -126,68 +98,67 @@ struct Scene {
                                                                  : Depth::none;
     }
 
-    /// True if colors are mixed as they mix in space.
+    /// True if colors of vertices are mixed in perspective.
     bool mixes_in_perspective() const {
         return shade() == Shade::interpolate && is_perspective(projection.type) &&
                has(PrimitiveKind::triangle);
     }
 
-    /// True if pixels are tested against a buffer of depths. Those of a fill that finds no depths are not.
+    /// True if pixels are tested against a depth buffer: never those of a fill without depths.
     bool has_depth_buffer() const {
         const Depth in_force = depth();
         return in_force != Depth::none && in_force != Depth::painter &&
                traits_of(method.fill).depths != DepthForm::none;
     }
 
-    /// True if points or lines are tested against it, too.
+    /// True if points or lines are tested against the depth buffer, too.
     bool has_tested_lines() const {
         return has_depth_buffer() &&
-               std::any_of(primitives.begin(), primitives.end(), [](const ScenePrimitive& one) {
-                   return one.kind != PrimitiveKind::triangle;
-               });
+               std::any_of(primitives.begin(), primitives.end(),
+                           [](const ScenePrimitive& primitive) {
+                               return primitive.kind != PrimitiveKind::triangle;
+                           });
     }
 
-    /// True if faces are turned away or lit: their normals are needed.
+    /// True if faces are culled or lit: their normals are needed.
     bool tests_faces() const {
         return has(PrimitiveKind::triangle) &&
                (method.cull != Cull::none || method.shade == Shade::lambert);
     }
 
-    /// True if vertices are moved before they are drawn, or their z counts: their places on the
-    /// screen, as typed, are not all that is needed.
+    /// True if vertices go through their spaces: x and y as typed are not all that is drawn with.
     bool has_pipeline() const { return needs_pipeline() || keeps_transforms(); }
 
-    /// True if that is so although no stage is kept that the scene does not need.
+    /// True if they would without the stages that `keep` names.
     bool needs_pipeline() const {
         return has_transforms() || tests_faces() || depth() != Depth::none;
     }
 
-    /// True if the places as typed are not those on the screen.
+    /// True if vertices as typed are not in screen space.
     bool has_transforms() const {
         return camera || projection.type != ProjectionType::none ||
                viewport.type != ViewportType::none || method.snap != Snap::none ||
                std::any_of(objects.begin(), objects.end(),
-                           [](const SceneObject& one) { return !one.model.steps().empty(); });
+                           [](const SceneObject& object) { return !object.model.steps().empty(); });
     }
 
-    /// True if vertices go through their spaces even if nothing moves them.
+    /// True if `keep` names a stage that moves vertices.
     bool keeps_transforms() const {
         return keep.has(Stage::model) || keep.has(Stage::view) || keep.has(Stage::divide);
     }
 
     /// True if it has a primitive of this kind.
     bool has(PrimitiveKind kind) const {
-        return std::any_of(primitives.begin(), primitives.end(),
-                           [kind](const ScenePrimitive& one) { return one.kind == kind; });
+        return std::ranges::find(primitives, kind, &ScenePrimitive::kind) != primitives.end();
     }
 
     /// Where the colors of pixels come from.
     Shade shade() const {
         if (method.shade)
             return *method.shade;
-        const bool have_colors = std::any_of(vertices.begin(), vertices.end(),
-                                             [](const SceneVertex& one) { return !!one.color; });
-        return have_colors ? Shade::interpolate : Shade::flat;
+        const bool has_colors = std::any_of(vertices.begin(), vertices.end(),
+                                            [](const auto& vertex) { return !!vertex.color; });
+        return has_colors ? Shade::interpolate : Shade::flat;
     }
 
     /// True if pixels are mixed from the colors of vertices.

@@ -23,7 +23,7 @@ enum class Stage {
     canvas,
     depth,
     perspective,
-    colors,
+    colors
 };
 inline constexpr std::size_t stage_count = 11;
 
@@ -37,7 +37,6 @@ public:
         every.bits_.set();
         return every;
     }
-
     friend bool operator==(const StageSet&, const StageSet&) = default;
 
 private:

@@ -1,24 +1,21 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Who listens to the steps of a drawing: any callable that takes one kind of step, or more, with the
-// numbers as Quantity.
+// A listener to the steps of a drawing: any callable that takes some kind of step, its numbers as
+// Quantity.
 //
 //     int plotted = 0;
 //     draw(scene, plan, [&](const PixelPlotted&) { ++plotted; });
 //
-// Which kinds it takes is asked once; no other is put together. One that takes PrimitiveBegan for its names alone
-// says so by reads_corners().
+// It is asked once which kinds it takes; no others are put together. A callable that takes
+// PrimitiveBegan for its names alone has a member reads_corners() that returns false.
 
 #include <rastertrace/core/numbers/quantity.h>
 #include <rastertrace/core/raster/sink.h>
 #include <rastertrace/core/raster/steps.h>
 
-#include <concepts>
 #include <memory>
 #include <tuple>
-#include <type_traits>
-#include <utility>
 
 namespace rastertrace {
 
@@ -27,7 +24,6 @@ template <typename Step> struct AsTold { using type = Step; };
 template <template <typename> typename Step, typename Scalar> struct AsTold<Step<Scalar>> {
     using type = Step<Quantity>;
 };
-template <typename Step> using Told = typename AsTold<Step>::type;
 
 /// Refers to a callable, and lives no longer than it.
 class Listener {
@@ -35,16 +31,20 @@ public:
     /// Takes no step.
     Listener() = default;
 
-    /// `callable` takes steps by `callable(step)`. If it has a member `takes<Step>()`, that is asked
-    /// first: a kind of which it is false is never handed over.
+    /// `callable` takes steps by `callable(step)`. If it has a member `takes<Step>()`, that is
+    /// asked first: a kind of which it is false is never handed over.
     template <typename Callable>
     requires(std::is_class_v<std::remove_cvref_t<Callable>> &&
              !std::same_as<std::remove_cvref_t<Callable>, Listener>)
         Listener(Callable&& callable) // NOLINT: what is called with steps is a listener
         : callable_(const_cast<void*>(static_cast<const void*>(std::addressof(callable)))) {
-        static_assert(takes_any<std::remove_reference_t<Callable>>(static_cast<Ways*>(nullptr)),
-                      "it can be called with no kind of step (steps.h), over Quantity");
-        std::apply([&callable](auto&... ways) { (find_way(callable, ways), ...); }, ways_);
+        std::apply(
+            [&callable]<typename... Steps>(Way<Steps>&... ways) {
+                static_assert((std::invocable<Callable&, const Steps&> || ...),
+                              "it can be called with no kind of step (steps.h), over Quantity");
+                (find_way(callable, ways), ...);
+            },
+            ways_);
         if constexpr (requires { callable.reads_corners(); })
             reads_corners_ = callable.reads_corners();
     }
@@ -56,7 +56,7 @@ public:
 
     /// True if it takes such steps, over whatever Scalar.
     template <typename Step> bool takes() const {
-        return std::get<Way<Told<Step>>>(ways_) != nullptr;
+        return std::get<Way<typename AsTold<Step>::type>>(ways_) != nullptr;
     }
 
     /// True if it takes a step that fires while a primitive is drawn, but for PrimitiveSkipped.
@@ -69,8 +69,8 @@ public:
                takes<RowsRejected>();
     }
 
-    /// True if it takes PrimitiveBegan, and may read its positions and depths. For one that does not,
-    /// `adaptive` need not work them out exactly.
+    /// True if it takes PrimitiveBegan, and may read its positions and depths. For one that does
+    /// not, `adaptive` need not work them out exactly.
     bool reads_corners() const { return reads_corners_ && takes<PrimitiveBegan<Quantity>>(); }
 
     /// Hands a step over Quantity, or one without numbers, to the callable if it takes such.
@@ -90,11 +90,6 @@ private:
         Way<LineSampled<Quantity>>, Way<LineDecided>, Way<SampleTested<Quantity>>,
         Way<DepthTested<Quantity>>, Way<PixelPlotted>, Way<PixelsRejected>, Way<RowsRejected>,
         Way<BoundExceeded>, Way<PrimitiveSkipped>, Way<FaceTriangulated<Quantity>>>;
-
-    template <typename Callable, typename... Steps>
-    static constexpr bool takes_any(std::tuple<Way<Steps>...>*) {
-        return (std::invocable<Callable&, const Steps&> || ...);
-    }
 
     template <typename Callable, typename Step>
     static void find_way(Callable& callable, Way<Step>& way) {
