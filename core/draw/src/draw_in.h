@@ -138,8 +138,7 @@ inline void require_finite_differences(const std::array<Adaptive, 3>& depths) {
 template <typename Scalar, typename OfPixels> class TrianglePaint {
 public:
     TrianglePaint(const Piece<Scalar>& primitive, const Drawing<Scalar, OfPixels>& drawing)
-        : stages_(drawing.stages_of(primitive.primitive)), flat_(primitive.color),
-          depth_at_(drawing.scene.method.depth_at) {
+        : stages_(drawing.stages_of(primitive.primitive)), flat_(primitive.color) {
         const Method& method = drawing.scene.method;
         // Without area, and where its vertices agree, it has one color.
         const Triangle<Scalar> triangle{primitive.positions};
@@ -171,6 +170,12 @@ public:
     /// True if the plain loop is all: one color, no depths.
     bool is_flat() const { return stages_.colors == ColorStage::flat && !stages_.tests_depth; }
 
+    /// True if PlanePainter paints it: one color, depths in a plane, and no lines are tested.
+    bool is_flat_in_plane(const Drawing<Scalar, OfPixels>& drawing) const {
+        return stages_.colors == ColorStage::flat && stages_.is_painted && plane_ &&
+               !drawing.depth->has_owners();
+    }
+
     /// False if its pixels are neither painted nor tested.
     bool has_work() const { return stages_.is_painted || stages_.tests_depth; }
 
@@ -178,32 +183,27 @@ public:
         return FlatPainter<>(image, flat_, {}, stages_.tests_canvas);
     }
 
-    /// What is done with its pixels.
+    PlanePainter<Scalar> plane_painter(const Drawing<Scalar, OfPixels>& drawing) const {
+        return {drawing.image, flat_, *plane_, *drawing.depth, stages_.tests_canvas};
+    }
+
     template <typename Sink>
-    PixelPainter<OfPixels, Sink> pixel_painter(const Drawing<Scalar, OfPixels>& drawing,
-                                               const Sink& sink) const {
+    RowPainter<Scalar, OfPixels, Sink> row_painter(const Drawing<Scalar, OfPixels>& drawing,
+                                                   const Sink& sink) {
         return {.image = drawing.image,
                 .stages = stages_,
                 .flat = flat_,
                 .mixed = mixed_ ? &*mixed_ : nullptr,
                 .tests = stages_.tests_depth ? drawing.depth : nullptr,
-                .depth_at = depth_at_,
+                .plane = plane_ ? &*plane_ : nullptr,
+                .triangle = depth_ ? &*depth_ : nullptr,
+                .depth_at = drawing.scene.method.depth_at,
                 .sink = sink};
-    }
-
-    /// What finds the depths of its rows.
-    template <typename Sink>
-    RowPainter<Scalar, OfPixels, Sink> row_painter(PixelPainter<OfPixels, Sink>& pixels) {
-        using Painter = RowPainter<Scalar, OfPixels, Sink>;
-        return plane_   ? Painter(pixels, *plane_)
-               : depth_ ? Painter(pixels, *depth_)
-                        : Painter(pixels);
     }
 
 private:
     PixelStages stages_;
     Color flat_;
-    DepthAt depth_at_;
     std::optional<MixedColors<OfPixels>> mixed_;
     std::optional<TriangleDepth<DepthOf<Scalar>>> depth_;
     std::optional<DepthPlane<DepthOf<Scalar>>> plane_;
@@ -286,10 +286,13 @@ void draw_piece(const Piece<Scalar>& piece, Drawing<Scalar, OfPixels>& drawing, 
         if (paint.is_flat())
             return fill(triangle, piece.colors, scene.method, drawing.grid, scene.canvas,
                         paint.flat_painter(drawing.image));
+        if constexpr (std::floating_point<DepthOf<OfPixels>>)
+            if (scene.method.fill == Fill::top_left && paint.is_flat_in_plane(drawing))
+                return fill_top_left(triangle, drawing.grid, scene.canvas,
+                                     paint.plane_painter(drawing));
     }
-    auto pixels = paint.pixel_painter(drawing, sink);
     fill(triangle, piece.colors, scene.method, drawing.grid, scene.canvas,
-         paint.row_painter(pixels));
+         paint.row_painter(drawing, sink));
 }
 
 /// Tells of a piece. The corners of `adaptive` are told as what they stand for: all decisions are about

@@ -315,8 +315,7 @@ private:
         if (paint && paint->is_flat() && paint->has_work()) {
             paint_with(paint->flat_painter(filtered_.image));
         } else if (paint && paint->has_work()) {
-            auto pixels = paint->pixel_painter(filtered_, NullSink{});
-            paint_with(paint->row_painter(pixels));
+            paint_with(paint->row_painter(filtered_, NullSink{}));
         } else if (!paint) {
             draw_thin(piece, filtered_, NullSink{});
         }

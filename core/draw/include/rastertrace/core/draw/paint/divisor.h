@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Dividing whole numbers by the same divisor again and again, exactly.
+// Exact division of whole numbers by a divisor that is used more than once.
 //
 //     const Divisor<std::int64_t> three(3);
 //     three.divide(-7);  // quotient -3, rest 2
@@ -13,7 +13,7 @@
 
 namespace rastertrace {
 
-/// What a whole number is: so many times the divisor, rounded down, and a rest that is not negative.
+/// A quotient that is rounded down, and the remainder, which is not negative.
 template <typename Integer> struct Quotient {
     Integer quotient;
     Integer rest;
@@ -39,9 +39,9 @@ private:
     Integer value_;
 };
 
-/// On 64 bits, multiplied by the reciprocal: a processor divides whole numbers several times slower
-/// than it multiplies doubles. The product is off by a few units in its last place; a quotient of
-/// less than 2^49 is then off by less than 1, and its rest tells which way.
+/// On 64 bits it multiplies by the reciprocal: processors divide integers several times more slowly than they
+/// multiply doubles. The product is off by a few units in its last place. A quotient below 2^49 is then off by
+/// at most 1, and the remainder says in which direction.
 template <> class Divisor<std::int64_t> {
 public:
     explicit Divisor(std::int64_t value) : Divisor(value, 1 / static_cast<double>(value)) {}
