@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The depth buffer: for each pixel, the depth of the nearest triangle drawn there so far. A pixel is
-// drawn only if its own depth is nearer.
+// The depth buffer: for each pixel, the depth of the nearest triangle drawn there so far. A pixel
+// is drawn only if its own depth is nearer.
 //
 //     kind        depth at a vertex      the buffer starts at    nearer is
 //     linear-z    the distance z         farther than all        smaller
@@ -11,9 +11,9 @@
 //
 // The comparison is strict: of equal depths, the first one drawn stays.
 //
-// The buffer holds every depth turned: with the sign that makes the depth that passes the smaller one. That
-// is the nearer depth, unless `depth_compare` asks for the other. So one comparison serves all kinds. Turning
-// is exact, and turning twice gives the depth back.
+// The buffer holds every depth turned: with the sign that makes the depth that passes the smaller
+// one. That is the nearer depth, unless `depth_compare` asks for the other. So one comparison
+// serves all kinds. Turning is exact, and turning twice gives the depth back.
 //
 // Source: Catmull 1974; T0, "Pintando faces", after Gambetta.
 //
@@ -32,8 +32,8 @@
 
 namespace rastertrace {
 
-/// The algorithm, for the pixels of a row. `cells` and `colors` are those of the column x = 0. The depths of
-/// the row and the cells are turned.
+/// The algorithm, for the pixels of a row. `cells` and `colors` are those of the column x = 0. The
+/// depths of the row and the cells are turned.
 template <std::floating_point Scalar>
 [[gnu::always_inline]] inline void paint_nearer(PixelSpan pixels, const DepthRow<Scalar>& depths,
                                                 Scalar* cells, Color* colors, Color color) {
@@ -110,13 +110,14 @@ public:
         return true;
     }
 
-    /// True if nothing has been drawn in a cell whose number cannot say so. Floating point has infinity for
-    /// that; exact numbers need a flag.
+    /// True if nothing has been drawn in a cell whose number cannot say so. Floating point has
+    /// infinity for that; exact numbers need a flag.
     bool is_clear(const Scalar& cell) const {
         return has_clear_cells() && is_clear_[index_of(cell)];
     }
 
-    /// The depth in a cell. `nullopt` if nothing has been drawn there and a clear cell has no depth.
+    /// The depth in a cell. `nullopt` if nothing has been drawn there and a clear cell has no
+    /// depth.
     std::optional<Scalar> stored(const Scalar& cell) const {
         if constexpr (std::floating_point<Scalar>)
             if (!rule_.cleared && cell == clear_cell())

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The depths of a triangle's pixels, from those of its vertices. 1/z and z after the division by w are linear
-// on the screen, z itself is not.
+// The depths of a triangle's pixels, from those of its vertices. 1/z and z after the division by w
+// are linear on the screen, z itself is not.
 //
-//     along the edges, then across the row:   d = d1 + (d2 - d1) (y - y1)/(y2 - y1),   the same in x
+//     along the edges, then across the row:   d = d1 + (d2 - d1) (y - y1)/(y2 - y1), then in x
 //     as a plane:                             d = d1 + s_x (x - x1) + s_y (y - y1)
 //     by weights:                             d = d1 + w2 (d2 - d1) + w3 (d3 - d1)
 //
@@ -147,8 +147,8 @@ std::array<Vec<double, 2>, 3> depth_positions(const Triangle<Fraction<Integer>>&
     return result;
 }
 
-/// The turned depths of a triangle: those of its vertices, and linear between them. All forms are equal in
-/// exact arithmetic, and each keeps equal depths equal.
+/// The turned depths of a triangle: those of its vertices, and linear between them. All forms are
+/// equal in exact arithmetic, and each keeps equal depths equal.
 template <typename Scalar> class TriangleDepth {
 public:
     /// Of the vertices; `larger_passes` as in DepthRule.

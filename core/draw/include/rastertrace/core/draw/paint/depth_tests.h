@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The depth tests of a picture: the depth buffer of the faces. If points or lines are tested too, also which
-// face each depth is of, its owner, and the nearest point or line of each pixel.
+// The depth tests of a picture: the depth buffer of the faces. If points or lines are tested too,
+// also which face each depth is of, its owner, and the nearest point or line of each pixel.
 //
 //     DepthTests<double> tests(region, rule, has_lines);
 //     tests.begin(3);  // the depths that follow are of primitive 3 of the list
@@ -48,7 +48,8 @@ public:
     /// True if the owners of depths are kept.
     bool has_owners() const { return !owners_.empty(); }
 
-    /// The face whose depth is in a cell of row_from(...). `nullopt` if no face has been drawn there.
+    /// The face whose depth is in a cell of row_from(...). `nullopt` if no face has been drawn
+    /// there.
     std::optional<std::uint32_t> owner_of(const Depth& cell) const {
         const std::uint32_t owner = owners_[buffer_.index_of(cell)];
         return owner == no_owner ? std::nullopt : std::optional(owner);
@@ -59,8 +60,8 @@ public:
         return !buffer_.is_clear(cell) && cell < depth;
     }
 
-    /// Tests a turned depth of a face, and keeps it if it is nearer than the cell. Returns true if it is also
-    /// nearer than the point or line of the cell.
+    /// Tests a turned depth of a face, and keeps it if it is nearer than the cell. Returns true if
+    /// it is also nearer than the point or line of the cell.
     bool keep_if_nearer(Depth& cell, const Depth& depth) {
         if (!buffer_.keep_if_nearer(cell, depth))
             return false;
@@ -70,7 +71,8 @@ public:
         return !is_behind_thin(cell, depth, Thickness::face);
     }
 
-    /// True if the point or line of a cell is nearer than a turned depth, or as near and no thicker.
+    /// True if the point or line of a cell is nearer than a turned depth, or as near and no
+    /// thicker.
     bool is_behind_thin(const Depth& cell, const Depth& depth, Thickness thickness) const {
         const auto* const thin = thin_.find(buffer_.index_of(cell));
         return thin && (thickness < thin->thickness ? thin->depth < depth : !(depth < thin->depth));

@@ -39,9 +39,9 @@ private:
     Integer value_;
 };
 
-/// On 64 bits it multiplies by the reciprocal: processors divide integers several times more slowly than they
-/// multiply doubles. The product is off by a few units in its last place. A quotient below 2^49 is then off by
-/// at most 1, and the remainder says in which direction.
+/// On 64 bits it multiplies by the reciprocal: processors divide integers several times more slowly
+/// than they multiply doubles. The product is off by a few units in its last place. A quotient
+/// below 2^49 is then off by at most 1, and the remainder says in which direction.
 template <> class Divisor<std::int64_t> {
 public:
     explicit Divisor(std::int64_t value) : Divisor(value, 1 / static_cast<double>(value)) {}

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The painters of triangles that are tested against a depth buffer, or whose colors are mixed. Each is the sink
-// of a fill, like FlatPainter.
+// The painters of triangles that are tested against a depth buffer, or whose colors are mixed. Each
+// is the sink of a fill, like FlatPainter.
 //
 //     fill_scanline(triangle, rules, canvas,
-//                   RowPainter<double>{.image = image, .stages = stages, .tests = &tests, .triangle = &depth});
+//                   RowPainter<double>{.image = image, .tests = &tests, .triangle = &depth});
 
 #include <rastertrace/core/draw/paint/depth_tests.h>
 #include <rastertrace/core/draw/plan/stages.h>
@@ -36,8 +36,8 @@ template <typename Scalar>
     });
 }
 
-/// The painter of a triangle in one color whose depths lie in a plane and are tested against faces alone. It
-/// is inlined like FlatPainter, and nobody is told.
+/// The painter of a triangle in one color whose depths lie in a plane and are tested against faces
+/// alone. It is inlined like FlatPainter, and nobody is told.
 template <typename Scalar> class PlanePainter {
 public:
     using D = DepthOf<Scalar>;
@@ -66,9 +66,10 @@ private:
     bool tests_canvas_;
 };
 
-/// Any triangle: takes the rows, or the samples, of a fill, finds their depths, tests these, mixes colors, and
-/// tells every step on. What it refers to must live as long. Colors are mixed in `OfPixels`, and depths compared
-/// in DepthOf<OfPixels>: a triangle in exact numbers can be drawn on a picture in filtered doubles.
+/// Any triangle: takes the rows, or the samples, of a fill, finds their depths, tests these, mixes
+/// colors, and tells every step on. What it refers to must live as long. Colors are mixed in
+/// `OfPixels`, and depths compared in DepthOf<OfPixels>: a triangle in exact numbers can be drawn
+/// on a picture in filtered doubles.
 template <typename Scalar, typename OfPixels = Scalar, typename Sink = NullSink> struct RowPainter {
     using D = DepthOf<Scalar>;
     using PixelDepth = DepthOf<OfPixels>;

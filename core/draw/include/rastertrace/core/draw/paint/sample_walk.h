@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The arithmetic of the top-left fill: where the sample points lie, and which is the first right of an edge on
-// each row. Each kind of number has the form that is fastest for it.
+// The arithmetic of the top-left fill: where the sample points lie, and which is the first right of
+// an edge on each row. Each kind of number has the form that is fastest for it.
 //
 //     const SampleGrid<double> grid(0.5, canvas);  // samples at the pixels' centers
 //     SampleWalk<double> walk(top, bottom, grid, 3);
@@ -27,8 +27,8 @@
 
 namespace rastertrace {
 
-/// The sample points of all pixels, each `sample_offset` from its pixel's integer point, in x and in y. Lengths
-/// are in the scene's own coordinates.
+/// The sample points of all pixels, each `sample_offset` from its pixel's integer point, in x and
+/// in y. Lengths are in the scene's own coordinates.
 template <typename Scalar> class SampleGrid {
 public:
     using Length = Scalar;
@@ -47,7 +47,8 @@ public:
 
     /// The first row whose samples are not above the height `y`. Row 0 is the top of the canvas.
     Index first_row_from(const Length& y) const {
-        // A sample's height on the canvas is exact; y less the offset may be rounded to another row.
+        // A sample's height on the canvas is exact; y less the offset may be rounded to another
+        // row.
         const Index near = floor_index(y);
         const Scalar sample = scalar_from<Scalar>(near) + offset_;
         const bool is_above = down() > 0 ? sample < y : y < sample; // as good as random: no branch
@@ -65,8 +66,8 @@ public:
                 Length(scalar_from<Scalar>(canvas_.y_of(row)) + offset_)};
     }
 
-    /// Where an edge crosses a row of samples, in columns. Rounded up, it is the first sample that is not left
-    /// of the edge.
+    /// Where an edge crosses a row of samples, in columns. Rounded up, it is the first sample that
+    /// is not left of the edge.
     Length crossing(const Edge<Length>& edge, int row) const {
         const Length height = scalar_from<Scalar>(canvas_.y_of(row)) + offset_;
         return Length(edge.x_at(height) - offset_);
@@ -110,8 +111,8 @@ public:
     /// D, a pixel's side.
     const Divisor<Length>& pixel() const { return pixel_; }
 
-    /// A row or column as an index. 64 bits need no clamping: plan.h takes them only for coordinates of less
-    /// than 32 bits.
+    /// A row or column as an index. 64 bits need no clamping: plan.h takes them only for
+    /// coordinates of less than 32 bits.
     static Index index_from(Length whole) {
         if constexpr (sizeof(Length) <= sizeof(Index))
             return static_cast<Index>(whole);
@@ -126,8 +127,8 @@ private:
     int scene_down_; ///< the canvas's, for the scene's y
 };
 
-/// Walks along an edge from row to row and gives, on each, the first pixel whose sample is not left of the edge.
-/// This is the form of Rational, and of Adaptive, which may leave a row undecided.
+/// Walks along an edge from row to row and gives, on each, the first pixel whose sample is not left
+/// of the edge. This is the form of Rational, and of Adaptive, which may leave a row undecided.
 template <typename Scalar> class SampleWalk {
 public:
     /// Along the edge from its upper vertex to its lower one, beginning in `row`. The edge must
@@ -146,8 +147,8 @@ private:
     int row_;
 };
 
-/// The first sample that the edge function admits to a triangle on the right of the edge. Beyond the canvas the
-/// function is not evaluated, and the result is `guess`.
+/// The first sample that the edge function admits to a triangle on the right of the edge. Beyond
+/// the canvas the function is not evaluated, and the result is `guess`.
 template <std::floating_point Real>
 [[gnu::cold, gnu::noinline]] Index first_admitted_sample(Vec<Real, 2> upper, Vec<Real, 2> lower,
                                                          const SampleGrid<Real>& grid, int row,
@@ -170,9 +171,9 @@ template <std::floating_point Real>
     return left;
 }
 
-/// In float and double, x on the edge is a guess, and the edge function decides. It need not be evaluated if the
-/// crossing is farther from a sample than the rounding errors of both: then both agree (unless the products of
-/// the function overflow, and its value is of no use).
+/// In float and double, x on the edge is a guess, and the edge function decides. It need not be
+/// evaluated if the crossing is farther from a sample than the rounding errors of both: then both
+/// agree (unless the products of the function overflow, and its value is of no use).
 template <std::floating_point Real> class SampleWalk<Real> {
 public:
     SampleWalk(const Vertex<Real>& upper, const Vertex<Real>& lower, const SampleGrid<Real>& grid,
@@ -200,9 +201,9 @@ private:
         distance_ = static_cast<Real>(guess_) - crossing;
     }
 
-    /// How far rounding moves the crossing, and the zero of the function, in columns: with u the unit
-    /// roundoff and X the larger |x|, 5 u |dx| + 2 u (X + 1) and 8 u (|dx| + 1), so less than 64 u (X + 1).
-    /// Of an edge so low that products underflow nothing is known.
+    /// How far rounding moves the crossing, and the zero of the function, in columns: with u the
+    /// unit roundoff and X the larger |x|, 5 u |dx| + 2 u (X + 1) and 8 u (|dx| + 1), so less than
+    /// 64 u (X + 1). Of an edge so low that products underflow nothing is known.
     static Real margin_of(const Vec<Real, 2>& upper, const Vec<Real, 2>& lower) {
         using Limits = std::numeric_limits<Real>;
         const Real least_height = Limits::min() / Limits::epsilon();
@@ -220,13 +221,13 @@ private:
     Real distance_; ///< from the crossing to the guess
 };
 
-/// On a grid of whole numbers, with one division per edge and none per row. In row r, sample k lies on the
-/// edge if
+/// On a grid of whole numbers, with one division per edge and none per row. In row r, sample k lies
+/// on the edge if
 ///
 ///     k D = x1 + (dx/dy) (r D - y1),   so   k = (x1 dy + dx (r D - y1)) / (D dy)
 ///
-/// k is kept rounded up, with the excess in units of 1/(D dy). From row to row k grows by dx/dy, which is kept
-/// as a whole number of samples and a remainder.
+/// k is kept rounded up, with the excess in units of 1/(D dy). From row to row k grows by dx/dy,
+/// which is kept as a whole number of samples and a remainder.
 template <typename Integer> class SampleWalk<Fraction<Integer>> {
 public:
     SampleWalk(const Vertex<Integer>& upper, const Vertex<Integer>& lower,

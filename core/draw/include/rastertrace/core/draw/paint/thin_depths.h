@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The depths of points and lines. They are not kept in the depth buffer of the faces: there, a line would hide
-// the face that the next line is tested against, and the result would depend on the order of the lines.
+// The depths of points and lines. They are not kept in the depth buffer of the faces: there, a line
+// would hide the face that the next line is tested against, and the result would depend on the
+// order of the lines.
 
 #include <rastertrace/core/raster/steps.h>
 
