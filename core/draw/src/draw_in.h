@@ -327,24 +327,6 @@ void tell_and_draw(const AList& list, const ScreenPrimitive& one, const AFace& f
         draw_piece(piece, drawing, sink);
 }
 
-/// A triangle of the list, in the numbers that depths are tested in.
-template <typename Scalar, typename Coordinate>
-DeepTriangle<DepthOf<Scalar>> triangle_in(const Scene& scene, const ScreenList<Coordinate>& list,
-                                          const ScreenPrimitive& one, const Plan& plan) {
-    using D = DepthOf<Scalar>;
-    DeepTriangle<D> triangle;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const ScreenVertex<Coordinate>& corner = list.vertices[corner_in_list(scene, list, one, i)];
-        triangle[i].at = {depth_scalar(on_grid<Scalar>(corner.position.x, plan)),
-                          depth_scalar(on_grid<Scalar>(corner.position.y, plan))};
-        if constexpr (std::same_as<D, Adaptive>)
-            triangle[i].depth = with_error(corner.depth);
-        else if constexpr (std::constructible_from<D, Coordinate>)
-            triangle[i].depth = D(corner.depth);
-    }
-    return triangle;
-}
-
 /// Draws the list.
 template <typename Scalar, typename AList, typename Sink>
 void draw_list(const AList& list, Drawing<Scalar>& drawing, const Listener& listener,
@@ -356,7 +338,8 @@ void draw_list(const AList& list, Drawing<Scalar>& drawing, const Listener& list
             .primitive_of = [&](std::uint32_t owner) { return list.primitives[owner].primitive; },
             .triangle_of =
                 [&](std::uint32_t owner) {
-                    return triangle_in<Scalar>(scene, list, list.primitives[owner], plan);
+                    const auto piece = piece_of(scene, list, list.primitives[owner]);
+                    return corners_of(piece_in<Scalar>(piece, plan));
                 }};
     // The owner of a depth is an index in the list. Vertices as typed have no depths.
     const auto begin = [&]([[maybe_unused]] const ScreenPrimitive& one) {

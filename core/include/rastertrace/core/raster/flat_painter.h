@@ -14,6 +14,8 @@
 #include <rastertrace/core/raster/span.h>
 #include <rastertrace/core/raster/steps.h>
 
+#include <concepts>
+
 namespace rastertrace {
 
 template <typename Sink = NullSink> class FlatPainter {
@@ -50,15 +52,9 @@ public:
     }
 
     /// A sample that lies in the triangle is one pixel.
-    template <typename Scalar>
-    [[gnu::always_inline]] void operator()(const SampleTested<Scalar>& sample) const {
-        sink_(sample);
-        if (sample.is_inside)
-            (*this)(PixelPlotted{.pixel = sample.pixel, .color = color_});
-    }
-
-    template <typename Scalar>
-    [[gnu::always_inline]] void operator()(const EdgesTested<Scalar>& sample) const {
+    template <typename Sample>
+    requires std::same_as<decltype(Sample::is_inside), bool>
+    [[gnu::always_inline]] void operator()(const Sample& sample) const {
         sink_(sample);
         if (sample.is_inside)
             (*this)(PixelPlotted{.pixel = sample.pixel, .color = color_});
