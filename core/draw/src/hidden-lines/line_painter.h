@@ -198,12 +198,7 @@ public:
         auto& cell = *tests_.row_from(pixel.x, row);
         const auto depth = tests_.tested(points_.depth_at(pixel));
         const auto test = [&] { return verdict_on(pixel, row, cell, depth); };
-        bool passes = false;
-        if constexpr (keeps_steps<Sink>)
-            passes = tests_.decide_and_tell(pixel, cell, depth, test, sink_);
-        else
-            passes = test().passes;
-        if (!passes)
+        if (!tests_.decide_and_tell(pixel, cell, depth, test, sink_))
             return;
         image_.at(pixel) = plotted.color;
         sink_(plotted);
@@ -215,9 +210,8 @@ private:
     /// Tests a turned depth, and keeps it if it passes.
     template <typename Cell>
     DepthVerdict verdict_on(Pixel pixel, int row, Cell& cell, const PixelDepth& depth) const {
-        const auto [face, is_exact] = face_before(pixel, row);
-        DepthVerdict verdict{.passes = false, .is_exact = is_exact};
-        if (face) {
+        DepthVerdict verdict{.passes = false};
+        if (const auto face = face_before(pixel, row, verdict.is_exact)) {
             verdict.reason = DepthReason::behind;
             verdict.other = primitive_of(*face).name;
             return verdict;
@@ -244,15 +238,11 @@ private:
         return verdict;
     }
 
-    /// The face, in the pixel or next to it, that hides the point of the line at a pixel.
-    struct FaceBefore {
-        std::optional<std::uint32_t> owner;
-        bool is_exact = false; ///< a face was tested in exact numbers
-    };
-    FaceBefore face_before(Pixel pixel, int row) const {
+    /// The face, in the pixel or next to it, that hides the point of the line at a pixel, if there is
+    /// one. Sets `is_exact` if a face was tested in exact numbers.
+    std::optional<std::uint32_t> face_before(Pixel pixel, int row, bool& is_exact) const {
         std::array<std::uint32_t, 9> seen{};
         auto end = seen.begin();
-        FaceBefore result;
         // The pixel itself first: usually its own face decides.
         for (const int dy : {0, -1, 1})
             for (const int dx : {0, -1, 1}) {
@@ -262,31 +252,22 @@ private:
                 if (!owner || std::find(seen.begin(), end, *owner) != end)
                     continue;
                 *end++ = *owner;
-                if (is_side_of(*owner))
-                    continue;
-                const Hiding hiding = hiding_of(*owner, pixel);
-                result.is_exact = result.is_exact || hiding.is_exact;
-                if (hiding.hides) {
-                    result.owner = owner;
-                    return result;
-                }
+                if (!is_side_of(*owner) && is_hidden_by(*owner, pixel, is_exact))
+                    return owner;
             }
-        return result;
+        return std::nullopt;
     }
 
-    /// Whether the face of an owner covers the line's point at a pixel, and is nearer there.
-    struct Hiding {
-        bool hides;
-        bool is_exact = false; ///< decided in exact numbers
-    };
-    Hiding hiding_of(std::uint32_t owner, Pixel pixel) const {
+    /// True if the face of an owner covers the point of the line at a pixel, and is nearer there.
+    bool is_hidden_by(std::uint32_t owner, Pixel pixel, bool& is_exact) const {
         if constexpr (std::same_as<Scalar, OfPixels>)
             try {
-                return {hides_point(owners_.triangle_of(owner), points_.at(pixel),
-                                    tests_.larger_passes())};
+                return hides_point(owners_.triangle_of(owner), points_.at(pixel),
+                                   tests_.larger_passes());
             } catch (const Undecided&) {
             }
-        return {owners_.hides_exactly(owner, side_, pixel), true};
+        is_exact = true;
+        return owners_.hides_exactly(owner, side_, pixel);
     }
 
     /// Keeps the last answer about a polygon: the next pixel mostly needs it again.

@@ -183,10 +183,7 @@ private:
     template <typename Cell>
     bool passes_depth_test(Pixel pixel, const PixelDepth& depth, Cell& cell) const {
         const auto test = [&] { return DepthVerdict{tests->keep_if_nearer(cell, depth)}; };
-        if constexpr (keeps_steps<Sink>)
-            return tests->decide_and_tell(pixel, cell, depth, test, sink);
-        else
-            return test().passes;
+        return tests->decide_and_tell(pixel, cell, depth, test, sink);
     }
 
     void plot(Pixel pixel, Color& plotted) const {
