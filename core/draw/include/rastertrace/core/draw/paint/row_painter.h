@@ -158,7 +158,7 @@ private:
 
     void paint_row(const ImageRow& row, PixelSpan pixels, const DepthRow<D>& depths) const {
         const auto& tested = tests->tested(depths, pixels);
-        if (!keeps_steps<Sink> && stages.colors == ColorStage::flat)
+        if (!keeps_steps<Sink> && (stages.colors == ColorStage::flat || !stages.is_painted))
             paint_nearer(row, pixels, tested, *tests, flat, stages.is_painted);
         else
             test_row(row, pixels, tested);
