@@ -142,9 +142,8 @@ template <typename Scalar> void top_left_with_depth(benchmark::State& state) {
                                      {D(depths[0]), D(depths[1]), D(depths[2])},
                                      buffer.larger_passes());
         const auto plane = depth.plane(D(0.5));
-        PixelPainter<Scalar> pixels{
-            .image = image, .stages = {.tests_depth = true}, .tests = &buffer};
-        fill_top_left(triangle, grid, image.canvas(), RowPainter<Scalar>(pixels, plane));
+        fill_top_left(triangle, grid, image.canvas(),
+                      PlanePainter<Scalar>(image, Color{}, plane, buffer));
     });
 }
 

@@ -3,6 +3,7 @@
 
 #include <rastertrace/core/draw/filtered/adaptive_edge.h>
 #include <rastertrace/core/draw/paint/fill_top_left.h>
+#include <rastertrace/core/draw/paint/row_painter.h>
 #include <rastertrace/core/numbers/adaptive.h>
 #include <rastertrace/core/numbers/rational.h>
 #include <rastertrace/core/raster/fill_half_space.h>
@@ -13,7 +14,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace rastertrace {
@@ -72,6 +75,47 @@ TYPED_TEST(HalfSpace, HasThePixelsThatTheTopLeftFillFindsRowByRow) {
     });
     EXPECT_TRUE(holds);
     EXPECT_GT(decided, 10);
+}
+
+template <typename Scalar> class PlaneOfDepths : public testing::Test {};
+using ScalarsWithRoundedDepths = testing::Types<float, double, Fraction64, Fraction128>;
+TYPED_TEST_SUITE(PlaneOfDepths, ScalarsWithRoundedDepths);
+
+TYPED_TEST(PlaneOfDepths, IsPaintedByPlanePainterAsByRowPainter) {
+    using D = DepthOf<TypeParam>;
+    const bool holds = rc::check([] {
+        const Canvas canvas{.width = 13, .height = 11, .origin = Origin::center};
+        const DepthRegion region{
+            .left = canvas.left(), .top_row = 0, .width = canvas.width, .height = canvas.height};
+        Image fast(canvas);
+        Image plain(canvas);
+        DepthTests<D> fast_tests(region, {});
+        DepthTests<D> plain_tests(region, {});
+        const SampleGrid<TypeParam> grid(eighths<TypeParam>(4), canvas);
+        for (std::uint8_t red = 1; red < 5; ++red) {
+            Triangle<TypeParam> triangle;
+            std::array<D, 3> depths{};
+            for (std::size_t i = 0; i < 3; ++i) {
+                triangle.vertices[i] = {eighths<TypeParam>(*rc::gen::inRange(-80, 120)),
+                                        eighths<TypeParam>(*rc::gen::inRange(-80, 120))};
+                depths[i] = static_cast<D>(*rc::gen::inRange(1, 9)) / 7;
+            }
+            const Color color{red, 0, 0};
+            TriangleDepth<D> depth(depth_positions(triangle), depths, false);
+            const auto plane = depth.plane(D(0.5));
+            fill_top_left(triangle, grid, canvas,
+                          PlanePainter<TypeParam>(fast, color, plane, fast_tests));
+            fill_top_left(
+                triangle, grid, canvas,
+                RowPainter<TypeParam>{
+                    .image = plain, .flat = color, .tests = &plain_tests, .plane = &plane});
+        }
+        RC_ASSERT(fast.colors() == plain.colors());
+        RC_ASSERT(std::equal(fast_tests.row_from(canvas.left(), 0),
+                             fast_tests.row_from(canvas.left(), 0) + region.area(),
+                             plain_tests.row_from(canvas.left(), 0)));
+    });
+    EXPECT_TRUE(holds);
 }
 
 TEST(HalfSpaceFill, TellsTheEdgeFunctionsOfEachPixelOfTheBox) {

@@ -107,9 +107,12 @@ TEST(Painters, HideWhatIsFartherThanWhatAnyFillHasDrawn) {
     const auto draw_at = [&](const Triangle<double>& triangle, double z, Color color) {
         TriangleDepth<double> depth(triangle.vertices, {1 / z, 1 / z, 1 / z},
                                     buffer.larger_passes());
-        PixelPainter<double> pixels{
-            .image = image, .stages = {.tests_depth = true}, .flat = color, .tests = &buffer};
-        fill_box(triangle, small_canvas, RowPainter<double>(pixels, depth));
+        fill_box(triangle, small_canvas,
+                 RowPainter<double>{.image = image,
+                                    .stages = {.tests_depth = true},
+                                    .flat = color,
+                                    .tests = &buffer,
+                                    .triangle = &depth});
     };
     const Color near{255, 0, 0}, far{0, 0, 255};
     draw_at({{{{0, 0}, {2, 1}, {1, 1}}}}, 1, near);

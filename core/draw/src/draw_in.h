@@ -44,7 +44,7 @@
 
 namespace rastertrace {
 
-/// A drawing: what of, on which picture, against which depths.
+/// What the drawing of all primitives of a scene shares.
 template <typename Scalar, typename OfPixels = Scalar> struct Drawing {
     const Scene& scene;
     const Plan& plan;
@@ -59,7 +59,7 @@ template <typename Scalar, typename OfPixels = Scalar> struct Drawing {
     }
 };
 
-/// The sink that tells a listener; none keeps none.
+/// A sink of this type for a listener.
 template <typename Sink> Sink sink_to(const Listener& listener) {
     if constexpr (keeps_steps<Sink>)
         return ListenerSink(listener);
@@ -67,21 +67,21 @@ template <typename Sink> Sink sink_to(const Listener& listener) {
         return {};
 }
 
-/// The line between two vertices of a primitive, from the end at which it is drawn first: its true ends, and
-/// the pixels nearest to them.
+/// The line between two vertices of a primitive, in the direction in which it is drawn: its true
+/// ends, and the pixels nearest to them.
 template <typename Scalar> struct DirectedLine {
     Segment<Scalar> segment;
     GridLine pixels;
 };
 
-/// With `from: low`, the end that has the lower coordinate along the major axis comes first. Bresenham's line
-/// goes from pixel to pixel, and its ends are compared as pixels; the others go along the true line.
+/// With `from: low`, it begins at the end with the lower coordinate along the major axis.
+/// Bresenham's line compares the pixels of its ends, the other lines the true ends.
 template <typename Scalar>
 DirectedLine<Scalar> directed_line(const Piece<Scalar>& primitive, EdgeName side,
                                    const Method& method) {
     const Vec<Scalar, 2>& from = primitive.positions[side.from];
     const Vec<Scalar, 2>& to = primitive.positions[side.to];
-    // One after the other: of ends that filtered doubles leave open, the first one is told.
+    // `to` first: if filtered doubles leave both ends open, its bound is told.
     const GridPoint to_pixel = nearest_pixel(to.x, to.y);
     const GridPoint from_pixel = nearest_pixel(from.x, from.y);
     const DirectedLine<Scalar> forward{
@@ -100,14 +100,14 @@ DirectedLine<Scalar> directed_line(const Piece<Scalar>& primitive, EdgeName side
     return is_reversed ? DirectedLine<Scalar>{{to, from}, reversed(forward.pixels)} : forward;
 }
 
-/// The octant in which it is drawn.
+/// The octant in which the line is drawn.
 template <typename Scalar>
 int octant_of(const Piece<Scalar>& primitive, EdgeName side, const Method& method) {
     const GridLine line = directed_line(primitive, side, method).pixels;
     return octant_of(line.from, line.to);
 }
 
-/// Draws the line between two vertices of a primitive; false if it has no pixel to draw.
+/// Draws the line between two vertices of a primitive. Returns false if the line has no pixel.
 template <typename Scalar, typename Sink>
 bool draw_line(const Piece<Scalar>& primitive, EdgeName side, const Method& method,
                const Canvas& canvas, Sink&& sink) {
@@ -124,8 +124,8 @@ bool draw_line(const Piece<Scalar>& primitive, EdgeName side, const Method& meth
     not_an_enumerator();
 }
 
-/// Doubles can tell the depths along an edge only if they hold the difference of its ends, with some to spare
-/// for what is rounded.
+/// Leaves a primitive open if the depths of two vertices differ by more than doubles hold, with a
+/// factor of 2 for rounding.
 inline void require_finite_differences(const std::array<Adaptive, 3>& depths) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < 3; ++i)
@@ -133,15 +133,14 @@ inline void require_finite_differences(const std::array<Adaptive, 3>& depths) {
             Adaptive::leave_open(infinity, infinity);
 }
 
-/// All that is worked out about a triangle before it is filled: what its pixels go through, what their
-/// colors are mixed from, and how deep they lie.
+/// What is computed once per triangle before it is filled: the stages of its pixels, their colors,
+/// and their depths. It makes the painter of the triangle.
 template <typename Scalar, typename OfPixels> class TrianglePaint {
 public:
     TrianglePaint(const Piece<Scalar>& primitive, const Drawing<Scalar, OfPixels>& drawing)
-        : stages_(drawing.stages_of(primitive.primitive)), flat_(primitive.color),
-          depth_at_(drawing.scene.method.depth_at) {
+        : stages_(drawing.stages_of(primitive.primitive)), flat_(primitive.color) {
         const Method& method = drawing.scene.method;
-        // Without area, and where its vertices agree, it has one color.
+        // A triangle has one color if it has no area, or if its vertices have one color.
         const Triangle<Scalar> triangle{primitive.positions};
         const auto& [a, b, c] = primitive.colors;
         if (a == b && a == c)
@@ -168,8 +167,14 @@ public:
                 require_finite_differences(primitive.depths);
     }
 
-    /// True if the plain loop is all: one color, no depths.
+    /// True if FlatPainter paints it: one color, no depths.
     bool is_flat() const { return stages_.colors == ColorStage::flat && !stages_.tests_depth; }
+
+    /// True if PlanePainter paints it: one color, depths in a plane, and no lines are tested.
+    bool is_flat_in_plane(const Drawing<Scalar, OfPixels>& drawing) const {
+        return stages_.colors == ColorStage::flat && stages_.is_painted && plane_ &&
+               !drawing.depth->has_owners();
+    }
 
     /// False if its pixels are neither painted nor tested.
     bool has_work() const { return stages_.is_painted || stages_.tests_depth; }
@@ -178,39 +183,34 @@ public:
         return FlatPainter<>(image, flat_, {}, stages_.tests_canvas);
     }
 
-    /// What is done with its pixels.
+    PlanePainter<Scalar> plane_painter(const Drawing<Scalar, OfPixels>& drawing) const {
+        return {drawing.image, flat_, *plane_, *drawing.depth, stages_.tests_canvas};
+    }
+
     template <typename Sink>
-    PixelPainter<OfPixels, Sink> pixel_painter(const Drawing<Scalar, OfPixels>& drawing,
-                                               const Sink& sink) const {
+    RowPainter<Scalar, OfPixels, Sink> row_painter(const Drawing<Scalar, OfPixels>& drawing,
+                                                   const Sink& sink) {
         return {.image = drawing.image,
                 .stages = stages_,
                 .flat = flat_,
                 .mixed = mixed_ ? &*mixed_ : nullptr,
                 .tests = stages_.tests_depth ? drawing.depth : nullptr,
-                .depth_at = depth_at_,
+                .plane = plane_ ? &*plane_ : nullptr,
+                .triangle = depth_ ? &*depth_ : nullptr,
+                .depth_at = drawing.scene.method.depth_at,
                 .sink = sink};
-    }
-
-    /// What finds the depths of its rows.
-    template <typename Sink>
-    RowPainter<Scalar, OfPixels, Sink> row_painter(PixelPainter<OfPixels, Sink>& pixels) {
-        using Painter = RowPainter<Scalar, OfPixels, Sink>;
-        return plane_   ? Painter(pixels, *plane_)
-               : depth_ ? Painter(pixels, *depth_)
-                        : Painter(pixels);
     }
 
 private:
     PixelStages stages_;
     Color flat_;
-    DepthAt depth_at_;
     std::optional<MixedColors<OfPixels>> mixed_;
     std::optional<TriangleDepth<DepthOf<Scalar>>> depth_;
     std::optional<DepthPlane<DepthOf<Scalar>>> plane_;
 };
 
-/// Draws what is no triangle: a point, a line, or the three lines of an outline. `painter_of(side)` makes the
-/// painter of each; a point's side leads from its corner to itself.
+/// Draws a point, a line, or the three lines of an outline. `painter_of(side)` makes the painter of
+/// each. The side of a point leads from its corner to itself.
 template <typename Scalar, typename PainterOf>
 void draw_lines(const Piece<Scalar>& primitive, const Method& method, const Canvas& canvas,
                 PainterOf&& painter_of) {
@@ -240,7 +240,7 @@ void draw_lines(const Piece<Scalar>& primitive, const Method& method, const Canv
     }
 }
 
-/// Tells that a piece begins. `told` are its corners in the numbers that they are told in.
+/// Emits PrimitiveBegan. `told` has the corners in the numbers that are emitted.
 template <typename Scalar, typename Told, typename Sink>
 void tell_beginning(const Piece<Scalar>& piece, const PieceNames& names, const Piece<Told>& told,
                     bool has_depths, const Plan& plan, const Method& method, Sink&& sink) {
@@ -257,7 +257,7 @@ void tell_beginning(const Piece<Scalar>& piece, const PieceNames& names, const P
         .is_painted = plan.stages.pixels[piece.primitive].is_painted});
 }
 
-/// Draws a point, a line or an outline, tested against the depth buffer or not.
+/// Draws a point, a line or an outline, with or without depth tests.
 template <typename Scalar, typename OfPixels, typename Sink>
 void draw_thin(const Piece<Scalar>& piece, Drawing<Scalar, OfPixels>& drawing, const Sink& sink) {
     const Scene& scene = drawing.scene;
@@ -272,7 +272,7 @@ void draw_thin(const Piece<Scalar>& piece, Drawing<Scalar, OfPixels>& drawing, c
     });
 }
 
-/// Draws a primitive, or a part of one, with its numbers ready to draw.
+/// Draws a piece.
 template <typename Scalar, typename OfPixels, typename Sink>
 void draw_piece(const Piece<Scalar>& piece, Drawing<Scalar, OfPixels>& drawing, const Sink& sink) {
     if (piece.kind != PrimitiveKind::triangle)
@@ -286,14 +286,17 @@ void draw_piece(const Piece<Scalar>& piece, Drawing<Scalar, OfPixels>& drawing, 
         if (paint.is_flat())
             return fill(triangle, piece.colors, scene.method, drawing.grid, scene.canvas,
                         paint.flat_painter(drawing.image));
+        if constexpr (std::floating_point<DepthOf<OfPixels>>)
+            if (scene.method.fill == Fill::top_left && paint.is_flat_in_plane(drawing))
+                return fill_top_left(triangle, drawing.grid, scene.canvas,
+                                     paint.plane_painter(drawing));
     }
-    auto pixels = paint.pixel_painter(drawing, sink);
     fill(triangle, piece.colors, scene.method, drawing.grid, scene.canvas,
-         paint.row_painter(pixels));
+         paint.row_painter(drawing, sink));
 }
 
-/// Tells of a piece. The corners of `adaptive` are told as what they stand for: all decisions are about
-/// those.
+/// Emits what is known of a piece before it is drawn. `adaptive` emits the exact corners, as all
+/// its decisions are about these.
 template <typename AFace, typename Scalar, typename OfPixels, typename Sink>
 void tell_piece(const PieceNames& names, const AFace& face, const Piece<Scalar>& piece,
                 const Drawing<Scalar, OfPixels>& drawing, const Sink& sink) {
@@ -312,7 +315,7 @@ void tell_piece(const PieceNames& names, const AFace& face, const Piece<Scalar>&
     tell_face(face, sink);
 }
 
-/// Tells of a piece and draws it.
+/// Emits what is known of a piece, and draws it.
 template <typename AList, typename AFace, typename Scalar, typename OfPixels, typename Sink>
 void tell_and_draw(const AList& list, const ScreenPrimitive& one, const AFace& face,
                    const Piece<Scalar>& piece, Drawing<Scalar, OfPixels>& drawing,
@@ -322,24 +325,6 @@ void tell_and_draw(const AList& list, const ScreenPrimitive& one, const AFace& f
     tell_piece(names, face, piece, drawing, sink);
     if (!piece.is_skipped)
         draw_piece(piece, drawing, sink);
-}
-
-/// A triangle of the list, in the numbers that depths are tested in.
-template <typename Scalar, typename Coordinate>
-DeepTriangle<DepthOf<Scalar>> triangle_in(const Scene& scene, const ScreenList<Coordinate>& list,
-                                          const ScreenPrimitive& one, const Plan& plan) {
-    using D = DepthOf<Scalar>;
-    DeepTriangle<D> triangle;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const ScreenVertex<Coordinate>& corner = list.vertices[corner_in_list(scene, list, one, i)];
-        triangle[i].at = {depth_scalar(on_grid<Scalar>(corner.position.x, plan)),
-                          depth_scalar(on_grid<Scalar>(corner.position.y, plan))};
-        if constexpr (std::same_as<D, Adaptive>)
-            triangle[i].depth = with_error(corner.depth);
-        else if constexpr (std::constructible_from<D, Coordinate>)
-            triangle[i].depth = D(corner.depth);
-    }
-    return triangle;
 }
 
 /// Draws the list.
@@ -353,9 +338,10 @@ void draw_list(const AList& list, Drawing<Scalar>& drawing, const Listener& list
             .primitive_of = [&](std::uint32_t owner) { return list.primitives[owner].primitive; },
             .triangle_of =
                 [&](std::uint32_t owner) {
-                    return triangle_in<Scalar>(scene, list, list.primitives[owner], plan);
+                    const auto piece = piece_of(scene, list, list.primitives[owner]);
+                    return corners_of(piece_in<Scalar>(piece, plan));
                 }};
-    // The owner of depths is a place in the list. Vertices as typed have no depths.
+    // The owner of a depth is an index in the list. Vertices as typed have no depths.
     const auto begin = [&]([[maybe_unused]] const ScreenPrimitive& one) {
         if constexpr (!std::same_as<AList, TypedVertices>)
             if (drawing.depth)
@@ -392,7 +378,7 @@ Image draw_in(const Scene& scene, const Plan& plan, const Listener& listener,
         drawing.exactness = &exactness.emplace(Exactness{
             ExactPieces(scene, plan), scalar_from<Rational>(sample_offset_of(scene.method))});
 
-    // All vertices on their way to the screen, then what is drawn between them.
+    // First the steps of all vertices, then the primitives.
     const auto draw_all = [&]<typename AList>(const AList& list) {
         if constexpr (draws<Scalar, AList>) {
             if constexpr (!std::same_as<AList, TypedVertices>)

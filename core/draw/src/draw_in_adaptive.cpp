@@ -149,7 +149,8 @@ public:
             const PieceIndex& index = exactness_.drawn[owner];
             if (!index.listed)
                 return corners_of(piece_in<Adaptive>(exactness_.pieces.piece(index), plan_));
-            return triangle_in<Adaptive>(scene_, list, list.primitives[*index.listed], plan_);
+            const auto piece = piece_of(scene_, list, list.primitives[*index.listed]);
+            return corners_of(piece_in<Adaptive>(piece, plan_));
         };
         const std::span all(list.primitives);
         std::size_t next = 0;
@@ -315,8 +316,7 @@ private:
         if (paint && paint->is_flat() && paint->has_work()) {
             paint_with(paint->flat_painter(filtered_.image));
         } else if (paint && paint->has_work()) {
-            auto pixels = paint->pixel_painter(filtered_, NullSink{});
-            paint_with(paint->row_painter(pixels));
+            paint_with(paint->row_painter(filtered_, NullSink{}));
         } else if (!paint) {
             draw_thin(piece, filtered_, NullSink{});
         }

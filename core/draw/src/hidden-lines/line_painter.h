@@ -3,17 +3,20 @@
 
 // Hidden lines: the painter of points, lines and outlines that are tested against the depth buffer.
 //
-// A line's pixel stands for the line's own point at that step of its major axis, and is as deep as the line
-// is there. That point may lie up to a pixel away from the middle of the pixel, where the buffer has the
-// depths of the faces: held against those, a line would be cut to pieces by the faces beside it. So the
-// buffer only says which faces there are, in the pixel and in the eight around it. A face hides the point if
+// A pixel of a line stands for the point of the line at that step of its major axis, and has the
+// depth of that point. The point may lie up to a pixel away from the sample at which the buffer has
+// the depths of the faces. Tested against those depths, a line would be broken by the faces that it
+// borders. So the buffer only says which faces are in the pixel and in the eight around it. A face
+// hides the point if
 //
 //   - the point lies inside it on the screen, its sides included,
-//   - and it is nearer there: of equals the thinner one passes, a line before a face, a point before both;
-//   - and the line is none of its sides, the point none of its corners. That is known by the vertices.
+//   - and it is nearer there: of equal depths the thinner primitive passes, a line before a face,
+//     a point before both;
+//   - and the line is not a side of it, the point not a corner of it, by the indices of vertices.
 //
-// Between points and lines, depths decide: of equals the thinner one passes, and of those the first stays. The
-// buffer keeps them beside the faces, so which pixels they have does not depend on their order.
+// Points and lines are tested against each other by depth: of equal depths the thinner primitive
+// passes, and of equally thin ones the first stays. Their depths are kept apart from those of the
+// faces (thin_depths.h).
 //
 // Source: T1, "Remoção de linhas e superfícies ocultas", by a depth buffer.
 //
@@ -43,7 +46,8 @@
 
 namespace rastertrace {
 
-/// The points of a line, one for each step of its major axis; beyond an end, that end. Depths are turned.
+/// The point of a line at each step of its major axis. Beyond an end it is that end. Depths are
+/// turned.
 template <typename Depth> struct LinePoints {
     bool is_x_major;
     DepthEdge<Depth> across; ///< the other coordinate, and
@@ -51,7 +55,7 @@ template <typename Depth> struct LinePoints {
     DeepPoint<Depth> from;
     DeepPoint<Depth> to;
 
-    /// The depth alone.
+    /// The depth of the point at a pixel.
     Depth depth_at(Pixel pixel) const {
         return depths.held_at(scalar_from<Depth>(is_x_major ? pixel.x : pixel.y));
     }
@@ -71,8 +75,8 @@ template <typename Depth> struct LinePoints {
     }
 };
 
-/// The points of the line between two corners of a piece; of a point, both are the same one. A line that is
-/// seen end-on is its nearer end. `larger_passes` as in DepthRule.
+/// The points of the line between two corners of a piece. Both corners of a point are the same. A
+/// line that is seen end-on is its nearer end. `larger_passes` as in DepthRule.
 template <typename Scalar>
 LinePoints<DepthOf<Scalar>> line_points(const Piece<Scalar>& piece, EdgeName side,
                                         bool larger_passes) {
@@ -98,8 +102,9 @@ LinePoints<DepthOf<Scalar>> line_points(const Piece<Scalar>& piece, EdgeName sid
             to};
 }
 
-/// True if a triangle covers a point on the screen, its sides included, and is nearer there. One without area
-/// covers nothing. The point's depth is turned.
+/// True if a triangle covers a point on the screen, its sides included, and is nearer there. A
+/// triangle without area covers nothing. The depth of the point is turned, those of the triangle
+/// are not.
 template <typename Depth>
 bool hides_point(const DeepTriangle<Depth>& triangle, const DeepPoint<Depth>& point,
                  bool larger_passes) {
@@ -109,7 +114,8 @@ bool hides_point(const DeepTriangle<Depth>& triangle, const DeepPoint<Depth>& po
     };
     const std::array ways{way_to(triangle[0]), way_to(triangle[1]), way_to(triangle[2])};
 
-    // Twice the areas that the point makes with the sides are the weights of the corners, times the area.
+    // Twice the areas that the point makes with the sides are the weights of the corners, times the
+    // area.
     std::array<Depth, 3> weights;
     bool has_positive = false;
     bool has_negative = false;
@@ -123,7 +129,7 @@ bool hides_point(const DeepTriangle<Depth>& triangle, const DeepPoint<Depth>& po
             return false;
     }
 
-    // The depth there times the area, against that of the point: at a corner, just that of the corner.
+    // Both depths times the area. At a corner that is exactly the depth of the corner.
     Depth of_triangle = zero;
     Depth of_point = zero;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -133,7 +139,7 @@ bool hides_point(const DeepTriangle<Depth>& triangle, const DeepPoint<Depth>& po
     return has_positive ? of_triangle < of_point : has_negative && of_point < of_triangle;
 }
 
-/// The scene's vertices at the ends of a side of a piece, which clipping may have cut.
+/// The scene's vertices at the ends of a side of a piece, before clipping.
 template <typename Coordinate>
 std::array<std::size_t, 2> ends_in_scene(const Scene& scene, const Piece<Coordinate>& piece,
                                          EdgeName side) {
@@ -142,16 +148,16 @@ std::array<std::size_t, 2> ends_in_scene(const Scene& scene, const Piece<Coordin
         return {primitive.vertices[0], primitive.vertices[1]};
     if (!piece.is_part)
         return {primitive.vertices[side.from], primitive.vertices[side.to]};
-    // A part of an outline is what is left of a side: it knows the first vertex of that.
+    // A part of an outline is the rest of a side, and has the index of its first vertex.
     const auto corners = primitive.corners();
     const auto first = std::find(corners.begin(), corners.end(), piece.vertices[0]);
     const auto from = static_cast<std::size_t>(first - corners.begin());
     return {corners[from], corners[(from + 1) % corners.size()]};
 }
 
-/// True if the line between two vertices is a side of a triangle, or of the polygon that it is a part of; or
-/// the vertex a corner of it, if both are the same; or an end of a line. A side of a polygon is one of a single
-/// triangle: its diagonals are those of two.
+/// True if the line between two vertices is a side of a primitive, or of the polygon that it is a
+/// part of. If both vertices are the same: if that is one of its corners. A side of a polygon is a
+/// side of one of its triangles, a diagonal of two.
 inline bool is_side_of(const Scene& scene, const std::array<std::size_t, 2>& ends,
                        std::size_t primitive) {
     const auto& all = scene.primitives;
@@ -171,7 +177,7 @@ inline bool is_side_of(const Scene& scene, const std::array<std::size_t, 2>& end
     return ends[0] == ends[1] ? count > 0 : count == 1;
 }
 
-/// Paints those pixels of a point, a line or a side that nothing hides, and tells every step on.
+/// Paints the visible pixels of a point, a line or a side, and tells every step on.
 template <typename Scalar, typename OfPixels, typename Sink> class LinePainter {
 public:
     LinePainter(const Piece<Scalar>& piece, EdgeName side, const Scene& scene, Image& image,
@@ -192,12 +198,7 @@ public:
         auto& cell = *tests_.row_from(pixel.x, row);
         const auto depth = tests_.tested(points_.depth_at(pixel));
         const auto test = [&] { return verdict_on(pixel, row, cell, depth); };
-        bool passes = false;
-        if constexpr (keeps_steps<Sink>)
-            passes = tests_.decide_and_tell(pixel, cell, depth, test, sink_);
-        else
-            passes = test().passes;
-        if (!passes)
+        if (!tests_.decide_and_tell(pixel, cell, depth, test, sink_))
             return;
         image_.at(pixel) = plotted.color;
         sink_(plotted);
@@ -206,12 +207,11 @@ public:
 private:
     using PixelDepth = DepthOf<OfPixels>;
 
-    /// Decides about a turned depth, and keeps it if it passes.
+    /// Tests a turned depth, and keeps it if it passes.
     template <typename Cell>
     DepthVerdict verdict_on(Pixel pixel, int row, Cell& cell, const PixelDepth& depth) const {
-        const auto [face, is_exact] = face_before(pixel, row);
-        DepthVerdict verdict{.passes = false, .is_exact = is_exact};
-        if (face) {
+        DepthVerdict verdict{.passes = false};
+        if (const auto face = face_before(pixel, row, verdict.is_exact)) {
             verdict.reason = DepthReason::behind;
             verdict.other = primitive_of(*face).name;
             return verdict;
@@ -223,7 +223,7 @@ private:
         };
         const auto owner = tests_.owner_of(cell);
         if (tests_.is_behind_thin(cell, depth, thickness_)) {
-            // A line does not hide its own ends.
+            // A line does not hide the points at its ends.
             const std::uint32_t thin = *tests_.thin_owner_of(cell);
             verdict.is_by_thin = true;
             if (thickness_ < thickness_of(primitive_of(thin).kind) && is_side_of(thin))
@@ -238,17 +238,12 @@ private:
         return verdict;
     }
 
-    /// The owner of a depth, in the pixel or next to it, whose face hides the line's point; and whether that
-    /// took exact numbers.
-    struct FaceBefore {
-        std::optional<std::uint32_t> owner;
-        bool is_exact = false;
-    };
-    FaceBefore face_before(Pixel pixel, int row) const {
+    /// The face, in the pixel or next to it, that hides the point of the line at a pixel, if there is
+    /// one. Sets `is_exact` if a face was tested in exact numbers.
+    std::optional<std::uint32_t> face_before(Pixel pixel, int row, bool& is_exact) const {
         std::array<std::uint32_t, 9> seen{};
         auto end = seen.begin();
-        FaceBefore result;
-        // The pixel itself first: mostly that decides.
+        // The pixel itself first: usually its own face decides.
         for (const int dy : {0, -1, 1})
             for (const int dx : {0, -1, 1}) {
                 if (!tests_.has(pixel.x + dx, row + dy))
@@ -257,34 +252,25 @@ private:
                 if (!owner || std::find(seen.begin(), end, *owner) != end)
                     continue;
                 *end++ = *owner;
-                if (is_side_of(*owner))
-                    continue;
-                const Hiding hiding = hiding_of(*owner, pixel);
-                result.is_exact = result.is_exact || hiding.is_exact;
-                if (hiding.hides) {
-                    result.owner = owner;
-                    return result;
-                }
+                if (!is_side_of(*owner) && is_hidden_by(*owner, pixel, is_exact))
+                    return owner;
             }
-        return result;
+        return std::nullopt;
     }
 
-    /// Whether the face of an owner covers the line's point at a pixel, and is nearer there.
-    struct Hiding {
-        bool hides;
-        bool is_exact = false; ///< it took exact numbers
-    };
-    Hiding hiding_of(std::uint32_t owner, Pixel pixel) const {
+    /// True if the face of an owner covers the point of the line at a pixel, and is nearer there.
+    bool is_hidden_by(std::uint32_t owner, Pixel pixel, bool& is_exact) const {
         if constexpr (std::same_as<Scalar, OfPixels>)
             try {
-                return {hides_point(owners_.triangle_of(owner), points_.at(pixel),
-                                    tests_.larger_passes())};
+                return hides_point(owners_.triangle_of(owner), points_.at(pixel),
+                                   tests_.larger_passes());
             } catch (const Undecided&) {
             }
-        return {owners_.hides_exactly(owner, side_, pixel), true};
+        is_exact = true;
+        return owners_.hides_exactly(owner, side_, pixel);
     }
 
-    /// The same owner is asked about again and again.
+    /// Keeps the last answer about a polygon: the next pixel mostly needs it again.
     bool is_side_of(std::uint32_t owner) const {
         const std::size_t primitive = owners_.primitive_of(owner);
         const std::uint32_t polygon = scene_.primitives[primitive].polygon;

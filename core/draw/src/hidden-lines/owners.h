@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What hidden lines ask of the faces that have been drawn: which face a depth is of, and where it lies.
+// What hidden lines need to know of the faces that have been drawn: which face a depth is of, and
+// its corners.
 
 #include <rastertrace/core/draw/list/pieces.h>
 #include <rastertrace/core/numbers/vec.h>
@@ -15,7 +16,7 @@
 
 namespace rastertrace {
 
-/// A point on the screen, and how deep it lies there.
+/// A point on the screen, and its depth.
 template <typename Depth> struct DeepPoint {
     Vec<Depth, 2> at;
     Depth depth;
@@ -43,11 +44,11 @@ template <typename Depth> struct Owners {
     /// The triangle on the screen.
     std::function<DeepTriangle<Depth>(std::uint32_t owner)> triangle_of = {};
 
-    /// Filtered doubles have two more. Whether a face hides the point that the line or side which is being drawn
-    /// has at a pixel, in exact numbers:
+    /// Filtered doubles only: whether a face hides the point of the current line at a pixel, in
+    /// exact numbers.
     std::function<bool(std::uint32_t owner, EdgeName side, Pixel pixel)> hides_exactly = {};
 
-    /// The depths that follow are of another side of the same piece.
+    /// Filtered doubles only: called before each side of a piece is drawn.
     std::function<void(EdgeName side)> begin_side = {};
 };
 

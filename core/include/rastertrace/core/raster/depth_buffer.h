@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The depth buffer: for each pixel, the depth of the nearest triangle drawn there so far. A pixel is
-// drawn only if its own depth is nearer.
+// The depth buffer: for each pixel, the depth of the nearest triangle drawn there so far. A pixel
+// is drawn only if its own depth is nearer.
 //
 //     kind        depth at a vertex      the buffer starts at    nearer is
 //     linear-z    the distance z         farther than all        smaller
@@ -11,16 +11,18 @@
 //
 // The comparison is strict: of equal depths, the first one drawn stays.
 //
-// The buffer holds every depth turned: with the sign that makes the one that passes smaller (the nearer
-// one, unless the scene asks for the other with `depth_compare`), so that one comparison serves all. Turning is
-// exact, and turning twice gives the depth back.
+// The buffer holds every depth turned: with the sign that makes the depth that passes the smaller
+// one. That is the nearer depth, unless `depth_compare` asks for the other. So one comparison
+// serves all kinds. Turning is exact, and turning twice gives the depth back.
 //
 // Source: Catmull 1974; T0, "Pintando faces", after Gambetta.
 //
 //     DepthBuffer<double> buffer(region, {.larger_passes = true, .cleared = 0.0});
-//     buffer.keep_if_nearer(*buffer.row_from(x, row), buffer.turned(0.25));
+//     paint_nearer(pixels, depths, buffer.row_from(0, row), colors, Color{255, 0, 0});
 
-#include <rastertrace/core/numbers/scalar.h>
+#include <rastertrace/core/raster/depth_interpolation.h>
+#include <rastertrace/core/raster/image.h>
+#include <rastertrace/core/raster/span.h>
 
 #include <concepts>
 #include <cstddef>
@@ -30,16 +32,25 @@
 
 namespace rastertrace {
 
+/// The algorithm, for the pixels of a row. `cells` and `colors` are those of the column x = 0. The
+/// depths of the row and the cells are turned.
+template <std::floating_point Scalar>
+[[gnu::always_inline]] inline void paint_nearer(PixelSpan pixels, const DepthRow<Scalar>& depths,
+                                                Scalar* cells, Color* colors, Color color) {
+    for (int x = pixels.first; x <= pixels.last; ++x) {
+        const Scalar depth = depths.at(x);
+        if (depth < cells[x]) {
+            cells[x] = depth;
+            colors[x] = color;
+        }
+    }
+}
+
 /// When a depth passes, and what an untouched pixel holds.
 template <typename Scalar> struct DepthRule {
     bool larger_passes = false;
     std::optional<Scalar> cleared = {}; ///< none: every depth passes
 };
-
-/// A depth with the sign that makes the nearer one smaller.
-template <typename Depth> Depth turned(const Depth& depth, bool larger_passes) {
-    return larger_passes ? Depth(-depth) : depth;
-}
 
 /// The pixels that have a depth: columns from `left` on, rows from `top_row` on.
 struct DepthRegion {
@@ -56,7 +67,8 @@ struct DepthRegion {
         return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     }
 
-    /// The place of a pixel in row-major order. It may lie beside the region, as a column to count from.
+    /// The index of a pixel in row-major order. The column may lie outside of the region: rows are
+    /// addressed from x = 0.
     std::ptrdiff_t offset_of(int x, int row) const {
         return static_cast<std::ptrdiff_t>(row - top_row) * width + (x - left);
     }
@@ -78,7 +90,7 @@ public:
     /// The turned depths of a row from column x on. The region must have the pixel.
     Scalar* row_from(int x, int row) { return cells_.data() + region_.offset_of(x, row); }
 
-    /// The place of a cell of row_from(...) among all.
+    /// The index of a cell of row_from(...) in row-major order.
     std::size_t index_of(const Scalar& cell) const {
         return static_cast<std::size_t>(&cell - cells_.data());
     }
@@ -98,13 +110,14 @@ public:
         return true;
     }
 
-    /// True if nothing has been drawn in a cell, and no number says so: floating point has one beyond all
-    /// others; of exact numbers it is remembered.
+    /// True if nothing has been drawn in a cell whose number cannot say so. Floating point has
+    /// infinity for that; exact numbers need a flag.
     bool is_clear(const Scalar& cell) const {
         return has_clear_cells() && is_clear_[index_of(cell)];
     }
 
-    /// The depth that a cell holds, if that is a number.
+    /// The depth in a cell. `nullopt` if nothing has been drawn there and a clear cell has no
+    /// depth.
     std::optional<Scalar> stored(const Scalar& cell) const {
         if constexpr (std::floating_point<Scalar>)
             if (!rule_.cleared && cell == clear_cell())

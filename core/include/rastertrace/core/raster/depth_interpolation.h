@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The depths of a triangle's pixels, from those of its vertices. 1/z and z after the division by w are linear
-// on the screen, z itself is not.
+// The depths of a triangle's pixels, from those of its vertices. 1/z and z after the division by w
+// are linear on the screen, z itself is not.
 //
-//     along the edges, then across the row:   d = d1 + (d2 - d1) (y - y1)/(y2 - y1),   the same in x
+//     along the edges, then across the row:   d = d1 + (d2 - d1) (y - y1)/(y2 - y1), then in x
 //     as a plane:                             d = d1 + s_x (x - x1) + s_y (y - y1)
 //     by weights:                             d = d1 + w2 (d2 - d1) + w3 (d3 - d1)
 //
@@ -18,7 +18,6 @@
 #include <rastertrace/core/numbers/fraction.h>
 #include <rastertrace/core/numbers/scalar.h>
 #include <rastertrace/core/numbers/vec.h>
-#include <rastertrace/core/raster/depth_buffer.h>
 #include <rastertrace/core/raster/steps.h>
 #include <rastertrace/core/raster/triangle.h>
 
@@ -31,12 +30,17 @@
 
 namespace rastertrace {
 
+/// A depth with the sign that makes the nearer one smaller.
+template <typename Depth> Depth turned(const Depth& depth, bool larger_passes) {
+    return larger_passes ? Depth(-depth) : depth;
+}
+
 /// The turned depths of a row of a triangle: linear in x.
 template <typename Scalar> struct DepthRow {
-    Scalar x;                       ///< where
-    Scalar depth;                   ///< the depth is this, and
-    Scalar slope;                   ///< from pixel to pixel it grows by this
-    std::optional<Scalar> end = {}; ///< a pixel left of `x` or right of this has the depth there
+    Scalar x;                       ///< the depth is known here
+    Scalar depth;                   ///< at x
+    Scalar slope;                   ///< the change in depth from a pixel to the next
+    std::optional<Scalar> end = {}; ///< pixels outside of [x, end] have the depth of the nearer end
 
     Scalar at(int column) const {
         const Scalar here = scalar_from<Scalar>(column);
@@ -44,8 +48,7 @@ template <typename Scalar> struct DepthRow {
     }
 };
 
-/// A slope that is too steep for its numbers belongs to a row or a triangle that is too thin to have
-/// more than one depth.
+/// 0 for a slope that overflows: its row or triangle is too thin to have more than one depth.
 template <typename Scalar> Scalar finite_or_zero(const Scalar& slope) {
     if constexpr (std::floating_point<Scalar>)
         return std::isfinite(slope) ? slope : Scalar(0);
@@ -66,7 +69,7 @@ public:
         return is_horizontal_ ? depth_ : Scalar(depth_ + rise_ * (y - y_) / height_);
     }
 
-    /// The same, and the depth of an end beyond it.
+    /// The same; beyond an end, the depth of that end.
     Scalar held_at(const Scalar& y) const {
         if (is_horizontal_)
             return depth_;
@@ -144,8 +147,8 @@ std::array<Vec<double, 2>, 3> depth_positions(const Triangle<Fraction<Integer>>&
     return result;
 }
 
-/// The turned depths of a triangle: those of its vertices, and linear between them. Both forms are
-/// equal in exact arithmetic, and both keep equal depths equal.
+/// The turned depths of a triangle: those of its vertices, and linear between them. All forms are
+/// equal in exact arithmetic, and each keeps equal depths equal.
 template <typename Scalar> class TriangleDepth {
 public:
     /// Of the vertices; `larger_passes` as in DepthRule.

@@ -1,32 +1,34 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The simplest painter: every pixel of a primitive in one color. A painter is the sink of a fill. It
-// paints the pixels of the rows that the fill yields, and tells every step on.
+// The simplest painter: every pixel of a primitive in one color. A painter is the sink of a fill.
+// It paints the pixels of the rows that the fill yields, and tells every step on.
 //
 //     fill_scanline(triangle, rules, canvas, FlatPainter(image, Color{255, 0, 0}));
 //     fill_scanline(triangle, rules, canvas, FlatPainter(image, Color{255, 0, 0}, listening_sink));
 //
-// Inline, with all that a row of a small triangle needs: calling it would cost as much as the row.
+// It is inlined into the fill: a call would cost as much as a row of a small triangle.
 
 #include <rastertrace/core/raster/image.h>
 #include <rastertrace/core/raster/sink.h>
 #include <rastertrace/core/raster/span.h>
 #include <rastertrace/core/raster/steps.h>
 
+#include <concepts>
+
 namespace rastertrace {
 
 template <typename Sink = NullSink> class FlatPainter {
 public:
-    /// `tests_canvas` is false if every row is known to lie on the canvas. A sink without a name must be
-    /// callable as a constant; one with a name is referred to.
+    /// `tests_canvas` is false if every row is known to lie on the canvas. A sink without a name
+    /// must be callable as a constant; one with a name is referred to.
     FlatPainter(Image& image, Color color, Sink sink = {}, bool tests_canvas = true)
         : image_(image), color_(color), tests_canvas_(tests_canvas), sink_{sink} {}
 
-    /// Whom it tells may want the numbers of such a step.
+    /// True if the sink takes such a step.
     template <typename Step> bool takes() const { return rastertrace::takes<Step>(sink_); }
 
-    /// What paints nothing is told on.
+    /// A step that paints nothing.
     template <typename Step> [[gnu::always_inline]] void operator()(const Step& step) const {
         sink_(step);
     }
@@ -50,15 +52,9 @@ public:
     }
 
     /// A sample that lies in the triangle is one pixel.
-    template <typename Scalar>
-    [[gnu::always_inline]] void operator()(const SampleTested<Scalar>& sample) const {
-        sink_(sample);
-        if (sample.is_inside)
-            (*this)(PixelPlotted{.pixel = sample.pixel, .color = color_});
-    }
-
-    template <typename Scalar>
-    [[gnu::always_inline]] void operator()(const EdgesTested<Scalar>& sample) const {
+    template <typename Sample>
+    requires std::same_as<decltype(Sample::is_inside), bool>
+    [[gnu::always_inline]] void operator()(const Sample& sample) const {
         sink_(sample);
         if (sample.is_inside)
             (*this)(PixelPlotted{.pixel = sample.pixel, .color = color_});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The picture: one color per pixel of a canvas. The only state that the fills of this folder share.
+// The picture: one color per pixel of a canvas. It is the only state that fills share.
 //
 //     Image image(canvas);
 //     image.at({2, 5}) = Color{255, 0, 0, 255};
@@ -84,7 +84,7 @@ public:
 
 private:
     Canvas canvas_;
-    int left_; ///< of the canvas, worked out once: a row of a small triangle is soon filled
+    int left_; ///< left(), top() and down() of the canvas, computed once: rows are often short
     int top_;
     int down_;
     Colors colors_; ///< of zeros at first: no_color

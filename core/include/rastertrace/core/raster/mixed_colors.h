@@ -29,12 +29,12 @@ template <typename Scalar> struct MixedColors {
     std::array<D, 3> inverse_w{}; ///< of the vertices, in a perspective
     ColorRounding rounding = ColorRounding::nearest;
 
-    /// Where a pixel lies outside the triangle (the floor rule draws some) the mixture may leave
-    /// 0..255, and is held there.
+    /// The color of a pixel. Outside the triangle (the floor rule draws such pixels) the mixture
+    /// may leave 0..255, and is clamped.
     template <bool in_perspective> Color at(Pixel pixel) const {
         const auto level = [this](const auto& channel) { return level_of(channel, rounding); };
         const auto weights = on_screen(pixel);
-        // Where w is the same all over, so are the weights.
+        // If all vertices have the same w, the weights on the screen are those in space.
         if constexpr (in_perspective)
             if (inverse_w[0] != inverse_w[1] || inverse_w[0] != inverse_w[2])
                 return mixed(in_space(weights), level);
@@ -47,9 +47,9 @@ template <typename Scalar> struct MixedColors {
                                        Scalar(scalar_from<Scalar>(pixel.y) + sample_offset)});
     }
 
-    /// The weights in space of a point that has these weights on the screen: each is divided by the
-    /// w of its vertex, and all are divided by their sum. A point so far outside the triangle that
-    /// it has none keeps what it has.
+    /// The weights in space of a point with these weights on the screen: each is divided by the w
+    /// of its vertex, then by the sum of all. If that sum is not positive, far outside the
+    /// triangle, they stay as they are.
     std::array<D, 3> in_space(const std::array<Scalar, 3>& on_screen) const {
         const std::array<D, 3> weights{depth_scalar(on_screen[0]), depth_scalar(on_screen[1]),
                                        depth_scalar(on_screen[2])};
@@ -74,7 +74,7 @@ template <typename Scalar> struct MixedColors {
     template <typename Weight, typename LevelOf>
     [[gnu::noinline]] Color mixed(const std::array<Weight, 3>& weights, LevelOf level_of) const {
         const auto mix = [&](std::uint8_t (Color::*channel)() const) {
-            // What is the same everywhere is not rounded.
+            // A channel that is the same at all vertices is not rounded.
             const std::uint8_t first = (corners[0].*channel)();
             if (first == (corners[1].*channel)() && first == (corners[2].*channel)())
                 return first;

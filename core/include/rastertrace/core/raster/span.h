@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What a fill yields: the rows of a triangle, as far as the canvas has them, and in each row the pixels
-// from one edge to another. What is done with these is a painter's business.
+// The rows of a triangle, cut to the canvas, and the pixels of each row from one edge to the other.
+// A fill finds them, a painter paints them.
 //
 //     const auto rows = rows_on_canvas(first_row, last_row, misses_sides, canvas, sink);
 
@@ -23,7 +23,7 @@ struct RowRange {
     bool is_empty() const { return begin == end; }
 };
 
-/// Tells those above and below the canvas.
+/// Emits the rows above and below the canvas.
 template <typename Sink>
 requires SinkFor<Sink, RowsRejected>
 void tell_rejected_rows(Index first_row, Index last_row, Canvas canvas, Sink&& sink) {
@@ -36,9 +36,9 @@ void tell_rejected_rows(Index first_row, Index last_row, Canvas canvas, Sink&& s
                           .to_y = canvas.y_of(last_row)});
 }
 
-/// The rows of a triangle that the canvas has, out of those from `first_row` to `last_row`; the others
-/// are told. None if it lies between two rows, or misses the canvas: then that is told.
-/// `misses_sides()` says whether all of it lies left of the canvas, or all of it right.
+/// The rows from `first_row` to `last_row` that are on the canvas. Emits the others. A triangle
+/// that lies between two rows, or off the canvas, has none and is skipped. `misses_sides()` is true
+/// if all of the triangle lies left of the canvas, or all of it right.
 template <typename MissesSides, typename Sink>
 requires SinkFor<Sink, RowsRejected, PrimitiveSkipped>
 [[gnu::always_inline]] inline RowRange rows_on_canvas(Index first_row, Index last_row,
@@ -63,7 +63,7 @@ struct PixelSpan {
     int last;
 };
 
-/// Those of a row from x = `from` to x = `to` that the canvas has.
+/// The pixels from x = `from` to x = `to` that are on the canvas.
 [[gnu::always_inline]] inline PixelSpan span_on_canvas(const ImageRow& row, Index from, Index to) {
     const Index left = row.left;
     const Index right = row.right;
@@ -71,7 +71,7 @@ struct PixelSpan {
             static_cast<int>(std::clamp(to, left - 1, right))};
 }
 
-/// Tells those left of the canvas: before the pixels that are plotted.
+/// Emits the pixels left of the canvas. Called before the row is painted.
 template <typename Sink>
 requires SinkFor<Sink, PixelsRejected>
 [[gnu::always_inline]] inline void tell_rejected_left(const ImageRow& row, Index from, Index to,
@@ -83,7 +83,7 @@ requires SinkFor<Sink, PixelsRejected>
                             .to_y = row.y});
 }
 
-/// Tells those right of it: after them.
+/// Emits the pixels right of the canvas. Called after the row is painted.
 template <typename Sink>
 requires SinkFor<Sink, PixelsRejected>
 [[gnu::always_inline]] inline void tell_rejected_right(const ImageRow& row, Index from, Index to,

@@ -16,7 +16,7 @@
 #include <rastertrace/core/numbers/adaptive.h>
 #include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/core/numbers/vec.h>
-#include <rastertrace/core/raster/depth_interpolation.h>
+#include <rastertrace/core/raster/depth_buffer.h>
 #include <rastertrace/core/raster/image.h>
 #include <rastertrace/core/raster/shading.h>
 #include <rastertrace/core/raster/steps.h>

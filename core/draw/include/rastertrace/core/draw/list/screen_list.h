@@ -121,15 +121,6 @@ std::size_t primitive_at(const ScreenList<Coordinate>& list, std::size_t turn) {
     return list.order ? list.order->primitives[turn] : turn;
 }
 
-/// Where the list has a corner of a triangle, or of a part of one.
-template <typename Coordinate>
-std::size_t corner_in_list(const Scene& scene, const ScreenList<Coordinate>& list,
-                           const ScreenPrimitive& one, std::size_t corner) {
-    return one.state == ScreenPrimitive::State::part
-               ? list.parts[one.index].corners[corner]
-               : scene.primitives[one.primitive].vertices[corner];
-}
-
 /// True if all of a primitive is in view, so that clipping leaves it alone.
 template <typename Coordinate>
 bool is_whole(const Scene& scene, const ScreenList<Coordinate>& list, std::size_t index) {

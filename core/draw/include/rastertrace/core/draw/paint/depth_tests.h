@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The depth tests of a picture: the depth buffer of its faces; if it has points or lines that are tested, the
-// owner of each depth, and the nearest point or line of each pixel; and the step that tells a test.
+// The depth tests of a picture: the depth buffer of the faces. If points or lines are tested too,
+// also which face each depth is of, its owner, and the nearest point or line of each pixel.
 //
 //     DepthTests<double> tests(region, rule, has_lines);
-//     tests.begin(3);  // the depths that follow are of number 3 of what is drawn
+//     tests.begin(3);  // the depths that follow are of primitive 3 of the list
 //     tests.keep_if_nearer(*tests.row_from(x, row), tests.turned(0.25));
 
 #include <rastertrace/core/draw/paint/thin_depths.h>
@@ -24,13 +24,13 @@
 
 namespace rastertrace {
 
-/// Filtered doubles have a form of their own: filtered/adaptive_depth.h.
+/// For filtered doubles: filtered/adaptive_depth.h.
 template <typename Depth> class DepthTests {
 public:
     DepthTests(const DepthRegion& region, const DepthRule<Depth>& rule, bool has_lines = false)
         : buffer_(region, rule), owners_(has_lines ? region.area() : 0, no_owner) {}
 
-    /// A depth, or those of the pixels of a row, in the numbers that are tested: filtered doubles round.
+    /// A depth, or the depths of a row, in the numbers of the test. Only filtered doubles convert.
     static const Depth& tested(const Depth& depth) { return depth; }
     static const DepthRow<Depth>& tested(const DepthRow<Depth>& row, PixelSpan) { return row; }
 
@@ -42,13 +42,14 @@ public:
         return buffer_.is_nearer(cell, depth);
     }
 
-    /// The depths that follow are of this one of those that are drawn.
+    /// The owner of the depths that follow.
     void begin(std::uint32_t owner) { owner_ = owner; }
 
-    /// True if the owner of each depth is known.
+    /// True if the owners of depths are kept.
     bool has_owners() const { return !owners_.empty(); }
 
-    /// The face whose depth a cell of row_from(...) holds, if one has been drawn there.
+    /// The face whose depth is in a cell of row_from(...). `nullopt` if no face has been drawn
+    /// there.
     std::optional<std::uint32_t> owner_of(const Depth& cell) const {
         const std::uint32_t owner = owners_[buffer_.index_of(cell)];
         return owner == no_owner ? std::nullopt : std::optional(owner);
@@ -59,8 +60,8 @@ public:
         return !buffer_.is_clear(cell) && cell < depth;
     }
 
-    /// Tests a turned depth of a face, and keeps it if no face in the cell is as near. True if no point or
-    /// line is as near either.
+    /// Tests a turned depth of a face, and keeps it if it is nearer than the cell. Returns true if
+    /// it is also nearer than the point or line of the cell.
     bool keep_if_nearer(Depth& cell, const Depth& depth) {
         if (!buffer_.keep_if_nearer(cell, depth))
             return false;
@@ -70,14 +71,14 @@ public:
         return !is_behind_thin(cell, depth, Thickness::face);
     }
 
-    /// True if the point or line that is kept for a cell is nearer than a turned depth, or as near and no
+    /// True if the point or line of a cell is nearer than a turned depth, or as near and no
     /// thicker.
     bool is_behind_thin(const Depth& cell, const Depth& depth, Thickness thickness) const {
         const auto* const thin = thin_.find(buffer_.index_of(cell));
         return thin && (thickness < thin->thickness ? thin->depth < depth : !(depth < thin->depth));
     }
 
-    /// The point or line that is kept for a cell.
+    /// The point or line of a cell, if there is one.
     std::optional<std::uint32_t> thin_owner_of(const Depth& cell) const {
         const auto* const thin = thin_.find(buffer_.index_of(cell));
         return thin ? std::optional(thin->owner) : std::nullopt;
@@ -88,7 +89,7 @@ public:
         thin_.keep(buffer_.index_of(cell), {depth, thickness, owner_});
     }
 
-    /// Decides about a turned depth by `test()`, and tells both depths and what was decided.
+    /// Returns what `test()` decides about a turned depth, and emits DepthTested with both depths.
     template <typename Test, typename Sink>
     bool decide_and_tell(Pixel pixel, const Depth& cell, const Depth& depth, Test&& test,
                          Sink&& sink) {
@@ -111,7 +112,7 @@ public:
         return verdict.passes;
     }
 
-    /// Tests the turned depths of a face's row: calls `keep(x)` where they pass.
+    /// Tests the depths of a row of a face. Calls `keep(x)` for each pixel that passes.
     template <typename Keep>
     [[gnu::always_inline]] void keep_nearer(int row, int first, int last,
                                             const DepthRow<Depth>& depths, Keep&& keep) {

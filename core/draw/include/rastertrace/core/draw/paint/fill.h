@@ -22,13 +22,13 @@
 
 namespace rastertrace {
 
-/// Where the samples of the scene's pixels lie.
+/// The sample points of the scene's pixels.
 template <typename Scalar> SampleGrid<Scalar> sample_grid(const Scene& scene, const Plan& plan) {
     return {scalar_from<Scalar>(sample_offset_of(scene.method), plan.denominator), scene.canvas};
 }
 
-/// Fills a triangle. `sink` is the painter of its rows and pixels; the fan takes the colors of the
-/// vertices.
+/// Fills a triangle. `sink` is the painter of its rows and pixels. Only the fan needs the colors of
+/// the vertices.
 template <typename Scalar, typename Sink>
 void fill(const Triangle<Scalar>& triangle, const std::array<Color, 3>& colors,
           const Method& method, const SampleGrid<Scalar>& grid, Canvas canvas, Sink&& sink) {

@@ -10,15 +10,15 @@
 //
 //     fill_top_left(triangle, SampleGrid<double>(0.5, canvas), canvas, FlatPainter(image, color));
 //
-// The rows of samples from the top vertex, included, to the bottom one, not included, are the triangle's.
-// An edge function is linear, so on a row it changes sign once: where the edge crosses the row. Instead
-// of asking every pixel of the box, the fill asks the row's two edges for their crossings and draws what
-// lies between: from the first sample that the left edge admits to the last one that the right edge does.
-// Both owners of a shared edge find one crossing: there is neither a gap nor a double.
+// The triangle has the rows of samples from its top vertex (included) to its bottom vertex (not
+// included). An edge function is linear, so on a row it changes sign once: where the edge crosses
+// the row. The fill does not test every pixel of the box. It computes where the two edges of a row
+// cross it, and draws the samples between: from the first that the left edge admits to the last
+// that the right edge admits. Two triangles that share an edge compute the same crossing, so there
+// is neither a gap nor an overlap.
 
 #include <rastertrace/core/draw/paint/sample_walk.h>
-#include <rastertrace/core/numbers/adaptive.h>
-#include <rastertrace/core/numbers/conversion.h>
+#include <rastertrace/core/numbers/scalar.h>
 #include <rastertrace/core/raster/canvas.h>
 #include <rastertrace/core/raster/edge.h>
 #include <rastertrace/core/raster/edge_function.h>
@@ -30,13 +30,12 @@
 #include <algorithm>
 #include <array>
 #include <concepts>
-#include <cstddef>
 #include <cstdint>
 
 namespace rastertrace {
 
-/// The vertices of a triangle from the top of the picture to its bottom, by their places in it, and
-/// where the edge from top to bottom lies.
+/// The indices of a triangle's vertices, from the top of the picture to its bottom, and the side of
+/// the long edge, which runs from the top vertex to the bottom vertex.
 struct TriangleOrder {
     std::uint8_t top;
     std::uint8_t middle;
@@ -44,8 +43,8 @@ struct TriangleOrder {
     bool long_edge_is_left; ///< it passes the middle vertex on the left
 };
 
-/// Tells the edge functions. Not inlined: the rows of a fill that tells nobody are to be compiled as if it were not
-/// there.
+/// Emits the edge functions. Not inlined, so that it leaves no trace in the code of a fill without
+/// a listener.
 template <typename Scalar, typename Sink>
 requires SinkFor<Sink, EdgeFunctionSetUp<Scalar>>
 [[gnu::noinline]] void tell_edge_functions(const Triangle<Scalar>& triangle,
@@ -62,7 +61,7 @@ requires SinkFor<Sink, EdgeFunctionSetUp<Scalar>>
                                        .is_top_left = function.is_top_left});
 }
 
-/// Adds where the two edges of the row meet it.
+/// Adds the crossings of a row with its two edges.
 template <typename Scalar>
 void add_crossings(const Triangle<Scalar>& triangle, const TriangleOrder& order, bool is_upper,
                    const Scalar& sample_offset, ScanlineSpanned<Scalar>& span) {
@@ -80,14 +79,14 @@ void add_crossings(const Triangle<Scalar>& triangle, const TriangleOrder& order,
     span.right = right_edge.x_at(sample_y);
     span.left_edge = left_edge.name;
     span.right_edge = right_edge.name;
-    // A filtered double has to tell a crossing that is as certain as the pixel that it was rounded to.
+    // A filtered double must be as certain as the pixel that it is rounded to.
     require_certain_index(Scalar(span.left - sample_offset));
     require_certain_index(Scalar(span.right - sample_offset));
 }
 
-/// True if all of a triangle lies right of the canvas, as its corners do: its left edges admit no sample of the
-/// last column. Of numbers that are rounded the corners alone do not say so: an edge may admit a sample
-/// next to it.
+/// True if a triangle whose vertices lie right of the canvas has no sample on it. In rounded
+/// numbers the vertices do not decide that: a left edge may still admit a sample of the last
+/// column.
 template <typename Scalar>
 [[gnu::noinline]] bool lies_right_of_canvas(const Triangle<Scalar>& triangle,
                                             const SampleGrid<Scalar>& grid, Canvas canvas) {
@@ -110,8 +109,7 @@ template <typename Scalar>
     return true;
 }
 
-/// A row from one edge to another: which pixels, and, if somebody listens, where the edges cross the row
-/// of samples.
+/// Emits a row: its pixels and, if the sink takes them, the crossings of its edges.
 template <typename Scalar, typename Sink>
 requires SinkFor<Sink, ScanlineSpanned<Scalar>>
 [[gnu::always_inline]] inline void yield_row(const Triangle<Scalar>& triangle,
@@ -146,8 +144,8 @@ void fill_top_left(const Triangle<Scalar>& triangle, const SampleGrid<Scalar>& g
     if (takes<EdgeFunctionSetUp<Scalar>>(sink))
         tell_edge_functions(triangle, order, canvas.down(), sink);
 
-    // The rows of samples from the top vertex, included, to the bottom vertex, not included, as far as
-    // the canvas has them. The row of the middle vertex belongs to the lower short edge.
+    // The rows of samples from the top vertex, included, to the bottom vertex, not included, as far
+    // as the canvas has them. The row of the middle vertex belongs to the lower short edge.
     const Index first_row = grid.first_row_from(top.position.y);
     const Index first_lower_row = grid.first_row_from(middle.position.y);
     const Index end_row = grid.first_row_from(bottom.position.y);
@@ -164,8 +162,8 @@ void fill_top_left(const Triangle<Scalar>& triangle, const SampleGrid<Scalar>& g
         static_cast<int>(std::clamp<Index>(first_lower_row, rows.begin, rows.end));
 
     // Down the upper short edge, then down the lower one; the long edge opposite both. In each row,
-    // the samples from the left edge to before the right one: a left edge has its own samples, a right
-    // edge does not. That, and which rows there are, is the top-left rule.
+    // the samples from the left edge to before the right one: a left edge has its own samples, a
+    // right edge does not. That, and which rows there are, is the top-left rule.
     SampleWalk<Scalar> along_long_edge(top, bottom, grid, rows.begin);
     const auto fill_half = [&](bool is_upper, const auto& upper, const auto& lower, int begin,
                                int end) __attribute__((always_inline)) {
@@ -177,10 +175,12 @@ void fill_top_left(const Triangle<Scalar>& triangle, const SampleGrid<Scalar>& g
             const Index on_short_edge = along_short_edge.first_sample();
             const Index from = long_edge_is_left ? on_long_edge : on_short_edge;
             const Index to = (long_edge_is_left ? on_short_edge : on_long_edge) - 1;
-            yield_row(triangle, order, is_upper, canvas.y_of(row), grid.sample_offset(), from, to,
-                      sink);
+            // The next crossings are worked out while this row is painted: they do not wait for its
+            // end.
             along_long_edge.step();
             along_short_edge.step();
+            yield_row(triangle, order, is_upper, canvas.y_of(row), grid.sample_offset(), from, to,
+                      sink);
         }
     };
     fill_half(true, top, middle, rows.begin, middle_row);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A piece on the screen with its coordinates turned into the numbers that it is drawn with.
+// A piece on the screen, converted to the numbers that it is drawn with.
 //
 //     const Piece<double> triangle = piece_in<double>(piece, plan);
 
@@ -20,7 +20,7 @@
 
 namespace rastertrace {
 
-/// True if a list of this type is drawn with Scalar.
+/// True if a list of this type can be drawn with Scalar.
 template <typename Scalar, typename AList>
 inline constexpr bool draws = std::same_as<AList, TypedVertices>;
 template <typename Scalar, typename Coordinate>
@@ -38,7 +38,7 @@ Scalar on_grid(const Coordinate& coordinate, const Plan& plan) {
                          plan.coarseness);
 }
 
-/// Coordinates become numbers to calculate with.
+/// A piece with coordinates of type Scalar. A scene typed in pixels has no depths.
 template <typename Scalar, typename Coordinate>
 Piece<Scalar> piece_in(const Piece<Coordinate>& piece, const Plan& plan) {
     Piece<Scalar> result{.kind = piece.kind,

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Where the samples of the pixels lie, and which of them an edge passes on each row: the arithmetic
-// of the top-left fill, in the numbers that suit each kind of Scalar best.
+// The arithmetic of the top-left fill: where the sample points lie, and which is the first right of
+// an edge on each row. Each kind of number has the form that is fastest for it.
 //
 //     const SampleGrid<double> grid(0.5, canvas);  // samples at the pixels' centers
 //     SampleWalk<double> walk(top, bottom, grid, 3);
-//     walk.first_sample();  // in row 3: the first x whose sample does not lie left of the edge
+//     walk.first_sample();  // in row 3: the first x whose sample is not left of the edge
 //     walk.step();          // row 4
 
 #include <rastertrace/core/draw/paint/divisor.h>
-#include <rastertrace/core/numbers/adaptive.h>
-#include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/core/numbers/fraction.h>
+#include <rastertrace/core/numbers/scalar.h>
 #include <rastertrace/core/numbers/vec.h>
 #include <rastertrace/core/raster/canvas.h>
 #include <rastertrace/core/raster/edge.h>
@@ -28,8 +27,8 @@
 
 namespace rastertrace {
 
-/// The samples of all pixels: each lies `sample_offset` from its pixel's integer point, in x and in
-/// y. A triangle is set against them in the scene's own coordinates.
+/// The sample points of all pixels, each `sample_offset` from its pixel's integer point, in x and
+/// in y. Lengths are in the scene's own coordinates.
 template <typename Scalar> class SampleGrid {
 public:
     using Length = Scalar;
@@ -37,7 +36,7 @@ public:
     SampleGrid(const Scalar& sample_offset, const Canvas& canvas)
         : canvas_(canvas), offset_(sample_offset) {}
 
-    /// Of a sample from its pixel's integer point, in x and in y.
+    /// From a pixel's integer point to its sample, in x and in y.
     Scalar sample_offset() const { return offset_; }
 
     /// The triangle in the coordinates of the grid.
@@ -46,18 +45,17 @@ public:
     /// +1 if a vertex (`in_lengths`) with a larger y lies lower in the picture, else -1.
     int down() const { return canvas_.down(); }
 
-    /// The first row whose samples do not lie above the height `y`; row 0 is the top of the
-    /// canvas.
+    /// The first row whose samples are not above the height `y`. Row 0 is the top of the canvas.
     Index first_row_from(const Length& y) const {
-        // A sample's height on the canvas is exact; y less the offset may be rounded to another row.
+        // A sample's height on the canvas is exact; y less the offset may be rounded to another
+        // row.
         const Index near = floor_index(y);
         const Scalar sample = scalar_from<Scalar>(near) + offset_;
-        if (down() > 0)
-            return canvas_.row_of(sample < y ? near + 1 : near);
-        return canvas_.row_of(y < sample ? near - 1 : near);
+        const bool is_above = down() > 0 ? sample < y : y < sample; // as good as random: no branch
+        return canvas_.row_of(near) + static_cast<Index>(is_above);
     }
 
-    /// True if the sample at column `x` does not lie left of `length`.
+    /// True if the sample at column `x` is not left of `length`.
     bool reaches(Index x, const Length& length) const {
         return !(scalar_from<Scalar>(x) + offset_ < length);
     }
@@ -68,8 +66,8 @@ public:
                 Length(scalar_from<Scalar>(canvas_.y_of(row)) + offset_)};
     }
 
-    /// Where an edge crosses a row of samples, in columns: the first sample that does not lie left of the
-    /// edge is this, rounded up.
+    /// Where an edge crosses a row of samples, in columns. Rounded up, it is the first sample that
+    /// is not left of the edge.
     Length crossing(const Edge<Length>& edge, int row) const {
         const Length height = scalar_from<Scalar>(canvas_.y_of(row)) + offset_;
         return Length(edge.x_at(height) - offset_);
@@ -113,8 +111,8 @@ public:
     /// D, a pixel's side.
     const Divisor<Length>& pixel() const { return pixel_; }
 
-    /// A row or column as an index. On 64 bits it needs no clamping: there plan.h leaves a
-    /// coordinate less than 32 bits.
+    /// A row or column as an index. 64 bits need no clamping: plan.h takes them only for
+    /// coordinates of less than 32 bits.
     static Index index_from(Length whole) {
         if constexpr (sizeof(Length) <= sizeof(Index))
             return static_cast<Index>(whole);
@@ -129,9 +127,8 @@ private:
     int scene_down_; ///< the canvas's, for the scene's y
 };
 
-/// Walks along an edge from row to row of the picture and gives, in each, the first pixel whose
-/// sample does not lie left of the edge. This is the form of Rational and Adaptive, which round up what is
-/// exact, or leave it open.
+/// Walks along an edge from row to row and gives, on each, the first pixel whose sample is not left
+/// of the edge. This is the form of Rational, and of Adaptive, which may leave a row undecided.
 template <typename Scalar> class SampleWalk {
 public:
     /// Along the edge from its upper vertex to its lower one, beginning in `row`. The edge must
@@ -150,8 +147,8 @@ private:
     int row_;
 };
 
-/// The first sample that the edge function lets a triangle on the right of the edge have, and one on its
-/// left not; beyond the canvas nobody asks it. Where x on the edge has been rounded, it says `guess`.
+/// The first sample that the edge function admits to a triangle on the right of the edge. Beyond
+/// the canvas the function is not evaluated, and the result is `guess`.
 template <std::floating_point Real>
 [[gnu::cold, gnu::noinline]] Index first_admitted_sample(Vec<Real, 2> upper, Vec<Real, 2> lower,
                                                          const SampleGrid<Real>& grid, int row,
@@ -163,7 +160,7 @@ template <std::floating_point Real>
     const Index near = std::clamp(guess, left, end);
     if ((near == end || admits(near)) && (near == left || !admits(near - 1)))
         return guess;
-    // To the right of the first one, all are admitted: rounding keeps the order of numbers.
+    // All samples right of the first admitted sample are admitted: rounding is monotonic.
     while (left < end) {
         const Index middle = left + (end - left) / 2;
         if (admits(middle))
@@ -174,31 +171,39 @@ template <std::floating_point Real>
     return left;
 }
 
-/// The same in numbers that are rounded: x on the edge is a guess, and the edge function has the last word.
-/// If the guess lies farther from the samples than rounding reaches, the function would say the same (unless
-/// its products overflow: then it says nothing of use), and is not asked.
+/// In float and double, x on the edge is a guess, and the edge function decides. It need not be
+/// evaluated if the crossing is farther from a sample than the rounding errors of both: then both
+/// agree (unless the products of the function overflow, and its value is of no use).
 template <std::floating_point Real> class SampleWalk<Real> {
 public:
     SampleWalk(const Vertex<Real>& upper, const Vertex<Real>& lower, const SampleGrid<Real>& grid,
                int row)
         : edge_(edge_between(upper, lower)), lower_(lower.position), grid_(grid), row_(row),
-          margin_(margin_of(upper.position, lower.position)) {}
-
-    [[gnu::always_inline]] Index first_sample() const {
-        const Real crossing = grid_.crossing(edge_, row_);
-        const Index guess = ceil_index(crossing);
-        const Real distance = static_cast<Real>(guess) - crossing;
-        return margin_ < distance && distance < 1 - margin_
-                   ? guess
-                   : first_admitted_sample(edge_.start, lower_, grid_, row_, guess);
+          margin_(margin_of(upper.position, lower.position)) {
+        guess();
     }
 
-    void step() { ++row_; }
+    [[gnu::always_inline]] Index first_sample() const {
+        return margin_ < distance_ && distance_ < 1 - margin_
+                   ? guess_
+                   : first_admitted_sample(edge_.start, lower_, grid_, row_, guess_);
+    }
+
+    [[gnu::always_inline]] void step() {
+        ++row_;
+        guess();
+    }
 
 private:
-    /// How far rounding moves the crossing, and the zero of the function, in columns: with u the unit
-    /// roundoff and X the larger |x|, 5 u |dx| + 2 u (X + 1) and 8 u (|dx| + 1), so less than 64 u (X + 1).
-    /// Of an edge so low that products underflow nothing is known.
+    [[gnu::always_inline]] void guess() {
+        const Real crossing = grid_.crossing(edge_, row_);
+        guess_ = ceil_index(crossing);
+        distance_ = static_cast<Real>(guess_) - crossing;
+    }
+
+    /// How far rounding moves the crossing, and the zero of the function, in columns: with u the
+    /// unit roundoff and X the larger |x|, 5 u |dx| + 2 u (X + 1) and 8 u (|dx| + 1), so less than
+    /// 64 u (X + 1). Of an edge so low that products underflow nothing is known.
     static Real margin_of(const Vec<Real, 2>& upper, const Vec<Real, 2>& lower) {
         using Limits = std::numeric_limits<Real>;
         const Real least_height = Limits::min() / Limits::epsilon();
@@ -212,15 +217,17 @@ private:
     const SampleGrid<Real>& grid_;
     int row_;
     Real margin_;
+    Index guess_;   ///< the crossing of the row, rounded up
+    Real distance_; ///< from the crossing to the guess
 };
 
-/// The same on a grid of whole numbers, without dividing in every row. In row r, the sample with
-/// the number k lies on the edge if
+/// On a grid of whole numbers, with one division per edge and none per row. In row r, sample k lies
+/// on the edge if
 ///
 ///     k D = x1 + (dx/dy) (r D - y1),   so   k = (x1 dy + dx (r D - y1)) / (D dy)
 ///
-/// k is kept as a whole number and what it lies too high by, in units of 1/(D dy); from row to row
-/// it moves by dx/dy, kept as so many samples and a rest.
+/// k is kept rounded up, with the excess in units of 1/(D dy). From row to row k grows by dx/dy,
+/// which is kept as a whole number of samples and a remainder.
 template <typename Integer> class SampleWalk<Fraction<Integer>> {
 public:
     SampleWalk(const Vertex<Integer>& upper, const Vertex<Integer>& lower,
@@ -244,8 +251,7 @@ public:
     Index first_sample() const { return SampleGrid<Fraction<Integer>>::index_from(sample_); }
 
     void step() {
-        // Whether the rests have made up a sample is as good as random: a branch would be guessed
-        // wrong in every other row.
+        // The carry is as good as random: a branch would be mispredicted in every other row.
         too_high_ -= rest_step_;
         const auto carry = static_cast<Integer>(too_high_ < 0);
         too_high_ += -carry & whole_;
@@ -254,10 +260,10 @@ public:
 
 private:
     Integer sample_;     ///< k, rounded up
-    Integer too_high_;   ///< by this much, 0 <= too_high_ < whole_
+    Integer too_high_;   ///< the excess of the rounding, 0 <= too_high_ < whole_
     Integer whole_;      ///< D dy
-    Integer whole_step_; ///< from row to row: so many samples, and
-    Integer rest_step_;  ///< this much of one
+    Integer whole_step_; ///< from row to row: whole samples
+    Integer rest_step_;  ///< and the remainder, in units of 1/(D dy)
 };
 
 } // namespace rastertrace

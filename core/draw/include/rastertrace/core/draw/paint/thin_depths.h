@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Points and lines that have been drawn, beside the depth buffer of the faces: so no line takes a face away
-// from the next one, and which pixels lines have does not depend on their order.
+// The depths of points and lines. They are not kept in the depth buffer of the faces: there, a line
+// would hide the face that the next line is tested against, and the result would depend on the
+// order of the lines.
 
 #include <rastertrace/core/raster/steps.h>
 
@@ -13,7 +14,7 @@
 
 namespace rastertrace {
 
-/// Of equal depths the thinner primitive passes.
+/// Of two equal depths, that of the thinner primitive passes.
 enum class Thickness : std::uint8_t { point, line, face };
 
 inline Thickness thickness_of(PrimitiveKind kind) {
@@ -29,24 +30,24 @@ inline Thickness thickness_of(PrimitiveKind kind) {
     return Thickness::face;
 }
 
-/// What was decided about a pixel, as in DepthTested.
+/// The result of a depth test, as DepthTested has it.
 struct DepthVerdict {
     bool passes;
     DepthReason reason = DepthReason::stored;
     std::string_view other = {};
     bool is_by_thin =
-        false;             ///< a point or a line in the pixel has decided, even if a face is nearer
-    bool is_exact = false; ///< with `adaptive`: doubles have left it open
+        false;             ///< decided by a point or a line in the pixel, even if a face is nearer
+    bool is_exact = false; ///< with `adaptive`: decided in exact numbers
 };
 
-/// The nearest point or line of each cell of a depth buffer that has one.
+/// The nearest point or line of each cell of a depth buffer, if there is one.
 template <typename Depth> class ThinDepths {
 public:
-    /// A point or a line, as it was drawn in a pixel.
+    /// A point or a line in a pixel.
     struct Thin {
         Depth depth; ///< turned
         Thickness thickness;
-        std::uint32_t owner; ///< which of those that are drawn
+        std::uint32_t owner; ///< as in DepthTests::begin
     };
 
     const Thin* find(std::size_t cell) const {

@@ -24,7 +24,7 @@
 //     plan_for(scene).stages.decisions;
 
 #include <rastertrace/core/draw/scene/stage.h>
-#include <rastertrace/core/raster/depth_interpolation.h>
+#include <rastertrace/core/raster/depth_buffer.h>
 
 #include <cstdint>
 #include <string>
