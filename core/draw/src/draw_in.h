@@ -331,7 +331,8 @@ DeepTriangle<DepthOf<Scalar>> triangle_in(const Scene& scene, const ScreenList<C
     using D = DepthOf<Scalar>;
     DeepTriangle<D> triangle;
     for (std::size_t i = 0; i < 3; ++i) {
-        const ScreenVertex<Coordinate>& corner = list.vertices[corner_in_list(scene, list, one, i)];
+        const ScreenVertex<Coordinate>& corner =
+            list.vertices[corners_of(scene, list.parts, one)[i]];
         triangle[i].at = {depth_scalar(on_grid<Scalar>(corner.position.x, plan)),
                           depth_scalar(on_grid<Scalar>(corner.position.y, plan))};
         if constexpr (std::same_as<D, Adaptive>)

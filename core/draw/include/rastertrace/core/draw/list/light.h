@@ -16,8 +16,8 @@
 
 namespace rastertrace {
 
-/// The cosine of the angle between two exact vectors: the nearest double to its root. `nullopt` if one
-/// of them has no length.
+/// The cosine of the angle between two exact vectors: the nearest double to its root. `nullopt` if
+/// one of them has no length.
 inline std::optional<double> cosine_between(const Vec<Rational, 3>& a, const Vec<Rational, 3>& b) {
     if (has_no_length<Rational>(a) || has_no_length<Rational>(b))
         return std::nullopt;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What is decided about a scene before the first pixel: what is drawn where on the screen, and the type
-// of number that it is drawn with.
+// What is decided about a scene before the first pixel: what is drawn where on the screen, and the
+// type of number that it is drawn with.
 //
 //     const Plan plan = plan_for(scene);
 //     const Image picture = draw(scene, plan);

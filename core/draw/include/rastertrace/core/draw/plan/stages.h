@@ -18,8 +18,8 @@
 //     perspective  mixes colors as they mix in space      w differs in a triangle
 //     colors       mixes the colors of vertices           they differ in a triangle
 //
-// The last four are decided for each triangle, and depth for each primitive (PixelStages). A stage that the scene keeps although it
-// does not need it runs, and the picture is the same.
+// The last four are decided for each triangle, and depth for each primitive (PixelStages). A stage
+// that the scene keeps although it does not need it runs, and the picture is the same.
 //
 //     plan_for(scene).stages.decisions;
 
