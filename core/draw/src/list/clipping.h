@@ -4,7 +4,6 @@
 // Clips primitives at the planes of the view.
 
 #include "list/faces.h"
-#include "list/vertex_spaces.h"
 
 #include <rastertrace/core/raster/clip.h>
 

@@ -27,7 +27,7 @@ std::vector<bool> culled_sides_of(const Scene& scene,
         }
     std::sort(faces.begin(), faces.end());
 
-    // Their sides: between two triangles of one face lies a diagonal.
+    // The sides of the drawn faces. A side that two triangles of one face share is a diagonal.
     struct SideOfFace {
         std::size_t low, high, face;
         auto operator<=>(const SideOfFace&) const = default;

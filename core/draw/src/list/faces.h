@@ -3,6 +3,8 @@
 
 // Tests and lights faces, and finds the lines that are hidden with them.
 
+#include "list/vertex_spaces.h"
+
 #include <rastertrace/core/draw/list/light.h>
 #include <rastertrace/core/draw/list/pieces.h>
 #include <rastertrace/core/draw/scene/scene.h>
@@ -11,13 +13,9 @@
 #include <rastertrace/core/raster/facing.h>
 #include <rastertrace/core/raster/shading.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <concepts>
 #include <cstddef>
 #include <functional>
-#include <initializer_list>
 #include <optional>
 #include <vector>
 
@@ -118,20 +116,11 @@ Face<Scalar> face_in(const Scene& scene, const ScreenList<Scalar>& list, std::si
 /// False if a number of the face is infinite or no number: a normal is a product of two lengths,
 /// and is multiplied by a third.
 template <typename Scalar> bool is_finite(const Face<Scalar>& face) {
-    if constexpr (std::floating_point<Scalar>) {
-        const auto all_finite = [](const Vec<Scalar, 3>& a, const Vec<Scalar, 3>& b,
-                                   std::initializer_list<double> others) {
-            return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z) &&
-                   std::isfinite(b.x) && std::isfinite(b.y) && std::isfinite(b.z) &&
-                   std::all_of(others.begin(), others.end(),
-                               [](double one) { return std::isfinite(one); });
-        };
-        const auto& [tested, lit, skip] = face;
-        return (!tested || all_finite(tested->normal, tested->view,
-                                      {tested->dot, tested->cosine.value_or(0)})) &&
-               (!lit || all_finite(lit->normal, lit->light, {lit->dot, lit->intensity}));
-    }
-    return true;
+    const auto& [tested, lit, skip] = face;
+    return (!tested || (is_finite(tested->normal) && is_finite(tested->view) &&
+                        is_finite(tested->dot) && is_finite(tested->cosine.value_or(0)))) &&
+           (!lit || (is_finite(lit->normal) && is_finite(lit->light) && is_finite(lit->dot) &&
+                     is_finite(lit->intensity)));
 }
 
 } // namespace rastertrace

@@ -33,13 +33,6 @@ void tell_vertices(const Scene& scene, const Transforms<Scalar>& transforms,
     }
 }
 
-template <typename Scalar> bool is_finite(const Scalar& number) {
-    if constexpr (std::floating_point<Scalar>)
-        return std::isfinite(number);
-    else
-        return true;
-}
-
 /// Tells a matrix, the factors that it is a product of, and the camera of a view. Factors and
 /// camera are left out if one of their numbers is infinite.
 template <typename Scalar>
@@ -53,8 +46,7 @@ void tell_matrix(std::string_view name, std::string_view object,
     std::vector<MatrixFactor<Scalar>> factors;
     for (const MatrixFactor<Rational>& factor : exact_factors) {
         factors.push_back({factor.name, rounded<Scalar>(factor.matrix)});
-        for (const auto& row : factors.back().matrix.rows)
-            are_finite = are_finite && std::all_of(row.begin(), row.end(), is_finite<Scalar>);
+        are_finite = are_finite && is_finite(factors.back().matrix);
     }
     std::vector<Vec<Scalar, 3>> vectors;
     if (camera != nullptr)
@@ -62,8 +54,7 @@ void tell_matrix(std::string_view name, std::string_view object,
             const Vec<Rational, 3> v = exact(numbers);
             vectors.push_back({nearest_scalar<Scalar>(v.x), nearest_scalar<Scalar>(v.y),
                                nearest_scalar<Scalar>(v.z)});
-            for (const Scalar& coordinate : {vectors.back().x, vectors.back().y, vectors.back().z})
-                are_finite = are_finite && is_finite(coordinate);
+            are_finite = are_finite && is_finite(vectors.back());
         }
     if (!are_finite) {
         factors.clear();

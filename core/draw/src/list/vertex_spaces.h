@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The spaces of a vertex, from object space to the screen, and how they are told.
+// The spaces of a vertex, from object space to the screen, and the steps that tell them.
 
 #include "tell/listener_sink.h"
 
@@ -22,6 +22,22 @@
 #include <string_view>
 
 namespace rastertrace {
+
+/// False for an infinity and for what is no number: only floats and doubles have those.
+template <typename Scalar> bool is_finite(const Scalar& number) {
+    if constexpr (std::floating_point<Scalar>)
+        return std::isfinite(number);
+    else
+        return true;
+}
+template <typename Scalar> bool is_finite(const Vec<Scalar, 3>& v) {
+    return is_finite(v.x) && is_finite(v.y) && is_finite(v.z);
+}
+template <typename Scalar> bool is_finite(const Matrix<Scalar>& matrix) {
+    return std::all_of(matrix.rows.begin(), matrix.rows.end(), [](const auto& row) {
+        return std::all_of(row.begin(), row.end(), [](const Scalar& x) { return is_finite(x); });
+    });
+}
 
 /// `matrix` times `vector`, or `vector` itself if there is no matrix.
 template <typename Scalar>

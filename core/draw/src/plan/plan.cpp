@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/core/draw/plan/plan.h>
 
-#include "plan/stages_of.h"
 #include "plan/unfit.h"
 
 #include <bit>
@@ -150,7 +149,7 @@ template <typename AList>
 concept ExactList = std::same_as<AList, TypedVertices> || std::same_as<AList, ScreenList<Rational>>;
 
 /// The fractions on the grid that `fixed` snaps to: so many positions to a pixel. Samples at half a
-/// pixel are not snapped, however coarse the grid is.
+/// pixel stay where they are, however coarse the grid is.
 template <typename AList>
 NumberChoice choose_fixed_numbers(const Scene& scene, const AList& list, std::int64_t grid) {
     const std::int64_t halves = sample_of(scene.method) == Sample::center ? 2 : 1;

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "plan/stages_of.h"
+#include <rastertrace/core/draw/plan/stages.h>
 
 #include "plan/survey.h"
 
 #include <rastertrace/core/draw/list/geometry.h>
-#include <rastertrace/core/draw/plan/plan.h>
 
-#include <algorithm>
-#include <string>
 #include <type_traits>
 
 namespace rastertrace {

@@ -3,6 +3,8 @@
 
 // Finds what would make an infinity or overflow if a scene were drawn.
 
+#include "list/vertex_spaces.h"
+
 #include <rastertrace/core/draw/list/pieces.h>
 #include <rastertrace/core/draw/plan/plan.h>
 
@@ -46,7 +48,7 @@ template <typename AList> std::optional<Unfit> unfit_piece(const Scene& scene, c
     return first;
 }
 
-/// The first triangle whose face would be told with an infinity.
+/// The first triangle whose face has an infinite normal or product.
 template <typename Coordinate>
 std::optional<Unfit> unfit_face(const Scene& scene, const ScreenList<Coordinate>& list) {
     if (!list.infinite_face)
@@ -59,29 +61,27 @@ inline std::optional<Unfit> unfit_face(const Scene&, const TypedVertices&) {
     return std::nullopt;
 }
 
+inline Unfit unfit_at(Unfit::What what, std::size_t vertex, double x, double y) {
+    return {what, vertex, vertex, {x, y}, {x, y}, 0};
+}
+
 /// The first vertex that a primitive needs and that has no finite position before clipping, or no
 /// depth.
 template <typename Coordinate>
 std::optional<Unfit> unfit_vertex(const Scene& scene, const Geometry<Coordinate>& geometry) {
-    if constexpr (std::floating_point<Coordinate>) {
-        const auto is_infinite = [](const std::optional<Matrix<Coordinate>>& matrix) {
-            return matrix &&
-                   std::any_of(matrix->rows.begin(), matrix->rows.end(), [](const auto& row) {
-                       return !std::all_of(row.begin(), row.end(),
-                                           [](Coordinate entry) { return std::isfinite(entry); });
-                   });
-        };
-        const auto& transforms = geometry.list.transforms;
-        if (is_infinite(transforms.view) || is_infinite(transforms.projection) ||
-            is_infinite(transforms.viewport) ||
-            std::any_of(transforms.models.begin(), transforms.models.end(), is_infinite))
-            return Unfit{Unfit::What::matrix, 0, 0, {}, {}, 0};
-        for (std::size_t i = 0; i < geometry.vertices.size(); ++i) {
-            const auto& at = geometry.vertices[i].clip;
-            if (geometry.is_used[i] && !(std::isfinite(at.x) && std::isfinite(at.y) &&
-                                         std::isfinite(at.z) && std::isfinite(at.w)))
-                return Unfit{Unfit::What::position, i, i, {at.x, at.y}, {at.x, at.y}, 0};
-        }
+    const auto is_infinite = [](const std::optional<Matrix<Coordinate>>& matrix) {
+        return matrix && !is_finite(*matrix);
+    };
+    const auto& transforms = geometry.list.transforms;
+    if (is_infinite(transforms.view) || is_infinite(transforms.projection) ||
+        is_infinite(transforms.viewport) ||
+        std::any_of(transforms.models.begin(), transforms.models.end(), is_infinite))
+        return Unfit{Unfit::What::matrix, 0, 0, {}, {}, 0};
+    for (std::size_t i = 0; i < geometry.vertices.size(); ++i) {
+        const auto& at = geometry.vertices[i].clip;
+        if (geometry.is_used[i] &&
+            !(is_finite(at.x) && is_finite(at.y) && is_finite(at.z) && is_finite(at.w)))
+            return unfit_at(Unfit::What::position, i, to_double(at.x), to_double(at.y));
     }
     // In a perspective, clipping leaves only what lies in front of the eye. Elsewhere nothing does.
     const bool tests_all = scene.has_depth_buffer();
@@ -92,7 +92,7 @@ std::optional<Unfit> unfit_vertex(const Scene& scene, const Geometry<Coordinate>
                     const Coordinate& exact = geometry.vertices[i].distance;
                     const double distance = to_double(exact);
                     if (!(scalar_from<Coordinate>(0) < exact) || !std::isfinite(1 / distance))
-                        return Unfit{Unfit::What::depth, i, i, {distance, 0}, {distance, 0}, 0};
+                        return unfit_at(Unfit::What::depth, i, distance, 0);
                 }
     return std::nullopt;
 }

@@ -23,9 +23,9 @@
 
 namespace rastertrace {
 
-/// Where the left, right, bottom and top planes of the view stand: so many half canvases from the
-/// middle of the picture. Between them and the canvas, the fill drops pixels, at the cost of the
-/// canvas; every position on the screen stays below 2^26 pixels.
+/// Distance of the left, right, bottom and top planes of the view from the middle of the picture,
+/// in half canvases. Between them and the canvas, the fill drops pixels, at the cost of the canvas;
+/// every position on the screen stays below 2^26 pixels.
 inline constexpr int guard_band = 4096;
 
 /// A vertex before clipping.

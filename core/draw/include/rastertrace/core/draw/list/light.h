@@ -43,7 +43,7 @@ inline std::optional<Adaptive> cosine_between(const Vec<Adaptive, 3>& a,
                     (high - low) / 2 * Adaptive::widening);
 }
 
-/// The same for an intensity with an error. Throws Undecided if a level hangs on it.
+/// The same for an intensity with an error. Throws Undecided if the error decides about a level.
 inline Color lit(Color color, Adaptive intensity, ColorRounding rounding) {
     const Color darkest =
         lit(color, std::max(0.0, intensity.value() - intensity.error()), rounding);
