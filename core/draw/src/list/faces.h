@@ -76,8 +76,6 @@ FaceLit<Scalar> lit_face(const Scene& scene, Color color, const Vec<Scalar, 3>& 
             .color = lit(color, intensity, scene.method.color_rounding)};
 }
 
-/// Tests and lights a triangle; `world` are its corners in the world. A triangle without area has
-/// no normal and is skipped.
 template <typename Scalar>
 Face<Scalar> face_of(const Scene& scene, const Transforms<Scalar>& transforms,
                      const ScenePrimitive& primitive, const std::array<Vec<Scalar, 3>, 3>& world) {

@@ -294,6 +294,8 @@ void tell_pieces(const Scene& scene, const ScreenList<Scalar>& list, std::size_t
         listener(PrimitiveSkipped{.why = *reason});
 }
 
+template Face<Rational> face_of(const Scene&, const Transforms<Rational>&, const ScenePrimitive&,
+                                const std::array<Vec<Rational, 3>, 3>&);
 template void add_primitive(const Scene&, Geometry<Rational>&, std::size_t);
 
 template ScreenList<float> screen_list_of(const Scene&, Geometry<float>);
