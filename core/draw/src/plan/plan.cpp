@@ -78,16 +78,10 @@ bool all_coordinates(const Scene&, const ScreenList<Coordinate>& list, IsFine&& 
                        });
 }
 
-/// The type of numbers to draw with, and their denominator.
-struct NumberChoice {
-    NumberType number = NumberType::binary64;
-    std::int64_t denominator = 1;
-    std::int64_t coarseness = 1; ///< as in Plan
-};
-
-/// The narrowest type of fractions over `denominator` in which no step of drawing can overflow.
+/// A plan with the narrowest type of fractions over `denominator` in which no step of drawing can
+/// overflow.
 template <typename AList>
-NumberChoice choose_fractions(const Scene& scene, const AList& list, std::int64_t denominator) {
+Plan plan_in_fractions(const Scene& scene, const AList& list, std::int64_t denominator) {
     std::uint64_t largest = 0;
     const bool all_fit =
         all_coordinates(scene, list, [&largest, denominator](const auto& coordinate) {
@@ -106,9 +100,9 @@ NumberChoice choose_fractions(const Scene& scene, const AList& list, std::int64_
             .denominator = denominator};
 }
 
-/// The narrowest exact type in which no step of the fill can overflow, for all of the scene.
-/// Depths, and colors in a perspective, are quotients of quotients: for them, any size.
-template <typename AList> NumberChoice choose_exact_numbers(const Scene& scene, const AList& list) {
+/// A plan with the narrowest exact type in which no step of the fill can overflow, for all of the
+/// scene. Depths, and colors in a perspective, are quotients of quotients: for them, any size.
+template <typename AList> Plan plan_in_exact_numbers(const Scene& scene, const AList& list) {
     if (scene.has_depth_buffer() || scene.mixes_in_perspective())
         return {.number = NumberType::rational};
 
@@ -124,7 +118,7 @@ template <typename AList> NumberChoice choose_exact_numbers(const Scene& scene, 
     });
     if (!has_common)
         return {.number = NumberType::rational};
-    return choose_fractions(scene, list, common);
+    return plan_in_fractions(scene, list, common);
 }
 
 /// The size of an element of the depth buffer, in bytes.
@@ -148,34 +142,37 @@ std::size_t depth_size_of(NumberType number) {
 template <typename AList>
 concept ExactList = std::same_as<AList, TypedVertices> || std::same_as<AList, ScreenList<Rational>>;
 
-/// The fractions on the grid that `fixed` snaps to: so many positions to a pixel. Samples at half a
-/// pixel stay where they are, however coarse the grid is.
+/// A plan with fractions on the grid that `fixed` snaps to: so many positions to a pixel. Samples
+/// at half a pixel stay where they are, however coarse the grid is.
 template <typename AList>
-NumberChoice choose_fixed_numbers(const Scene& scene, const AList& list, std::int64_t grid) {
+Plan plan_on_grid(const Scene& scene, const AList& list, std::int64_t grid) {
     const std::int64_t halves = sample_of(scene.method) == Sample::center ? 2 : 1;
     const std::int64_t denominator = std::lcm(grid, halves);
-    return {choose_fractions(scene, list, denominator).number, denominator, denominator / grid};
+    return {.number = plan_in_fractions(scene, list, denominator).number,
+            .denominator = denominator,
+            .coarseness = denominator / grid};
 }
 
-/// The type of numbers for the scene's kind of scalar. `grid` is what `fixed` snaps to.
+/// Begins a plan with the type of numbers for the scene's kind of scalar. `grid` is what `fixed`
+/// snaps to.
 template <typename AList>
-NumberChoice choose_numbers(const Scene& scene, const AList& list, std::int64_t grid) {
+Plan plan_with_numbers(const Scene& scene, const AList& list, std::int64_t grid) {
     switch (scene.method.scalar) {
     case ScalarKind::exact:
         if constexpr (ExactList<AList>)
-            return choose_exact_numbers(scene, list);
+            return plan_in_exact_numbers(scene, list);
         break;
     case ScalarKind::adaptive:
         // Fractions that fit leave nothing open, and are as fast.
         if constexpr (std::same_as<AList, TypedVertices>) {
-            const NumberChoice exact = choose_exact_numbers(scene, list);
+            const Plan exact = plan_in_exact_numbers(scene, list);
             if (exact.number != NumberType::rational)
                 return exact;
         }
         return {.number = NumberType::adaptive};
     case ScalarKind::fixed:
         if constexpr (ExactList<AList> || std::same_as<AList, ScreenList<double>>)
-            return choose_fixed_numbers(scene, list, grid);
+            return plan_on_grid(scene, list, grid);
         break;
     case ScalarKind::single_precision:
         return {.number = NumberType::binary32};
@@ -195,13 +192,10 @@ std::variant<Plan, Unfit> plan_or_unfit(const Scene& scene, std::int64_t grid) {
         if (const auto unfit = unfit_face(scene, list))
             return *unfit;
 
-        const NumberChoice choice = choose_numbers(scene, list, grid);
-        Plan plan{.number = choice.number,
-                  .denominator = choice.denominator,
-                  .coarseness = choice.coarseness,
-                  .mixes_colors = list.mixes_colors};
+        Plan plan = plan_with_numbers(scene, list, grid);
+        plan.mixes_colors = list.mixes_colors;
         plan.list = std::make_shared<const AnyScreenList>(std::move(list));
-        plan.stages = stages_of(scene, *plan.list, depth_size_of(choice.number));
+        plan.stages = stages_of(scene, *plan.list, depth_size_of(plan.number));
         return plan;
     };
     return std::visit(plan_with, geometry_for(scene));
