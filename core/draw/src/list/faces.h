@@ -115,10 +115,10 @@ Face<Scalar> face_in(const Scene& scene, const ScreenList<Scalar>& list, std::si
 /// and is multiplied by a third.
 template <typename Scalar> bool is_finite(const Face<Scalar>& face) {
     const auto& [tested, lit, skip] = face;
-    return (!tested || (is_finite(tested->normal) && is_finite(tested->view) &&
+    return (!tested || (all_finite<Scalar>(tested->normal) && all_finite<Scalar>(tested->view) &&
                         is_finite(tested->dot) && is_finite(tested->cosine.value_or(0)))) &&
-           (!lit || (is_finite(lit->normal) && is_finite(lit->light) && is_finite(lit->dot) &&
-                     is_finite(lit->intensity)));
+           (!lit || (all_finite<Scalar>(lit->normal) && all_finite<Scalar>(lit->light) &&
+                     is_finite(lit->dot) && is_finite(lit->intensity)));
 }
 
 } // namespace rastertrace

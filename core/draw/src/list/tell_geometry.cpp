@@ -46,7 +46,7 @@ void tell_matrix(std::string_view name, std::string_view object,
     std::vector<MatrixFactor<Scalar>> factors;
     for (const MatrixFactor<Rational>& factor : exact_factors) {
         factors.push_back({factor.name, rounded<Scalar>(factor.matrix)});
-        are_finite = are_finite && is_finite(factors.back().matrix);
+        are_finite = are_finite && all_finite(factors.back().matrix);
     }
     std::vector<Vec<Scalar, 3>> vectors;
     if (camera != nullptr)
@@ -54,7 +54,7 @@ void tell_matrix(std::string_view name, std::string_view object,
             const Vec<Rational, 3> v = exact(numbers);
             vectors.push_back({nearest_scalar<Scalar>(v.x), nearest_scalar<Scalar>(v.y),
                                nearest_scalar<Scalar>(v.z)});
-            are_finite = are_finite && is_finite(vectors.back());
+            are_finite = are_finite && all_finite<Scalar>(vectors.back());
         }
     if (!are_finite) {
         factors.clear();

@@ -30,10 +30,10 @@ template <typename Scalar> bool is_finite(const Scalar& number) {
     else
         return true;
 }
-template <typename Scalar> bool is_finite(const Vec<Scalar, 3>& v) {
+template <typename Scalar> bool all_finite(const Vec<Scalar, 3>& v) {
     return is_finite(v.x) && is_finite(v.y) && is_finite(v.z);
 }
-template <typename Scalar> bool is_finite(const Matrix<Scalar>& matrix) {
+template <typename Scalar> bool all_finite(const Matrix<Scalar>& matrix) {
     return std::all_of(matrix.rows.begin(), matrix.rows.end(), [](const auto& row) {
         return std::all_of(row.begin(), row.end(), [](const Scalar& x) { return is_finite(x); });
     });

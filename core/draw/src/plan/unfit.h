@@ -70,7 +70,7 @@ inline Unfit unfit_at(Unfit::What what, std::size_t vertex, double x, double y) 
 template <typename Coordinate>
 std::optional<Unfit> unfit_vertex(const Scene& scene, const Geometry<Coordinate>& geometry) {
     const auto is_infinite = [](const std::optional<Matrix<Coordinate>>& matrix) {
-        return matrix && !is_finite(*matrix);
+        return matrix && !all_finite(*matrix);
     };
     const auto& transforms = geometry.list.transforms;
     if (is_infinite(transforms.view) || is_infinite(transforms.projection) ||
