@@ -635,8 +635,10 @@ private:
 
     template <typename Scalar>
     static PainterOrder<Scalar> order_by(const Scene& scene, const std::vector<Scalar>& distances) {
-        return sorted_by_distance<Scalar>(
-            scene, [&](std::size_t vertex) -> const Scalar& { return distances[vertex]; });
+        return sorted_by_distance(
+            scene, keys_of_triangles<Scalar>(scene, [&](std::size_t vertex) -> const Scalar& {
+                return distances[vertex];
+            }));
     }
 
     /// Each pixel's winner where the pieces are painted one over the other.

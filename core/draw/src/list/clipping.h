@@ -1,34 +1,59 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Clips what is drawn at the planes of the view, and tells it.
+// Clips primitives at the planes of the view.
 
-#include <rastertrace/core/draw/list/geometry.h>
-#include <rastertrace/core/draw/list/screen_list.h>
-#include <rastertrace/core/draw/scene/scene.h>
-#include <rastertrace/core/draw/tell/listener.h>
-#include <rastertrace/core/numbers/scalar.h>
+#include "list/faces.h"
+
 #include <rastertrace/core/raster/clip.h>
-#include <rastertrace/core/raster/steps.h>
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <optional>
-#include <span>
-#include <string_view>
-#include <utility>
 #include <vector>
 
 namespace rastertrace {
 
-/// The color of a vertex of the scene, or of its primitive if it has none that counts.
-template <typename AList>
-Color color_of_vertex(const Scene& scene, const AList& list, std::size_t index, Color color) {
-    return list.mixes_colors ? scene.vertices[index].color.value_or(color) : color;
+/// The color of a vertex of the scene; that of its primitive if colors are not mixed or it has
+/// none.
+inline Color color_of_vertex(const Scene& scene, bool mixes_colors, std::size_t index,
+                             Color color) {
+    return mixes_colors ? scene.vertices[index].color.value_or(color) : color;
 }
 
-/// Why clipping at a plane has left nothing of a polygon.
+/// The color of a primitive.
+template <typename Coordinate>
+Color color_of(const Scene& scene, std::size_t primitive, const Face<Coordinate>& face) {
+    if (scene.method.shade == Shade::faces)
+        return color_of_face(primitive);
+    return face.lit ? face.lit->color : scene.primitives[primitive].color;
+}
+
+/// A primitive before it is clipped.
+template <typename Scalar> struct UnclippedPrimitive {
+    std::size_t index; ///< in the scene
+    std::array<ClipSpaceVertex<Scalar>, 3> vertices = {};
+    bool is_in_view = true; ///< all of its vertices are
+    Face<Scalar> face = {};
+    Color color = {};
+};
+
+/// A primitive with its face tested and lit. `in_space(index)` yields a vertex of the scene.
+template <typename Scalar, typename InSpace>
+UnclippedPrimitive<Scalar> unclipped(const Scene& scene, const ScreenList<Scalar>& list,
+                                     std::size_t index, InSpace&& in_space) {
+    UnclippedPrimitive<Scalar> result{.index = index};
+    std::array<Vec<Scalar, 3>, 3> world;
+    const auto corners = scene.primitives[index].corners();
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        VertexInSpace<Scalar> vertex = in_space(corners[i]);
+        world[i] = std::move(vertex.world);
+        result.vertices[i] = std::move(vertex.in_clip_space);
+        result.is_in_view = result.is_in_view && result.vertices[i].is_in_view;
+    }
+    result.face = face_in(scene, list, index, world);
+    result.color = color_of(scene, index, result.face);
+    return result;
+}
+
+/// Why nothing of a polygon is left behind a plane.
 template <typename Scalar>
 SkipReason reason_of(const ClipPlane<Scalar>& plane,
                      const std::vector<ClipVertex<Scalar>>& polygon) {
@@ -36,7 +61,7 @@ SkipReason reason_of(const ClipPlane<Scalar>& plane,
         return SkipReason::too_far;
     if (plane.name != "near")
         return SkipReason::outside_view;
-    // An orthographic view has no eye to be behind of.
+    // An orthographic view has no eye.
     if (plane.factors.z != scalar_from<Scalar>(0))
         return SkipReason::too_near;
     // The near plane's value is the distance from the eye, less the near distance.
@@ -47,9 +72,9 @@ SkipReason reason_of(const ClipPlane<Scalar>& plane,
     return is_behind_eye ? SkipReason::behind_eye : SkipReason::too_near;
 }
 
-/// Cuts a polygon, a line or a point down to what lies inside all planes; each plane that it is not
-/// wholly inside of is told. If nothing is left: why. Only a vertex that it begins with makes a
-/// plane cut: one that clipping has made lies, but for rounding, between two of those.
+/// Cuts a polygon, a line or a point down to what lies inside all planes, and tells each plane that
+/// cuts it. Returns the reason if nothing is left. Only an original vertex outside of a plane makes
+/// it cut: a vertex that clipping has made lies between two of those, but for rounding.
 template <typename Scalar>
 std::optional<SkipReason> clip_at_planes(std::string_view name,
                                          std::vector<ClipVertex<Scalar>>& polygon,
@@ -87,15 +112,14 @@ std::optional<SkipReason> clip_at_planes(std::string_view name,
     return std::nullopt;
 }
 
-/// Clips a primitive whose corners lie in clip space; the sides of an outline one by one. Calls
-/// `take(side, polygon)` with what is left of each: the first corner of what was clipped, and a point, a
-/// line or a polygon, whose vertices know which of the corners they are. If nothing is left: why.
+/// Clips a primitive, or the sides of an outline one by one. Calls `take(side, polygon)` with what
+/// is left of each: the index of the first corner, and a point, a line or a polygon. Returns the
+/// reason if nothing is left of all.
 template <typename Scalar, typename Take>
 std::optional<SkipReason> clip_primitive(const Scene& scene, const ScreenList<Scalar>& list,
-                                         std::size_t index, Color color,
-                                         const std::array<ClipSpaceVertex<Scalar>, 3>& vertices,
+                                         const UnclippedPrimitive<Scalar>& unclipped,
                                          const Listener& listener, Take&& take) {
-    const ScenePrimitive& primitive = scene.primitives[index];
+    const ScenePrimitive& primitive = scene.primitives[unclipped.index];
     const std::size_t count = primitive.corners().size();
     const bool is_outline = primitive.kind == PrimitiveKind::outline;
     std::optional<SkipReason> reason;
@@ -104,9 +128,9 @@ std::optional<SkipReason> clip_primitive(const Scene& scene, const ScreenList<Sc
         std::vector<ClipVertex<Scalar>> polygon;
         for (std::size_t i = 0; i < (is_outline ? 2 : count); ++i) {
             const std::size_t corner = (side + i) % count;
-            const auto& [clip, distance, is_in_view] = vertices[corner];
-            polygon.push_back({clip, distance,
-                               color_of_vertex(scene, list, primitive.vertices[corner], color),
+            polygon.push_back({unclipped.vertices[corner].clip, unclipped.vertices[corner].distance,
+                               color_of_vertex(scene, list.mixes_colors, primitive.vertices[corner],
+                                               unclipped.color),
                                static_cast<int>(corner)});
         }
         reason = clip_at_planes(primitive.name, polygon, list.transforms.planes,

@@ -1,99 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "list/faces.h"
 
-#include <rastertrace/core/draw/list/light.h>
-#include <rastertrace/core/numbers/conversion.h>
-#include <rastertrace/core/raster/facing.h>
-#include <rastertrace/core/raster/shading.h>
-
-#include <algorithm>
-#include <cmath>
 #include <compare>
-#include <concepts>
-#include <initializer_list>
-#include <optional>
 
 namespace rastertrace {
-
-namespace {
-
-/// The vector from a face to the light.
-template <typename Scalar>
-Vec<Scalar, 3> light_from(const Light& light, const Vec<Scalar, 3>& centroid) {
-    const Vec<Scalar, 3> at{scalar_from<Scalar>(light.at[0]), scalar_from<Scalar>(light.at[1]),
-                            scalar_from<Scalar>(light.at[2])};
-    return light.kind == Light::Kind::position ? at - centroid : at;
-}
-
-} // namespace
-
-template <typename Scalar>
-Face<Scalar> face_of(const Scene& scene, const Transforms<Scalar>& transforms,
-                     const ScenePrimitive& primitive, const std::array<Vec<Scalar, 3>, 3>& world) {
-    Face<Scalar> face;
-    const auto& [a, b, c] = world;
-    const Vec<Scalar, 3> normal = normal_of<Scalar>(a, b, c);
-    if (has_no_length<Scalar>(normal)) {
-        face.skip = SkipReason::zero_area;
-        return face;
-    }
-    const Vec<Scalar, 3> centroid = centroid_of<Scalar>(a, b, c);
-    const Scalar zero = scalar_from<Scalar>(0);
-
-    const Cull cull = scene.method.cull;
-    if (cull != Cull::none) {
-        const bool is_by_light = cull == Cull::light;
-        const Vec<Scalar, 3> view = is_by_light ? light_from<Scalar>(*scene.light, centroid)
-                                    : is_perspective(scene.projection.type)
-                                        ? transforms.eye - centroid
-                                        : transforms.eye;
-        const Scalar product = dot(normal, view);
-        const auto cosine = cosine_between(normal, view);
-        face.tested =
-            FaceTested<Scalar>{.normal = normal,
-                               .view = view,
-                               .dot = product,
-                               .cosine = cosine ? std::optional(to_double(*cosine)) : std::nullopt,
-                               .is_by_light = is_by_light,
-                               .is_culled = is_culled(cull, product),
-                               .is_culled_opposite = is_culled(cull, Scalar(-product))};
-        if (face.tested->is_culled) {
-            face.skip = SkipReason::culled;
-            return face;
-        }
-    }
-
-    if (scene.method.shade == Shade::lambert) {
-        const Vec<Scalar, 3> light = light_from<Scalar>(*scene.light, centroid);
-        const Scalar product = dot(normal, light);
-        const auto cosine = cosine_between(normal, light);
-        using Cosine = typename decltype(cosine)::value_type;
-        const Cosine intensity = zero < product && cosine ? *cosine : Cosine(0);
-        face.lit =
-            FaceLit<Scalar>{.normal = normal,
-                            .light = light,
-                            .dot = product,
-                            .intensity = to_double(intensity),
-                            .color = lit(primitive.color, intensity, scene.method.color_rounding)};
-    }
-    return face;
-}
-
-bool has_face(const Scene& scene, const ScenePrimitive& primitive) {
-    return primitive.kind == PrimitiveKind::triangle &&
-           (scene.method.cull != Cull::none || scene.method.shade == Shade::lambert);
-}
-
-template <typename Scalar>
-Face<Scalar> face_in(const Scene& scene, const ScreenList<Scalar>& list, std::size_t index,
-                     const std::array<Vec<Scalar, 3>, 3>& world) {
-    const ScenePrimitive& primitive = scene.primitives[index];
-    if (has_face(scene, primitive))
-        return face_of(scene, list.transforms, primitive, world);
-    if (!list.culled_sides.empty() && list.culled_sides[index])
-        return {.skip = SkipReason::culled};
-    return {};
-}
 
 std::vector<bool> culled_sides_of(const Scene& scene,
                                   const std::function<bool(std::size_t index)>& is_drawn) {
@@ -117,7 +27,7 @@ std::vector<bool> culled_sides_of(const Scene& scene,
         }
     std::sort(faces.begin(), faces.end());
 
-    // Their sides: between two triangles of one face lies a diagonal.
+    // The sides of the drawn faces. A side that two triangles of one face share is a diagonal.
     struct SideOfFace {
         std::size_t low, high, face;
         auto operator<=>(const SideOfFace&) const = default;
@@ -148,46 +58,5 @@ std::vector<bool> culled_sides_of(const Scene& scene,
                     !is_drawn_side(primitives[i].vertices[0], primitives[i].vertices[1]);
     return result;
 }
-
-template <typename Scalar> bool is_finite(const Face<Scalar>& face) {
-    if constexpr (std::floating_point<Scalar>) {
-        const auto all_finite = [](const Vec<Scalar, 3>& a, const Vec<Scalar, 3>& b,
-                                   std::initializer_list<double> others) {
-            return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z) &&
-                   std::isfinite(b.x) && std::isfinite(b.y) && std::isfinite(b.z) &&
-                   std::all_of(others.begin(), others.end(),
-                               [](double one) { return std::isfinite(one); });
-        };
-        const auto& [tested, lit, skip] = face;
-        return (!tested || all_finite(tested->normal, tested->view,
-                                      {tested->dot, tested->cosine.value_or(0)})) &&
-               (!lit || all_finite(lit->normal, lit->light, {lit->dot, lit->intensity}));
-    }
-    return true;
-}
-
-template Face<float> face_of(const Scene&, const Transforms<float>&, const ScenePrimitive&,
-                             const std::array<Vec<float, 3>, 3>&);
-template Face<float> face_in(const Scene&, const ScreenList<float>&, std::size_t,
-                             const std::array<Vec<float, 3>, 3>&);
-template bool is_finite(const Face<float>&);
-
-template Face<double> face_of(const Scene&, const Transforms<double>&, const ScenePrimitive&,
-                              const std::array<Vec<double, 3>, 3>&);
-template Face<double> face_in(const Scene&, const ScreenList<double>&, std::size_t,
-                              const std::array<Vec<double, 3>, 3>&);
-template bool is_finite(const Face<double>&);
-
-template Face<Adaptive> face_of(const Scene&, const Transforms<Adaptive>&, const ScenePrimitive&,
-                                const std::array<Vec<Adaptive, 3>, 3>&);
-template Face<Adaptive> face_in(const Scene&, const ScreenList<Adaptive>&, std::size_t,
-                                const std::array<Vec<Adaptive, 3>, 3>&);
-template bool is_finite(const Face<Adaptive>&);
-
-template Face<Rational> face_of(const Scene&, const Transforms<Rational>&, const ScenePrimitive&,
-                                const std::array<Vec<Rational, 3>, 3>&);
-template Face<Rational> face_in(const Scene&, const ScreenList<Rational>&, std::size_t,
-                                const std::array<Vec<Rational, 3>, 3>&);
-template bool is_finite(const Face<Rational>&);
 
 } // namespace rastertrace

@@ -1,26 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/core/draw/list/pieces.h>
-#include <rastertrace/core/numbers/adaptive.h>
 
 #include "list/clipping.h"
-#include "list/faces.h"
-#include "list/names.h"
-#include "tell/listener_sink.h"
-
-#include <rastertrace/core/raster/clip.h>
-
-#include <algorithm>
-#include <cmath>
-#include <compare>
-#include <concepts>
-#include <cstddef>
-#include <cstdint>
-#include <initializer_list>
-#include <span>
-#include <string>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 namespace rastertrace {
 
@@ -31,7 +12,8 @@ Scalar depth_at(Depth depth, const Scalar& distance, const Vec<Scalar, 4>& clip)
     case Depth::linear_z:
         return distance;
     case Depth::inverse_z:
-        // Only what is no triangle, and has no use for a depth, lies where there is no 1/z (plan.cpp refuses others).
+        // Of points and lines that have no use for a depth, 1/z may not exist (plan.cpp refuses
+        // others).
         if constexpr (std::same_as<Scalar, Rational>) {
             if (distance == 0)
                 return distance;
@@ -49,28 +31,13 @@ Scalar depth_at(Depth depth, const Scalar& distance, const Vec<Scalar, 4>& clip)
     return scalar_from<Scalar>(0);
 }
 
-/// The color of a primitive, before its vertices have their say.
-template <typename Coordinate>
-Color color_of(const Scene& scene, std::size_t primitive, const Face<Coordinate>& face) {
-    if (scene.method.shade == Shade::faces)
-        return color_of_face(primitive);
-    return face.lit ? face.lit->color : scene.primitives[primitive].color;
-}
-
-/// The corners of a primitive, each from its place in the scene.
-template <typename PlaceOf> auto corners_of(const ScenePrimitive& primitive, PlaceOf&& place_of) {
-    std::array<std::decay_t<decltype(place_of(std::size_t{}))>, 3> corners{};
-    for (std::size_t i = 0; i < primitive.corners().size(); ++i)
-        corners[i] = place_of(primitive.vertices[i]);
-    return corners;
-}
-
-/// What a polygon is drawn as: itself if it is a point or a line, else a fan of triangles. So many.
+/// The number of parts that a polygon is drawn as: itself if it is a point or a line, else a fan of
+/// triangles.
 std::size_t part_count(std::size_t corners) {
     return corners < 3 ? std::min<std::size_t>(corners, 1) : corners - 2;
 }
 
-/// Finds how deep a vertex lies that is on the screen, and 1/w.
+/// Sets the depth of a vertex on the screen, and 1/w.
 template <typename Scalar>
 void find_depth(const Vec<Scalar, 4>& clip, const Scalar& distance, const ScreenList<Scalar>& list,
                 ScreenVertex<Scalar>& vertex) {
@@ -79,7 +46,7 @@ void find_depth(const Vec<Scalar, 4>& clip, const Scalar& distance, const Screen
         vertex.inverse_w = scalar_from<Scalar>(1) / clip.w;
 }
 
-/// The same for a vertex of the scene, once.
+/// The same for a vertex of the scene that is in view; once.
 template <typename Scalar> void find_depth(Geometry<Scalar>& geometry, std::size_t index) {
     ScreenList<Scalar>& list = geometry.list;
     if (list.is_drawn[index])
@@ -89,80 +56,91 @@ template <typename Scalar> void find_depth(Geometry<Scalar>& geometry, std::size
     list.is_drawn[index] = true;
 }
 
-/// Tests and lights the face of a primitive, clips it, and adds what is left of it to the list.
+/// Adds the parts of a polygon that clipping has left to the list. `corners` are indices in
+/// ScreenList::vertices, `parts` counts the parts of the primitive.
+template <typename Scalar>
+void add_parts(const std::vector<std::size_t>& corners, const ScreenPrimitive& primitive,
+               ScreenList<Scalar>& list, int& parts) {
+    for (std::size_t i = 0; i < part_count(corners.size()); ++i) {
+        ScreenPart part{{corners[0], 0, 0}, ++parts};
+        for (std::size_t k = 1; k < std::min<std::size_t>(corners.size(), 3); ++k)
+            part.corners[k] = corners[i + k];
+        list.primitives.push_back({.primitive = primitive.primitive,
+                                   .index = static_cast<std::uint32_t>(list.parts.size()),
+                                   .color = primitive.color,
+                                   .state = ScreenPrimitive::State::part});
+        list.parts.push_back(part);
+    }
+}
+
+/// Clips a primitive and adds the parts that are left to the list.
+template <typename Scalar>
+void add_clipped(const Scene& scene, Geometry<Scalar>& geometry,
+                 const UnclippedPrimitive<Scalar>& unclipped, const ScreenPrimitive& primitive) {
+    ScreenList<Scalar>& list = geometry.list;
+    const auto originals = scene.primitives[unclipped.index].corners();
+    int made = 0;
+    int parts = 0;
+    const auto corner_of = [&](std::size_t side, const ClipVertex<Scalar>& vertex) {
+        if (vertex.original >= 0) {
+            const std::size_t index = originals[static_cast<std::size_t>(vertex.original)];
+            find_depth(geometry, index);
+            return index;
+        }
+        list.made.push_back({vertex.color, ++made, originals[side]});
+        ScreenVertex<Scalar>& on_screen = list.vertices.emplace_back();
+        on_screen.position = positions_on_screen(vertex.position, list.transforms).pixel;
+        find_depth(vertex.position, vertex.distance, list, on_screen);
+        return list.vertices.size() - 1;
+    };
+    clip_primitive(scene, list, unclipped, {},
+                   [&](std::size_t side, const std::vector<ClipVertex<Scalar>>& polygon) {
+                       std::vector<std::size_t> corners;
+                       for (const ClipVertex<Scalar>& vertex : polygon)
+                           corners.push_back(corner_of(side, vertex));
+                       add_parts(corners, primitive, list, parts);
+                   });
+}
+
 template <typename Scalar>
 void add_primitive(const Scene& scene, Geometry<Scalar>& geometry, std::size_t index) {
     ScreenList<Scalar>& list = geometry.list;
-    using State = ScreenPrimitive::State;
-    const ScenePrimitive& primitive = scene.primitives[index];
-    const auto world = corners_of(primitive, [&](std::size_t corner) {
-        return geometry.world.empty() ? Vec<Scalar, 3>{} : geometry.world[corner];
+    const auto corners = scene.primitives[index].corners();
+    const auto primitive = unclipped(scene, list, index, [&geometry](std::size_t corner) {
+        return VertexInSpace<Scalar>{geometry.world.empty() ? Vec<Scalar, 3>{}
+                                                            : geometry.world[corner],
+                                     geometry.vertices[corner]};
     });
-    const Face<Scalar> face = face_in(scene, list, index, world);
-    if (!is_finite(face))
-        list.infinite_face = std::min(index, list.infinite_face.value_or(index));
-    const Color color = color_of(scene, index, face);
-    const auto add = [&](State state, std::size_t part) {
-        list.primitives.push_back({.primitive = static_cast<std::uint32_t>(index),
-                                   .index = static_cast<std::uint32_t>(part),
-                                   .color = color,
-                                   .state = state});
-    };
-    const auto clip_it = [&](auto&& take) {
-        const auto vertices =
-            corners_of(primitive, [&](std::size_t corner) { return geometry.vertices[corner]; });
-        clip_primitive(scene, list, index, color, vertices, {}, take);
-    };
+    if (!is_finite(primitive.face) &&
+        index < (list.infinite_face ? list.infinite_face->primitive : scene.primitives.size())) {
+        const Vec<Scalar, 3>& at = geometry.world[corners[0]];
+        list.infinite_face = {index, {to_double(at.x), to_double(at.y)}};
+    }
 
-    // In view: all of it. Clipping it would leave it as it is.
-    const auto corners = primitive.corners();
-    if (std::all_of(corners.begin(), corners.end(),
-                    [&](std::size_t corner) { return geometry.vertices[corner].is_in_view; })) {
-        if (scene.keep.has(Stage::clip))
-            clip_it([](auto&&...) {});
+    const bool is_skipped = primitive.face.skip.has_value();
+    const ScreenPrimitive one{.primitive = static_cast<std::uint32_t>(index),
+                              .index = 0,
+                              .color = primitive.color,
+                              .state = is_skipped ? ScreenPrimitive::State::skipped
+                                                  : ScreenPrimitive::State::whole};
+    if (primitive.is_in_view) {
         for (const std::size_t corner : corners)
             find_depth(geometry, corner);
-        return add(face.skip ? State::skipped : State::whole, 0);
+        list.primitives.push_back(one);
+    } else if (!is_skipped) {
+        add_clipped(scene, geometry, primitive, one);
     }
-    if (face.skip)
-        return;
-
-    // Cut: what is left of it comes as parts.
-    int made = 0;
-    int parts = 0;
-    clip_it([&](std::size_t side, const std::vector<ClipVertex<Scalar>>& polygon) {
-        std::vector<std::size_t> indices;
-        for (const ClipVertex<Scalar>& vertex : polygon) {
-            if (vertex.original >= 0) {
-                indices.push_back(corners[static_cast<std::size_t>(vertex.original)]);
-                find_depth(geometry, indices.back());
-                continue;
-            }
-            indices.push_back(list.vertices.size());
-            list.made.push_back({vertex.color, ++made, corners[side]});
-            auto& on_screen = list.vertices.emplace_back();
-            on_screen.position = positions_on_screen(vertex.position, list.transforms).pixel;
-            find_depth(vertex.position, vertex.distance, list, on_screen);
-        }
-        for (std::size_t i = 0; i < part_count(indices.size()); ++i) {
-            ScreenPart part{{indices[0], 0, 0}, ++parts};
-            for (std::size_t corner = 1; corner < std::min<std::size_t>(indices.size(), 3);
-                 ++corner)
-                part.corners[corner] = indices[i + corner];
-            add(State::part, list.parts.size());
-            list.parts.push_back(part);
-        }
-    });
 }
 
-/// True if the face of a triangle is drawn, as far as that hangs on which way it is turned. `exact` is made
-/// where doubles leave that open.
+/// True if a triangle is not culled and has an area. `exact` holds the exact matrices once doubles
+/// have left that open.
 template <typename Scalar>
 bool has_drawn_face(const Scene& scene, const Geometry<Scalar>& geometry, std::size_t index,
                     std::optional<Transforms<Rational>>& exact) {
     const ScenePrimitive& triangle = scene.primitives[index];
-    const auto is_drawn = [&](const auto& transforms, auto&& place_of) {
-        return !face_of(scene, transforms, triangle, corners_of(triangle, place_of)).skip;
+    const auto is_drawn = [&](const auto& transforms, auto&& world_of) {
+        const auto& [a, b, c] = triangle.vertices;
+        return !face_of(scene, transforms, triangle, {world_of(a), world_of(b), world_of(c)}).skip;
     };
     try {
         return is_drawn(geometry.list.transforms,
@@ -176,7 +154,6 @@ bool has_drawn_face(const Scene& scene, const Geometry<Scalar>& geometry, std::s
     }
 }
 
-/// What is drawn of all primitives, in the order in which they are drawn.
 template <typename Scalar>
 ScreenList<Scalar> screen_list_of(const Scene& scene, Geometry<Scalar> geometry) {
     ScreenList<Scalar>& list = geometry.list;
@@ -200,14 +177,13 @@ ScreenList<Scalar> screen_list_of(const Scene& scene, Geometry<Scalar> geometry)
     return std::move(list);
 }
 
-/// What the list would hold of a primitive.
 ScreenPrimitive typed_primitive(const Scene& scene, std::size_t index) {
     return {.primitive = static_cast<std::uint32_t>(index),
             .index = 0,
             .color = color_of(scene, index, Face<Number>{})};
 }
 
-/// A piece, but for its corners.
+/// A piece without its corners.
 template <typename Coordinate>
 Piece<Coordinate> piece_without_corners(const Scene& scene, const ScreenPrimitive& one) {
     using State = ScreenPrimitive::State;
@@ -221,19 +197,18 @@ Piece<Coordinate> piece_without_corners(const Scene& scene, const ScreenPrimitiv
             .colors = {}};
 }
 
-/// One of the list with its corners.
 template <typename Scalar>
 Piece<Scalar> piece_of(const Scene& scene, const ScreenList<Scalar>& list,
                        const ScreenPrimitive& one) {
     auto piece = piece_without_corners<Scalar>(scene, one);
-    for (const std::size_t index : corners_of(scene, list, one)) {
+    for (const std::size_t index : corners_of(scene, list.parts, one)) {
         const std::size_t i = piece.count++;
         const ScreenVertex<Scalar>& vertex = list.vertices[index];
         piece.positions[i] = vertex.position;
         piece.depths[i] = vertex.depth;
         piece.inverse_w[i] = vertex.inverse_w;
         if (index < scene.vertices.size()) {
-            piece.colors[i] = color_of_vertex(scene, list, index, one.color);
+            piece.colors[i] = color_of_vertex(scene, list.mixes_colors, index, one.color);
             piece.vertices[i] = index;
         } else {
             const MadeVertex& made = list.made[index - scene.vertices.size()];
@@ -248,14 +223,32 @@ Piece<Number> piece_of(const Scene& scene, const TypedVertices& typed, const Scr
     for (const std::size_t index : scene.primitives[one.primitive].corners()) {
         const std::size_t i = piece.count++;
         piece.positions[i] = {scene.vertices[index].x, scene.vertices[index].y};
-        piece.colors[i] = color_of_vertex(scene, typed, index, one.color);
+        piece.colors[i] = color_of_vertex(scene, typed.mixes_colors, index, one.color);
         piece.vertices[i] = index;
     }
     return piece;
 }
 
-/// Tells what is found out about a primitive before it is on the screen, and calls `draw_next(face)` for
-/// each of its pieces in the list, when it is their turn. The face of a part has been told.
+/// The name of a vertex that clipping has made.
+std::string name_of_made(const std::string& primitive, int ordinal) {
+    return primitive + ":" + std::to_string(ordinal);
+}
+
+PieceNames::PieceNames(const Scene& scene, const std::vector<MadeVertex>& made,
+                       const std::vector<ScreenPart>& parts, const ScreenPrimitive& one)
+    : piece(scene.primitives[one.primitive].name) {
+    const std::string& name = scene.primitives[one.primitive].name;
+    std::size_t i = 0;
+    for (const std::size_t index : corners_of(scene, parts, one)) {
+        if (index >= scene.vertices.size())
+            made_[i] = name_of_made(name, made[index - scene.vertices.size()].ordinal);
+        corners[i] = index < scene.vertices.size() ? scene.vertices[index].name : made_[i];
+        ++i;
+    }
+    if (one.state == ScreenPrimitive::State::part)
+        piece = made_[3] = name + "/" + std::to_string(parts[one.index].ordinal);
+}
+
 template <typename Scalar>
 void tell_pieces(const Scene& scene, const ScreenList<Scalar>& list, std::size_t index,
                  const Listener& listener, const TakeFace<Scalar>& draw_next) {
@@ -264,23 +257,15 @@ void tell_pieces(const Scene& scene, const ScreenList<Scalar>& list, std::size_t
     if (is_whole(scene, list, index) && !has_face(scene, primitive))
         return draw_next(face_in<Scalar>(scene, list, index, {}));
 
-    const auto corners = primitive.corners();
-    std::array<Vec<Scalar, 3>, 3> world;
-    std::array<ClipSpaceVertex<Scalar>, 3> vertices;
-    bool is_in_view = true;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        auto [in_world, in_clip_space] = vertex_in_space(scene, list.transforms, corners[i]);
-        world[i] = std::move(in_world);
-        vertices[i] = std::move(in_clip_space);
-        is_in_view = is_in_view && vertices[i].is_in_view;
-    }
-    const Face<Scalar> face = face_in(scene, list, index, world);
-    if (is_in_view)
-        return draw_next(face);
+    const auto found = unclipped(scene, list, index, [&](std::size_t corner) {
+        return vertex_in_space(scene, list.transforms, corner);
+    });
+    if (found.is_in_view)
+        return draw_next(found.face);
 
-    // Cut. The sides of an outline are cut one by one.
+    // Clipped.
     const ListenerSink sink(listener);
-    const Color color = color_of(scene, index, face);
+    const auto corners = primitive.corners();
     std::array<std::string_view, 3> names;
     for (std::size_t i = 0; i < corners.size(); ++i)
         names[i] = scene.vertices[corners[i]].name;
@@ -288,13 +273,13 @@ void tell_pieces(const Scene& scene, const ScreenList<Scalar>& list, std::size_t
                                 .name = primitive.name,
                                 .vertices = std::span(names).first(corners.size()),
                                 .positions = {},
-                                .color = color,
+                                .color = found.color,
                                 .colors = {}});
-    if (!tell_face(face, sink))
+    if (!tell_face(found.face, sink))
         return;
     int made = 0;
     const auto reason = clip_primitive(
-        scene, list, index, color, vertices, listener,
+        scene, list, found, listener,
         [&](std::size_t, const std::vector<ClipVertex<Scalar>>& polygon) {
             for (const ClipVertex<Scalar>& vertex : polygon)
                 if (vertex.original < 0) {
@@ -309,11 +294,9 @@ void tell_pieces(const Scene& scene, const ScreenList<Scalar>& list, std::size_t
         listener(PrimitiveSkipped{.why = *reason});
 }
 
-// What is asked for primitive by primitive is exact.
-
+template Face<Rational> face_of(const Scene&, const Transforms<Rational>&, const ScenePrimitive&,
+                                const std::array<Vec<Rational, 3>, 3>&);
 template void add_primitive(const Scene&, Geometry<Rational>&, std::size_t);
-
-// For every kind of number that vertices are moved in.
 
 template ScreenList<float> screen_list_of(const Scene&, Geometry<float>);
 template Piece<float> piece_of(const Scene&, const ScreenList<float>&, const ScreenPrimitive&);

@@ -1,25 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/core/draw/plan/plan.h>
-#include <rastertrace/core/numbers/adaptive.h>
 
-#include "plan/stages_of.h"
+#include "plan/unfit.h"
 
-#include <rastertrace/core/draw/list/pieces.h>
-#include <rastertrace/core/raster/barycentric.h>
-#include <rastertrace/core/raster/fill_fan.h>
-
-#include <algorithm>
 #include <bit>
-#include <cmath>
-#include <concepts>
 #include <cstdlib>
 #include <limits>
 #include <numeric>
-#include <utility>
 
 namespace rastertrace {
 
-/// Where the vertices lie: as typed, or moved there.
+/// The vertices of a scene: as typed, or moved.
 using AnyGeometry = std::variant<TypedVertices, Geometry<float>, Geometry<double>,
                                  Geometry<Adaptive>, Geometry<Rational>>;
 
@@ -34,7 +25,7 @@ AnyGeometry geometry_for(const Scene& scene) {
     case ScalarKind::single_precision:
         return geometry_of<float>(scene);
     case ScalarKind::adaptive:
-        // What is left open about one vertex may be of weight for all, like a plane of the view.
+        // An open decision about one vertex may count for all, like a plane of the view.
         try {
             return geometry_of<Adaptive>(scene);
         } catch (const Undecided&) {
@@ -44,12 +35,11 @@ AnyGeometry geometry_for(const Scene& scene) {
         return geometry_of<Rational>(scene);
     case ScalarKind::fixed:
     case ScalarKind::double_precision:
-        break;
+        return geometry_of<double>(scene);
     }
-    return geometry_of<double>(scene);
+    not_an_enumerator();
 }
 
-/// Moves the primitives of a scene to the screen, in the numbers that its kind of scalar asks for.
 AnyScreenList screen_list_for(const Scene& scene) {
     return std::visit(
         [&](auto geometry) -> AnyScreenList { return screen_list_of(scene, std::move(geometry)); },
@@ -88,16 +78,10 @@ bool all_coordinates(const Scene&, const ScreenList<Coordinate>& list, IsFine&& 
                        });
 }
 
-/// The type of numbers to draw with, and their denominator.
-struct NumberChoice {
-    NumberType number = NumberType::binary64;
-    std::int64_t denominator = 1;
-    std::int64_t coarseness = 1; ///< as in Plan
-};
-
-/// The narrowest type of fractions over `denominator` in which no step of drawing can overflow.
+/// A plan with the narrowest type of fractions over `denominator` in which no step of drawing can
+/// overflow.
 template <typename AList>
-NumberChoice choose_fractions(const Scene& scene, const AList& list, std::int64_t denominator) {
+Plan plan_in_fractions(const Scene& scene, const AList& list, std::int64_t denominator) {
     std::uint64_t largest = 0;
     const bool all_fit =
         all_coordinates(scene, list, [&largest, denominator](const auto& coordinate) {
@@ -116,9 +100,9 @@ NumberChoice choose_fractions(const Scene& scene, const AList& list, std::int64_
             .denominator = denominator};
 }
 
-/// The narrowest exact type in which no step of the fill can overflow, for all of the scene. Depths,
-/// and colors in a perspective, are quotients of quotients: for them, any size.
-template <typename AList> NumberChoice choose_exact_numbers(const Scene& scene, const AList& list) {
+/// A plan with the narrowest exact type in which no step of the fill can overflow, for all of the
+/// scene. Depths, and colors in a perspective, are quotients of quotients: for them, any size.
+template <typename AList> Plan plan_in_exact_numbers(const Scene& scene, const AList& list) {
     if (scene.has_depth_buffer() || scene.mixes_in_perspective())
         return {.number = NumberType::rational};
 
@@ -134,223 +118,70 @@ template <typename AList> NumberChoice choose_exact_numbers(const Scene& scene, 
     });
     if (!has_common)
         return {.number = NumberType::rational};
-    return choose_fractions(scene, list, common);
+    return plan_in_fractions(scene, list, common);
 }
 
-/// How many bytes a depth has.
+/// The size of an element of the depth buffer, in bytes.
 std::size_t depth_size_of(NumberType number) {
     switch (number) {
     case NumberType::binary32:
         return sizeof(DepthOf<float>);
     case NumberType::rational:
         return sizeof(DepthOf<Rational>);
-    case NumberType::adaptive: // beside the depth, the number of a piece
+    case NumberType::adaptive: // the depth, and the number of a piece
         return sizeof(double) + sizeof(std::uint32_t);
     case NumberType::binary64:
     case NumberType::fraction64:
     case NumberType::fraction128:
-        break;
+        return sizeof(double);
     }
-    return sizeof(double);
+    not_an_enumerator();
 }
 
-/// The type of numbers for the scene's kind of scalar. `grid` is what `fixed` snaps to.
+/// A list whose coordinates are not rounded.
 template <typename AList>
-NumberChoice choose_numbers(const Scene& scene, const AList& list, std::int64_t grid) {
+concept ExactList = std::same_as<AList, TypedVertices> || std::same_as<AList, ScreenList<Rational>>;
+
+/// A plan with fractions on the grid that `fixed` snaps to: so many positions to a pixel. Samples
+/// at half a pixel stay where they are, however coarse the grid is.
+template <typename AList>
+Plan plan_on_grid(const Scene& scene, const AList& list, std::int64_t grid) {
+    const std::int64_t halves = sample_of(scene.method) == Sample::center ? 2 : 1;
+    const std::int64_t denominator = std::lcm(grid, halves);
+    return {.number = plan_in_fractions(scene, list, denominator).number,
+            .denominator = denominator,
+            .coarseness = denominator / grid};
+}
+
+/// Begins a plan with the type of numbers for the scene's kind of scalar. `grid` is what `fixed`
+/// snaps to.
+template <typename AList>
+Plan plan_with_numbers(const Scene& scene, const AList& list, std::int64_t grid) {
     switch (scene.method.scalar) {
     case ScalarKind::exact:
-        if constexpr (std::same_as<AList, TypedVertices> ||
-                      std::same_as<AList, ScreenList<Rational>>)
-            return choose_exact_numbers(scene, list);
+        if constexpr (ExactList<AList>)
+            return plan_in_exact_numbers(scene, list);
         break;
     case ScalarKind::adaptive:
         // Fractions that fit leave nothing open, and are as fast.
         if constexpr (std::same_as<AList, TypedVertices>) {
-            const NumberChoice exact = choose_exact_numbers(scene, list);
+            const Plan exact = plan_in_exact_numbers(scene, list);
             if (exact.number != NumberType::rational)
                 return exact;
         }
         return {.number = NumberType::adaptive};
     case ScalarKind::fixed:
-        // Rationals lie on the grid too. The centers of pixels, which are halves, are not snapped,
-        // however coarse it is.
-        if constexpr (!std::same_as<AList, ScreenList<Adaptive>>) {
-            const std::int64_t halves = sample_of(scene.method) == Sample::center ? 2 : 1;
-            const std::int64_t denominator = std::lcm(grid, halves);
-            return {choose_fractions(scene, list, denominator).number, denominator,
-                    denominator / grid};
-        }
+        if constexpr (ExactList<AList> || std::same_as<AList, ScreenList<double>>)
+            return plan_on_grid(scene, list, grid);
         break;
     case ScalarKind::single_precision:
         return {.number = NumberType::binary32};
     case ScalarKind::double_precision:
-        break;
+        return {.number = NumberType::binary64};
     }
-    return {};
+    not_an_enumerator(); // or a list that geometry_for does not make for this kind of scalar
 }
 
-/// True if, in numbers of type Real, some pixel of the canvas may have an infinite weight in a
-/// triangle: a weight is a quotient of two areas, and the triangle's own may be almost 0.
-template <typename Real> bool weights_may_overflow(const Triangle<Real>& triangle) {
-    Real extent = largest_canvas_side;
-    for (const auto& vertex : triangle.vertices)
-        extent = std::max({extent, std::abs(vertex.x), std::abs(vertex.y)});
-    const Real area2 = Barycentric<Real>(triangle).area2();
-    return area2 != 0 && !std::isfinite(16 * extent * extent / area2);
-}
-
-/// The first thing about a piece that would make an infinity or overflow. Real is the type that the
-/// scene is drawn with, or double where that cannot overflow.
-template <typename Real, typename Coordinate>
-std::optional<Unfit> unfit_of(const Piece<Coordinate>& piece, const Method& method,
-                              bool mixes_colors, bool has_tested_lines) {
-    using What = Unfit::What;
-    const bool is_rounded = method.scalar == ScalarKind::double_precision ||
-                            method.scalar == ScalarKind::single_precision;
-    const bool is_triangle = piece.kind == PrimitiveKind::triangle;
-    const FillTraits fill = traits_of(method.fill);
-    const bool is_fan = is_triangle && fill.rule == PixelRule::lines;
-    const bool is_on_grid = is_fan || (!is_triangle && traits_of(method.line).is_on_grid);
-    const bool has_weights =
-        is_rounded && is_triangle && (mixes_colors || fill.rule == PixelRule::samples);
-
-    std::array<std::array<double, 2>, 3> at{};
-    for (std::size_t i = 0; i < piece.count; ++i)
-        at[i] = {to_double(piece.positions[i].x), to_double(piece.positions[i].y)};
-    const auto unfit = [&](What what, std::size_t from, std::size_t to, double limit = 0) {
-        return Unfit{what, piece.vertices[from], piece.vertices[to], at[from], at[to], limit};
-    };
-
-    // Coordinates.
-    using Limits = std::numeric_limits<Real>;
-    const double largest_of_differences = std::ldexp(1.0, Limits::max_exponent - 2);
-    const double largest_of_products = std::ldexp(1.0, Limits::max_exponent / 2 - 12);
-    const double largest_of_fixed = std::ldexp(1.0, 36);
-    const double largest_of_lines = std::ldexp(1.0, 51);
-    for (std::size_t i = 0; i < piece.count; ++i) {
-        const double farthest = std::max(std::abs(at[i][0]), std::abs(at[i][1]));
-        if (!std::isfinite(at[i][0]) || !std::isfinite(at[i][1]))
-            return unfit(What::position, i, i);
-        const auto largest_index = static_cast<double>(farthest_index);
-        if (method.snap != Snap::none && farthest >= largest_index)
-            return unfit(What::coordinate_of_snap, i, i, largest_index);
-        if (is_rounded && farthest > largest_of_differences)
-            return unfit(What::coordinate, i, i, largest_of_differences);
-        if (method.scalar == ScalarKind::fixed && farthest > largest_of_fixed)
-            return unfit(What::coordinate_of_fixed, i, i, largest_of_fixed);
-        if (has_weights && farthest > largest_of_products)
-            return unfit(What::coordinate_of_weights, i, i, largest_of_products);
-        if (is_on_grid && farthest > largest_of_lines)
-            return unfit(What::coordinate_of_line, i, i, largest_of_lines);
-    }
-
-    // Depths are interpolated as differences times differences.
-    if ((is_triangle || has_tested_lines) && !decides_exactly(method)) {
-        double farthest = 1;
-        for (const auto& [x, y] : at)
-            farthest = std::max({farthest, std::abs(x), std::abs(y)});
-        for (std::size_t i = 0; i < piece.count; ++i)
-            if (!(8 * std::abs(to_double(piece.depths[i])) * farthest <
-                  static_cast<double>(Limits::max())))
-                return unfit(What::depth_times_size, i, i);
-    }
-
-    // The area, and the edges.
-    Triangle<Real> triangle{};
-    for (std::size_t i = 0; i < piece.count; ++i)
-        triangle.vertices[i] = {static_cast<Real>(at[i][0]), static_cast<Real>(at[i][1])};
-    if (has_weights && weights_may_overflow(triangle))
-        return unfit(What::area_of_weights, 0, 2);
-    for (std::size_t from = 0; from < piece.count; ++from) {
-        const std::size_t to = (from + 1) % piece.count;
-        const Real dx = triangle.vertices[to].x - triangle.vertices[from].x;
-        const Real dy = triangle.vertices[to].y - triangle.vertices[from].y;
-        if (is_rounded && dy != 0 && !std::isfinite(dx / dy))
-            return unfit(What::slope, from, to);
-        const auto longest = static_cast<Real>(longest_fan_edge);
-        if (is_fan && (std::abs(dx) > longest || std::abs(dy) > longest))
-            return unfit(What::edge_of_fan, from, to, static_cast<double>(longest_fan_edge));
-    }
-    return std::nullopt;
-}
-
-/// The first vertex that a primitive needs and that has no finite place before clipping, or no
-/// depth.
-template <typename Coordinate>
-std::optional<Unfit> unfit_vertex(const Scene& scene, const Geometry<Coordinate>& geometry) {
-    if constexpr (std::floating_point<Coordinate>) {
-        const auto is_infinite = [](const std::optional<Matrix<Coordinate>>& matrix) {
-            return matrix &&
-                   std::any_of(matrix->rows.begin(), matrix->rows.end(), [](const auto& row) {
-                       return !std::all_of(row.begin(), row.end(),
-                                           [](Coordinate entry) { return std::isfinite(entry); });
-                   });
-        };
-        const auto& transforms = geometry.list.transforms;
-        if (is_infinite(transforms.view) || is_infinite(transforms.projection) ||
-            is_infinite(transforms.viewport) ||
-            std::any_of(transforms.models.begin(), transforms.models.end(), is_infinite))
-            return Unfit{Unfit::What::matrix, 0, 0, {}, {}, 0};
-        for (std::size_t i = 0; i < geometry.vertices.size(); ++i) {
-            const auto& at = geometry.vertices[i].clip;
-            if (geometry.is_used[i] && !(std::isfinite(at.x) && std::isfinite(at.y) &&
-                                         std::isfinite(at.z) && std::isfinite(at.w)))
-                return Unfit{Unfit::What::position, i, i, {at.x, at.y}, {at.x, at.y}, 0};
-        }
-    }
-    // In a perspective, clipping leaves only what lies in front of the eye. Elsewhere nothing does.
-    const bool tests_all = scene.has_depth_buffer();
-    if (scene.depth() == Depth::inverse_z && !is_perspective(scene.projection.type))
-        for (const ScenePrimitive& primitive : scene.primitives)
-            if (primitive.kind == PrimitiveKind::triangle || tests_all)
-                for (const std::size_t i : primitive.corners()) {
-                    const Coordinate& exact = geometry.vertices[i].distance;
-                    const double distance = to_double(exact);
-                    if (!(scalar_from<Coordinate>(0) < exact) || !std::isfinite(1 / distance))
-                        return Unfit{Unfit::What::depth, i, i, {distance, 0}, {distance, 0}, 0};
-                }
-    return std::nullopt;
-}
-std::optional<Unfit> unfit_vertex(const Scene&, const TypedVertices&) {
-    return std::nullopt;
-}
-
-/// The first piece in the scene's order that would make an infinity or overflow.
-template <typename AList> std::optional<Unfit> unfit_piece(const Scene& scene, const AList& list) {
-    const bool is_single = scene.method.scalar == ScalarKind::single_precision;
-    const bool has_tested_lines = scene.has_tested_lines();
-    std::optional<Unfit> first;
-    std::size_t primitive = scene.primitives.size();
-    for_each_piece(scene, list, [&](const auto& piece) {
-        if (piece.primitive >= primitive)
-            return;
-        const auto unfit =
-            is_single ? unfit_of<float>(piece, scene.method, list.mixes_colors, has_tested_lines)
-                      : unfit_of<double>(piece, scene.method, list.mixes_colors, has_tested_lines);
-        if (unfit) {
-            first = unfit;
-            primitive = piece.primitive;
-        }
-    });
-    return first;
-}
-
-/// The first triangle whose face would be told with an infinity.
-template <typename Coordinate>
-std::optional<Unfit> unfit_face(const Scene& scene, const ScreenList<Coordinate>& list) {
-    if (!list.infinite_face)
-        return std::nullopt;
-    const auto [a, b, c] = scene.primitives[*list.infinite_face].vertices;
-    const auto& world = vertex_in_space(scene, list.transforms, a).world;
-    const std::array<double, 2> at{to_double(world.x), to_double(world.y)};
-    return Unfit{Unfit::What::face, a, c, at, at, 0};
-}
-std::optional<Unfit> unfit_face(const Scene&, const TypedVertices&) {
-    return std::nullopt;
-}
-
-/// Decides how a scene is drawn, from the scene alone; or tells the first place where drawing it
-/// would make an infinity or overflow. `grid` is what `fixed` snaps to: so many places to a pixel.
 std::variant<Plan, Unfit> plan_or_unfit(const Scene& scene, std::int64_t grid) {
     const auto plan_with = [&](auto geometry) -> std::variant<Plan, Unfit> {
         if (const auto unfit = unfit_vertex(scene, geometry))
@@ -361,24 +192,19 @@ std::variant<Plan, Unfit> plan_or_unfit(const Scene& scene, std::int64_t grid) {
         if (const auto unfit = unfit_face(scene, list))
             return *unfit;
 
-        const NumberChoice choice = choose_numbers(scene, list, grid);
-        Plan plan{.number = choice.number,
-                  .denominator = choice.denominator,
-                  .coarseness = choice.coarseness,
-                  .stages = stages_of(scene, list, depth_size_of(choice.number)),
-                  .mixes_colors = list.mixes_colors};
+        Plan plan = plan_with_numbers(scene, list, grid);
+        plan.mixes_colors = list.mixes_colors;
         plan.list = std::make_shared<const AnyScreenList>(std::move(list));
+        plan.stages = stages_of(scene, *plan.list, depth_size_of(plan.number));
         return plan;
     };
     return std::visit(plan_with, geometry_for(scene));
 }
 
-/// The plan of a scene that can be drawn.
 Plan plan_for(const Scene& scene, std::int64_t grid) {
     return std::get<Plan>(plan_or_unfit(scene, grid));
 }
 
-/// Why a scene cannot be drawn, if it cannot.
 std::optional<Unfit> find_unfit(const Scene& scene) {
     const auto plan = plan_or_unfit(scene);
     const auto* unfit = std::get_if<Unfit>(&plan);

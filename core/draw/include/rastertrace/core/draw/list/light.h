@@ -16,8 +16,8 @@
 
 namespace rastertrace {
 
-/// The cosine of the angle between two exact vectors: the nearest double to its root. `nullopt` if one
-/// of them has no length.
+/// The cosine of the angle between two exact vectors: the nearest double to its root. `nullopt` if
+/// one of them has no length.
 inline std::optional<double> cosine_between(const Vec<Rational, 3>& a, const Vec<Rational, 3>& b) {
     if (has_no_length<Rational>(a) || has_no_length<Rational>(b))
         return std::nullopt;
@@ -43,7 +43,7 @@ inline std::optional<Adaptive> cosine_between(const Vec<Adaptive, 3>& a,
                     (high - low) / 2 * Adaptive::widening);
 }
 
-/// The same for an intensity with an error. Throws Undecided if a level hangs on it.
+/// The same for an intensity with an error. Throws Undecided if the error decides about a level.
 inline Color lit(Color color, Adaptive intensity, ColorRounding rounding) {
     const Color darkest =
         lit(color, std::max(0.0, intensity.value() - intensity.error()), rounding);

@@ -1,44 +1,43 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// From primitives whose vertices have their places to a list of what is drawn on the screen: faces are
-// tested and lit, what reaches out of view is clipped, each once.
+// From vertices in clip space to a list of what is drawn on the screen: faces are tested and lit,
+// primitives are clipped, each once. A piece is a primitive, or a part of one that clipping has
+// cut.
 //
 //     const auto list = screen_list_of(scene, geometry_of<double>(scene));
 //     for_each_piece(scene, list, [](const Piece<double>& piece) { /* draw it */ });
 //
-// What is found out on the way and is not drawn, like normals, is worked out again for who listens.
+// The list does not hold what is not drawn, like normals: it is worked out again for a listener.
 
 #include <rastertrace/core/draw/list/geometry.h>
 #include <rastertrace/core/draw/list/screen_list.h>
 #include <rastertrace/core/draw/scene/scene.h>
 #include <rastertrace/core/draw/tell/listener.h>
-#include <rastertrace/core/numbers/adaptive.h>
 #include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/core/numbers/vec.h>
 #include <rastertrace/core/raster/depth_buffer.h>
 #include <rastertrace/core/raster/image.h>
-#include <rastertrace/core/raster/shading.h>
 #include <rastertrace/core/raster/steps.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace rastertrace {
 
-/// What was found out about a triangle's face before it is clipped.
+/// The tests of a triangle's face, before it is clipped.
 template <typename Coordinate> struct Face {
     std::optional<FaceTested<Coordinate>> tested = {};
     std::optional<FaceLit<Coordinate>> lit = {};
-    std::optional<SkipReason> skip = {}; ///< then it is not drawn
+    std::optional<SkipReason> skip = {}; ///< why it is not drawn
 };
 
-/// Tells what was found out about a face. True if it is to be drawn.
+/// Tells the tests of a face. True if it is drawn.
 template <typename Coordinate, typename Sink>
 bool tell_face(const Face<Coordinate>& face, Sink&& sink) {
     if (face.tested)
@@ -50,35 +49,27 @@ bool tell_face(const Face<Coordinate>& face, Sink&& sink) {
     return !face.skip;
 }
 
-/// Without a pipeline, faces are not looked at.
+/// Of vertices as typed: no face is tested.
 struct NoFace {};
 template <typename Sink> bool tell_face(NoFace, Sink&&) {
     return true;
 }
 
-/// Which depths pass, and what the buffer starts at.
+/// Which depths pass the test, and the depth that the buffer is cleared to: none if any depth
+/// passes against it.
 template <typename Scalar> DepthRule<Scalar> depth_rule(const Scene& scene) {
     DepthRule<Scalar> rule;
     const Depth depth = scene.depth();
+    const Projection& projection = scene.projection;
     if (depth == Depth::inverse_z)
         rule = {.larger_passes = true, .cleared = scalar_from<Scalar>(0)};
-    if (depth == Depth::ndc_z)
-        switch (scene.projection.type) {
-        case ProjectionType::view_plane:
-            rule = {.larger_passes = true,
-                    .cleared = Scalar(-scalar_from<Scalar>(scene.projection.distance))};
-            break;
-        case ProjectionType::pinhole:
-        case ProjectionType::frustum:
-            rule.cleared = scalar_from<Scalar>(1);
-            break;
-        case ProjectionType::orthographic:
-            if (scene.projection.near)
-                rule.cleared = scalar_from<Scalar>(1);
-            break;
-        case ProjectionType::none:
-            break;
-        }
+    else if (depth == Depth::ndc_z && projection.type == ProjectionType::view_plane)
+        rule = {.larger_passes = true,
+                .cleared = Scalar(-scalar_from<Scalar>(projection.distance))};
+    else if (depth == Depth::ndc_z &&
+             (is_perspective(projection.type) ||
+              (projection.type == ProjectionType::orthographic && projection.near)))
+        rule.cleared = scalar_from<Scalar>(1);
     if (scene.method.depth_compare != DepthCompare::automatic) {
         const bool larger = scene.method.depth_compare == DepthCompare::greater;
         if (larger != rule.larger_passes)
@@ -87,9 +78,9 @@ template <typename Scalar> DepthRule<Scalar> depth_rule(const Scene& scene) {
     return rule;
 }
 
-/// A primitive on the screen, or a part of one that clipping has cut: the first `count` of each.
+/// A primitive on the screen, or a part of one: the first `count` elements of each array.
 template <typename Coordinate> struct Piece {
-    PrimitiveKind kind;        ///< of a part of an outline: a line
+    PrimitiveKind kind;        ///< a line, if it is a part of an outline
     std::size_t primitive = 0; ///< its index in the scene
     Color color;               ///< of the primitive
     bool is_part = false;
@@ -99,16 +90,22 @@ template <typename Coordinate> struct Piece {
     std::array<DepthOf<Coordinate>, 3> depths{};    ///< if there is a depth buffer
     std::array<DepthOf<Coordinate>, 3> inverse_w{}; ///< if colors are mixed
     std::array<Color, 3> colors;                    ///< the primitive's, where a vertex has none
-    std::array<std::size_t, 3> vertices{}; ///< indices in the scene of the vertices, or of the
-                                           ///< first one of what was clipped if clipping made them
+    /// Indices in the scene. A vertex that clipping has made has the first vertex of what was
+    /// clipped.
+    std::array<std::size_t, 3> vertices{};
 };
 
-/// What is called how: a part "ABC/1", and a vertex that clipping has made "ABC:1".
+/// The names of a piece and of its corners: "ABC/1" for a part, "ABC:1" for a vertex that clipping
+/// has made.
 class PieceNames {
 public:
-    PieceNames(const Scene& scene, const TypedVertices& typed, const ScreenPrimitive& one);
+    PieceNames(const Scene& scene, const std::vector<MadeVertex>& made,
+               const std::vector<ScreenPart>& parts, const ScreenPrimitive& one);
     template <typename Coordinate>
-    PieceNames(const Scene& scene, const ScreenList<Coordinate>& list, const ScreenPrimitive& one);
+    PieceNames(const Scene& scene, const ScreenList<Coordinate>& list, const ScreenPrimitive& one)
+        : PieceNames(scene, list.made, list.parts, one) {}
+    PieceNames(const Scene& scene, const TypedVertices&, const ScreenPrimitive& one)
+        : PieceNames(scene, {}, {}, one) {}
     PieceNames(const PieceNames&) = delete;
     PieceNames& operator=(const PieceNames&) = delete;
 
@@ -116,51 +113,48 @@ public:
     std::array<std::string_view, 3> corners;
 
 private:
-    std::array<std::string, 4> made_; ///< those that the scene does not have
+    std::array<std::string, 4> made_; ///< names that the scene does not have
 };
 
-// What follows is compiled in the library. What is asked for primitive by primitive: for Rational.
-
-/// Tests which way a triangle is turned, and lights it. `world` are its corners there. A triangle without
-/// area has no normal.
-template <typename Scalar>
-Face<Scalar> face_of(const Scene& scene, const Transforms<Scalar>& transforms,
-                     const ScenePrimitive& primitive, const std::array<Vec<Scalar, 3>, 3>& world);
-
-/// Tests and lights the face of a primitive, clips it, and adds what is left of it to the list.
-template <typename Scalar>
-void add_primitive(const Scene& scene, Geometry<Scalar>& geometry, std::size_t index);
-
-// For float, double, Adaptive and Rational:
-
-/// What is drawn of all primitives, in the order in which they are drawn.
+/// The list of all primitives, in the order in which they are drawn.
 template <typename Scalar>
 ScreenList<Scalar> screen_list_of(const Scene& scene, Geometry<Scalar> geometry);
 inline TypedVertices screen_list_of(const Scene&, TypedVertices typed) {
     return typed;
 }
 
-/// One of the list with its corners.
+/// Tests and lights the face of a primitive, clips it, and adds what is left of it to the list.
+/// Only for Rational.
+template <typename Scalar>
+void add_primitive(const Scene& scene, Geometry<Scalar>& geometry, std::size_t index);
+
+/// Tests and lights a triangle; `world` are its corners in the world. A triangle without area has no
+/// normal and is skipped. Only for Rational.
+template <typename Scalar>
+Face<Scalar> face_of(const Scene& scene, const Transforms<Scalar>& transforms,
+                     const ScenePrimitive& primitive, const std::array<Vec<Scalar, 3>, 3>& world);
+
+/// An entry of the list with its corners.
 template <typename Scalar>
 Piece<Scalar> piece_of(const Scene& scene, const ScreenList<Scalar>& list,
                        const ScreenPrimitive& one);
 Piece<Number> piece_of(const Scene& scene, const TypedVertices& typed, const ScreenPrimitive& one);
 
-/// What takes the face of each piece.
+/// Takes the face of a piece.
 template <typename Scalar> using TakeFace = std::function<void(const Face<Scalar>& face)>;
 
-/// Tells what is found out about a primitive before it is on the screen, and calls `draw_next(face)` for
-/// each of its pieces in the list, when it is their turn. The face of a part has been told.
+/// Tells how a primitive is tested and clipped, and calls `draw_next(face)` for each of its pieces
+/// in the list, when it is its turn to be drawn. The face of a part has been told before.
 template <typename Scalar>
 void tell_pieces(const Scene& scene, const ScreenList<Scalar>& list, std::size_t index,
                  const Listener& listener, const TakeFace<Scalar>& draw_next);
 
-// Without a list, what it would hold is made as it is asked for.
+// Vertices as typed have no list. Its entries are made when they are asked for.
 
-/// What the list would hold of a primitive.
+/// The entry of a primitive that is drawn as typed.
 ScreenPrimitive typed_primitive(const Scene& scene, std::size_t index);
 
-/// How many the list holds.
+/// The number of entries.
 template <typename Scalar> std::size_t count_of(const Scene&, const ScreenList<Scalar>& list) {
     return list.primitives.size();
 }
@@ -168,23 +162,24 @@ inline std::size_t count_of(const Scene& scene, const TypedVertices&) {
     return scene.primitives.size();
 }
 
-/// The one at a place in the list.
+/// The entry with this index.
 template <typename Scalar>
-const ScreenPrimitive& nth_of(const Scene&, const ScreenList<Scalar>& list, std::size_t place) {
-    return list.primitives[place];
+const ScreenPrimitive& nth_of(const Scene&, const ScreenList<Scalar>& list, std::size_t index) {
+    return list.primitives[index];
 }
-inline ScreenPrimitive nth_of(const Scene& scene, const TypedVertices&, std::size_t place) {
-    return typed_primitive(scene, place);
+inline ScreenPrimitive nth_of(const Scene& scene, const TypedVertices&, std::size_t index) {
+    return typed_primitive(scene, index);
 }
 
-/// Calls `visit(one)` with each of the list.
+/// Calls `visit(one)` with each entry of the list.
 template <typename AList, typename Visit>
 void for_each_primitive(const Scene& scene, const AList& list, Visit&& visit) {
-    for (std::size_t place = 0; place < count_of(scene, list); ++place)
-        visit(nth_of(scene, list, place));
+    for (std::size_t i = 0; i < count_of(scene, list); ++i)
+        visit(nth_of(scene, list, i));
 }
 
-/// The same, telling what is found out about each primitive before: `visit(one, face)`.
+/// The same for a listener, who is told first how each primitive is tested and clipped: `visit(one,
+/// face)`.
 template <typename Scalar, typename Visit>
 void tell_all_pieces(const Scene& scene, const ScreenList<Scalar>& list, const Listener& listener,
                      Visit&& visit) {
@@ -199,7 +194,7 @@ void tell_all_pieces(const Scene& scene, const TypedVertices& typed, const Liste
     for_each_primitive(scene, typed, [&](const ScreenPrimitive& one) { visit(one, NoFace()); });
 }
 
-/// Calls `visit(piece)` with each of the list that is decided.
+/// Calls `visit(piece)` with each entry of the list that is not undecided.
 template <typename AList, typename Visit>
 void for_each_piece(const Scene& scene, const AList& list, Visit&& visit) {
     for_each_primitive(scene, list, [&](const ScreenPrimitive& one) {

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The list of what is drawn: every primitive, or part of one, with its corners on the screen and its
-// color. geometry.h and pieces.h make it; the plan owns it; drawing walks it.
+// The list of what is drawn: every primitive, or part of a clipped one, with its corners on the
+// screen and its color. geometry.h and pieces.h make it; the plan owns it; drawing walks it.
 
-#include <rastertrace/core/draw/list/drawing_order.h>
 #include <rastertrace/core/draw/scene/transforms.h>
 #include <rastertrace/core/draw/scene/scene.h>
 #include <rastertrace/core/numbers/adaptive.h>
-#include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/core/numbers/vec.h>
 #include <rastertrace/core/raster/image.h>
 #include <rastertrace/core/transform/matrix.h>
@@ -18,13 +16,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <variant>
 #include <vector>
 
 namespace rastertrace {
 
-/// The matrices of a scene; those that it does not have leave a vertex where it is.
+/// The matrices of a scene. One that is absent leaves a vertex where it is.
 template <typename Scalar> struct Transforms {
     std::vector<std::optional<Matrix<Scalar>>> models; ///< of the scene's objects
     std::optional<Matrix<Scalar>> rest_model;          ///< of vertices that have no object
@@ -33,36 +32,42 @@ template <typename Scalar> struct Transforms {
     std::optional<Matrix<Scalar>> viewport;
     std::vector<ClipPlane<Scalar>> planes; ///< those that a vertex lies outside of
     bool divides = true;                   ///< by w
-    StageSet needed; ///< of the stages of vertices: those that could change the picture
+    StageSet needed;                       ///< the stages of vertices that could change the picture
     Snap snap = Snap::none;
     Ties ties = Ties::up; ///< of Snap::nearest
     Vec<Scalar, 3> eye{}; ///< if faces are tested; see eye_of
 };
 
-/// Where a vertex is drawn, and what is interpolated from it.
+/// The order in which the painter draws a scene's primitives. Points and lines keep their turns.
+template <typename Scalar> struct PainterOrder {
+    std::vector<std::size_t> primitives; ///< indices in Scene::primitives
+    std::vector<Scalar> keys;            ///< distances of the triangles, in the order drawn
+};
+
+/// The position where a vertex is drawn, and what is interpolated from it.
 template <typename Scalar> struct ScreenVertex {
     Vec<Scalar, 2> position{};
     Scalar depth{};     ///< if there is a depth buffer
     Scalar inverse_w{}; ///< if colors are mixed
 };
 
-/// How many vertices that are used lie outside of a plane of the view.
+/// How many of the vertices in use lie outside a plane of the view.
 struct VerticesOutside {
     std::string_view plane;
     std::size_t vertices;
 };
 
-/// What the list holds of a primitive: all of it, or one of the parts that clipping has left.
+/// An entry of the list: a primitive, or one of the parts that clipping has left of it.
 struct ScreenPrimitive {
     enum class State : std::uint8_t {
         whole,
         part,
-        skipped, ///< whole, and not drawn: its face is culled, or has no normal; or those of a side are
-        undecided, ///< doubles leave its face open, or what clipping leaves of it
+        skipped,   ///< whole, and not drawn: culled, or without area
+        undecided, ///< doubles do not decide its face, or what clipping leaves of it
     };
     std::uint32_t primitive; ///< its index in the scene
-    std::uint32_t index;     ///< of a part, in ScreenList::parts; in ScreenList::undecided
-    Color color;             ///< of the primitive, lit
+    std::uint32_t index; ///< in ScreenList::parts of a part; in ScreenList::undecided if undecided
+    Color color;         ///< of the primitive, lit
     State state = State::whole;
 };
 
@@ -79,28 +84,34 @@ struct ScreenPart {
     int ordinal;                        ///< in its primitive, from 1
 };
 
-/// All that is drawn of a scene, with its place on the screen.
+/// A face whose normal, or that times the view or the light, is infinite.
+struct InfiniteFace {
+    std::size_t primitive;    ///< index in the scene
+    std::array<double, 2> at; ///< x and y of its first vertex in the world
+};
+
+/// All that is drawn of a scene, in screen space.
 template <typename Coordinate> struct ScreenList {
     Transforms<Coordinate> transforms;
     std::optional<PainterOrder<Coordinate>> order; ///< if the painter has sorted them
-    std::vector<VerticesOutside> outside;          ///< of each plane of the view
+    std::vector<VerticesOutside> outside;          ///< for each plane of the view
     bool mixes_colors = false;                     ///< of vertices
     Depth depth = Depth::none;
 
-    /// The scene's, of which those out of view have no position; then those that clipping made.
+    /// The scene's vertices, then those that clipping has made. Vertices out of view have no
+    /// position.
     std::vector<ScreenVertex<Coordinate>> vertices;
-    std::vector<bool> is_drawn; ///< of the scene's: those that are drawn
+    std::vector<bool> is_drawn; ///< for each vertex of the scene
     std::vector<MadeVertex> made;
     std::vector<ScreenPart> parts;
     std::vector<ScreenPrimitive> primitives; ///< in the order in which they are drawn
-    std::vector<Undecided> undecided;        ///< what left them open
+    std::vector<Undecided> undecided;        ///< the comparisons that doubles did not decide
 
-    /// Of the scene's primitives: lines that are not drawn, as no face is that they are sides of. Empty if
-    /// none of its lines goes by that.
+    /// For each primitive of the scene: true if it is a side of faces, and none of them is drawn.
+    /// Empty if no line depends on faces.
     std::vector<bool> culled_sides;
 
-    /// The first primitive of the scene with a face that is told with an infinity.
-    std::optional<std::size_t> infinite_face;
+    std::optional<InfiniteFace> infinite_face; ///< the first one of the scene
 };
 
 /// A scene without a pipeline needs no list: vertices are drawn where they were typed.
@@ -108,17 +119,28 @@ struct TypedVertices {
     bool mixes_colors = false;
 };
 
-/// What is drawn: the vertices as typed, or a list of what lies on the screen. `fixed` moves vertices in
+/// What is drawn: the vertices as typed, or a list in screen space. `fixed` moves vertices in
 /// double and snaps them when they are drawn.
 struct AnyScreenList : std::variant<TypedVertices, ScreenList<float>, ScreenList<double>,
                                     ScreenList<Adaptive>, ScreenList<Rational>> {
     using variant::variant;
 };
 
-/// The primitives in the order in which they are drawn: the scene's, or the painter's.
+/// The index of the primitive that is drawn at this turn: in the scene's order, or in the
+/// painter's.
 template <typename Coordinate>
 std::size_t primitive_at(const ScreenList<Coordinate>& list, std::size_t turn) {
     return list.order ? list.order->primitives[turn] : turn;
+}
+
+/// The corners of a primitive, or of a part of one: indices in ScreenList::vertices.
+inline std::span<const std::size_t>
+corners_of(const Scene& scene, const std::vector<ScreenPart>& parts, const ScreenPrimitive& one) {
+    const ScenePrimitive& primitive = scene.primitives[one.primitive];
+    if (one.state != ScreenPrimitive::State::part)
+        return primitive.corners();
+    const bool is_line = primitive.kind == PrimitiveKind::outline;
+    return std::span(parts[one.index].corners).first(is_line ? 2 : primitive.corners().size());
 }
 
 /// True if all of a primitive is in view, so that clipping leaves it alone.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What is decided about a scene before the first pixel: what is drawn where on the screen, and the type
-// of number that it is drawn with.
+// What is decided about a scene before the first pixel: what is drawn where on the screen, and the
+// type of number that it is drawn with.
 //
 //     const Plan plan = plan_for(scene);
 //     const Image picture = draw(scene, plan);
@@ -26,8 +26,6 @@ inline constexpr std::int64_t fixed_grid = 256;
 
 /// The C++ type that stands for the scene's kind of scalar.
 enum class NumberType { binary32, binary64, adaptive, fraction64, fraction128, rational };
-
-struct AnyScreenList; // screen_list.h
 
 /// Moves the primitives of a scene to the screen, in the numbers that its kind of scalar asks for.
 AnyScreenList screen_list_for(const Scene& scene);
@@ -72,7 +70,7 @@ template <typename DrawWith> decltype(auto) with_scalar(const Plan& plan, DrawWi
 struct Unfit {
     enum class What {
         matrix,     ///< a matrix has an entry beyond the largest number
-        position,   ///< a vertex has no finite place on its way to the screen
+        position,   ///< a vertex has no finite position on its way to the screen
         coordinate, ///< beyond the limit: the difference of two such numbers may be infinite
         slope,      ///< dx/dy or dy/dx is beyond the largest number
         coordinate_of_weights, ///< beyond the limit: a product of two such numbers may be infinite
@@ -93,8 +91,8 @@ struct Unfit {
     double limit; ///< of a coordinate
 };
 
-/// Decides how a scene is drawn, from the scene alone; or tells the first place where drawing it
-/// would make an infinity or overflow. `grid` is what `fixed` snaps to: so many places to a pixel.
+/// Decides how a scene is drawn, from the scene alone; or finds the first vertex where drawing it
+/// would make an infinity or overflow. `fixed` snaps to 1/`grid` pixel.
 std::variant<Plan, Unfit> plan_or_unfit(const Scene& scene, std::int64_t grid = fixed_grid);
 
 /// The plan of a scene that can be drawn.

@@ -2,7 +2,7 @@
 #pragma once
 
 // The stages of drawing, in the order in which they run, and when each is needed: if the picture
-// could be another one without it. It is decided before anything is drawn.
+// could change without it. All of it is decided before anything is drawn.
 //
 //     stage        does                                   is needed if
 //     model        object to world space                  a model moves something
@@ -13,19 +13,20 @@
 //     cull         drops faces by their normals           the method asks for it
 //     light        lights faces                           the method asks for it
 //     canvas       drops pixels that the canvas has not   a triangle may reach beyond the canvas
-//     depth        tests pixels against the nearest       two primitives may share a pixel, or one is cut,
-//                                                         or may be as far as the buffer starts
+//     depth        tests pixels against the nearest       two primitives may share a pixel, or one is
+//                                                         cut, or as far as the buffer starts
 //     perspective  mixes colors as they mix in space      w differs in a triangle
 //     colors       mixes the colors of vertices           they differ in a triangle
 //
-// The last four are decided for each triangle, and depth for each primitive (PixelStages). A stage that the scene keeps although it
-// does not need it runs, and the picture is the same.
+// The last four are decided for each triangle, and depth for each primitive (PixelStages). A stage
+// that the scene keeps although it does not need it runs, and the picture is the same.
 //
 //     plan_for(scene).stages.decisions;
 
-#include <rastertrace/core/draw/scene/stage.h>
+#include <rastertrace/core/draw/scene/scene.h>
 #include <rastertrace/core/raster/depth_buffer.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -35,7 +36,7 @@ namespace rastertrace {
 
 /// Where the colors of pixels come from.
 enum class ColorStage : std::uint8_t {
-    flat,        ///< one for all of them
+    flat,        ///< all pixels have the same color
     affine,      ///< mixed as they mix on the screen
     perspective, ///< mixed as they mix in space
 };
@@ -52,7 +53,7 @@ struct PixelStages {
 struct Savings {
     std::uint64_t bytes = 0;  ///< of memory
     std::uint64_t steps = 0;  ///< in the trace, beside those of pixels
-    std::uint64_t pixels = 0; ///< looked at; at most so many, since boxes are counted
+    std::uint64_t pixels = 0; ///< tested; an upper bound, since boxes are counted
 };
 
 /// What was decided about a stage.
@@ -70,6 +71,11 @@ struct Stages {
     std::vector<PixelStages> pixels;      ///< of the scene's primitives
     DepthRegion depth_region = {};        ///< the pixels whose depths are tested
 };
+
+struct AnyScreenList; // screen_list.h
+
+/// Decides about every stage. `depth_size` is that of an element of the depth buffer, in bytes.
+Stages stages_of(const Scene& scene, const AnyScreenList& list, std::size_t depth_size);
 
 /// "1 triangle", "3 triangles".
 inline std::string counted(std::uint64_t count, std::string_view noun) {

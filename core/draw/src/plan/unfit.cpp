@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "plan/unfit.h"
+
+#include <rastertrace/core/raster/barycentric.h>
+#include <rastertrace/core/raster/fill_fan.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace rastertrace {
+
+namespace {
+
+using What = Unfit::What;
+
+/// True if, in numbers of type Real, some pixel of the canvas may have an infinite weight in a
+/// triangle: a weight is a quotient of two areas, and the triangle's own may be almost 0.
+template <typename Real> bool weights_may_overflow(const Triangle<Real>& triangle) {
+    Real extent = largest_canvas_side;
+    for (const auto& vertex : triangle.vertices)
+        extent = std::max({extent, std::abs(vertex.x), std::abs(vertex.y)});
+    const Real area2 = Barycentric<Real>(triangle).area2();
+    return area2 != 0 && !std::isfinite(16 * extent * extent / area2);
+}
+
+/// What drawing a piece does with its coordinates.
+struct PieceUse {
+    bool is_rounded;  ///< in floats or doubles
+    bool is_fan;      ///< filled by a fan
+    bool is_on_grid;  ///< drawn by lines from pixel to pixel
+    bool has_weights; ///< barycentric weights, which are rounded
+};
+
+PieceUse use_of(const Piece<double>& piece, const Method& method, bool mixes_colors) {
+    const bool is_rounded = method.scalar == ScalarKind::double_precision ||
+                            method.scalar == ScalarKind::single_precision;
+    const bool is_triangle = piece.kind == PrimitiveKind::triangle;
+    const PixelRule rule = traits_of(method.fill).rule;
+    const bool is_fan = is_triangle && rule == PixelRule::lines;
+    return {.is_rounded = is_rounded,
+            .is_fan = is_fan,
+            .is_on_grid = is_fan || (!is_triangle && traits_of(method.line).is_on_grid),
+            .has_weights =
+                is_rounded && is_triangle && (mixes_colors || rule == PixelRule::samples)};
+}
+
+/// The farthest that a vertex lies from x = 0 or y = 0.
+double extent_of(const Vec<double, 2>& at) {
+    return std::max(std::abs(at.x), std::abs(at.y));
+}
+
+Unfit unfit_between(What what, const Piece<double>& piece, std::size_t from, std::size_t to,
+                    double limit = 0) {
+    const auto& a = piece.positions[from];
+    const auto& b = piece.positions[to];
+    return {what, piece.vertices[from], piece.vertices[to], {a.x, a.y}, {b.x, b.y}, limit};
+}
+
+/// The first coordinate beyond a limit of what is done with it.
+template <typename Real>
+std::optional<Unfit> unfit_coordinate(const Piece<double>& piece, const PieceUse& use,
+                                      const Method& method) {
+    struct Limit {
+        What what;
+        bool applies;
+        double largest;
+    };
+    constexpr int exponent = std::numeric_limits<Real>::max_exponent;
+    const bool is_fixed = method.scalar == ScalarKind::fixed;
+    const std::array limits{
+        Limit{What::coordinate, use.is_rounded, std::ldexp(1.0, exponent - 2)},
+        Limit{What::coordinate_of_fixed, is_fixed, 0x1p36},
+        Limit{What::coordinate_of_weights, use.has_weights, std::ldexp(1.0, exponent / 2 - 12)},
+        Limit{What::coordinate_of_line, use.is_on_grid, 0x1p51}};
+    for (std::size_t i = 0; i < piece.count; ++i) {
+        const Vec<double, 2>& at = piece.positions[i];
+        if (!std::isfinite(at.x) || !std::isfinite(at.y))
+            return unfit_between(What::position, piece, i, i);
+        const auto largest_index = static_cast<double>(farthest_index);
+        if (method.snap != Snap::none && extent_of(at) >= largest_index)
+            return unfit_between(What::coordinate_of_snap, piece, i, i, largest_index);
+        for (const auto& [what, applies, largest] : limits)
+            if (applies && extent_of(at) > largest)
+                return unfit_between(what, piece, i, i, largest);
+    }
+    return std::nullopt;
+}
+
+/// The first depth that is too large. Depths are interpolated as differences times differences.
+template <typename Real> std::optional<Unfit> unfit_depth(const Piece<double>& piece) {
+    double farthest = 1;
+    for (const Vec<double, 2>& at : piece.positions)
+        farthest = std::max(farthest, extent_of(at));
+    for (std::size_t i = 0; i < piece.count; ++i)
+        if (!(8 * std::abs(piece.depths[i]) * farthest <
+              static_cast<double>(std::numeric_limits<Real>::max())))
+            return unfit_between(What::depth_times_size, piece, i, i);
+    return std::nullopt;
+}
+
+/// An area that is too small for weights, or the first edge that is too steep or too long.
+template <typename Real>
+std::optional<Unfit> unfit_edge(const Piece<double>& piece, const PieceUse& use) {
+    Triangle<Real> triangle{};
+    for (std::size_t i = 0; i < piece.count; ++i)
+        triangle.vertices[i] = {static_cast<Real>(piece.positions[i].x),
+                                static_cast<Real>(piece.positions[i].y)};
+    if (use.has_weights && weights_may_overflow(triangle))
+        return unfit_between(What::area_of_weights, piece, 0, 2);
+    for (std::size_t from = 0; from < piece.count; ++from) {
+        const std::size_t to = (from + 1) % piece.count;
+        const Real dx = triangle.vertices[to].x - triangle.vertices[from].x;
+        const Real dy = triangle.vertices[to].y - triangle.vertices[from].y;
+        if (use.is_rounded && dy != 0 && !std::isfinite(dx / dy))
+            return unfit_between(What::slope, piece, from, to);
+        const auto longest = static_cast<Real>(longest_fan_edge);
+        if (use.is_fan && (std::abs(dx) > longest || std::abs(dy) > longest))
+            return unfit_between(What::edge_of_fan, piece, from, to,
+                                 static_cast<double>(longest_fan_edge));
+    }
+    return std::nullopt;
+}
+
+/// The same for all of a piece. Real is the type that the scene is drawn with, or double where that
+/// cannot overflow.
+template <typename Real>
+std::optional<Unfit> unfit_in(const Piece<double>& piece, const Method& method, bool mixes_colors,
+                              bool tests_lines) {
+    const PieceUse use = use_of(piece, method, mixes_colors);
+    if (const auto unfit = unfit_coordinate<Real>(piece, use, method))
+        return unfit;
+    const bool has_depths = piece.kind == PrimitiveKind::triangle || tests_lines;
+    if (has_depths && !decides_exactly(method))
+        if (const auto unfit = unfit_depth<Real>(piece))
+            return unfit;
+    return unfit_edge<Real>(piece, use);
+}
+
+} // namespace
+
+std::optional<Unfit> unfit_of(const Piece<double>& piece, const Method& method, bool mixes_colors,
+                              bool tests_lines) {
+    return method.scalar == ScalarKind::single_precision
+               ? unfit_in<float>(piece, method, mixes_colors, tests_lines)
+               : unfit_in<double>(piece, method, mixes_colors, tests_lines);
+}
+
+} // namespace rastertrace
