@@ -45,7 +45,7 @@
 namespace rastertrace {
 
 /// What the drawing of all primitives of a scene shares.
-template <typename Scalar, typename OfPixels = Scalar> struct Drawing {
+template <typename Scalar, typename OfPixels = Scalar> struct SceneDrawing {
     const Scene& scene;
     const Plan& plan;
     Image& image;
@@ -137,7 +137,7 @@ inline void require_finite_differences(const std::array<Adaptive, 3>& depths) {
 /// and their depths. It makes the painter of the triangle.
 template <typename Scalar, typename OfPixels> class TrianglePaint {
 public:
-    TrianglePaint(const Piece<Scalar>& primitive, const Drawing<Scalar, OfPixels>& drawing)
+    TrianglePaint(const Piece<Scalar>& primitive, const SceneDrawing<Scalar, OfPixels>& drawing)
         : stages_(drawing.stages_of(primitive.primitive)), flat_(primitive.color) {
         const Method& method = drawing.scene.method;
         // A triangle has one color if it has no area, or if its vertices have one color.
@@ -171,7 +171,7 @@ public:
     bool is_flat() const { return stages_.colors == ColorStage::flat && !stages_.tests_depth; }
 
     /// True if PlanePainter paints it: one color, depths in a plane, and no lines are tested.
-    bool is_flat_in_plane(const Drawing<Scalar, OfPixels>& drawing) const {
+    bool is_flat_in_plane(const SceneDrawing<Scalar, OfPixels>& drawing) const {
         return stages_.colors == ColorStage::flat && stages_.is_painted && plane_ &&
                !drawing.depth->has_owners();
     }
@@ -183,12 +183,12 @@ public:
         return FlatPainter<>(image, flat_, {}, stages_.tests_canvas);
     }
 
-    PlanePainter<Scalar> plane_painter(const Drawing<Scalar, OfPixels>& drawing) const {
+    PlanePainter<Scalar> plane_painter(const SceneDrawing<Scalar, OfPixels>& drawing) const {
         return {drawing.image, flat_, *plane_, *drawing.depth, stages_.tests_canvas};
     }
 
     template <typename Sink>
-    RowPainter<Scalar, OfPixels, Sink> row_painter(const Drawing<Scalar, OfPixels>& drawing,
+    RowPainter<Scalar, OfPixels, Sink> row_painter(const SceneDrawing<Scalar, OfPixels>& drawing,
                                                    const Sink& sink) {
         return {.image = drawing.image,
                 .stages = stages_,
@@ -259,7 +259,8 @@ void tell_beginning(const Piece<Scalar>& piece, const PieceNames& names, const P
 
 /// Draws a point, a line or an outline, with or without depth tests.
 template <typename Scalar, typename OfPixels, typename Sink>
-void draw_thin(const Piece<Scalar>& piece, Drawing<Scalar, OfPixels>& drawing, const Sink& sink) {
+void draw_thin(const Piece<Scalar>& piece, SceneDrawing<Scalar, OfPixels>& drawing,
+               const Sink& sink) {
     const Scene& scene = drawing.scene;
     if (!drawing.stages_of(piece.primitive).tests_depth)
         return draw_lines(piece, scene.method, scene.canvas,
@@ -274,7 +275,8 @@ void draw_thin(const Piece<Scalar>& piece, Drawing<Scalar, OfPixels>& drawing, c
 
 /// Draws a piece.
 template <typename Scalar, typename OfPixels, typename Sink>
-void draw_piece(const Piece<Scalar>& piece, Drawing<Scalar, OfPixels>& drawing, const Sink& sink) {
+void draw_piece(const Piece<Scalar>& piece, SceneDrawing<Scalar, OfPixels>& drawing,
+                const Sink& sink) {
     if (piece.kind != PrimitiveKind::triangle)
         return draw_thin(piece, drawing, sink);
     const Scene& scene = drawing.scene;
@@ -299,7 +301,7 @@ void draw_piece(const Piece<Scalar>& piece, Drawing<Scalar, OfPixels>& drawing, 
 /// its decisions are about these.
 template <typename AFace, typename Scalar, typename OfPixels, typename Sink>
 void tell_piece(const PieceNames& names, const AFace& face, const Piece<Scalar>& piece,
-                const Drawing<Scalar, OfPixels>& drawing, const Sink& sink) {
+                const SceneDrawing<Scalar, OfPixels>& drawing, const Sink& sink) {
     const auto begin = [&](const auto& told) {
         tell_beginning(piece, names, told, drawing.depth != nullptr, drawing.plan,
                        drawing.scene.method, sink);
@@ -318,7 +320,7 @@ void tell_piece(const PieceNames& names, const AFace& face, const Piece<Scalar>&
 /// Emits what is known of a piece, and draws it.
 template <typename AList, typename AFace, typename Scalar, typename OfPixels, typename Sink>
 void tell_and_draw(const AList& list, const ScreenPrimitive& one, const AFace& face,
-                   const Piece<Scalar>& piece, Drawing<Scalar, OfPixels>& drawing,
+                   const Piece<Scalar>& piece, SceneDrawing<Scalar, OfPixels>& drawing,
                    const Sink& sink) {
     const PieceNames names(drawing.scene, list,
                            one); // a listener may refer to them until the piece ends
@@ -329,7 +331,7 @@ void tell_and_draw(const AList& list, const ScreenPrimitive& one, const AFace& f
 
 /// Draws the list.
 template <typename Scalar, typename AList, typename Sink>
-void draw_list(const AList& list, Drawing<Scalar>& drawing, const Listener& listener,
+void draw_list(const AList& list, SceneDrawing<Scalar>& drawing, const Listener& listener,
                const Sink& sink) {
     const Scene& scene = drawing.scene;
     const Plan& plan = drawing.plan;
@@ -368,7 +370,7 @@ template <typename Scalar>
 Image draw_in(const Scene& scene, const Plan& plan, const Listener& listener,
               Fallbacks* fallbacks) {
     Image image(scene.canvas);
-    Drawing<Scalar> drawing{scene, plan, image};
+    SceneDrawing<Scalar> drawing{scene, plan, image};
     std::optional<DepthTests<DepthOf<Scalar>>> depth;
     if (scene.has_depth_buffer())
         drawing.depth = &depth.emplace(plan.stages.depth_region, depth_rule<DepthOf<Scalar>>(scene),

@@ -20,9 +20,9 @@
 namespace rastertrace {
 
 // What is drawn with rationals is compiled in draw_in_adaptive_exactly.cpp.
-extern template void draw_piece(const Piece<Rational>&, Drawing<Rational, Adaptive>&,
+extern template void draw_piece(const Piece<Rational>&, SceneDrawing<Rational, Adaptive>&,
                                 const NullSink&);
-extern template void draw_piece(const Piece<Rational>&, Drawing<Rational, Adaptive>&,
+extern template void draw_piece(const Piece<Rational>&, SceneDrawing<Rational, Adaptive>&,
                                 const ListenerSink&);
 
 namespace {
@@ -109,7 +109,7 @@ private:
 /// Draws the pieces of a scene, with a sink or without one.
 template <typename Sink> class AdaptiveDrawing {
 public:
-    AdaptiveDrawing(Drawing<Adaptive>& filtered, const Listener& listener)
+    AdaptiveDrawing(SceneDrawing<Adaptive>& filtered, const Listener& listener)
         : scene_(filtered.scene), plan_(filtered.plan),
           filtered_(filtered), exact_{.scene = scene_,
                                       .plan = plan_,
@@ -340,8 +340,8 @@ private:
 
     const Scene& scene_;
     const Plan& plan_;
-    Drawing<Adaptive>& filtered_;
-    Drawing<Rational, Adaptive> exact_;
+    SceneDrawing<Adaptive>& filtered_;
+    SceneDrawing<Rational, Adaptive> exact_;
     Exactness& exactness_;
     const Listener& listener_;
     const Certifier certifier_;
@@ -355,7 +355,7 @@ private:
 } // namespace
 
 template <typename AList, typename Sink>
-void draw_list(const AList& list, Drawing<Adaptive>& drawing, const Listener& listener,
+void draw_list(const AList& list, SceneDrawing<Adaptive>& drawing, const Listener& listener,
                const Sink&) {
     AdaptiveDrawing<Sink>(drawing, listener).draw(list);
     if (drawing.depth)

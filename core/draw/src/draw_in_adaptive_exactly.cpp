@@ -6,7 +6,9 @@
 
 namespace rastertrace {
 
-template void draw_piece(const Piece<Rational>&, Drawing<Rational, Adaptive>&, const NullSink&);
-template void draw_piece(const Piece<Rational>&, Drawing<Rational, Adaptive>&, const ListenerSink&);
+template void draw_piece(const Piece<Rational>&, SceneDrawing<Rational, Adaptive>&,
+                         const NullSink&);
+template void draw_piece(const Piece<Rational>&, SceneDrawing<Rational, Adaptive>&,
+                         const ListenerSink&);
 
 } // namespace rastertrace

@@ -4,8 +4,8 @@
 // The list of what is drawn: every primitive, or part of a clipped one, with its corners on the
 // screen and its color. geometry.h and pieces.h make it; the plan owns it; drawing walks it.
 
-#include <rastertrace/core/draw/scene/transforms.h>
 #include <rastertrace/core/draw/scene/scene.h>
+#include <rastertrace/core/draw/scene/transforms.h>
 #include <rastertrace/core/numbers/adaptive.h>
 #include <rastertrace/core/numbers/vec.h>
 #include <rastertrace/core/raster/image.h>
