@@ -134,7 +134,7 @@ template <typename Scalar> void find_planes(const Scene& scene, Geometry<Scalar>
     for (const ClipPlane<Scalar>& plane : geometry.list.transforms.planes) {
         std::size_t outside = 0;
         for (std::size_t i = 0; i < geometry.vertices.size(); ++i)
-            if (geometry.is_used[i] && !geometry.vertices[i].is_in_view &&
+            if (!geometry.vertices[i].is_in_view && geometry.is_used[i] &&
                 !plane.has_inside(geometry.vertices[i].clip))
                 ++outside;
         geometry.list.outside.push_back({plane.name, outside});

@@ -26,10 +26,6 @@ struct WholeBounds {
     Index high;
 };
 
-WholeBounds joined(const WholeBounds& a, const WholeBounds& b) {
-    return {std::min(a.low, b.low), std::max(a.high, b.high)};
-}
-
 template <typename Coordinate>
 WholeBounds whole_bounds(const Coordinate& coordinate, const Method& method, double slack) {
     constexpr bool is_exact =
@@ -53,6 +49,22 @@ WholeBounds whole_bounds(const Coordinate& coordinate, const Method& method, dou
     return {floor_index(x - off), ceil_index(x + off)};
 }
 
+/// The bounds of three coordinates.
+template <typename Coordinate>
+WholeBounds whole_bounds(const Coordinate& a, const Coordinate& b, const Coordinate& c,
+                         const Method& method, double slack) {
+    if constexpr (std::floating_point<Coordinate>) {
+        const auto [low, high] = std::minmax({a, b, c});
+        return {whole_bounds(low, method, slack).low, whole_bounds(high, method, slack).high};
+    } else {
+        const auto of_a = whole_bounds(a, method, slack);
+        const auto of_b = whole_bounds(b, method, slack);
+        const auto of_c = whole_bounds(c, method, slack);
+        return {std::min({of_a.low, of_b.low, of_c.low}),
+                std::max({of_a.high, of_b.high, of_c.high})};
+    }
+}
+
 /// The pixels that a piece can reach under any rounding rule: samples lie at integers or half a
 /// pixel up, and a rounded end of a row, or a pixel of a line, lies less than a pixel away.
 template <typename Coordinate> PixelBox box_of(const Piece<Coordinate>& piece, const Scene& scene) {
@@ -61,12 +73,11 @@ template <typename Coordinate> PixelBox box_of(const Piece<Coordinate>& piece, c
         farthest = std::max({farthest, std::abs(to_double(piece.positions[i].x)),
                              std::abs(to_double(piece.positions[i].y))});
     const double slack = slack_of(scene.method, farthest);
-    WholeBounds x = whole_bounds(piece.positions[0].x, scene.method, slack);
-    WholeBounds y = whole_bounds(piece.positions[0].y, scene.method, slack);
-    for (std::size_t i = 1; i < piece.count; ++i) {
-        x = joined(x, whole_bounds(piece.positions[i].x, scene.method, slack));
-        y = joined(y, whole_bounds(piece.positions[i].y, scene.method, slack));
-    }
+    const auto& a = piece.positions[0];
+    const auto& b = piece.positions[piece.count > 1 ? 1 : 0];
+    const auto& c = piece.positions[piece.count > 2 ? 2 : 0];
+    const WholeBounds x = whole_bounds(a.x, b.x, c.x, scene.method, slack);
+    const WholeBounds y = whole_bounds(a.y, b.y, c.y, scene.method, slack);
     const auto [top, bottom] =
         std::minmax({scene.canvas.row_of(y.low), scene.canvas.row_of(y.high)});
     // A face may hide a point of a line although the line draws only the next pixel

@@ -61,28 +61,27 @@ Unfit unfit_between(What what, const Piece<double>& piece, std::size_t from, std
 template <typename Real>
 std::optional<Unfit> unfit_coordinate(const Piece<double>& piece, const PieceUse& use,
                                       const Method& method) {
-    struct Limit {
-        What what;
-        bool applies;
-        double largest;
-    };
     constexpr int exponent = std::numeric_limits<Real>::max_exponent;
-    const bool is_fixed = method.scalar == ScalarKind::fixed;
-    const std::array limits{
-        Limit{What::coordinate, use.is_rounded, std::ldexp(1.0, exponent - 2)},
-        Limit{What::coordinate_of_fixed, is_fixed, 0x1p36},
-        Limit{What::coordinate_of_weights, use.has_weights, std::ldexp(1.0, exponent / 2 - 12)},
-        Limit{What::coordinate_of_line, use.is_on_grid, 0x1p51}};
+    const double largest_of_differences = std::ldexp(1.0, exponent - 2);
+    const double largest_of_products = std::ldexp(1.0, exponent / 2 - 12);
+    constexpr double largest_of_fixed = 0x1p36;
+    constexpr double largest_of_lines = 0x1p51;
+    constexpr auto largest_index = static_cast<double>(farthest_index);
     for (std::size_t i = 0; i < piece.count; ++i) {
         const Vec<double, 2>& at = piece.positions[i];
         if (!std::isfinite(at.x) || !std::isfinite(at.y))
             return unfit_between(What::position, piece, i, i);
-        const auto largest_index = static_cast<double>(farthest_index);
-        if (method.snap != Snap::none && extent_of(at) >= largest_index)
+        const double extent = extent_of(at);
+        if (method.snap != Snap::none && extent >= largest_index)
             return unfit_between(What::coordinate_of_snap, piece, i, i, largest_index);
-        for (const auto& [what, applies, largest] : limits)
-            if (applies && extent_of(at) > largest)
-                return unfit_between(what, piece, i, i, largest);
+        if (use.is_rounded && extent > largest_of_differences)
+            return unfit_between(What::coordinate, piece, i, i, largest_of_differences);
+        if (method.scalar == ScalarKind::fixed && extent > largest_of_fixed)
+            return unfit_between(What::coordinate_of_fixed, piece, i, i, largest_of_fixed);
+        if (use.has_weights && extent > largest_of_products)
+            return unfit_between(What::coordinate_of_weights, piece, i, i, largest_of_products);
+        if (use.is_on_grid && extent > largest_of_lines)
+            return unfit_between(What::coordinate_of_line, piece, i, i, largest_of_lines);
     }
     return std::nullopt;
 }

@@ -30,6 +30,10 @@ template <typename Coordinate> Piece<double> in_doubles(const Piece<Coordinate>&
     return result;
 }
 
+inline const Piece<double>& in_doubles(const Piece<double>& piece) {
+    return piece;
+}
+
 /// The first unfit piece, in the scene's order.
 template <typename AList> std::optional<Unfit> unfit_piece(const Scene& scene, const AList& list) {
     const bool tests_lines = scene.has_tested_lines();
