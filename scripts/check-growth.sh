@@ -78,20 +78,30 @@ input() {
             printf "{\"canvas\":{\"width\":64,\"height\":%d,\"origin\":\"top-left\"},\"vertices\":{\"A\":[0,0],\"B\":[40,0],\"C\":[0,%d]},\"triangles\":[\"ABC\"]}\n", n + 1, n
         else if (kind == "kinds")
             printf "{\"rastertrace\":1,\"canvas\":{\"width\":4,\"height\":4},\"steps\":[%s\n],\"end\":{\"steps\":%d,\"count\":{%s}}}\n", list(), n, counts()
-        else if (kind == "obj-star") printf "{\"canvas\":{\"width\":16,\"height\":16},\"meshes\":[{\"obj\":\"star-%d.obj\"}]}\n", n
+        else printf "{\"canvas\":{\"width\":16,\"height\":16},\"meshes\":[{\"obj\":\"%s-%d.obj\"}]}\n", kind, n
     }' >"$folder/$1-$2.json"
-    # A face with 2 N corners, every other one reflex.
-    [ "$1" != obj-star ] || awk -v n="$2" 'BEGIN {
+    # A face with 2 N corners or two more, every other one reflex: a star, or a comb that is turned by 45 degrees
+    # and rounded, so that no box tells its teeth from the triangles that run along them.
+    case $1 in obj-star | obj-comb) ;; *) return ;; esac
+    awk -v kind="$1" -v n="$2" '
+    function corner(x, y) {
+        ++corners
+        if (kind == "obj-comb") printf "v %.9g %.9g 0\n", (x - y) * sqrt(0.5), (x + y) * sqrt(0.5)
+        else printf "v %.6f %.6f 0\n", x, y
+    }
+    BEGIN {
         n = 2 * (n > 1 ? n : 2)
         for (i = 0; i < n; ++i) {
             angle = 2 * atan2(0, -1) * i / n
-            printf "v %.6f %.6f 0\n", (i % 2 ? 7 : 4) * cos(angle), (i % 2 ? 7 : 4) * sin(angle)
+            if (kind == "obj-comb") corner(i, i % 2 * 1000)
+            else corner((i % 2 ? 7 : 4) * cos(angle), (i % 2 ? 7 : 4) * sin(angle))
         }
+        if (kind == "obj-comb") { corner(n, -10); corner(-1, -10) }
         printf "f"
-        for (i = 1; i <= n; ++i)
+        for (i = 1; i <= corners; ++i)
             printf " %d", i
         print ""
-    }' >"$folder/star-$2.obj"
+    }' >"$folder/$1-$2.obj"
 }
 
 # instructions COMMAND INPUT: how many the program executes.
@@ -153,5 +163,6 @@ transforms 32 plan trace show stats
 steps 16 plan trace show stats
 kinds 500 show every stats diff validate
 obj-star 1000 plan
+obj-comb 1000 plan
 KINDS
 exit "$failed"

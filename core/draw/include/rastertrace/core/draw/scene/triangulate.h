@@ -2,23 +2,22 @@
 #pragma once
 
 // How a face of more than three corners becomes triangles: a convex one is the fan from its first
-// corner, any other simple one is cut into ears (G. H. Meisters, Polygons Have Ears, 1975; J. O'Rourke,
-// Computational Geometry in C, chapter 1). Nothing is rounded: every decision is the sign of a whole
-// number.
+// corner, any other simple one is cut into ears (G. H. Meisters, Polygons Have Ears, 1975; J.
+// O'Rourke, Computational Geometry in C, chapter 1). Nothing is rounded: every decision is the sign
+// of a whole number.
 //
 //     FaceCutter cutter(scene.vertices);
-//     const Triangulation cut = cutter.cut(face);  // indices in scene.vertices, in the author's order
+//     const Triangulation cut = cutter.cut(face);  // indices of vertices, in the author's order
 //     if (cut.ears)
-//         for (const auto& [a, b, c] : cut.ears->triangles)  // places in the face
+//         for (const auto& [a, b, c] : cut.ears->triangles)  // indices in the face
 
 #include <rastertrace/core/draw/scene/scene.h>
-#include <rastertrace/core/numbers/conversion.h>
+#include <rastertrace/core/numbers/rational.h>
 #include <rastertrace/core/numbers/vec.h>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -46,8 +45,8 @@ constexpr char axis_name(std::size_t axis) {
 struct Ears {
     Vec<Rational, 3> normal; ///< Newell's: its length is twice the area
     std::size_t dropped;     ///< the axis of its largest component, along which the face is seen
-    /// In the order in which they were cut: the corner before the ear, the ear, the one after it. The last
-    /// one is what was left.
+    /// In the order in which they were cut: the corner before the ear, the ear, the one after it.
+    /// The last one is what was left.
     std::vector<std::array<std::size_t, 3>> triangles;
 };
 
@@ -58,8 +57,8 @@ struct Triangulation {
     double off_plane = 0;          ///< else half of what its corners span along the normal
     std::optional<Ears> ears = {}; ///< of a concave face
 
-    /// Of a crossed face: the first corner whose edge to the next one meets another edge that begins
-    /// later, and where the first of those begins.
+    /// Of a crossed face: the first corner whose edge to the next one meets another edge that
+    /// begins later, and where the first of those begins.
     std::array<std::size_t, 2> meeting = {};
 };
 
@@ -67,8 +66,8 @@ struct Triangulation {
 class FaceCutter {
 public:
     /// `first` is the first vertex of the mesh; a face may have others, which takes more time.
-    explicit FaceCutter(std::span<const SceneVertex> vertices, std::size_t first = 0);
-    ~FaceCutter();
+    explicit FaceCutter(std::span<const SceneVertex> vertices, std::size_t first = 0)
+        : vertices_(vertices), first_(first) {}
 
     /// `face` has at least three corners: indices in the vertices.
     Triangulation cut(std::span<const std::size_t> face);
@@ -76,22 +75,18 @@ public:
 private:
     /// Three numbers over the denominator of the mesh.
     using GridPoint3 = std::array<std::int64_t, 3>;
-    struct Workspace;
 
+    /// Writes the mesh over one power of ten, if all of it is decimals that fit in 64 bits with
+    /// room for sums of products.
     void put_on_grid();
-
-    /// The corners of a face; false if one has no place on the grid.
-    bool take_from_grid(std::span<const std::size_t> face);
-
-    /// That Newell's sums over so many corners on the grid may have.
-    int bits_of_sums(std::size_t corners) const;
 
     std::span<const SceneVertex> vertices_;
     std::size_t first_;
-    std::unique_ptr<Workspace> workspace_; ///< from the first face on; then the grid is known, too
-    std::vector<GridPoint3> grid_; ///< of the vertices from `first_` on; empty if one does not fit
-    std::int64_t denominator_ = 1; ///< of the grid
-    int bits_ = 0;                 ///< of its largest number
+    bool has_begun_ = false;          ///< from the first face on, the grid is known
+    std::vector<GridPoint3> grid_;    ///< the vertices from `first_` on; empty if one does not fit
+    std::int64_t denominator_ = 1;    ///< of the grid
+    int bits_ = 0;                    ///< of its largest number
+    std::vector<GridPoint3> corners_; ///< of the current face
 };
 
 } // namespace rastertrace
