@@ -17,7 +17,7 @@ namespace rastertrace {
 AdaptiveTriangles::AdaptiveTriangles(const Scene& of, const Plan& with)
     : scene(of), plan(with), exactness{ExactPieces(scene, plan),
                                        scalar_from<Rational>(sample_offset_of(scene.method))} {
-    std::map<std::size_t, std::size_t> parts; // of each primitive, so far
+    std::map<std::uint32_t, std::uint32_t> parts; // of each primitive, so far
     const auto add = [&](const PieceIndex& index, std::optional<Piece<Adaptive>> filtered) {
         placed.push_back({index, std::move(filtered), exactness.pieces.piece(index)});
     };

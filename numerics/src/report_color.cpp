@@ -6,7 +6,6 @@
 #include "placed_triangles.h"
 #include "report_adaptive.h"
 
-#include <rastertrace/core/draw/filtered/certain_rows.h>
 #include <rastertrace/core/draw/filtered/exactly.h>
 #include <rastertrace/core/draw/paint/fill.h>
 #include <rastertrace/core/raster/mixed_colors.h>

@@ -5,7 +5,7 @@
 #include "placed_triangles.h"
 #include "report_adaptive.h"
 
-#include <rastertrace/core/draw/filtered/certain_rows.h>
+#include <rastertrace/core/draw/filtered/filtered.h>
 #include <rastertrace/core/draw/paint/fill.h>
 #include <rastertrace/core/raster/flat_painter.h>
 #include <rastertrace/trace/method_names.h>

@@ -492,7 +492,7 @@ TEST(Adaptive, FacesThatMeetInAnEdgeTieThere) {
         }
         const Plan plan = plan_for(scene);
         ExactPieces exact(scene, plan);
-        const auto has_row = [&exact](std::size_t face, int y) {
+        const auto has_row = [&exact](std::uint32_t face, int y) {
             const auto& [a, b, c] = exact.piece({face, 0}).positions;
             const auto [low, high] = std::minmax({a.y, b.y, c.y});
             return low <= y && y <= high;

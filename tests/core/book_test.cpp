@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is fast draws what the book's page draws.
 
-#include <rastertrace/core/draw/filtered/adaptive_edge.h>
+#include <rastertrace/core/draw/filtered/filtered.h>
 #include <rastertrace/core/draw/paint/fill_top_left.h>
 #include <rastertrace/core/draw/paint/row_painter.h>
 #include <rastertrace/core/numbers/adaptive.h>

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Drawing with filtered doubles: first certify, then draw. All decisions about a piece are
-// taken before its first pixel is painted and its first step is told. If doubles leave one open, the
-// piece is drawn with rationals instead. What hangs on a single pixel, a depth test or a color, is
-// decided for that pixel (exactly.h).
+// Drawing with filtered doubles: certify, then draw. All decisions about a piece are taken before
+// its first pixel is painted and its first step is emitted. If one is undecided, the piece is drawn
+// with rationals instead. An undecided depth test or color is decided exactly for its pixel alone
+// (exactly.h).
 
 #include "draw_in.h"
 #include "draw_scalar.h"
 
-#include <rastertrace/core/draw/filtered/certain_rows.h>
 #include <rastertrace/core/draw/filtered/exactly.h>
 
+#include <algorithm>
+#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -19,7 +20,7 @@
 
 namespace rastertrace {
 
-// What is drawn with rationals is compiled in draw_in_adaptive_exactly.cpp.
+// The drawing with rationals is compiled in draw_in_adaptive_exactly.cpp.
 extern template void draw_piece(const Piece<Rational>&, SceneDrawing<Rational, Adaptive>&,
                                 const NullSink&);
 extern template void draw_piece(const Piece<Rational>&, SceneDrawing<Rational, Adaptive>&,
@@ -27,27 +28,66 @@ extern template void draw_piece(const Piece<Rational>&, SceneDrawing<Rational, A
 
 namespace {
 
-/// Takes the steps that a listener takes, and tells it nothing. A step that doubles cannot tell is left
-/// open like a decision that they cannot take.
+bool is_finite(const Quantity& number) {
+    return number.visit([]<typename Scalar>(const Scalar& value) {
+        if constexpr (std::floating_point<Scalar>)
+            return std::isfinite(value);
+        else
+            return true;
+    });
+}
+bool is_finite(double number) {
+    return std::isfinite(number);
+}
+template <typename Number> bool is_finite(const std::optional<Number>& number) {
+    return !number || is_finite(*number);
+}
+bool is_finite(const Vec<Quantity, 3>& at) {
+    return is_finite(at.x) && is_finite(at.y) && is_finite(at.z);
+}
+bool is_finite(std::span<const Quantity> numbers) {
+    return std::all_of(numbers.begin(), numbers.end(),
+                       [](const Quantity& number) { return is_finite(number); });
+}
+
+/// Takes the steps that a listener takes, and emits none. Throws Undecided at a step with a number
+/// that has overflowed: it can only be emitted in exact numbers.
 class Certifier {
 public:
     explicit Certifier(const Listener& listener) : listener_(listener) {}
 
     template <typename Step> bool takes() const { return listener_.takes<Step>(); }
 
-    template <typename Step> void operator()(const Step& step) const {
-        if (!is_told_by_doubles(step)) {
-            constexpr double infinity = std::numeric_limits<double>::infinity();
-            Adaptive::leave_open(infinity, infinity);
-        }
+    template <typename Step> void operator()(const Step&) const {}
+    void operator()(const VertexPlaced<Quantity>& step) const { require(step.at); }
+    void operator()(const FaceTested<Quantity>& step) const {
+        require(step.normal, step.view, step.dot, step.cosine);
+    }
+    void operator()(const FaceLit<Quantity>& step) const {
+        require(step.normal, step.light, step.dot, step.intensity);
+    }
+    void operator()(const EdgeSetUp<Quantity>& step) const { require(step.dx_dy); }
+    void operator()(const EdgeFunctionSetUp<Quantity>& step) const { require(step.a, step.b); }
+    void operator()(const ScanlineSpanned<Quantity>& step) const {
+        require(step.left, step.right, step.left_depth, step.right_depth);
+    }
+    void operator()(const LineSampled<Quantity>& step) const { require(step.value); }
+    void operator()(const SampleTested<Quantity>& step) const {
+        require(std::span<const Quantity>(step.weights));
     }
 
 private:
+    template <typename... Numbers> static void require(const Numbers&... numbers) {
+        constexpr double infinity = std::numeric_limits<double>::infinity();
+        if (!(is_finite(numbers) && ...))
+            Adaptive::leave_open(infinity, infinity);
+    }
+
     const Listener& listener_;
 };
 
-/// Tells a listener all steps of a primitive that doubles leave open, and, as soon as that has begun,
-/// that they do.
+/// Emits all steps of a primitive that is undecided, and BoundExceeded after the first
+/// PrimitiveBegan.
 class TellingUndecided {
 public:
     TellingUndecided(const Listener& listener, const Undecided& undecided)
@@ -73,7 +113,26 @@ private:
     bool is_told_ = false;
 };
 
-/// Tells a listener of a piece that doubles decide about: each slope as the double nearest to it.
+/// The double nearest to dx/dy of an edge whose vertices are doubles. Returns nullopt if the
+/// remainder of the division, dx - q dy, does not decide which double is the nearest.
+std::optional<double> nearest_slope(const Vec<Adaptive, 2>& from, const Vec<Adaptive, 2>& to) {
+    if (from.x.error() + from.y.error() + to.x.error() + to.y.error() != 0)
+        return std::nullopt;
+    const Adaptive dx = to.x - from.x;
+    const Adaptive dy = to.y - from.y;
+    const double quotient = dx.value() / dy.value();
+    const double magnitude = std::abs(quotient);
+    // Away from underflow and overflow.
+    if (!(magnitude > 0x1p-400 && magnitude < 0x1p400 && std::abs(dy.value()) > 0x1p-100))
+        return std::nullopt;
+    const double rest = std::fma(-quotient, dy.value(), dx.value());
+    const double off = (std::abs(rest) + dx.error() + magnitude * dy.error()) * Adaptive::widening;
+    const double to_next = magnitude - std::nextafter(magnitude, 0.0);
+    const double smallest_dy = (std::abs(dy.value()) - dy.error()) / Adaptive::widening;
+    return off < to_next / 2 * smallest_dy ? std::optional(quotient) : std::nullopt;
+}
+
+/// Emits the steps of a piece that is decided, with each slope rounded to the nearest double.
 class NearestSlopes {
 public:
     NearestSlopes(const Listener& listener, const Piece<Adaptive>& piece, Exactness& exactness)
@@ -106,7 +165,7 @@ private:
     Exactness& exactness_;
 };
 
-/// Draws the pieces of a scene, with a sink or without one.
+/// Draws the pieces of a scene, with a listener (ListenerSink) or without (NullSink).
 template <typename Sink> class AdaptiveDrawing {
 public:
     AdaptiveDrawing(SceneDrawing<Adaptive>& filtered, const Listener& listener)
@@ -145,6 +204,7 @@ public:
     }
     template <typename Coordinate> void draw(const ScreenList<Coordinate>& list) {
         listed_ = list.primitives;
+        exactness_.drawn.reserve(listed_.size());
         filtered_.owners.triangle_of = [&](std::uint32_t owner) {
             const PieceIndex& index = exactness_.drawn[owner];
             if (!index.listed)
@@ -164,7 +224,7 @@ public:
     }
 
 private:
-    /// Draws a primitive, of which the list has these pieces.
+    /// Draws a primitive, whose pieces in the list are `pieces`.
     template <typename Coordinate>
     void draw(const ScreenList<Coordinate>& list, std::size_t index,
               std::span<const ScreenPrimitive> pieces) {
@@ -186,7 +246,7 @@ private:
                      });
     }
 
-    /// What doubles leave open about a primitive before its pieces are drawn: its face, or what clips it.
+    /// The undecided comparison of a primitive's face test or clipping, if there is one.
     template <typename Coordinate>
     std::optional<Undecided> left_open_in(const ScreenList<Coordinate>& list, std::size_t index,
                                           std::span<const ScreenPrimitive> pieces) {
@@ -202,7 +262,7 @@ private:
         return is_open ? std::optional(list.undecided[pieces.front().index]) : std::nullopt;
     }
 
-    /// Tells of a primitive, and calls `draw_piece(one, face)` with its pieces.
+    /// Emits the steps of a primitive, and calls `draw_piece(one, face)` with its pieces.
     template <typename Coordinate, typename DrawPiece>
     void draw_in_turn(const ScreenList<Coordinate>& list, std::size_t index,
                       std::span<const ScreenPrimitive> pieces, const Listener& listener,
@@ -216,9 +276,9 @@ private:
                 draw_piece(one, NoFace());
     }
 
-    /// What follows is about the next piece of a primitive; `one` if the plan's list has it.
+    /// Begins the next piece of a primitive: `one` of the plan's list, if it is there.
     void begin(std::size_t index, const ScreenPrimitive* one = nullptr) {
-        PieceIndex piece{index, parts_++};
+        PieceIndex piece{.primitive = static_cast<std::uint32_t>(index), .part = parts_++};
         if (one && !listed_.empty() && &listed_.front() <= one && one <= &listed_.back())
             piece.listed = static_cast<std::uint32_t>(one - listed_.data());
         exactness_.drawn.push_back(piece);
@@ -226,7 +286,7 @@ private:
             filtered_.depth->begin(static_cast<std::uint32_t>(exactness_.drawn.size() - 1));
     }
 
-    /// What follows is about a side of the same piece: its depths have an owner of their own.
+    /// Begins a side of the same piece: its depths have an owner of their own.
     void begin_side(EdgeName side) {
         if (side.from == 0)
             return;
@@ -236,7 +296,7 @@ private:
         exactness_.drawn.push_back(piece);
     }
 
-    /// Whether a face hides the point of a side of the piece that is being drawn, at a pixel, in exact numbers.
+    /// Returns whether a face hides the point at a pixel of a side of the current piece, exactly.
     bool hides_exactly(std::uint32_t owner, EdgeName side, Pixel pixel) {
         const bool larger_passes = filtered_.depth->larger_passes();
         const auto line =
@@ -276,8 +336,8 @@ private:
         tell_and_draw(list, one, face, exact, exact_, sink_to<Sink>(listener));
     }
 
-    /// Takes all decisions about a piece; what is left open, if any. A listener that takes no pixels is told of it
-    /// when all are painted; for one that does, nothing is painted yet.
+    /// Takes all decisions about a piece; returns the undecided comparison, if there is one. If the
+    /// listener takes no pixels, the piece is painted as well.
     template <typename AFace>
     std::optional<Undecided> decide_about(const Piece<Adaptive>& piece, const AFace& face) {
         rows_.clear();
@@ -285,7 +345,8 @@ private:
             const ListenerSink sink(certifying_);
             const auto open = left_open_by([&] {
                 if (piece.kind == PrimitiveKind::line)
-                    octant_of(piece, {0, 1}, scene_.method); // that is told even if it is not drawn
+                    octant_of(piece, {0, 1},
+                              scene_.method); // emitted even if the line is not drawn
                 if (!tell_face(face, sink) || !takes_pixels_)
                     return;
                 if (piece.kind == PrimitiveKind::triangle)
@@ -298,7 +359,7 @@ private:
         return paint_if_decided(piece);
     }
 
-    /// Paints a piece if doubles decide all about it, and tells nobody.
+    /// Paints a piece if all of it is decided, and emits no steps.
     std::optional<Undecided> paint_if_decided(const Piece<Adaptive>& piece) {
         if (piece.is_skipped)
             return std::nullopt;
@@ -345,11 +406,11 @@ private:
     Exactness& exactness_;
     const Listener& listener_;
     const Certifier certifier_;
-    const Listener certifying_; ///< tells the certifier
+    const Listener certifying_; ///< of the certifier
     const bool takes_pixels_ = listener_.takes_pixels();
     CertainRows rows_;
     std::span<const ScreenPrimitive> listed_; ///< the plan's list
-    std::size_t parts_ = 0;                   ///< of the primitive, so far
+    std::uint32_t parts_ = 0;                 ///< of the primitive, so far
 };
 
 } // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The pieces that doubles leave open: drawn with rationals, into a picture whose depths and colors are
-// filtered doubles.
+// The undecided pieces: drawn with rationals, into a picture whose depths and colors are filtered
+// doubles.
 
 #include "draw_in.h"
 

@@ -13,7 +13,7 @@ namespace rastertrace {
 
 namespace {
 
-/// The edges that a row lies between.
+/// The two edges at the ends of a row.
 template <typename Scalar> struct EdgesOfRow {
     Edge<Scalar> left;
     Edge<Scalar> right;
@@ -32,64 +32,56 @@ bool finds_depths_along_edges(const Scene& scene) {
     return traits_of(scene.method.fill).depths == DepthForm::along_edges;
 }
 
-bool is_finite(const Quantity& number) {
-    return number.visit([]<typename Scalar>(const Scalar& value) {
-        if constexpr (std::floating_point<Scalar>)
-            return std::isfinite(value);
-        else
-            return true;
-    });
-}
-bool is_finite(const Vec<Quantity, 3>& at) {
-    return is_finite(at.x) && is_finite(at.y) && is_finite(at.z);
-}
-
 } // namespace
 
-ExactPieces::Range ExactPieces::range_of(std::size_t primitive) {
+std::span<const ScreenPrimitive> ExactPieces::parts_of(std::size_t primitive) {
     if (!geometry_) {
         geometry_ = empty_geometry<Rational>(scene_);
         std::visit(
             [this]<typename AList>(const AList& list) {
                 if constexpr (!std::same_as<AList, TypedVertices>) {
-                    geometry_->list.transforms.divides = list.transforms.divides;
+                    auto& transforms = geometry_->list.transforms;
+                    transforms.divides = list.transforms.divides;
                     geometry_->list.culled_sides = list.culled_sides;
+                    // Planes that cross no primitive need not be tested.
+                    std::erase_if(transforms.planes, [&list](const auto& plane) {
+                        return std::ranges::find(list.transforms.planes, plane.name,
+                                                 [](const auto& kept) { return kept.name; }) ==
+                               list.transforms.planes.end();
+                    });
                 }
             },
             *plan_.list);
     }
-    const auto& drawn = geometry_->list.primitives;
+    auto& drawn = geometry_->list.primitives;
     const auto [known, is_new] = ranges_.try_emplace(primitive);
+    Range& range = known->second;
     if (is_new) {
         for (const std::size_t index : scene_.primitives[primitive].corners())
             if (!geometry_->is_used[index]) {
                 geometry_->is_used[index] = true;
                 move_vertex(scene_, index, *geometry_);
             }
-        known->second.begin = drawn.size();
+        range.begin = drawn.size();
         add_primitive(scene_, *geometry_, primitive);
-        known->second.end = drawn.size();
+        range.end = drawn.size();
     }
-    return known->second;
+    return std::span(drawn).subspan(range.begin, range.end - range.begin);
 }
 
 std::vector<ScreenPrimitive> ExactPieces::of(std::size_t primitive) {
-    const auto [begin, end] = range_of(primitive);
-    const auto first = list().primitives.begin();
-    return {first + static_cast<std::ptrdiff_t>(begin), first + static_cast<std::ptrdiff_t>(end)};
+    const auto parts = parts_of(primitive);
+    return {parts.begin(), parts.end()};
 }
 
 Piece<Rational> ExactPieces::piece(const PieceIndex& piece) {
     if (const auto* typed = std::get_if<TypedVertices>(plan_.list.get()))
         return piece_in<Rational>(
             piece_of(scene_, *typed, typed_primitive(scene_, piece.primitive)), plan_);
-    const Range range = range_of(piece.primitive);
-    return piece_in<Rational>(piece_of(scene_, list(), list().primitives[range.begin + piece.part]),
-                              plan_);
+    const ScreenPrimitive& part = parts_of(piece.primitive)[piece.part];
+    return piece_of(scene_, list(), part);
 }
 
-/// The turned depth of a piece in the pixel at (x, y), as the fill or the line that the scene names finds
-/// it; of an outline, that of a side.
 Rational exact_depth_at(const Scene& scene, const Piece<Rational>& piece, std::uint8_t side, int x,
                         int y) {
     const bool larger_passes = depth_rule<Rational>(scene).larger_passes;
@@ -123,14 +115,12 @@ std::optional<std::array<std::size_t, 2>> edge_of_depth(const Scene& scene, cons
     const SpanRounding rounding = span_rounding(scene.method);
     std::optional<std::array<std::size_t, 2>> vertices;
     const auto find_in = [&]<typename AList>(const AList& list) {
-        // Vertices as typed have no depths.
+        // Typed vertices have no depths.
         if constexpr (draws<Adaptive, AList> && !std::same_as<AList, TypedVertices>) {
             if (!is_whole(scene, list, index.primitive))
                 return;
-            const auto piece = piece_of(scene, list,
-                                        {.primitive = static_cast<std::uint32_t>(index.primitive),
-                                         .index = 0,
-                                         .color = {}});
+            const auto piece =
+                piece_of(scene, list, {.primitive = index.primitive, .index = 0, .color = {}});
             const Triangle<Adaptive> triangle{piece_in<Adaptive>(piece, plan).positions};
             const auto [left, right] = edges_of_row(triangle, y, scene.canvas.down());
             const auto height = scalar_from<Adaptive>(y);
@@ -166,7 +156,6 @@ std::optional<std::array<std::size_t, 2>> edge_of_depth(const Scene& scene, cons
     return vertices;
 }
 
-/// Whether a piece is nearer in a pixel than what is stored there, in exact numbers.
 bool is_nearer(const Scene& scene, const Plan& plan, Exactness& exactness, std::uint32_t piece,
                std::optional<std::uint32_t> stored, int x, int row) {
     const int y = scene.canvas.y_of(row);
@@ -175,7 +164,7 @@ bool is_nearer(const Scene& scene, const Plan& plan, Exactness& exactness, std::
         return exact_depth_at(scene, exactness.pieces.piece(index), index.side, x, y);
     };
     if (stored) {
-        // Two faces that meet in an edge seen from aside have one depth there: no need to work it out.
+        // Two faces have the same depth on the edge that they share.
         const auto edge_of = [&](std::uint32_t number) {
             return edge_of_depth(scene, plan, exactness.drawn[number], x, y);
         };
@@ -190,7 +179,6 @@ bool is_nearer(const Scene& scene, const Plan& plan, Exactness& exactness, std::
     return depth_of(piece) < turned(*rule.cleared, rule.larger_passes);
 }
 
-/// The exact depth of a piece in a pixel, as it is told; of a clear cell if there is no piece.
 Rational told_depth(const Scene& scene, Exactness& exactness, std::optional<std::uint32_t> piece,
                     int x, int row) {
     const DepthRule<Rational> rule = depth_rule<Rational>(scene);
@@ -200,35 +188,6 @@ Rational told_depth(const Scene& scene, Exactness& exactness, std::optional<std:
     return turned(
         exact_depth_at(scene, exactness.pieces.piece(index), index.side, x, scene.canvas.y_of(row)),
         rule.larger_passes);
-}
-
-bool is_told_by_doubles(const VertexPlaced<Quantity>& step) {
-    return std::all_of(step.at.begin(), step.at.end(),
-                       [](const Quantity& x) { return is_finite(x); });
-}
-bool is_told_by_doubles(const FaceTested<Quantity>& step) {
-    return is_finite(step.normal) && is_finite(step.view) && is_finite(step.dot) &&
-           std::isfinite(step.cosine.value_or(0));
-}
-bool is_told_by_doubles(const FaceLit<Quantity>& step) {
-    return is_finite(step.normal) && is_finite(step.light) && is_finite(step.dot) &&
-           std::isfinite(step.intensity);
-}
-bool is_told_by_doubles(const EdgeSetUp<Quantity>& step) {
-    return is_finite(step.dx_dy);
-}
-bool is_told_by_doubles(const EdgeFunctionSetUp<Quantity>& step) {
-    return is_finite(step.a) && is_finite(step.b);
-}
-bool is_told_by_doubles(const ScanlineSpanned<Quantity>& step) {
-    return is_finite(step.left) && is_finite(step.right) &&
-           is_finite(step.left_depth.value_or(0.0)) && is_finite(step.right_depth.value_or(0.0));
-}
-bool is_told_by_doubles(const LineSampled<Quantity>& step) {
-    return is_finite(step.value);
-}
-bool is_told_by_doubles(const SampleTested<Quantity>& step) {
-    return is_finite(step.weights[0]) && is_finite(step.weights[1]) && is_finite(step.weights[2]);
 }
 
 } // namespace rastertrace

@@ -209,8 +209,12 @@ inline bool is_short(const Rational& value) {
 
 /// A double where that is the number itself, else the fraction, unless that is too long.
 inline char* format_exactly(char* out, const Rational& value, bool however_long = false) {
-    const double near = nearest_double(value);
     const bool is_told = however_long || is_short(value);
+    // Only denominators that are powers of two make doubles.
+    const mpz_class& below = value.get_den();
+    if (is_told && mpz_class(1) << (mpz_sizeinbase(below.get_mpz_t(), 2) - 1) != below)
+        return format_number(out, value);
+    const double near = nearest_double(value);
     if (std::isfinite(near) && (!is_told || Rational(near) == value))
         return format_number(out, near);
     return format_number(out, value);

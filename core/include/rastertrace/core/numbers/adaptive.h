@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A filtered double: it has a bound on its error. As long as that decides every comparison, drawing costs
-// little more than with doubles; where it does not, Undecided is thrown, and what could not be
-// decided is done again with exact numbers (draw/filtered/exactly.h). So every decision is the one that exact
-// arithmetic takes.
+// A filtered double: a double with an error bound. A comparison that the bound leaves undecided
+// throws Undecided, and is done again with exact numbers (draw/filtered/exactly.h). So every
+// decision is the one of exact arithmetic.
 //
-//     const Adaptive third = Adaptive(1) / Adaptive(3);  // 0.333..., off by at most 2^-54 or so
+//     const Adaptive third = Adaptive(1) / Adaptive(3);  // 0.333..., error at most 2^-54
 //     third < Adaptive(0.5);                             // true
 //     third * Adaptive(3) < Adaptive(1);                 // throws Undecided
 //
-// Each operation adds to the bound what it rounds: half a unit in the last place of its result (IEEE
-// 754), and for a sum the rounding error itself, which is a double (two-sum: Knuth; Shewchuk 1997,
-// theorem 7). Bounds are rounded, too, and are widened for that. A filter with exact arithmetic
-// behind it: Fortune and Van Wyk 1993; CGAL's Filtered_kernel.
+// Each operation adds its rounding error to the bound: half a unit in the last place of its result
+// (IEEE 754); of a sum the error itself, which is a double (two-sum: Knuth; Shewchuk 1997, theorem
+// 7). Bounds are rounded too, and are widened for that. Floating-point filters with exact
+// arithmetic: Fortune and Van Wyk 1993; CGAL's Filtered_kernel.
 
 #include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/core/numbers/quantity.h>
@@ -25,26 +24,25 @@
 
 namespace rastertrace {
 
-/// What is thrown where a bound leaves it open which of two numbers is the larger one.
+/// Thrown if an error bound leaves the order of two numbers undecided.
 struct Undecided {
-    double difference; ///< of the two, as it was calculated
-    double error;      ///< that it may be off by
+    double difference; ///< of the two numbers, in doubles
+    double error;      ///< the error bound of the difference
 };
 
-/// A double with a bound on its distance from the number that it stands for. Two doubles wide, so that
-/// it is handed over in registers. What has left the doubles has a bound that is infinite or no number,
-/// and so decides nothing.
+/// A double and a bound on its distance from the exact number. Two doubles wide, so that it is
+/// passed in registers. After an overflow the bound is infinite or NaN, and decides nothing.
 class Adaptive {
 public:
     Adaptive() = default;
 
-    /// A double that is off by at most `error`.
+    /// A double with an error of at most `error`.
     explicit Adaptive(double value, double error = 0) : value_(value), error_(error) {}
 
     double value() const { return value_; }
     double error() const { return error_; }
 
-    /// It is told as the double that stands for it.
+    /// A trace has the double.
     operator Quantity() const { return value_; } // NOLINT: as every number is
 
     [[gnu::always_inline]] friend inline Adaptive operator+(Adaptive a, Adaptive b) {
@@ -64,7 +62,7 @@ public:
         const double product = a.value_ * b.value_;
         const double of_factors =
             std::abs(a.value_) * b.error_ + std::abs(b.value_) * a.error_ + a.error_ * b.error_;
-        // Nothing is rounded off where a factor is 0 or 1, as most entries of matrices are.
+        // A factor of 0 or 1, as most entries of matrices are, rounds nothing.
         const double rounded_off = a.is_trivial_factor() || b.is_trivial_factor()
                                        ? 0
                                        : std::abs(product) * half_ulp + smallest_error;
@@ -78,10 +76,10 @@ public:
         const double nearest_to_zero = (std::abs(b.value_) - b.error_) / widening;
         if (!(nearest_to_zero > smallest_divisor)) [[unlikely]]
             leave_open(b.value_, b.error_);
-        // A coordinate typed as 0 stays one, and what is divided by a w of 1 stays what it is.
+        // 0/b and a/1 are exact: a typed coordinate of 0, and a w of 1.
         if ((a.value_ == 0 && a.error_ == 0) || (b.value_ == 1 && b.error_ == 0))
             return a;
-        // The product may be too small for a double, and the divisor smaller still.
+        // The product may underflow, and the divisor may be smaller still.
         const double of_terms = (a.error_ + std::abs(quotient) * b.error_ + smallest_product) *
                                 widening / nearest_to_zero;
         return Adaptive(quotient,
@@ -90,7 +88,7 @@ public:
 
     Adaptive& operator+=(Adaptive b) { return *this = *this + b; }
 
-    /// start + slope (at - from): the same as with the operators above, and with one bound for all
+    /// start + slope (at - from): the same double as with the operators, with one bound for all
     /// three.
     [[gnu::always_inline]] friend inline Adaptive linear(Adaptive start, Adaptive slope,
                                                          Adaptive at, Adaptive from) {
@@ -105,7 +103,7 @@ public:
                             widening);
     }
 
-    /// Which is the larger one, if that can be told.
+    /// The order of two numbers. Returns nullopt if it is undecided.
     [[gnu::always_inline]] friend inline std::optional<std::strong_ordering> order_of(Adaptive a,
                                                                                       Adaptive b) {
         const double difference = a.value_ - b.value_;
@@ -132,39 +130,37 @@ public:
         throw Undecided{difference, error};
     }
 
-    /// Of the last place of a double: 2^-53.
+    /// Half a unit in the last place of 1: 2^-53.
     static constexpr double half_ulp = std::numeric_limits<double>::epsilon() / 2;
 
-    /// A bound that has been added up from fewer than a dozen terms is widened by this for what they
-    /// have been rounded by.
+    /// The factor that covers the rounding of a bound that is a sum of fewer than a dozen terms.
     static constexpr double widening = 1 + 16 * std::numeric_limits<double>::epsilon();
 
-    /// What is rounded off a number that is too small for half a unit in its last place, with room
-    /// to spare.
+    /// More than the rounding error of any subnormal result.
     static constexpr double smallest_error = 0x1p-1000;
 
 private:
     static constexpr double smallest_divisor = 0x1p-900;
     static constexpr double smallest_product = std::numeric_limits<double>::min();
 
-    /// 0, 1 and -1 are what has its absolute value for a square.
+    /// True for 0, 1 and -1: their squares are their magnitudes.
     bool is_trivial_factor() const { return error_ == 0 && value_ * value_ == std::abs(value_); }
 
     double value_ = 0;
     double error_ = 0;
 };
 
-/// What the difference of two products p q is off by, if no p is larger than this and off by more than
-/// of_p, and no q likewise. Each product is rounded by half a unit in its last place, and so is their
-/// difference, which may be twice as large.
+/// The error bound of a difference of two products p q, where `p` and `q` bound the magnitudes and
+/// `of_p` and `of_q` the errors. Both products are rounded, and their difference, which may be
+/// twice as large.
 inline double error_of_products(double p, double of_p, double q, double of_q) {
     return (2 * (p * of_q + q * of_p + of_p * of_q) + 4 * Adaptive::half_ulp * p * q +
             Adaptive::smallest_error) *
            Adaptive::widening;
 }
 
-/// The double nearest to a number that is no double: off by half a unit in its last place, which among
-/// the subnormal numbers is half of the smallest one.
+/// The double nearest to a number, which is not exact: its error is half a unit in the last place,
+/// of subnormal numbers half of the smallest one.
 inline Adaptive rounded_to(double nearest) {
     return Adaptive(nearest, std::abs(nearest) * Adaptive::half_ulp +
                                  std::numeric_limits<double>::denorm_min());
@@ -176,7 +172,8 @@ template <> struct NumberTraits<Adaptive> : PlainNumber<Adaptive> {
                                                    : rounded_to(static_cast<double>(whole));
     }
 
-    /// Throws Undecided if the bound reaches over a whole number, or the number lies beyond the indices.
+    /// Throws Undecided if the interval holds an integer above its lower end, or lies beyond the
+    /// indices.
     [[gnu::always_inline]] static inline Index floor(Adaptive x) {
         if (!(std::abs(x.value()) < static_cast<double>(farthest_index))) [[unlikely]] {
             if (x.error() == 0)
@@ -187,7 +184,7 @@ template <> struct NumberTraits<Adaptive> : PlainNumber<Adaptive> {
         const Index index =
             static_cast<double>(toward_zero) > x.value() ? toward_zero - 1 : toward_zero;
 
-        // How far to the whole numbers on both sides: exactly, as far as it is less than a half.
+        // The distances to the integers on both sides: exact where they are less than a half.
         const auto below = static_cast<double>(index);
         const double from_below = x.value() - below;
         const double to_next = below + 1 - x.value();
@@ -198,7 +195,7 @@ template <> struct NumberTraits<Adaptive> : PlainNumber<Adaptive> {
     }
 };
 
-/// The nearest double, and how far off it is.
+/// The nearest double, with its error bound.
 template <> struct Conversion<Adaptive> {
     static Adaptive of(const Rational& exact) {
         const double value = nearest_double(exact);
@@ -212,7 +209,7 @@ template <> struct Conversion<Adaptive> {
     static Adaptive of(Adaptive number) { return number; }
 };
 
-/// A number as typed or as worked out, with its error; an Adaptive has one already.
+/// A typed or computed number as a filtered double.
 template <typename Coordinate> Adaptive with_error(const Coordinate& number) {
     return Conversion<Adaptive>::of(number);
 }
@@ -225,22 +222,24 @@ inline double error_of(Adaptive number) {
     return number.error();
 }
 
-/// Throws Undecided if a number has left the doubles.
+/// Throws Undecided after an overflow.
 inline void require_finite(Adaptive number) {
     if (!std::isfinite(number.value()) || !std::isfinite(number.error()))
         Adaptive::leave_open(number.value(), number.error());
 }
 
-/// Throws Undecided if the bound reaches over a whole number.
+/// Throws Undecided if the integer above the number is undecided.
 inline void require_certain_index(Adaptive number) {
     static_cast<void>(ceil_index(number));
 }
 
+/// True if two numbers differ for certain.
 inline bool surely_differ(Adaptive a, Adaptive b) {
     const auto order = order_of(a, b);
     return order && *order != 0;
 }
 
+/// False if two numbers are equal for certain.
 inline bool may_differ(Adaptive a, Adaptive b) {
     const auto order = order_of(a, b);
     return !order || *order != 0;

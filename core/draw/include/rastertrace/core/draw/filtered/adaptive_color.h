@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Colors mixed in filtered doubles: the formulas of mixed_colors.h, with one error for all pixels
-// of a triangle. Where it leaves a level open, the color is worked out in exact numbers. u is 2^-53,
-// what a result may be rounded by, relative to it.
+// Colors mixed in filtered doubles: the formulas of mixed_colors.h, with one error bound for all
+// pixels of a triangle. A level that the bound leaves undecided is computed in exact numbers. u =
+// 2^-53 is the relative rounding error of one operation.
 //
-//     MixedColors<Adaptive> colors(corners, triangle, sample_offset, inverse_w, rounding, exact_color);
+//     MixedColors<Adaptive> colors(corners, triangle, sample_offset, inverse_w, rounding,
+//                                  exact_color);
 //     colors.at<false>({3, 4});
 
 #include <rastertrace/core/draw/filtered/adaptive_depth.h>
@@ -27,11 +28,11 @@
 
 namespace rastertrace {
 
-/// How far the levels of a triangle's pixels may be off.
+/// Error bounds of the levels of a triangle's pixels.
 struct ErrorOfLevels {
     double affine;
     double perspective;
-    double smallest_sum; ///< `perspective` holds for pixels whose weights over w sum up to more
+    double smallest_sum; ///< `perspective` holds if the sum of the weights over w is larger
 };
 
 /// A pixel's sample may lie outside of the triangle, by up to two pixels.
@@ -45,9 +46,9 @@ inline ErrorOfLevels error_of_levels(const Triangle<Adaptive>& triangle,
     const double of_way = std::max(triangle.vertices[0].x.error(), triangle.vertices[0].y.error()) +
                           sides.of_reach + u * way;
 
-    // Weights: a cross product, or what two of them leave of the area, over the area. In the
-    // triangle they are at most 1. A pixel outside of it adds at most the third side, which may be
-    // twice as long as the others, times how far it is away.
+    // Weights: a cross product, or the area less two of them, over the area. In the triangle they
+    // are at most 1. A pixel outside adds at most its distance times the third side, which is at
+    // most twice `reach`.
     const double area2 = std::abs(sides.area2);
     const double weight = 1 + 4 * sides.reach * Adaptive::widening / sides.smallest_area2;
     const double of_cross = error_of_products(sides.reach, sides.of_reach, way, of_way);
@@ -56,12 +57,12 @@ inline ErrorOfLevels error_of_levels(const Triangle<Adaptive>& triangle,
         (of_rest + weight * sides.of_area2) * Adaptive::widening / sides.smallest_area2 +
         2 * u * weight;
 
-    // A level is a sum of three products, and half a level more.
+    // A level is a sum of three products, plus one half.
     const auto of_level = [](double of_one, double largest) {
         return 3 * 255 * (of_one + 5 * u * largest + Adaptive::smallest_error) * Adaptive::widening;
     };
 
-    // In space, each weight is a share over the sum of all.
+    // In space, each weight is a share (weight over w), over the sum of the three shares.
     const auto [smallest, largest] =
         std::minmax({inverse_w[0].value(), inverse_w[1].value(), inverse_w[2].value()});
     const double of_w =
@@ -82,7 +83,7 @@ inline ErrorOfLevels error_of_levels(const Triangle<Adaptive>& triangle,
 
 /// The colors of a triangle's pixels.
 template <> struct MixedColors<Adaptive> {
-    /// `exact_color` tells those that errors leave open.
+    /// `exact_color` is the exact fallback of one pixel.
     MixedColors(const std::array<Color, 3>& corners, const Triangle<Adaptive>& triangle,
                 Adaptive sample_offset, const std::array<Adaptive, 3>& inverse_w,
                 ColorRounding rounding, std::function<Color(Pixel)> exact_color)
@@ -117,7 +118,7 @@ private:
         return result;
     }
 
-    /// The nearest level, a half up, is what lies below half a level more.
+    /// Rounding to the nearest level, a half up, is the floor of the level plus one half.
     Color mixed(const std::array<double, 3>& weights, double error) const {
         const double half = colors_.rounding == ColorRounding::nearest ? 0.5 : 0;
         return colors_.mixed(weights, [error, half](double channel) {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Depths in filtered doubles, and the buffer that they are tested against. The formulas
-// are those of depth_interpolation.h, in an order in which nothing gets larger or smaller than the depths are; in place
-// of an error for every operation there is one for a whole row, edge or triangle. u is 2^-53, what a
-// result may be rounded by, relative to it.
+// Depths in filtered doubles, and the buffer that they are tested against. The formulas are those
+// of depth_interpolation.h, in an order without overflow. Instead of an error bound for every
+// operation there is one bound for a row, an edge or a triangle. u = 2^-53 is the relative rounding
+// error of one operation.
 //
 //     DepthTests<Adaptive> tests(region, rule);
-//     tests.ask(is_nearer, exact_depth);  // who decides what errors leave open
+//     tests.ask(is_nearer, exact_depth);  // the exact fallback of undecided tests
 
 #include <rastertrace/core/draw/paint/depth_tests.h>
 #include <rastertrace/core/draw/paint/thin_depths.h>
@@ -32,19 +32,19 @@
 
 namespace rastertrace {
 
-/// One double per pixel, and which piece it is of: where the errors of two depths leave it open which
-/// one is nearer, the exact depths of the two pieces are asked for.
+/// One double per pixel, and the number of the piece that it belongs to. If the error bounds of two
+/// depths leave undecided which one is nearer, the exact depths of the two pieces are compared.
 template <> class DepthTests<Adaptive> {
 public:
-    /// Says whether the first piece is nearer than the second one, or than a clear cell if there is
-    /// none, in the pixel at this x and row.
+    /// Returns whether a piece is nearer than the stored one (than a clear cell if there is none)
+    /// at this x and row, exactly.
     using IsNearer = std::function<bool(std::uint32_t piece, std::optional<std::uint32_t> stored,
                                         int x, int row)>;
 
-    /// Says how deep a piece lies in a pixel, exactly; or a clear cell.
+    /// Returns the exact depth of a piece, or of a clear cell, at this x and row.
     using ExactDepth = std::function<Rational(std::optional<std::uint32_t> piece, int x, int row)>;
 
-    /// The owner of each depth is always known.
+    /// The piece of each depth is always kept, with and without lines.
     DepthTests(const DepthRegion& region, const DepthRule<Adaptive>& rule, bool = true)
         : region_(region), rule_(rule),
           cells_(region.area(), rule.cleared ? turned(*rule.cleared).value()
@@ -60,13 +60,15 @@ public:
     /// The depths that follow are of this piece.
     void begin(std::uint32_t piece) { piece_ = piece; }
 
-    /// How many tests have been decided exactly.
+    /// The number of tests that took exact depths.
     std::uint64_t exact_tests() const { return exact_tests_; }
 
-    /// Depths may be worked out in exact numbers, too.
+    /// A depth, or those of a row, in filtered doubles: pieces that fell back have exact ones.
     static Adaptive tested(Adaptive depth) { return depth; }
     static Adaptive tested(const Rational& depth) { return with_error(depth); }
-    static const DepthRow<Adaptive>& tested(const DepthRow<Adaptive>& row, PixelSpan);
+    static const DepthRow<Adaptive>& tested(const DepthRow<Adaptive>& row, PixelSpan) {
+        return row;
+    }
     static DepthRow<Adaptive> tested(const DepthRow<Rational>& row, PixelSpan pixels);
 
     bool larger_passes() const { return rule_.larger_passes; }
@@ -75,15 +77,10 @@ public:
     }
     double* row_from(int x, int row) { return cells_.data() + region_.offset_of(x, row); }
 
-    /// The same as in depth_tests.h, but for what doubles leave open: that is asked exactly.
+    /// As in depth_tests.h, with the exact fallback.
     [[gnu::always_inline]] bool is_nearer(const double& cell, Adaptive depth) {
-        const double difference = cell - depth.value();
-        const double error = (depth.error() + largest_error_) * Adaptive::widening;
-        if (difference > error)
-            return true;
-        if (-difference > error) [[likely]]
-            return false;
-        return passes_when_near(index_of(cell), error == 0);
+        const auto order = order_of(depth, in_cell(cell));
+        return order ? *order < 0 : is_nearer_exactly(piece_, pieces_[index_of(cell)], cell);
     }
 
     bool hides(const double& cell, Adaptive depth) { return hides(cell, depth, piece_); }
@@ -104,8 +101,8 @@ public:
         const bool is_thinner = thickness < thin->thickness;
         if (const auto order = order_of(depth, thin->depth))
             return is_thinner ? *order > 0 : *order >= 0;
-        return is_thinner ? is_nearer_exactly(thin->owner, piece_, index_of(cell))
-                          : !is_nearer_exactly(piece_, thin->owner, index_of(cell));
+        return is_thinner ? is_nearer_exactly(thin->owner, piece_, cell)
+                          : !is_nearer_exactly(piece_, thin->owner, cell);
     }
 
     std::optional<std::uint32_t> thin_owner_of(const double& cell) const {
@@ -117,27 +114,26 @@ public:
         thin_.keep(index_of(cell), {depth, thickness, piece_});
     }
 
-    /// Tests a face's row, all of whose depths have one error: calls `keep(x)` where they pass. No pixel has a
-    /// depth of this piece yet.
+    /// Tests a face's row, whose depths have one error bound: calls `keep(x)` where they pass.
     template <typename Keep>
     void keep_nearer(int row, int first, int last, const DepthRow<Adaptive>& depths, Keep&& keep);
 
     std::optional<Adaptive> stored(const double& cell) const {
         if (!rule_.cleared && pieces_[index_of(cell)] == no_piece)
             return std::nullopt;
-        return Adaptive(rule_.larger_passes ? -cell : cell, largest_error_);
+        return turned(in_cell(cell));
     }
 
     bool has(int x, int row) const { return region_.has(x, row); }
 
-    /// The face that a cell has its depth from, if one has been drawn there.
+    /// The face that the depth in a cell belongs to, if one has been drawn there.
     std::optional<std::uint32_t> owner_of(const double& cell) const {
         const std::uint32_t piece = pieces_[index_of(cell)];
         return piece == no_piece ? std::nullopt : std::optional(piece);
     }
 
-    /// Decides about a depth by `test()`, and tells both depths: as doubles if these have decided, else
-    /// exactly.
+    /// Decides about a turned depth by `test()`, and emits both depths: as doubles if these have
+    /// decided, else as exact numbers.
     template <typename Test, typename Sink>
     bool decide_and_tell(Pixel pixel, const double& cell, Adaptive depth, Test&& test,
                          Sink&& sink) {
@@ -151,34 +147,30 @@ public:
         std::optional<std::uint32_t> stored_piece = owner_of(cell);
         const bool is_thin_nearer =
             thin && (!stored_piece || !hides(cell, thin->depth, thin->owner));
-        const auto [passes, reason, other, is_by_thin, is_exact] = test();
-        if (is_thin_nearer || is_by_thin) {
+        const DepthVerdict verdict = test();
+        if (is_thin_nearer || verdict.is_by_thin) {
             stored_depth = turned(thin->depth);
             stored_piece = thin->owner;
         }
-        const bool told_by_doubles = !is_exact && exact_tests_ == exact_before &&
-                                     std::isfinite(depth.value()) &&
-                                     (!stored_depth || std::isfinite(stored_depth->value()));
-        if (told_by_doubles) {
-            sink(DepthTested<Adaptive>{.pixel = pixel,
-                                       .depth = turned(depth),
-                                       .stored = stored_depth,
-                                       .passes = passes,
-                                       .reason = reason,
-                                       .other = other});
+        const auto emit = [&]<typename Number>(const Number& tested,
+                                               const std::optional<Number>& nearest) {
+            sink(DepthTested<Number>{.pixel = pixel,
+                                     .depth = tested,
+                                     .stored = nearest,
+                                     .passes = verdict.passes,
+                                     .reason = verdict.reason,
+                                     .other = verdict.other});
+        };
+        if (!verdict.is_exact && exact_tests_ == exact_before && std::isfinite(depth.value()) &&
+            (!stored_depth || std::isfinite(stored_depth->value()))) {
+            emit(turned(depth), stored_depth);
         } else {
-            const int row = row_of(index_of(cell));
-            std::optional<Rational> exactly_stored;
-            if (stored_depth)
-                exactly_stored = exact_depth_(stored_piece, pixel.x, row);
-            sink(DepthTested<Rational>{.pixel = pixel,
-                                       .depth = exact_depth_(piece_, pixel.x, row),
-                                       .stored = exactly_stored,
-                                       .passes = passes,
-                                       .reason = reason,
-                                       .other = other});
+            const int row = row_of(cell);
+            emit(exact_depth_(piece_, pixel.x, row),
+                 stored_depth ? std::optional(exact_depth_(stored_piece, pixel.x, row))
+                              : std::nullopt);
         }
-        return passes;
+        return verdict.passes;
     }
 
 private:
@@ -189,6 +181,9 @@ private:
         return static_cast<std::size_t>(&cell - cells_.data());
     }
 
+    /// The turned depth in a cell. Its error is at most the largest that has been stored.
+    Adaptive in_cell(double cell) const { return Adaptive(cell, largest_error_); }
+
     void widen_largest_error(double error) {
         if (!(error <= largest_error_)) [[unlikely]]
             largest_error_ = std::isfinite(error) ? error : std::numeric_limits<double>::infinity();
@@ -196,35 +191,30 @@ private:
 
     /// True if the face in a cell is nearer than a turned depth of a piece.
     bool hides(const double& cell, Adaptive depth, std::uint32_t piece) {
-        const double difference = depth.value() - cell;
-        const double error = (depth.error() + largest_error_) * Adaptive::widening;
-        if (difference > error || -difference > error)
-            return difference > error;
-        const std::size_t index = index_of(cell);
-        return error != 0 && is_nearer_exactly(pieces_[index], piece, index);
+        const auto order = order_of(in_cell(cell), depth);
+        return order ? *order < 0 : is_nearer_exactly(pieces_[index_of(cell)], piece, cell);
     }
 
-    [[gnu::noinline]] bool passes_when_near(std::size_t index, bool is_equal) {
-        return !is_equal && is_nearer_exactly(piece_, pieces_[index], index);
-    }
-
-    /// Asks whether a piece is nearer than another one, or than a clear cell, in the pixel of a cell.
-    bool is_nearer_exactly(std::uint32_t piece, std::uint32_t other, std::size_t index) {
+    /// Compares two pieces, or a piece and a clear cell, in the pixel of a cell.
+    [[gnu::noinline]] bool is_nearer_exactly(std::uint32_t piece, std::uint32_t other,
+                                             const double& cell) {
         ++exact_tests_;
-        const auto width = static_cast<std::size_t>(region_.width);
+        const int column =
+            static_cast<int>(index_of(cell) % static_cast<std::size_t>(region_.width));
         return is_nearer_(piece, other == no_piece ? std::nullopt : std::optional(other),
-                          region_.left + static_cast<int>(index % width), row_of(index));
+                          region_.left + column, row_of(cell));
     }
 
-    int row_of(std::size_t index) const {
-        return region_.top_row + static_cast<int>(index / static_cast<std::size_t>(region_.width));
+    int row_of(const double& cell) const {
+        return region_.top_row +
+               static_cast<int>(index_of(cell) / static_cast<std::size_t>(region_.width));
     }
 
     DepthRegion region_;
     DepthRule<Adaptive> rule_;
     std::vector<double> cells_;
     std::vector<std::uint32_t> pieces_;
-    double largest_error_; ///< of a depth that has been stored
+    double largest_error_; ///< of all depths that have been stored
     std::uint32_t piece_ = no_piece;
     std::uint64_t exact_tests_ = 0;
     ThinDepths<Adaptive> thin_;
@@ -232,13 +222,13 @@ private:
     ExactDepth exact_depth_;
 };
 
-/// The turned depths of a row, all with the same error.
+/// The turned depths of a row, with one error bound.
 template <> struct DepthRow<Adaptive> {
     double x;
     double depth;
     double slope;
-    double first; ///< left of it, and right of
-    double last;  ///< this, the depths of the ends hold
+    double first; ///< left of this, the depth is that of the left end
+    double last;  ///< right of this, that of the right end
     double error;
 
     [[gnu::always_inline]] Adaptive at(int column) const {
@@ -252,38 +242,33 @@ template <typename Keep>
 DepthTests<Adaptive>::keep_nearer(int row, int first, int last, const DepthRow<Adaptive>& depths,
                                   Keep&& keep) {
     double* const cells = row_from(0, row);
-    const std::ptrdiff_t begin = cells - cells_.data();
-    std::uint32_t* const pieces = pieces_.data() + begin;
+    std::uint32_t* const pieces = pieces_.data() + (cells - cells_.data());
     const DepthRow<Adaptive> near = depths; // a copy: no depth that is written can be part of it
     const std::uint32_t piece = piece_;
     const double error = (near.error + largest_error_) * Adaptive::widening;
+    const bool has_thin = !thin_.is_empty();
     bool has_kept = false;
     for (int x = first; x <= last; ++x) {
-        const double depth = near.at(x).value();
-        const double difference = cells[x] - depth;
+        const Adaptive depth = near.at(x);
+        const double difference = cells[x] - depth.value();
         if (!(difference > error)) {
-            if (-difference > error)
+            if (-difference > error || error == 0)
                 continue;
-            if (!passes_when_near(static_cast<std::size_t>(begin + x), error == 0)) [[unlikely]]
+            if (!is_nearer_exactly(piece, pieces[x], cells[x])) [[unlikely]]
                 continue;
         }
-        cells[x] = depth;
+        cells[x] = depth.value();
         pieces[x] = piece;
         has_kept = true;
-        if (!is_behind_thin(cells[x], near.at(x), Thickness::face))
+        if (!has_thin || !is_behind_thin(cells[x], depth, Thickness::face))
             keep(x);
     }
     if (has_kept)
         widen_largest_error(near.error);
 }
 
-inline const DepthRow<Adaptive>& DepthTests<Adaptive>::tested(const DepthRow<Adaptive>& row,
-                                                              PixelSpan) {
-    return row;
-}
-
-/// d + s (x - x0) from exact numbers, each rounded once, and each of the three operations. No pixel is
-/// farther from x0 than the first or the last one, or has a farther end to hold on to.
+/// d + s (x - x0) from exact numbers: each of them is rounded once, and so are the three
+/// operations. |x - x0| is largest in the first or the last pixel.
 inline DepthRow<Adaptive> DepthTests<Adaptive>::tested(const DepthRow<Rational>& row,
                                                        PixelSpan pixels) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -309,10 +294,9 @@ inline DepthRow<Adaptive> DepthTests<Adaptive>::tested(const DepthRow<Rational>&
                      Adaptive::widening};
 }
 
-/// What a depth d1 + t (d2 - d1), 0 <= t <= 1, is off by if the depths are and t is. With what the ends
-/// are off by and no rounding, it lies between two depths that are as far off as the worse one. t is
-/// never off by more than 1. Five operations are rounded on the way to t (d2 - d1), which is `rise`,
-/// and the sum is.
+/// The error bound of d1 + t (d2 - d1), 0 <= t <= 1, where `rise` is d2 - d1. The errors of the
+/// depths add at most the larger one of them, that of t at most |rise|. Five operations on the way
+/// to t (d2 - d1) are rounded, and the sum.
 inline double error_between(Adaptive depth, Adaptive other_depth, double rise, double of_t) {
     constexpr double u = Adaptive::half_ulp;
     const double of_depths = std::max(depth.error(), other_depth.error());
@@ -324,10 +308,10 @@ inline double error_between(Adaptive depth, Adaptive other_depth, double rise, d
            Adaptive::widening;
 }
 
-/// The depths of an edge, all with the same error.
+/// The depths of an edge, with one error bound.
 template <> class DepthEdge<Adaptive> {
 public:
-    /// t is off by what the heights of the vertices are off by, over the one between them. Throws
+    /// The error of t is that of the y of both vertices, over the height of the edge. Throws
     /// Undecided if the edge may be horizontal or not.
     DepthEdge(Adaptive y, Adaptive depth, Adaptive other_y, Adaptive other_depth)
         : y_(y.value()), depth_(depth.value()), height_(other_y.value() - y_),
@@ -337,13 +321,13 @@ public:
                                                 (y.error() + other_y.error()) * Adaptive::widening /
                                                     std::abs(height_))) {}
 
-    /// Rows have exact heights.
+    /// The y of a row is exact.
     Adaptive at(Adaptive y) const {
         return Adaptive(is_horizontal_ ? depth_ : depth_ + rise_ * ((y.value() - y_) / height_),
                         error_);
     }
 
-    /// The same, and the depth of an end beyond it.
+    /// The same, with y limited to the edge.
     Adaptive held_at(Adaptive y) const {
         const double part = is_horizontal_ ? 0 : (y.value() - y_) / height_;
         return Adaptive(depth_ + rise_ * std::clamp(part, 0.0, 1.0), error_);
@@ -358,8 +342,8 @@ private:
     double error_;
 };
 
-/// t is off by what the ends are off by, over the width. Where that leaves it open whether there is any
-/// width, the depth still lies between those of the ends.
+/// The error of t is that of both ends, over the width. If the width may be 0, the depth still lies
+/// between those of the ends.
 inline DepthRow<Adaptive> row_between(Adaptive left, Adaptive left_depth, Adaptive right,
                                       Adaptive right_depth) {
     const double width = right.value() - left.value();
@@ -375,14 +359,14 @@ inline DepthRow<Adaptive> row_between(Adaptive left, Adaptive left_depth, Adapti
             .error = error_between(left_depth, right_depth, rise, of_t)};
 }
 
-/// Two sides of a triangle as doubles, from its first vertex on, and what all bounds on it begin with.
+/// Two sides of a triangle as doubles, from its first vertex on, and their error bounds.
 struct KnownSides {
     double abx, aby, acx, acy;
-    double reach;    ///< none of these is larger,
-    double of_reach; ///< or off by more
+    double reach;    ///< the largest magnitude of these four,
+    double of_reach; ///< and their error bound
     double area2;    ///< twice the signed area
     double of_area2;
-    double smallest_area2; ///< its magnitude is not below this: 0 if there may be no area
+    double smallest_area2; ///< a lower bound of |area2|: 0 if there may be no area
 
     explicit KnownSides(const std::array<Vec<Adaptive, 2>, 3>& positions) {
         const auto& [a, b, c] = positions;
@@ -401,7 +385,7 @@ struct KnownSides {
     }
 };
 
-/// The depths of a triangle as a plane: what is said of it holds in the triangle.
+/// The depths of a triangle as a plane. The error bound holds in the triangle.
 template <> class DepthPlane<Adaptive> {
 public:
     /// Throws Undecided if the triangle may have no area.
@@ -419,7 +403,7 @@ public:
         slope_x_ = (ab * sides.acy - ac * sides.aby) / sides.area2;
         slope_y_ = (ac * sides.abx - ab * sides.acx) / sides.area2;
 
-        // Depths differ by at most `range`, off by of_range.
+        // Depths differ by at most `range`, with an error of at most of_range.
         constexpr double u = Adaptive::half_ulp;
         const double range = std::max(std::abs(ab), std::abs(ac));
         const double of_depths =
@@ -434,7 +418,7 @@ public:
                                     Adaptive::widening / sides.smallest_area2 +
                                 u * slope;
 
-        // d + s_x (x - x0) + s_y (y - y0): both ways are at most `reach` long.
+        // d + s_x (x - x0) + s_y (y - y0), where |x - x0| and |y - y0| are at most `reach`.
         const double of_way = std::max(x.error(), y.error()) + sides.of_reach + u * sides.reach;
         error_ = (error_ + 2 * ((slope + of_slope) * of_way + of_slope * sides.reach) +
                   u * (6 * slope * sides.reach + 2 * std::abs(depth_)) + Adaptive::smallest_error) *

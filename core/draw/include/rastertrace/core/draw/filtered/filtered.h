@@ -1,22 +1,30 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The edge of a triangle in filtered doubles, the formula of edge.h with one bound for all
-// rows; and where the samples lie. Who fills with Adaptive includes it.
+// Filling in filtered doubles. A fill is certified first, then painted: its rows are kept until
+// every decision about the triangle has been taken. exactly.h includes this and has the exact
+// fallback.
 //
-//     edge_between(upper, lower).x_at(3.0);
+//     CertainRows rows;
+//     if (!left_open_by([&] { fill_top_left(triangle, grid, canvas, rows); }))
+//         rows.paint_with(painter, [&](const auto& again) {
+//             fill_top_left(triangle, grid, canvas, again);
+//         });
 
+#include <rastertrace/core/draw/filtered/adaptive_color.h>
+#include <rastertrace/core/draw/filtered/adaptive_depth.h>
 #include <rastertrace/core/draw/paint/sample_walk.h>
 #include <rastertrace/core/numbers/adaptive.h>
-#include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/core/numbers/vec.h>
 #include <rastertrace/core/raster/canvas.h>
 #include <rastertrace/core/raster/edge.h>
+#include <rastertrace/core/raster/steps.h>
 #include <rastertrace/core/raster/triangle.h>
 
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 namespace rastertrace {
 
@@ -26,7 +34,7 @@ template <> struct Edge<Adaptive> {
     Vec<Adaptive, 2> start;
     bool is_horizontal = false;
     Adaptive dx_dy{};
-    double bound = 0; ///< x, calculated anywhere between the vertices, is off by no more
+    double bound = 0; ///< the error bound of x anywhere between the vertices
 
     /// x at height y, which must lie between those of the vertices.
     Adaptive x_at(const Adaptive& y) const {
@@ -38,8 +46,8 @@ template <> struct Edge<Adaptive> {
     }
 };
 
-/// How far x = x1 + a (y - y1) may be off: what x1, a and y1 are off by, and half a unit in the last place of
-/// each of the three results, at the other end, where they are largest.
+/// The error bound of x = x1 + a (y - y1): the errors of x1, a and y1, and the rounding errors of
+/// the three operations, at the other end, where they are largest.
 inline double bound_of_x(const Vec<Adaptive, 2>& start, Adaptive dx_dy, Adaptive dy) {
     constexpr double half_ulp = Adaptive::half_ulp;
     const double steepest = std::abs(dx_dy.value()) + dx_dy.error();
@@ -66,28 +74,8 @@ inline Edge<Adaptive> edge_between(const Vertex<Adaptive>& from, const Vertex<Ad
             .bound = bound_of_x(from.position, dx_dy, dy)};
 }
 
-/// The double nearest to dx/dy of an edge, if its vertices are doubles and one more step tells it: what is left
-/// of the division, dx - q dy, has no error but that of the last digits of dx and dy.
-inline std::optional<double> nearest_slope(const Vec<Adaptive, 2>& from,
-                                           const Vec<Adaptive, 2>& to) {
-    if (from.x.error() + from.y.error() + to.x.error() + to.y.error() != 0)
-        return std::nullopt;
-    const Adaptive dx = to.x - from.x;
-    const Adaptive dy = to.y - from.y;
-    const double quotient = dx.value() / dy.value();
-    const double magnitude = std::abs(quotient);
-    // Far from where digits are lost at either end of the range.
-    if (!(magnitude > 0x1p-400 && magnitude < 0x1p400 && std::abs(dy.value()) > 0x1p-100))
-        return std::nullopt;
-    const double rest = std::fma(-quotient, dy.value(), dx.value());
-    const double off = (std::abs(rest) + dx.error() + magnitude * dy.error()) * Adaptive::widening;
-    const double to_next = magnitude - std::nextafter(magnitude, 0.0);
-    const double smallest_dy = (std::abs(dy.value()) - dy.error()) / Adaptive::widening;
-    return off < to_next / 2 * smallest_dy ? std::optional(quotient) : std::nullopt;
-}
-
-/// Filtered doubles may be moved by the offset: then samples have whole coordinates, as
-/// the pixels have.
+/// The triangle is moved by the sample offset, so that samples have integer coordinates: a filtered
+/// double carries the error of that.
 template <> class SampleGrid<Adaptive> {
 public:
     using Length = Adaptive;
@@ -114,7 +102,7 @@ public:
 
     bool reaches(Index x, Length length) const { return length <= scalar_from<Length>(x); }
 
-    /// Where an edge crosses a row of samples, in columns.
+    /// The column in which an edge crosses a row of samples.
     Length crossing(const Edge<Length>& edge, int row) const {
         return edge.x_at(scalar_from<Length>(canvas_.y_of(row)));
     }
@@ -122,6 +110,52 @@ public:
 private:
     Canvas canvas_;
     Adaptive offset_;
+};
+
+/// Runs what may leave a decision undecided; returns which comparison was, if one was.
+template <typename Run> std::optional<Undecided> left_open_by(Run&& run) {
+    try {
+        run();
+        return std::nullopt;
+    } catch (const Undecided& undecided) {
+        return undecided;
+    }
+}
+
+/// The rows of a fill, kept until all of them are certain. A fill that yields single pixels is not
+/// kept: it is run again.
+class CertainRows {
+public:
+    template <typename Step> void operator()(const Step&) {}
+    void operator()(const ScanlineSpanned<Adaptive>& span) { spans_.push_back(span); }
+    void operator()(const SampleTested<Adaptive>&) { has_pixels_ = true; }
+    void operator()(const PixelPlotted&) { has_pixels_ = true; }
+    void operator()(const PrimitiveSkipped& step) { skipped_ = step; }
+
+    template <typename Step> bool takes() const { return false; }
+
+    void clear() {
+        spans_.clear();
+        has_pixels_ = false;
+        skipped_.reset();
+    }
+
+    /// Why the primitive draws nothing, if so.
+    const std::optional<PrimitiveSkipped>& skipped() const { return skipped_; }
+
+    /// Gives the rows to a painter; calls `yield_again(painter)` if there were single pixels.
+    template <typename Painter, typename YieldAgain>
+    void paint_with(Painter&& painter, YieldAgain&& yield_again) const {
+        if (has_pixels_)
+            return yield_again(painter);
+        for (const auto& span : spans_)
+            painter(span);
+    }
+
+private:
+    std::vector<ScanlineSpanned<Adaptive>> spans_;
+    bool has_pixels_ = false;
+    std::optional<PrimitiveSkipped> skipped_;
 };
 
 } // namespace rastertrace
