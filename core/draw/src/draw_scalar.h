@@ -5,7 +5,8 @@
 
 namespace rastertrace {
 
-/// Draws a scene whose plan has chosen Scalar. Each is compiled in a file of its own: draw_in_*.cpp.
+/// Draws a scene whose plan has chosen Scalar. Each is compiled in a file of its own:
+/// draw_in_*.cpp.
 template <typename Scalar>
 Image draw_in(const Scene& scene, const Plan& plan, const Listener& listener, Fallbacks* fallbacks);
 

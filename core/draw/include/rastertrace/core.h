@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// All that it takes to draw a scene and to listen. Who wants one algorithm, inlined and without a plan,
-// includes its own header and a painter: core/raster/fill_scanline.h and core/raster/flat_painter.h.
+// All that it takes to draw a scene and to listen. Who wants one algorithm, inlined and without a
+// plan, includes its own header and a painter: core/raster/fill_scanline.h and
+// core/raster/flat_painter.h.
 
 #include <rastertrace/core/draw/draw.h>
 #include <rastertrace/core/draw/plan/plan.h>

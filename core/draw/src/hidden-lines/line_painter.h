@@ -238,8 +238,8 @@ private:
         return verdict;
     }
 
-    /// The face, in the pixel or next to it, that hides the point of the line at a pixel, if there is
-    /// one. Sets `is_exact` if a face was tested in exact numbers.
+    /// The face, in the pixel or next to it, that hides the point of the line at a pixel, if there
+    /// is one. Sets `is_exact` if a face was tested in exact numbers.
     std::optional<std::uint32_t> face_before(Pixel pixel, int row, bool& is_exact) const {
         std::array<std::uint32_t, 9> seen{};
         auto end = seen.begin();

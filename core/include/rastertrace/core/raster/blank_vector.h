@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A vector of zeros that takes memory only where it is written: a large canvas costs what is drawn on
-// it.
+// A vector of zeros that takes memory only where it is written: a large canvas costs what is drawn
+// on it.
 //
 //     BlankVector<Color> colors(16384 * 4096);  // no_color; 256 MB are reserved, none is used yet
 
@@ -16,8 +16,8 @@
 
 namespace rastertrace {
 
-/// Takes its memory from std::calloc: large blocks are pages that the system fills with zeros when they
-/// are first written. Elements constructed without a value are left as they are.
+/// Takes its memory from std::calloc: large blocks are pages that the system fills with zeros when
+/// they are first written. Elements constructed without a value are left as they are.
 template <typename T> struct BlankAllocator {
     static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>,
                   "zeros have to be a value");

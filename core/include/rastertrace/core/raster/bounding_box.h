@@ -24,8 +24,8 @@ struct BoundingBox {
     bool is_empty() const { return last_x < first_x || last_row < first_row; }
 };
 
-/// The pixels of the canvas whose samples lie between the smallest and the largest x and y of a triangle. A
-/// sample lies `sample_offset` from its pixel's integer point, in x and in y.
+/// The pixels of the canvas whose samples lie between the smallest and the largest x and y of a
+/// triangle. A sample lies `sample_offset` from its pixel's integer point, in x and in y.
 template <typename Scalar>
 BoundingBox bounding_box(const Triangle<Scalar>& triangle, const Scalar& sample_offset,
                          const Canvas& canvas) {

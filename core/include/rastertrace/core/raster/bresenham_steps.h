@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Bresenham's line in closed form: pixel i and its d without the steps before it. So drawing a line costs
-// only the part of it that lies on the canvas.
+// Bresenham's line in closed form: pixel i and its d without the steps before it. So drawing a line
+// costs only the part of it that lies on the canvas.
 //
 //     BresenhamLine({0, 0}, {5, 2}).pixel(4);  // (4, 2)
 
@@ -37,8 +37,9 @@ public:
     /// True if the next step goes straight on.
     bool goes_straight(std::int64_t d) const { return steps_at_ties_ ? d < 0 : d <= 0; }
 
-    /// How many of the first i steps are diagonal. A step goes straight on if d <= 0: this is the least
-    /// k >= i minor/major - 1/2. With ties that step (d < 0): the least k > i minor/major - 1/2.
+    /// How many of the first i steps are diagonal. A step goes straight on if d <= 0: this is the
+    /// least k >= i minor/major - 1/2. With ties that step (d < 0): the least k > i minor/major -
+    /// 1/2.
     Index diagonals_before(Index i) const {
         if (i == 0)
             return 0;
@@ -69,8 +70,8 @@ public:
     }
     GridPoint diagonal() const { return {x_step_, y_step_}; }
 
-    /// The steps up to `end` whose pixels lie on a canvas. Both coordinates change in one direction only,
-    /// so these are consecutive.
+    /// The steps up to `end` whose pixels lie on a canvas. Both coordinates change in one direction
+    /// only, so these are consecutive.
     StepRange steps_on(const Canvas& canvas, Index end) const {
         if (canvas.contains(from_.x, from_.y) && canvas.contains(to_.x, to_.y))
             return {0, end};

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Where pixels are: the one page that says what a pixel stands for, where it is asked, and which way y
-// points.
+// Where pixels are: the one page that says what a pixel stands for, where it is asked, and which
+// way y points.
 //
-// A pixel is named by the integer point (x, y) of the scene's own coordinates. Two fills, barycentric and
-// top-left, decide it at one point, its sample. A scene says where that is:
+// A pixel is named by the integer point (x, y) of the scene's own coordinates. Two fills,
+// barycentric and top-left, decide it at one point, its sample. A scene says where that is:
 //
 //     sample: integer                          sample: center
 //
@@ -17,12 +17,14 @@
 //               |     |     |                            |     |     |
 //               1     2     3                            1     2     3
 //
-// With `integer`, the convention of the textbooks, the sample is the integer point itself: barycentric has
-// it unless the scene says otherwise. With `center`, that of graphics hardware, it lies half a pixel from
-// there, toward larger x and larger y: top-left has it unless the scene says otherwise.
+// With `integer`, the convention of the textbooks, the sample is the integer point itself:
+// barycentric has it unless the scene says otherwise. With `center`, that of graphics hardware, it
+// lies half a pixel from there, toward larger x and larger y: top-left has it unless the scene says
+// otherwise.
 //
-// The others, scanline, two-halves, fan and lines, look where an edge or a line meets the row (or column)
-// of the integer points, and round that to a pixel (rounding.h): they may draw one whose point lies outside.
+// The others, scanline, two-halves, fan and lines, look where an edge or a line meets the row (or
+// column) of the integer points, and round that to a pixel (rounding.h): they may draw one whose
+// point lies outside.
 //
 // The canvas says which integer points exist and which way y points:
 //
@@ -35,8 +37,8 @@
 //
 //     Canvas canvas{.width = 17, .height = 14};  // origin in the center: x -8..8, y 7..-6, y up
 //
-// Whatever the origin, rows are counted from the top of the picture, and pixels are visited from the top
-// row to the bottom row (two-halves: from the bottom), from left to right in a row.
+// Whatever the origin, rows are counted from the top of the picture, and pixels are visited from
+// the top row to the bottom row (two-halves: from the bottom), from left to right in a row.
 
 #include <rastertrace/core/numbers/index.h>
 

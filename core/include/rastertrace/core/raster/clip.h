@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Clipping in homogeneous coordinates, before the division by w: what lies behind the eye is cut off.
-// After the division it would appear mirrored in front of the eye.
+// Clipping in homogeneous coordinates, before the division by w: what lies behind the eye is cut
+// off. After the division it would appear mirrored in front of the eye.
 //
 // Source: Sutherland and Hodgman 1974, one plane after the other; Blinn and Newell 1978 for doing
 // so before the division.

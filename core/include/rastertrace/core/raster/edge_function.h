@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The edge of a triangle as graphics hardware sees it: a function that is 0 on the edge, positive on
-// the triangle's side of it and negative on the other.
+// The edge of a triangle as graphics hardware sees it: a function that is 0 on the edge, positive
+// on the triangle's side of it and negative on the other.
 //
 //     E(x, y) = a (x - x1) + b (y - y1),   a = y1 - y2,  b = x2 - x1,  both turned if need be
 //
-// (x1, y1) is the upper end of the edge, as seen in the picture, and (x2, y2) the lower one. So the two
-// triangles that share an edge evaluate one expression, with its sign turned: what is rounded is rounded
-// alike, and a sample belongs to one of them.
+// (x1, y1) is the upper end of the edge, as seen in the picture, and (x2, y2) the lower one. So the
+// two triangles that share an edge evaluate one expression, with its sign turned: what is rounded
+// is rounded alike, and a sample belongs to one of them.
 //
 // Source: Pineda 1988, E(x, y) = (x - X) dY - (y - Y) dX, here with its sign turned; Direct3D 11
 // specification, section 3.4.2.1 (the top-left rule).
@@ -44,7 +44,8 @@ template <typename Scalar> struct EdgeFunction {
 };
 
 /// The function of an edge from its upper vertex to its lower one. It is positive where (x, y) lies
-/// counter-clockwise of the edge with y up: to the right in the picture, or with y down to the left.
+/// counter-clockwise of the edge with y up: to the right in the picture, or with y down to the
+/// left.
 template <typename Scalar>
 EdgeFunction<Scalar> edge_function(const Vertex<Scalar>& upper, const Vertex<Scalar>& lower,
                                    bool is_top_left = false) {
@@ -53,8 +54,8 @@ EdgeFunction<Scalar> edge_function(const Vertex<Scalar>& upper, const Vertex<Sca
     return {{upper.index, lower.index}, p, Scalar(p.y - q.y), Scalar(q.x - p.x), is_top_left};
 }
 
-/// The function of an edge that is not horizontal, for the triangle on its right in the picture. Samples
-/// on the edge belong to that triangle.
+/// The function of an edge that is not horizontal, for the triangle on its right in the picture.
+/// Samples on the edge belong to that triangle.
 template <typename Scalar>
 EdgeFunction<Scalar> function_of_left_edge(const Vertex<Scalar>& upper, const Vertex<Scalar>& lower,
                                            int down) {
@@ -62,8 +63,8 @@ EdgeFunction<Scalar> function_of_left_edge(const Vertex<Scalar>& upper, const Ve
     return down > 0 ? function.negated() : function;
 }
 
-/// Where the vertex between `top` and `bottom` lies: -1 left of the edge from one to the other, as seen
-/// in the picture, +1 right of it, 0 on it.
+/// Where the vertex between `top` and `bottom` lies: -1 left of the edge from one to the other, as
+/// seen in the picture, +1 right of it, 0 on it.
 template <typename Scalar>
 int side_of_edge(const Vertex<Scalar>& top, const Vertex<Scalar>& bottom,
                  const Vertex<Scalar>& middle, int down) {
@@ -73,9 +74,9 @@ int side_of_edge(const Vertex<Scalar>& top, const Vertex<Scalar>& bottom,
     return -down * turn;
 }
 
-/// The three edges of a triangle whose vertices are sorted from the top of the picture: from top to middle,
-/// from middle to bottom, from top to bottom. Each is positive inside. A horizontal upper edge is a top edge, a
-/// horizontal lower one a bottom edge.
+/// The three edges of a triangle whose vertices are sorted from the top of the picture: from top to
+/// middle, from middle to bottom, from top to bottom. Each is positive inside. A horizontal upper
+/// edge is a top edge, a horizontal lower one a bottom edge.
 template <typename Scalar>
 std::array<EdgeFunction<Scalar>, 3> edge_functions(const std::array<Vertex<Scalar>, 3>& sorted,
                                                    bool long_edge_is_left, int down) {

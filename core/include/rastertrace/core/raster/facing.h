@@ -4,9 +4,9 @@
 // Which way a face is turned: to the eye or away.
 //
 // The normal of P1, P2, P3 is n = (P2 - P1) x (P3 - P1): outward on a solid whose faces run
-// counter-clockwise as seen from outside, in right-handed space. The view leads from the face to the
-// eye, and the front is seen if n . view > 0. Taken from the eye to the face, the same test has the
-// opposite sign: the mistake of T0's text, where wrong numbers hid a wrong sign.
+// counter-clockwise as seen from outside, in right-handed space. The view leads from the face to
+// the eye, and the front is seen if n . view > 0. Taken from the eye to the face, the same test has
+// the opposite sign: the mistake of T0's text, where wrong numbers hid a wrong sign.
 //
 // Sources: T1 (hidden surfaces, normal . toward-the-eye, 0 is culled); T0 with its figures 22 to 28
 // put right.

@@ -20,8 +20,8 @@
 
 namespace rastertrace {
 
-/// The longest edge that a fan is drawn from, in pixels: it draws one line for each of them, on the canvas
-/// or off it. No canvas is wider.
+/// The longest edge that a fan is drawn from, in pixels: it draws one line for each of them, on the
+/// canvas or off it. No canvas is wider.
 inline constexpr Index longest_fan_edge = largest_canvas_side;
 
 /// The choices that the fan leaves open.

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The half-space fill of graphics hardware: a pixel is drawn if its sample lies on the inner side of all three
-// edges. A sample exactly on an edge belongs to the triangle only if that edge is a top or a left one, so
-// every sample on an edge that two triangles share has exactly one owner.
+// The half-space fill of graphics hardware: a pixel is drawn if its sample lies on the inner side
+// of all three edges. A sample exactly on an edge belongs to the triangle only if that edge is a
+// top or a left one, so every sample on an edge that two triangles share has exactly one owner.
 //
-// Source: Pineda 1988 (edge functions); Direct3D 11 specification, section 3.4.2.1 (the top-left rule).
+// Source: Pineda 1988 (edge functions); Direct3D 11 specification, section 3.4.2.1 (the top-left
+// rule).
 //
 //     fill_half_space(triangle, 0.5, canvas, FlatPainter(image, color));
 //
@@ -24,8 +25,9 @@
 
 namespace rastertrace {
 
-/// Fills a triangle: tests every pixel of its box, top row first. A sample lies `sample_offset` from its pixel's
-/// integer point, in x and in y. A triangle without area has no inside and is skipped.
+/// Fills a triangle: tests every pixel of its box, top row first. A sample lies `sample_offset`
+/// from its pixel's integer point, in x and in y. A triangle without area has no inside and is
+/// skipped.
 template <typename Scalar, typename Sink>
 requires SinkFor<Sink, EdgesTested<Scalar>, PrimitiveSkipped>
 void fill_half_space(const Triangle<Scalar>& triangle, const Scalar& sample_offset,

@@ -38,9 +38,9 @@ template <typename Scalar> Index last_row_above(const Scalar& y, int down) {
     return down > 0 ? floor_index(y) : ceil_index(y);
 }
 
-/// The y of the first row whose short edge is the lower one. A row at the height of the middle vertex
-/// belongs to the lower edge, which begins there: its x is that of the vertex, without rounding. A
-/// horizontal lower edge has no rows: then that row is the last one of the upper edge.
+/// The y of the first row whose short edge is the lower one. A row at the height of the middle
+/// vertex belongs to the lower edge, which begins there: its x is that of the vertex, without
+/// rounding. A horizontal lower edge has no rows: then that row is the last one of the upper edge.
 template <typename Scalar> Index first_lower_y(const JoinedEdges<Scalar>& edges, int down) {
     return edges.has_flat_bottom ? last_row_above(edges.bottom.position.y, down) + down
                                  : first_row_below(edges.middle.position.y, down);
@@ -85,9 +85,9 @@ requires SinkFor<Sink, ScanlineSpanned<Scalar>>
 
 /// Fills a triangle row by row, from the top of the picture to its bottom, both ends of each row
 /// included. Rows are the integers y between the highest and the lowest vertex. A triangle without
-/// area has rows, too: it is drawn as a point, or with one pixel on each row. The time is proportional
-/// to the rows on the canvas, not to the size of the triangle. Coordinates and the slopes of the edges
-/// must be finite.
+/// area has rows, too: it is drawn as a point, or with one pixel on each row. The time is
+/// proportional to the rows on the canvas, not to the size of the triangle. Coordinates and the
+/// slopes of the edges must be finite.
 template <typename Scalar, typename Sink>
 requires SinkFor<Sink, EdgeSetUp<Scalar>, ScanlineSpanned<Scalar>, RowsRejected, PrimitiveSkipped>
 void fill_scanline(const Triangle<Scalar>& triangle, const ScanlineRules& rules, Canvas canvas,

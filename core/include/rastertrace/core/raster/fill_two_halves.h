@@ -17,8 +17,8 @@
 
 namespace rastertrace {
 
-/// Fills the rows of one half, from `first_row`, lowest in the picture, up to `last_row`, as far as the
-/// canvas has them.
+/// Fills the rows of one half, from `first_row`, lowest in the picture, up to `last_row`, as far as
+/// the canvas has them.
 template <typename Scalar, typename Sink>
 requires SinkFor<Sink, ScanlineSpanned<Scalar>>
 void fill_half(const JoinedEdges<Scalar>& edges, const Edge<Scalar>& short_edge, Index first_row,

@@ -85,8 +85,8 @@ struct StepRange {
     bool is_empty() const { return last < first; }
 };
 
-/// Reports the pixels before those on the canvas: all up to step `end`, if the canvas has none of them.
-/// `pixel_at(step)` is the pixel of a step.
+/// Reports the pixels before those on the canvas: all up to step `end`, if the canvas has none of
+/// them. `pixel_at(step)` is the pixel of a step.
 template <typename PixelAt, typename Sink>
 requires SinkFor<Sink, PixelsRejected>
 void reject_before(const StepRange& on_canvas, Index end, PixelAt&& pixel_at, Sink&& sink) {

@@ -5,9 +5,9 @@
 //
 // Source: Bresenham 1965, in the form of the report on points and lines: d = 2 dy - dx at the
 // start; if d <= 0 go straight on and add 2 dy, else go diagonally and add 2 (dy - dx). At a tie (d
-// = 0) the line stays on the side it started on, so a line and its reverse may differ. With `ties: step`
-// it goes straight on only if d < 0, as many drawing libraries have it. Here for all eight octants: dx and
-// dy are the lengths along the major and the minor axis.
+// = 0) the line stays on the side it started on, so a line and its reverse may differ. With `ties:
+// step` it goes straight on only if d < 0, as many drawing libraries have it. Here for all eight
+// octants: dx and dy are the lengths along the major and the minor axis.
 //
 //     draw_bresenham({{0, 0}, {5, 2}, {}, {}}, LineRules(), canvas, FlatPainter(image, color));
 //     // (0,0)(1,0)(2,1)(3,1)(4,2)(5,2)

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the naive line and the DDA share: one pixel for each step along the major axis, which is x if
-// |dx| >= |dy|, else y. "Along" names the coordinate on the major axis, "across" the other one. The two
-// algorithms differ in how they find the coordinate across.
+// What the naive line and the DDA share: one pixel for each step along the major axis, which is x
+// if |dx| >= |dy|, else y. "Along" names the coordinate on the major axis, "across" the other one.
+// The two algorithms differ in how they find the coordinate across.
 
 #include <rastertrace/core/numbers/index.h>
 #include <rastertrace/core/numbers/scalar.h>
@@ -38,8 +38,8 @@ template <typename Scalar> bool is_longer_in_x(const Segment<Scalar>& segment) {
     return !(dx < dy);
 }
 
-/// The pixel of a coordinate across a line. At a tie, Ties::start stays on the side that the line comes
-/// from: below if it rises, above if it falls. Ties::step goes to the other side.
+/// The pixel of a coordinate across a line. At a tie, Ties::start stays on the side that the line
+/// comes from: below if it rises, above if it falls. Ties::step goes to the other side.
 template <typename Scalar>
 Index pixel_across(const Scalar& value, const SpanRounding& rule, bool falls) {
     if (rule.rounding == Rounding::nearest && falls) {
@@ -58,8 +58,8 @@ struct LineSampling {
     LineRules rules;
 };
 
-/// A line along its major axis. Its steps are the whole numbers along the axis, from the one nearest to
-/// the start to the one nearest to the end (a half goes up).
+/// A line along its major axis. Its steps are the whole numbers along the axis, from the one
+/// nearest to the start to the one nearest to the end (a half goes up).
 template <typename Scalar> class SampledLine {
 public:
     SampledLine(const Segment<Scalar>& segment, const LineSampling& sampling, const Canvas& canvas)
@@ -91,7 +91,8 @@ public:
     /// The coordinate along the axis after so many steps.
     Index along(Index step) const { return goes_back ? first_ - step : first_ + step; }
 
-    /// The last step that is drawn; -1 if the only pixel is the last one, which `ends: first` leaves out.
+    /// The last step that is drawn; -1 if the only pixel is the last one, which `ends: first`
+    /// leaves out.
     Index last_step() const { return last_step_; }
 
     /// The steps that are drawn and have a column, or row, of the canvas.

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The painter's algorithm: far triangles are drawn first, and near ones cover them. It is wrong where
-// triangles overlap in a cycle or intersect, and where the sorting key does not give their order.
+// The painter's algorithm: far triangles are drawn first, and near ones cover them. It is wrong
+// where triangles overlap in a cycle or intersect, and where the sorting key does not give their
+// order.
 //
 // Source: T0, with every triangle drawn, not only the nearest.
 //
@@ -43,7 +44,8 @@ Scalar painter_key(PainterKey key, const Scalar& a, const Scalar& b, const Scala
     return sum / three;
 }
 
-/// The indices of these distances from the eye, the farthest first. Equal distances keep their order.
+/// The indices of these distances from the eye, the farthest first. Equal distances keep their
+/// order.
 template <typename Scalar>
 std::vector<std::size_t> painter_order(std::span<const Scalar> distances) {
     std::vector<std::size_t> order(distances.size());

@@ -10,10 +10,10 @@
 //     nearest    nearest(left)   nearest(right)    0 .. 3   a tie (k + 1/2) goes as `ties` says
 //     truncate   toward zero     toward zero       0 .. 3   a C++ cast to int; lopsided at 0
 //     inside     ceil(left)      floor(right)      0 .. 3   only pixels that lie in the triangle
-//     half-open  ceil(left)      ceil(right) - 1   0 .. 3   the same without a pixel at the right end
+//     half-open  ceil(left)      ceil(right) - 1   0 .. 3   inside, without the right end
 //
-// Both ends are drawn. A span whose first pixel lies right of its last one is empty. A line has no right end:
-// it cannot be half-open.
+// Both ends are drawn. A span whose first pixel lies right of its last one is empty. A line has no
+// right end: it cannot be half-open.
 
 #include <rastertrace/core/numbers/scalar.h>
 #include <rastertrace/core/raster/canvas.h>
@@ -28,8 +28,8 @@ enum class Rounding { floor, nearest, truncate, inside, half_open };
 
 /// Where `nearest` sends a number halfway between two whole numbers.
 enum class Ties {
-    start, ///< to the smaller one: -1/2 -> -1, 1/2 -> 0. Lines stay on the side that they come from,
-           ///< as Bresenham's does (pixel_across)
+    start, ///< to the smaller one: -1/2 -> -1, 1/2 -> 0. Lines stay on the side that they come
+           ///< from, as Bresenham's does (pixel_across)
     up,    ///< to the larger one: -1/2 -> 0, 1/2 -> 1
     away,  ///< away from zero: -1/2 -> -1, 1/2 -> 1
     even,  ///< to the even one: -1/2 -> 0, 1/2 -> 0
@@ -119,7 +119,8 @@ template <typename Scalar> Index last_pixel(const Scalar& right, const SpanRound
     return first_pixel(right, rule);
 }
 
-/// The level of a channel, 0 to 255, that was mixed or lit. What lies outside of these is held there.
+/// The level of a channel, 0 to 255, that was mixed or lit. What lies outside of these is held
+/// there.
 template <typename Scalar> std::uint8_t level_of(const Scalar& channel, ColorRounding rounding) {
     const Index level = rounding == ColorRounding::nearest ? nearest_index(channel, Ties::up)
                                                            : floor_index(channel);

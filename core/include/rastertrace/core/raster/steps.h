@@ -26,8 +26,8 @@ namespace rastertrace {
 /// What kind of thing is drawn.
 enum class PrimitiveKind { triangle, outline, line, point };
 
-/// A face that is not convex has been cut into triangles: it was seen along an axis, and its ears were cut
-/// (triangulate.h). Whatever the Scalar of a scene, this is decided in exact numbers.
+/// A face that is not convex has been cut into triangles: it was seen along an axis, and its ears
+/// were cut (triangulate.h). Whatever the Scalar of a scene, this is decided in exact numbers.
 template <typename Scalar> struct FaceTriangulated {
     std::string_view name;
     std::span<const std::string_view> vertices; ///< of the face, in the author's order
@@ -42,8 +42,8 @@ template <typename Scalar> struct MatrixSetUp {
     std::string_view name;   ///< model, view, projection or viewport
     std::string_view object; ///< the mesh that a model belongs to; "" for the scene's own vertices
     const Matrix<Scalar>& matrix;
-    /// What `matrix` is the product of, the last of which moves a point first, each rounded by itself. None
-    /// if an entry is too large for a Scalar.
+    /// What `matrix` is the product of, the last of which moves a point first, each rounded by
+    /// itself. None if an entry is too large for a Scalar.
     std::span<const MatrixFactor<Scalar>> factors;
     /// Of a view: the camera's position, what it looks at, and what is up for it.
     std::span<const Vec<Scalar, 3>> camera;
@@ -193,7 +193,8 @@ template <typename Scalar> struct SampleTested {
     bool is_inside;                ///< none is negative
 };
 
-/// A sample point met the three edges of a triangle. Only fill_half_space has this step: no scene is drawn by it.
+/// A sample point met the three edges of a triangle. Only fill_half_space has this step: no scene
+/// is drawn by it.
 template <typename Scalar> struct EdgesTested {
     Pixel pixel;
     std::array<Scalar, 3> values; ///< of the edge functions: upper, lower and long edge
@@ -204,13 +205,14 @@ template <typename Scalar> struct EdgesTested {
 enum class DepthReason : std::uint8_t {
     stored,  ///< the depth that is stored: what is nearer passes, or as near and thinner
     side_of, ///< it passes what is nearer in the pixel, being a side or a corner of that
-    beside, ///< it passes a face that is nearer in the pixel, but does not cover the line's own point, or
-            ///< is not nearer there
+    beside,  ///< it passes a face that is nearer in the pixel, but does not cover the line's own
+             ///< point, or is not nearer there
     behind, ///< a face in the pixel, or next to it, covers the line's own point and is nearer there
 };
 
-/// A pixel met the depth buffer. Of equal depths the first one stays, but what is thinner passes: a line
-/// before a face, a point before both. Points and lines are kept apart from faces (line_painter.h).
+/// A pixel met the depth buffer. Of equal depths the first one stays, but what is thinner passes: a
+/// line before a face, a point before both. Points and lines are kept apart from faces
+/// (line_painter.h).
 template <typename Scalar> struct DepthTested {
     Pixel pixel;
     Scalar depth; ///< of the primitive at this pixel
@@ -244,8 +246,8 @@ struct RowsRejected {
     Index to_y;
 };
 
-/// Doubles leave it open which of two numbers is the larger one, so the primitive that has just begun is
-/// drawn with exact numbers. Fires with `adaptive` only, directly after PrimitiveBegan.
+/// Doubles leave it open which of two numbers is the larger one, so the primitive that has just
+/// begun is drawn with exact numbers. Fires with `adaptive` only, directly after PrimitiveBegan.
 struct BoundExceeded {
     double difference; ///< of the two, as it was calculated
     double error;      ///< that it may be off by

@@ -128,8 +128,8 @@ inline TypedVertices screen_list_of(const Scene&, TypedVertices typed) {
 template <typename Scalar>
 void add_primitive(const Scene& scene, Geometry<Scalar>& geometry, std::size_t index);
 
-/// Tests and lights a triangle; `world` are its corners in the world. A triangle without area has no
-/// normal and is skipped. Only for Rational.
+/// Tests and lights a triangle; `world` are its corners in the world. A triangle without area has
+/// no normal and is skipped. Only for Rational.
 template <typename Scalar>
 Face<Scalar> face_of(const Scene& scene, const Transforms<Scalar>& transforms,
                      const ScenePrimitive& primitive, const std::array<Vec<Scalar, 3>, 3>& world);

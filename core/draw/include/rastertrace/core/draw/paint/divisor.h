@@ -18,9 +18,10 @@ template <typename Integer> struct Quotient {
     Integer rest;
 };
 
-/// A positive divisor. On 64 bits it multiplies by the reciprocal: processors divide integers several
-/// times more slowly than they multiply doubles. The product is off by a few units in its last place.
-/// A quotient below 2^49 is then off by at most 1, and the remainder says in which direction.
+/// A positive divisor. On 64 bits it multiplies by the reciprocal: processors divide integers
+/// several times more slowly than they multiply doubles. The product is off by a few units in its
+/// last place. A quotient below 2^49 is then off by at most 1, and the remainder says in which
+/// direction.
 template <typename Integer> class Divisor {
 public:
     explicit Divisor(Integer value) : Divisor(value, 1 / static_cast<double>(value)) {}

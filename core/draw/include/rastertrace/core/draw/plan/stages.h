@@ -13,7 +13,7 @@
 //     cull         drops faces by their normals           the method asks for it
 //     light        lights faces                           the method asks for it
 //     canvas       drops pixels that the canvas has not   a triangle may reach beyond the canvas
-//     depth        tests pixels against the nearest       two primitives may share a pixel, or one is
+//     depth        tests pixels against the nearest       two primitives share a pixel, or one is
 //                                                         cut, or as far as the buffer starts
 //     perspective  mixes colors as they mix in space      w differs in a triangle
 //     colors       mixes the colors of vertices           they differ in a triangle
