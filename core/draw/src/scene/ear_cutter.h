@@ -156,7 +156,7 @@ bool edges_meet(const Polygon<Whole>& polygon, std::size_t i, std::size_t j) {
 }
 
 /// The bounding box of some corners.
-struct Box {
+struct CornerBox {
     static constexpr double infinity = std::numeric_limits<double>::infinity();
     std::array<double, 2> low{infinity, infinity};
     std::array<double, 2> high{-infinity, -infinity};
@@ -169,14 +169,14 @@ struct Box {
                 high[axis] = std::max(high[axis], polygon.near(corner, axis));
             }
     }
-    bool overlaps(const Box& other) const {
+    bool overlaps(const CornerBox& other) const {
         return low[0] <= other.high[0] && other.low[0] <= high[0] && low[1] <= other.high[1] &&
                other.low[1] <= high[1];
     }
 };
 
 /// From one corner of a polygon to another one, or to itself.
-using Segment = std::array<std::size_t, 2>;
+using CornerSegment = std::array<std::size_t, 2>;
 
 /// Segments between corners of a polygon, found by where they are: a binary tree whose halves lie
 /// beside one another as far as the segments do (J. Goldsmith and J. Salmon, Automatic Creation of
@@ -185,7 +185,7 @@ using Segment = std::array<std::size_t, 2>;
 template <typename Whole> class HullTree {
 public:
     /// No two segments begin at the same corner.
-    HullTree(const Polygon<Whole>& polygon, std::vector<Segment> segments)
+    HullTree(const Polygon<Whole>& polygon, std::vector<CornerSegment> segments)
         : polygon_(polygon), leaf_of_(polygon.size(), no_node) {
         nodes_.reserve(2 * segments.size());
         if (!segments.empty())
@@ -205,7 +205,7 @@ public:
     /// corners.
     template <typename IsWanted>
     bool any(std::span<const std::size_t> shape, IsWanted&& is_wanted) const {
-        Box box;
+        CornerBox box;
         box.include(polygon_, shape);
         return !nodes_.empty() && any(0, shape, box, is_wanted);
     }
@@ -215,7 +215,7 @@ private:
     using Corners = std::span<const std::size_t>;
 
     struct Node {
-        Box box = {};
+        CornerBox box = {};
         std::size_t parent;
         std::size_t count;            ///< of segments that have not been removed
         std::size_t second = no_node; ///< half; the first one follows its parent
@@ -225,10 +225,10 @@ private:
         std::array<std::size_t, 3> hull = {};
     };
 
-    void build(std::span<Segment> segments, std::size_t parent) {
+    void build(std::span<CornerSegment> segments, std::size_t parent) {
         const std::size_t place = nodes_.size();
         Node& node = nodes_.emplace_back(Node{.parent = parent, .count = segments.size()});
-        for (const Segment& segment : segments)
+        for (const CornerSegment& segment : segments)
             node.box.include(polygon_, segment);
         if (segments.size() == 1) {
             node.corner = segments[0][0];
@@ -242,7 +242,7 @@ private:
         const std::size_t axis = high[0] - low[0] > high[1] - low[1] ? 0 : 1;
         const auto middle = segments.begin() + static_cast<std::ptrdiff_t>(segments.size() / 2);
         std::nth_element(segments.begin(), middle, segments.end(),
-                         [&](const Segment& a, const Segment& b) {
+                         [&](const CornerSegment& a, const CornerSegment& b) {
                              return polygon_.near(a[0], axis) + polygon_.near(a[1], axis) <
                                     polygon_.near(b[0], axis) + polygon_.near(b[1], axis);
                          });
@@ -278,7 +278,7 @@ private:
     }
 
     template <typename IsWanted>
-    bool any(std::size_t place, Corners shape, const Box& box, IsWanted& is_wanted) const {
+    bool any(std::size_t place, Corners shape, const CornerBox& box, IsWanted& is_wanted) const {
         const Node& node = nodes_[place];
         if (node.count == 0 || !node.box.overlaps(box))
             return false;
@@ -369,7 +369,7 @@ template <typename Whole>
 std::optional<std::array<std::size_t, 2>> first_meeting(const Polygon<Whole>& polygon) {
     if (is_simple(polygon))
         return std::nullopt;
-    std::vector<Segment> edges;
+    std::vector<CornerSegment> edges;
     for (std::size_t i = 0; i < polygon.size(); ++i)
         edges.push_back({i, polygon.after(i)});
     HullTree<Whole> later(polygon, edges);
@@ -396,7 +396,7 @@ std::vector<std::array<std::size_t, 3>> cut_ears(const Polygon<Whole>& polygon) 
     std::vector<std::size_t> before(polygon.size());
     std::vector<std::size_t> after(polygon.size());
     const auto turn_at = [&](std::size_t i) { return polygon.turn(before[i], i, after[i]); };
-    std::vector<Segment> reflex_corners;
+    std::vector<CornerSegment> reflex_corners;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         before[i] = polygon.before(i);
         after[i] = polygon.after(i);

@@ -212,7 +212,9 @@ inline char* format_exactly(char* out, const Rational& value, bool however_long 
     const bool is_told = however_long || is_short(value);
     // Only denominators that are powers of two make doubles.
     const mpz_class& below = value.get_den();
-    if (is_told && mpz_class(1) << (mpz_sizeinbase(below.get_mpz_t(), 2) - 1) != below)
+    const std::size_t bits = mpz_sizeinbase(below.get_mpz_t(), 2);
+    const bool is_power_of_two = (mpz_class(1) << (bits - 1)) == below;
+    if (is_told && !is_power_of_two)
         return format_number(out, value);
     const double near = nearest_double(value);
     if (std::isfinite(near) && (!is_told || Rational(near) == value))
