@@ -44,10 +44,11 @@ std::span<const ScreenPrimitive> ExactPieces::parts_of(std::size_t primitive) {
                     transforms.divides = list.transforms.divides;
                     geometry_->list.culled_sides = list.culled_sides;
                     // Planes that cross no primitive need not be tested.
-                    std::erase_if(transforms.planes, [&list](const auto& plane) {
-                        return std::ranges::find(list.transforms.planes, plane.name,
-                                                 [](const auto& kept) { return kept.name; }) ==
-                               list.transforms.planes.end();
+                    const auto& kept = list.transforms.planes;
+                    std::erase_if(transforms.planes, [&kept](const auto& plane) {
+                        return std::none_of(kept.begin(), kept.end(), [&plane](const auto& other) {
+                            return other.name == plane.name;
+                        });
                     });
                 }
             },

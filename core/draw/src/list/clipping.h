@@ -28,25 +28,29 @@ Color color_of(const Scene& scene, std::size_t primitive, const Face<Coordinate>
 
 /// A primitive before it is clipped.
 template <typename Scalar> struct UnclippedPrimitive {
-    std::size_t index; ///< in the scene
-    std::array<ClipSpaceVertex<Scalar>, 3> vertices = {};
-    bool is_in_view = true; ///< all of its vertices are
+    std::size_t index;                                           ///< in the scene
+    std::array<const ClipSpaceVertex<Scalar>*, 3> vertices = {}; ///< they must live as long
+    bool is_in_view = true;                                      ///< all of its vertices are
     Face<Scalar> face = {};
     Color color = {};
 };
 
-/// A primitive with its face tested and lit. `in_space(index)` yields a vertex of the scene.
-template <typename Scalar, typename InSpace>
+/// A primitive with its face tested and lit. `world_of(i)` and `in_clip_space(i)` yield its vertex
+/// number i in two spaces.
+template <typename Scalar, typename WorldOf, typename InClipSpace>
 UnclippedPrimitive<Scalar> unclipped(const Scene& scene, const ScreenList<Scalar>& list,
-                                     std::size_t index, InSpace&& in_space) {
+                                     std::size_t index, WorldOf&& world_of,
+                                     InClipSpace&& in_clip_space) {
     UnclippedPrimitive<Scalar> result{.index = index};
+    const ScenePrimitive& primitive = scene.primitives[index];
+    const bool needs_world = has_face(scene, primitive);
     std::array<Vec<Scalar, 3>, 3> world;
-    const auto corners = scene.primitives[index].corners();
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        VertexInSpace<Scalar> vertex = in_space(corners[i]);
-        world[i] = std::move(vertex.world);
-        result.vertices[i] = std::move(vertex.in_clip_space);
-        result.is_in_view = result.is_in_view && result.vertices[i].is_in_view;
+    for (std::size_t i = 0; i < primitive.corners().size(); ++i) {
+        if (needs_world)
+            world[i] = world_of(i);
+        const ClipSpaceVertex<Scalar>& vertex = in_clip_space(i);
+        result.vertices[i] = &vertex;
+        result.is_in_view = result.is_in_view && vertex.is_in_view;
     }
     result.face = face_in(scene, list, index, world);
     result.color = color_of(scene, index, result.face);
@@ -128,7 +132,8 @@ std::optional<SkipReason> clip_primitive(const Scene& scene, const ScreenList<Sc
         std::vector<ClipVertex<Scalar>> polygon;
         for (std::size_t i = 0; i < (is_outline ? 2 : count); ++i) {
             const std::size_t corner = (side + i) % count;
-            polygon.push_back({unclipped.vertices[corner].clip, unclipped.vertices[corner].distance,
+            polygon.push_back({unclipped.vertices[corner]->clip,
+                               unclipped.vertices[corner]->distance,
                                color_of_vertex(scene, list.mixes_colors, primitive.vertices[corner],
                                                unclipped.color),
                                static_cast<int>(corner)});

@@ -106,11 +106,10 @@ template <typename Scalar>
 void add_primitive(const Scene& scene, Geometry<Scalar>& geometry, std::size_t index) {
     ScreenList<Scalar>& list = geometry.list;
     const auto corners = scene.primitives[index].corners();
-    const auto primitive = unclipped(scene, list, index, [&geometry](std::size_t corner) {
-        return VertexInSpace<Scalar>{geometry.world.empty() ? Vec<Scalar, 3>{}
-                                                            : geometry.world[corner],
-                                     geometry.vertices[corner]};
-    });
+    const auto primitive = unclipped<Scalar>(
+        scene, list,
+        index, [&](std::size_t i) -> const auto& { return geometry.world[corners[i]]; },
+        [&](std::size_t i) -> const auto& { return geometry.vertices[corners[i]]; });
     if (!is_finite(primitive.face) &&
         index < (list.infinite_face ? list.infinite_face->primitive : scene.primitives.size())) {
         const Vec<Scalar, 3>& at = geometry.world[corners[0]];
@@ -257,15 +256,18 @@ void tell_pieces(const Scene& scene, const ScreenList<Scalar>& list, std::size_t
     if (is_whole(scene, list, index) && !has_face(scene, primitive))
         return draw_next(face_in<Scalar>(scene, list, index, {}));
 
-    const auto found = unclipped(scene, list, index, [&](std::size_t corner) {
-        return vertex_in_space(scene, list.transforms, corner);
-    });
+    const auto corners = primitive.corners();
+    std::array<VertexInSpace<Scalar>, 3> vertices;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        vertices[i] = vertex_in_space(scene, list.transforms, corners[i]);
+    const auto found = unclipped<Scalar>(
+        scene, list, index, [&](std::size_t i) -> const auto& { return vertices[i].world; },
+        [&](std::size_t i) -> const auto& { return vertices[i].in_clip_space; });
     if (found.is_in_view)
         return draw_next(found.face);
 
     // Clipped.
     const ListenerSink sink(listener);
-    const auto corners = primitive.corners();
     std::array<std::string_view, 3> names;
     for (std::size_t i = 0; i < corners.size(); ++i)
         names[i] = scene.vertices[corners[i]].name;

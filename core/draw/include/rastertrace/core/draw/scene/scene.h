@@ -149,7 +149,8 @@ struct Scene {
 
     /// True if it has a primitive of this kind.
     bool has(PrimitiveKind kind) const {
-        return std::ranges::find(primitives, kind, &ScenePrimitive::kind) != primitives.end();
+        return std::any_of(primitives.begin(), primitives.end(),
+                           [kind](const ScenePrimitive& one) { return one.kind == kind; });
     }
 
     /// Where the colors of pixels come from.
