@@ -140,7 +140,7 @@ public:
             GifFreeMapObject(gif_->Image.ColorMap);
             gif_->Image.ColorMap = nullptr;
         }
-        keep(is_well_ &&
+        keep(is_well_ && (local == nullptr || map != nullptr) &&
              EGifPutExtension(gif_, GRAPHICS_EXT_FUNC_CODE, static_cast<int>(block.size()),
                               block.data()) == GIF_OK &&
              EGifPutImageDesc(gif_, static_cast<int>(window.left), static_cast<int>(window.top),

@@ -179,28 +179,23 @@ public:
     SampleWalk(const Vertex<Real>& upper, const Vertex<Real>& lower, const SampleGrid<Real>& grid,
                int row)
         : edge_(edge_between(upper, lower)), lower_(lower.position), grid_(grid), row_(row),
-          margin_(margin_of(upper.position, lower.position)) {
-        guess();
+          margin_(margin_of(upper.position, lower.position)), crossing_(grid.crossing(edge_, row)) {
     }
 
     [[gnu::always_inline]] Index first_sample() const {
-        return margin_ < distance_ && distance_ < 1 - margin_
-                   ? guess_
-                   : first_admitted_sample(edge_.start, lower_, grid_, row_, guess_);
+        const Index guess = ceil_index(crossing_);
+        const Real distance = static_cast<Real>(guess) - crossing_;
+        return margin_ < distance && distance < 1 - margin_
+                   ? guess
+                   : first_admitted_sample(edge_.start, lower_, grid_, row_, guess);
     }
 
     [[gnu::always_inline]] void step() {
         ++row_;
-        guess();
+        crossing_ = grid_.crossing(edge_, row_);
     }
 
 private:
-    [[gnu::always_inline]] void guess() {
-        const Real crossing = grid_.crossing(edge_, row_);
-        guess_ = ceil_index(crossing);
-        distance_ = static_cast<Real>(guess_) - crossing;
-    }
-
     /// How far rounding moves the crossing, and the zero of the function, in columns: with u the
     /// unit roundoff and X the larger |x|, 5 u |dx| + 2 u (X + 1) and 8 u (|dx| + 1), so less than
     /// 64 u (X + 1). Of an edge so low that products underflow nothing is known.
@@ -217,8 +212,7 @@ private:
     const SampleGrid<Real>& grid_;
     int row_;
     Real margin_;
-    Index guess_;   ///< the crossing of the row, rounded up
-    Real distance_; ///< from the crossing to the guess
+    Real crossing_; ///< in this row
 };
 
 /// On a grid of whole numbers, with one division per edge and none per row. In row r, sample k lies
