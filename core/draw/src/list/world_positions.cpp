@@ -36,18 +36,12 @@ WholePositions whole_positions(const Scene& scene, const std::vector<bool>& is_u
         for (const Rational& coordinate : typed.back())
             typed_denominator = lcm(typed_denominator, coordinate.get_den());
     }
-    mpz_class matrix_denominator = 1;
-    for (const auto& row : matrix.rows)
-        for (const Rational& entry : row)
-            matrix_denominator = lcm(matrix_denominator, entry.get_den());
+    const auto [whole_matrix, matrix_denominator] = over_one_denominator(matrix);
     const auto whole = [](const Rational& value, const mpz_class& denominator) {
         return mpz_class(value.get_num() * (denominator / value.get_den()));
     };
 
-    std::array<std::array<mpz_class, 4>, 3> rows;
-    for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t j = 0; j < 4; ++j)
-            rows[i][j] = whole(matrix.rows[i][j], matrix_denominator);
+    const auto& rows = whole_matrix.rows;
     positions.denominator = matrix_denominator * typed_denominator;
     for (const auto& [x, y, z] : typed) {
         const mpz_class whole_x = whole(x, typed_denominator);

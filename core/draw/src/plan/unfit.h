@@ -17,12 +17,7 @@ std::optional<Unfit> unfit_of(const Piece<double>& piece, const Method& method, 
 
 /// The piece in doubles.
 template <typename Coordinate> Piece<double> in_doubles(const Piece<Coordinate>& piece) {
-    Piece<double> result{.kind = piece.kind,
-                         .primitive = piece.primitive,
-                         .color = piece.color,
-                         .count = piece.count,
-                         .colors = piece.colors,
-                         .vertices = piece.vertices};
+    auto result = without_numbers<double>(piece);
     for (std::size_t i = 0; i < piece.count; ++i) {
         result.positions[i] = {to_double(piece.positions[i].x), to_double(piece.positions[i].y)};
         result.depths[i] = to_double(piece.depths[i]);

@@ -49,8 +49,8 @@ template <typename Whole> struct Polygon {
     /// Doubles decide most turns of numbers of any size.
     static constexpr bool has_filter = !std::is_same_v<Whole, std::int64_t>;
 
-    /// The axis of x is 0. `from_behind`: the face is clockwise to somebody who looks against the
-    /// axis.
+    /// Drops the coordinate `axis`; x is axis 0. `from_behind` if the face is clockwise as seen from
+    /// the axis's tip.
     Polygon(std::span<const std::array<Whole, 3>> face, std::size_t axis, bool from_behind) {
         const std::size_t x = (axis + (from_behind ? 2 : 1)) % 3;
         const std::size_t y = 3 - axis - x;
@@ -88,8 +88,8 @@ template <typename Whole> struct Polygon {
     /// True if the edge from here goes to the right, or straight up.
     bool goes_right(std::size_t i) const { return is_before(i, after(i)); }
 
-    /// A coordinate as a double whose sums are finite. Rounding keeps the order of numbers: what is
-    /// less as a double is less.
+    /// A coordinate as the nearest double, limited so that a sum of two is finite. Rounding is
+    /// monotonic: of two numbers the one that is less as a double is less.
     double near(std::size_t i, std::size_t axis) const {
         if constexpr (has_filter)
             return std::clamp(filtered[i][axis].value(), -1e300, 1e300);

@@ -18,22 +18,29 @@ bool is_zero(const Vec<Rational, 3>& vector) {
     return vector.x == 0 && vector.y == 0 && vector.z == 0;
 }
 
-Matrix<Rational> product_of(std::span<const MatrixFactor<Rational>> factors) {
-    // Whole numbers over one denominator: fractions would be reduced in each of their sums.
-    Matrix<mpz_class> product = identity<mpz_class>();
+WholeMatrix over_one_denominator(const Matrix<Rational>& matrix) {
     mpz_class denominator = 1;
+    for (const auto& row : matrix.rows)
+        for (const Rational& entry : row)
+            denominator = lcm(denominator, entry.get_den());
+    return {mapped<mpz_class>(matrix,
+                              [&denominator](const Rational& entry) {
+                                  return mpz_class(entry.get_num() *
+                                                   mpz_class(denominator / entry.get_den()));
+                              }),
+            denominator};
+}
+
+Matrix<Rational> product_of(std::span<const MatrixFactor<Rational>> factors) {
+    WholeMatrix product{.numerators = identity<mpz_class>()};
     for (const MatrixFactor<Rational>& factor : factors) {
-        mpz_class below = 1;
-        for (const auto& row : factor.matrix.rows)
-            for (const Rational& entry : row)
-                below = lcm(below, entry.get_den());
-        product = product * mapped<mpz_class>(factor.matrix, [&below](const Rational& entry) {
-                      return mpz_class(entry.get_num() * mpz_class(below / entry.get_den()));
-                  });
-        denominator *= below;
+        const auto [numerators, denominator] = over_one_denominator(factor.matrix);
+        product.numerators = product.numerators * numerators;
+        product.denominator *= denominator;
     }
-    return mapped<Rational>(
-        product, [&](const mpz_class& entry) { return quotient_of(entry, denominator); });
+    return mapped<Rational>(product.numerators, [&product](const mpz_class& entry) {
+        return quotient_of(entry, product.denominator);
+    });
 }
 
 namespace {

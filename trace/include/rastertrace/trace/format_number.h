@@ -207,14 +207,16 @@ inline bool is_short(const Rational& value) {
            most_digits_told;
 }
 
+/// True if a positive whole number is a power of two.
+inline bool is_power_of_two(const mpz_class& whole) {
+    return (mpz_class(1) << (mpz_sizeinbase(whole.get_mpz_t(), 2) - 1)) == whole;
+}
+
 /// A double where that is the number itself, else the fraction, unless that is too long.
 inline char* format_exactly(char* out, const Rational& value, bool however_long = false) {
     const bool is_told = however_long || is_short(value);
-    // Only denominators that are powers of two make doubles.
-    const mpz_class& below = value.get_den();
-    const std::size_t bits = mpz_sizeinbase(below.get_mpz_t(), 2);
-    const bool is_power_of_two = (mpz_class(1) << (bits - 1)) == below;
-    if (is_told && !is_power_of_two)
+    // Only a denominator that is a power of two can make a double.
+    if (is_told && !is_power_of_two(value.get_den()))
         return format_number(out, value);
     const double near = nearest_double(value);
     if (std::isfinite(near) && (!is_told || Rational(near) == value))

@@ -39,9 +39,7 @@ public:
         sink_(span);
         const ImageRow row = image_.row(span.y);
         const Color color = color_; // a copy: no pixel that is written can be part of it
-        PixelSpan pixels{static_cast<int>(span.from), static_cast<int>(span.to)};
-        if (tests_canvas_)
-            pixels = span_on_canvas(row, span.from, span.to);
+        const PixelSpan pixels = span_on_canvas(row, span.from, span.to, tests_canvas_);
         tell_rejected_left(row, span.from, span.to, sink_);
         Color* const colors = row.colors - row.left;
         for (int x = pixels.first; x <= pixels.last; ++x) {

@@ -63,8 +63,12 @@ struct PixelSpan {
     int last;
 };
 
-/// The pixels from x = `from` to x = `to` that are on the canvas.
-[[gnu::always_inline]] inline PixelSpan span_on_canvas(const ImageRow& row, Index from, Index to) {
+/// The pixels from x = `from` to x = `to` that are on the canvas. `tests_canvas` is false if all of
+/// them are known to be.
+[[gnu::always_inline]] inline PixelSpan span_on_canvas(const ImageRow& row, Index from, Index to,
+                                                       bool tests_canvas) {
+    if (!tests_canvas)
+        return {static_cast<int>(from), static_cast<int>(to)};
     const Index left = row.left;
     const Index right = row.right;
     return {static_cast<int>(std::clamp(from, left, right + 1)),

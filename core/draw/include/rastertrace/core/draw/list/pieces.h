@@ -95,6 +95,19 @@ template <typename Coordinate> struct Piece {
     std::array<std::size_t, 3> vertices{};
 };
 
+/// A piece with other numbers: all of `piece` but its positions, depths and 1/w.
+template <typename Coordinate, typename Other>
+Piece<Coordinate> without_numbers(const Piece<Other>& piece) {
+    return {.kind = piece.kind,
+            .primitive = piece.primitive,
+            .color = piece.color,
+            .is_part = piece.is_part,
+            .is_skipped = piece.is_skipped,
+            .count = piece.count,
+            .colors = piece.colors,
+            .vertices = piece.vertices};
+}
+
 /// The names of a piece and of its corners: "ABC/1" for a part, "ABC:1" for a vertex that clipping
 /// has made.
 class PieceNames {

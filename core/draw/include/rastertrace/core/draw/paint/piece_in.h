@@ -41,14 +41,7 @@ Scalar on_grid(const Coordinate& coordinate, const Plan& plan) {
 /// A piece with coordinates of type Scalar. A scene typed in pixels has no depths.
 template <typename Scalar, typename Coordinate>
 Piece<Scalar> piece_in(const Piece<Coordinate>& piece, const Plan& plan) {
-    Piece<Scalar> result{.kind = piece.kind,
-                         .primitive = piece.primitive,
-                         .color = piece.color,
-                         .is_part = piece.is_part,
-                         .is_skipped = piece.is_skipped,
-                         .count = piece.count,
-                         .colors = piece.colors,
-                         .vertices = piece.vertices};
+    auto result = without_numbers<Scalar>(piece);
     for (std::size_t i = 0; i < piece.count; ++i) {
         result.positions[i].x = on_grid<Scalar>(piece.positions[i].x, plan);
         result.positions[i].y = on_grid<Scalar>(piece.positions[i].y, plan);

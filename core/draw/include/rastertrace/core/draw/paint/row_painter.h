@@ -37,7 +37,7 @@ template <typename Scalar>
 }
 
 /// The painter of a triangle in one color whose depths lie in a plane and are tested against faces
-/// alone. It is inlined like FlatPainter, and nobody is told.
+/// alone. It is inlined like FlatPainter, and has no sink.
 template <typename Scalar> class PlanePainter {
 public:
     using D = DepthOf<Scalar>;
@@ -51,9 +51,7 @@ public:
 
     [[gnu::always_inline]] void operator()(const ScanlineSpanned<Scalar>& span) const {
         const ImageRow row = image_.row(span.y);
-        PixelSpan pixels{static_cast<int>(span.from), static_cast<int>(span.to)};
-        if (tests_canvas_)
-            pixels = span_on_canvas(row, span.from, span.to);
+        const PixelSpan pixels = span_on_canvas(row, span.from, span.to, tests_canvas_);
         paint_nearer(pixels, plane_.on_row(span.y), tests_.row_from(0, row.index),
                      row.colors - row.left, color_);
     }
@@ -143,9 +141,7 @@ private:
     [[gnu::always_inline]] void paint(const ScanlineSpanned<Scalar>& span,
                                       const Depths&... depths) const {
         const ImageRow row = image.row(span.y);
-        PixelSpan pixels{static_cast<int>(span.from), static_cast<int>(span.to)};
-        if (stages.tests_canvas)
-            pixels = span_on_canvas(row, span.from, span.to);
+        const PixelSpan pixels = span_on_canvas(row, span.from, span.to, stages.tests_canvas);
         tell_rejected_left(row, span.from, span.to, sink);
         paint_row(row, pixels, depths...);
         tell_rejected_right(row, span.from, span.to, sink);

@@ -27,6 +27,14 @@ Vec<Rational, 3> exact(const Numbers3& numbers);
 
 bool is_zero(const Vec<Rational, 3>& vector);
 
+/// A matrix written as whole numbers over one denominator. Fractions would be reduced in each sum.
+struct WholeMatrix {
+    Matrix<mpz_class> numerators;
+    mpz_class denominator = 1;
+};
+
+WholeMatrix over_one_denominator(const Matrix<Rational>& matrix);
+
 /// The product of the factors in this order, so that the last one moves a point first. Of none, the
 /// identity.
 Matrix<Rational> product_of(std::span<const MatrixFactor<Rational>> factors);
