@@ -31,6 +31,7 @@
 #include <array>
 #include <concepts>
 #include <cstdint>
+#include <utility>
 
 namespace rastertrace {
 
@@ -173,14 +174,14 @@ void fill_top_left(const Triangle<Scalar>& triangle, const SampleGrid<Scalar>& g
         for (int row = begin; row < end; ++row) {
             const Index on_long_edge = along_long_edge.first_sample();
             const Index on_short_edge = along_short_edge.first_sample();
-            const Index from = long_edge_is_left ? on_long_edge : on_short_edge;
-            const Index to = (long_edge_is_left ? on_short_edge : on_long_edge) - 1;
+            const auto [left, right] = long_edge_is_left ? std::pair(on_long_edge, on_short_edge)
+                                                         : std::pair(on_short_edge, on_long_edge);
             // The next crossings are worked out while this row is painted: they do not wait for its
             // end.
             along_long_edge.step();
             along_short_edge.step();
-            yield_row(triangle, order, is_upper, canvas.y_of(row), grid.sample_offset(), from, to,
-                      sink);
+            yield_row(triangle, order, is_upper, canvas.y_of(row), grid.sample_offset(), left,
+                      right - 1, sink);
         }
     };
     fill_half(true, top, middle, rows.begin, middle_row);
