@@ -6,6 +6,7 @@
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
+#include <bit>
 #include <cstdlib>
 #include <limits>
 #include <string>
@@ -76,8 +77,25 @@ RC_GTEST_PROP(Number, OfADecimalIsTheDoubleThatTheCLibraryReads, ()) {
     const int exponent = *rc::gen::inRange(-320, 280);
     const std::string text = std::to_string(digits) + "e" + std::to_string(exponent);
     const auto parsed = parse_number(text);
-    if (const auto* value = std::get_if<Number>(&parsed))
-        RC_ASSERT(value->nearest_double() == std::strtod(text.c_str(), nullptr));
+    if (const auto* value = std::get_if<Number>(&parsed)) {
+        const double read = std::strtod(text.c_str(), nullptr);
+        RC_ASSERT(value->nearest_double() == read);
+        RC_ASSERT(nearest_double(value->exact()) == read);
+    }
+}
+
+// Over all of the doubles, also those that are not normal.
+RC_GTEST_PROP(Number, HalfwayBetweenTwoDoublesIsTheEvenOne, ()) {
+    const auto lower = std::bit_cast<double>(
+        *rc::gen::inRange<std::uint64_t>(0, std::bit_cast<std::uint64_t>(1.7e308)));
+    const double upper = std::nextafter(lower, std::numeric_limits<double>::infinity());
+    const mpq_class middle = (mpq_class(lower) + mpq_class(upper)) / 2;
+    mpq_class little(1, mpz_class(1) << 1200);
+    little.canonicalize();
+    const bool is_lower_even = std::bit_cast<std::uint64_t>(lower) % 2 == 0;
+    RC_ASSERT(nearest_double(middle) == (is_lower_even ? lower : upper));
+    RC_ASSERT(nearest_double(middle - little) == lower);
+    RC_ASSERT(nearest_double(-middle - little) == -upper);
 }
 
 RC_GTEST_PROP(Number, OfAFractionIsNoFartherThanItsNeighbors, ()) {
