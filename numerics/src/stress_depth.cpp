@@ -4,7 +4,7 @@
 
 #include "stress_rows.h"
 
-#include <rastertrace/core/draw/filtered/adaptive_depth.h>
+#include <rastertrace/core/draw/filtered/depths.h>
 #include <rastertrace/core/raster/depth_interpolation.h>
 #include <rastertrace/trace/text.h>
 

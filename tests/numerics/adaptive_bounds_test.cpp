@@ -4,8 +4,8 @@
 
 #include "hill_climb.h"
 
-#include <rastertrace/core/draw/filtered/adaptive_color.h>
-#include <rastertrace/core/draw/filtered/adaptive_depth.h>
+#include <rastertrace/core/draw/filtered/colors.h>
+#include <rastertrace/core/draw/filtered/depths.h>
 #include <rastertrace/core/raster/barycentric.h>
 #include <rastertrace/core/raster/depth_interpolation.h>
 #include <rastertrace/core/raster/mixed_colors.h>

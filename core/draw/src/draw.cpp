@@ -39,30 +39,12 @@ void tell_cut_faces(const Scene& scene, const Listener& listener) {
     }
 }
 
-/// The draw_in of a kind of number.
-auto drawer_of(NumberType number) -> decltype(&draw_in<double>) {
-    switch (number) {
-    case NumberType::binary32:
-        return draw_in<float>;
-    case NumberType::binary64:
-        return draw_in<double>;
-    case NumberType::adaptive:
-        return draw_in<Adaptive>;
-    case NumberType::fraction64:
-        return draw_in<Fraction64>;
-    case NumberType::fraction128:
-        return draw_in<Fraction128>;
-    case NumberType::rational:
-        return draw_in<Rational>;
-    }
-    not_an_enumerator();
-}
-
 } // namespace
 
 Image draw(const Scene& scene, const Plan& plan, const Listener& listener, Fallbacks* fallbacks) {
     tell_cut_faces(scene, listener);
-    return drawer_of(plan.number)(scene, plan, listener, fallbacks);
+    return with_scalar(
+        plan, [&]<typename Scalar>() { return draw_in<Scalar>(scene, plan, listener, fallbacks); });
 }
 
 } // namespace rastertrace

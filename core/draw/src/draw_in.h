@@ -10,7 +10,7 @@
 
 #include <rastertrace/core/draw/draw.h>
 
-#include <rastertrace/core/draw/filtered/adaptive_depth.h>
+#include <rastertrace/core/draw/filtered/depths.h>
 #include <rastertrace/core/draw/filtered/exactly.h>
 #include <rastertrace/core/draw/list/pieces.h>
 #include <rastertrace/core/draw/paint/fill.h>
@@ -19,7 +19,6 @@
 #include <rastertrace/core/draw/paint/sample_walk.h>
 #include <rastertrace/core/draw/plan/plan.h>
 #include <rastertrace/core/draw/scene/scene.h>
-#include <rastertrace/core/numbers/adaptive.h>
 #include <rastertrace/core/raster/depth_interpolation.h>
 #include <rastertrace/core/raster/flat_painter.h>
 #include <rastertrace/core/raster/image.h>
@@ -124,15 +123,6 @@ bool draw_line(const Piece<Scalar>& primitive, EdgeName side, const Method& meth
     not_an_enumerator();
 }
 
-/// Leaves a primitive open if the depths of two vertices differ by more than doubles hold, with a
-/// factor of 2 for rounding.
-inline void require_finite_differences(const std::array<Adaptive, 3>& depths) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < 3; ++i)
-        if (!std::isfinite(2 * (depths[i].value() - depths[(i + 1) % 3].value())))
-            Adaptive::leave_open(infinity, infinity);
-}
-
 /// What is computed once per triangle before it is filled: the stages of its pixels, their colors,
 /// and their depths. It makes the painter of the triangle.
 template <typename Scalar, typename OfPixels> class TrianglePaint {
@@ -149,7 +139,7 @@ public:
             const Barycentric<Scalar> barycentric(triangle);
             if (barycentric.area2() == scalar_from<Scalar>(0))
                 stages_.colors = ColorStage::flat;
-            else if constexpr (std::same_as<OfPixels, Adaptive>)
+            else if constexpr (is_filtered<OfPixels>)
                 mixed_ = mixed_colors(primitive, stages_.colors, method.color_rounding,
                                       *drawing.exactness);
             else
@@ -162,7 +152,7 @@ public:
         const DepthForm form = traits_of(method.fill).depths;
         if (form == DepthForm::plane)
             plane_ = depth_->plane(depth_scalar(drawing.grid.sample_offset()));
-        if constexpr (std::same_as<Scalar, Adaptive>)
+        if constexpr (is_filtered<Scalar>)
             if (form == DepthForm::along_edges)
                 require_finite_differences(primitive.depths);
     }
@@ -297,8 +287,8 @@ void draw_piece(const Piece<Scalar>& piece, SceneDrawing<Scalar, OfPixels>& draw
          paint.row_painter(drawing, sink));
 }
 
-/// Emits what is known of a piece before it is drawn. `adaptive` emits the exact corners, as all
-/// its decisions are about these.
+/// Emits what is known of a piece before it is drawn. Filtered doubles emit the exact corners: all
+/// decisions are about these.
 template <typename AFace, typename Scalar, typename OfPixels, typename Sink>
 void tell_piece(const PieceNames& names, const AFace& face, const Piece<Scalar>& piece,
                 const SceneDrawing<Scalar, OfPixels>& drawing, const Sink& sink) {
@@ -307,7 +297,7 @@ void tell_piece(const PieceNames& names, const AFace& face, const Piece<Scalar>&
                        drawing.scene.method, sink);
     };
     bool is_told = false;
-    if constexpr (std::same_as<Scalar, Adaptive>)
+    if constexpr (is_filtered<Scalar>)
         if (sink.reads_corners()) {
             begin(drawing.exactness->pieces.piece(drawing.exactness->drawn.back()));
             is_told = true;
@@ -376,7 +366,7 @@ Image draw_in(const Scene& scene, const Plan& plan, const Listener& listener,
         drawing.depth = &depth.emplace(plan.stages.depth_region, depth_rule<DepthOf<Scalar>>(scene),
                                        scene.has_tested_lines());
     std::optional<Exactness> exactness;
-    if constexpr (std::same_as<Scalar, Adaptive>)
+    if constexpr (is_filtered<Scalar>)
         drawing.exactness = &exactness.emplace(Exactness{
             ExactPieces(scene, plan), scalar_from<Rational>(sample_offset_of(scene.method))});
 

@@ -28,7 +28,6 @@
 #include <rastertrace/core/draw/list/pieces.h>
 #include <rastertrace/core/draw/paint/depth_tests.h>
 #include <rastertrace/core/draw/scene/scene.h>
-#include <rastertrace/core/numbers/adaptive.h>
 #include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/core/numbers/vec.h>
 #include <rastertrace/core/raster/canvas.h>

@@ -189,10 +189,9 @@ template <typename Scalar> Geometry<Scalar> geometry_of(const Scene& scene) {
     return result;
 }
 
-template Geometry<float> geometry_of(const Scene&);
-template Geometry<double> geometry_of(const Scene&);
-template Geometry<Adaptive> geometry_of(const Scene&);
-template Geometry<Rational> geometry_of(const Scene&);
+#define INSTANTIATE(Coordinate) template Geometry<Coordinate> geometry_of(const Scene&);
+RASTERTRACE_FOR_EACH_COORDINATE(INSTANTIATE)
+
 template Geometry<Rational> empty_geometry(const Scene&);
 template void move_vertex(const Scene&, std::size_t, Geometry<Rational>&);
 

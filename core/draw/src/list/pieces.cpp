@@ -300,26 +300,12 @@ template Face<Rational> face_of(const Scene&, const Transforms<Rational>&, const
                                 const std::array<Vec<Rational, 3>, 3>&);
 template void add_primitive(const Scene&, Geometry<Rational>&, std::size_t);
 
-template ScreenList<float> screen_list_of(const Scene&, Geometry<float>);
-template Piece<float> piece_of(const Scene&, const ScreenList<float>&, const ScreenPrimitive&);
-template void tell_pieces(const Scene&, const ScreenList<float>&, std::size_t, const Listener&,
-                          const TakeFace<float>&);
-
-template ScreenList<double> screen_list_of(const Scene&, Geometry<double>);
-template Piece<double> piece_of(const Scene&, const ScreenList<double>&, const ScreenPrimitive&);
-template void tell_pieces(const Scene&, const ScreenList<double>&, std::size_t, const Listener&,
-                          const TakeFace<double>&);
-
-template ScreenList<Adaptive> screen_list_of(const Scene&, Geometry<Adaptive>);
-template Piece<Adaptive> piece_of(const Scene&, const ScreenList<Adaptive>&,
-                                  const ScreenPrimitive&);
-template void tell_pieces(const Scene&, const ScreenList<Adaptive>&, std::size_t, const Listener&,
-                          const TakeFace<Adaptive>&);
-
-template ScreenList<Rational> screen_list_of(const Scene&, Geometry<Rational>);
-template Piece<Rational> piece_of(const Scene&, const ScreenList<Rational>&,
-                                  const ScreenPrimitive&);
-template void tell_pieces(const Scene&, const ScreenList<Rational>&, std::size_t, const Listener&,
-                          const TakeFace<Rational>&);
+#define INSTANTIATE(Coordinate)                                                                    \
+    template ScreenList<Coordinate> screen_list_of(const Scene&, Geometry<Coordinate>);            \
+    template Piece<Coordinate> piece_of(const Scene&, const ScreenList<Coordinate>&,               \
+                                        const ScreenPrimitive&);                                   \
+    template void tell_pieces(const Scene&, const ScreenList<Coordinate>&, std::size_t,            \
+                              const Listener&, const TakeFace<Coordinate>&);
+RASTERTRACE_FOR_EACH_COORDINATE(INSTANTIATE)
 
 } // namespace rastertrace

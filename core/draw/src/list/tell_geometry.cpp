@@ -106,9 +106,8 @@ void tell_geometry(const Scene& scene, const ScreenList<Scalar>& list, const Lis
     }
 }
 
-template void tell_geometry(const Scene&, const ScreenList<float>&, const Listener&);
-template void tell_geometry(const Scene&, const ScreenList<double>&, const Listener&);
-template void tell_geometry(const Scene&, const ScreenList<Adaptive>&, const Listener&);
-template void tell_geometry(const Scene&, const ScreenList<Rational>&, const Listener&);
+#define INSTANTIATE(Coordinate)                                                                    \
+    template void tell_geometry(const Scene&, const ScreenList<Coordinate>&, const Listener&);
+RASTERTRACE_FOR_EACH_COORDINATE(INSTANTIATE)
 
 } // namespace rastertrace

@@ -11,8 +11,7 @@
 namespace rastertrace {
 
 /// The vertices of a scene: as typed, or moved.
-using AnyGeometry = std::variant<TypedVertices, Geometry<float>, Geometry<double>,
-                                 Geometry<Adaptive>, Geometry<Rational>>;
+using AnyGeometry = OfAnyCoordinate<TypedVertices, Geometry>;
 
 /// Moves the vertices of a scene to the screen, in the numbers that its kind of scalar asks for.
 AnyGeometry geometry_for(const Scene& scene) {

@@ -209,6 +209,9 @@ template <> struct Conversion<Adaptive> {
     static Adaptive of(Adaptive number) { return number; }
 };
 
+/// True of filtered doubles: a decision may be left open.
+template <typename Scalar> inline constexpr bool is_filtered = std::same_as<Scalar, Adaptive>;
+
 /// A typed or computed number as a filtered double.
 template <typename Coordinate> Adaptive with_error(const Coordinate& number) {
     return Conversion<Adaptive>::of(number);

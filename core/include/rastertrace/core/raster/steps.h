@@ -247,7 +247,8 @@ struct RowsRejected {
 };
 
 /// Doubles leave it open which of two numbers is the larger one, so the primitive that has just
-/// begun is drawn with exact numbers. Fires with `adaptive` only, directly after PrimitiveBegan.
+/// begun is drawn with exact numbers. Fires with filtered doubles only, directly after
+/// PrimitiveBegan.
 struct BoundExceeded {
     double difference; ///< of the two, as it was calculated
     double error;      ///< that it may be off by

@@ -11,8 +11,8 @@
 //             fill_top_left(triangle, grid, canvas, again);
 //         });
 
-#include <rastertrace/core/draw/filtered/adaptive_color.h>
-#include <rastertrace/core/draw/filtered/adaptive_depth.h>
+#include <rastertrace/core/draw/filtered/colors.h>
+#include <rastertrace/core/draw/filtered/depths.h>
 #include <rastertrace/core/draw/paint/sample_walk.h>
 #include <rastertrace/core/numbers/adaptive.h>
 #include <rastertrace/core/numbers/vec.h>

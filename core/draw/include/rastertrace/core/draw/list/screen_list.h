@@ -4,9 +4,9 @@
 // The list of what is drawn: every primitive, or part of a clipped one, with its corners on the
 // screen and its color. geometry.h and pieces.h make it; the plan owns it; drawing walks it.
 
+#include <rastertrace/core/draw/list/coordinates.h>
 #include <rastertrace/core/draw/scene/scene.h>
 #include <rastertrace/core/draw/scene/transforms.h>
-#include <rastertrace/core/numbers/adaptive.h>
 #include <rastertrace/core/numbers/vec.h>
 #include <rastertrace/core/raster/image.h>
 #include <rastertrace/core/transform/matrix.h>
@@ -121,8 +121,7 @@ struct TypedVertices {
 
 /// What is drawn: the vertices as typed, or a list in screen space. `fixed` moves vertices in
 /// double and snaps them when they are drawn.
-struct AnyScreenList : std::variant<TypedVertices, ScreenList<float>, ScreenList<double>,
-                                    ScreenList<Adaptive>, ScreenList<Rational>> {
+struct AnyScreenList : OfAnyCoordinate<TypedVertices, ScreenList> {
     using variant::variant;
 };
 

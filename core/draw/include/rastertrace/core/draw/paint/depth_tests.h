@@ -24,7 +24,7 @@
 
 namespace rastertrace {
 
-/// For filtered doubles: filtered/adaptive_depth.h.
+/// For filtered doubles: filtered/depths.h.
 template <typename Depth> class DepthTests {
 public:
     DepthTests(const DepthRegion& region, const DepthRule<Depth>& rule, bool has_lines = false)

@@ -7,7 +7,6 @@
 
 #include <rastertrace/core/draw/list/pieces.h>
 #include <rastertrace/core/draw/plan/plan.h>
-#include <rastertrace/core/numbers/adaptive.h>
 #include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/core/numbers/vec.h>
 #include <rastertrace/core/raster/canvas.h>
@@ -26,10 +25,9 @@ inline constexpr bool draws = std::same_as<AList, TypedVertices>;
 template <typename Scalar, typename Coordinate>
 inline constexpr bool draws<Scalar, ScreenList<Coordinate>> =
     std::same_as<Scalar, Coordinate> ||
-    (std::same_as<Scalar, Adaptive> ? std::same_as<Coordinate, Rational>
-                                    : !std::floating_point<Scalar> &&
-                                          !std::same_as<Coordinate, float> &&
-                                          !std::same_as<Coordinate, Adaptive>);
+    (is_filtered<Scalar> ? std::same_as<Coordinate, Rational>
+                         : !std::floating_point<Scalar> && !std::same_as<Coordinate, float> &&
+                               !is_filtered<Coordinate>);
 
 /// A coordinate of a vertex as a Scalar, over the plan's denominator if that is a fraction.
 template <typename Scalar, typename Coordinate>
@@ -48,7 +46,7 @@ Piece<Scalar> piece_in(const Piece<Coordinate>& piece, const Plan& plan) {
     }
     using D = DepthOf<Scalar>;
     for (std::size_t i = 0; i < piece.count; ++i) {
-        if constexpr (std::same_as<D, Adaptive> && !std::same_as<Coordinate, Number>) {
+        if constexpr (is_filtered<D> && !std::same_as<Coordinate, Number>) {
             result.depths[i] = with_error(piece.depths[i]);
             result.inverse_w[i] = with_error(piece.inverse_w[i]);
         } else if constexpr (!std::same_as<Coordinate, Number> &&

@@ -128,7 +128,8 @@ private:
 };
 
 /// Walks along an edge from row to row and gives, on each, the first pixel whose sample is not left
-/// of the edge. This is the form of Rational, and of Adaptive, which may leave a row undecided.
+/// of the edge. This is the form of Rational, and of filtered doubles, which may leave a row
+/// undecided.
 template <typename Scalar> class SampleWalk {
 public:
     /// Along the edge from its upper vertex to its lower one, beginning in `row`. The edge must

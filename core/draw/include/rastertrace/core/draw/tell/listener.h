@@ -70,7 +70,7 @@ public:
     }
 
     /// True if it takes PrimitiveBegan, and may read its positions and depths. For one that does
-    /// not, `adaptive` need not work them out exactly.
+    /// not, filtered doubles need no exact ones.
     bool reads_corners() const { return reads_corners_ && takes<PrimitiveBegan<Quantity>>(); }
 
     /// Hands a step over Quantity, or one without numbers, to the callable if it takes such.

@@ -9,7 +9,7 @@
 //                                  exact_color);
 //     colors.at<false>({3, 4});
 
-#include <rastertrace/core/draw/filtered/adaptive_depth.h>
+#include <rastertrace/core/draw/filtered/depths.h>
 #include <rastertrace/core/numbers/adaptive.h>
 #include <rastertrace/core/numbers/scalar.h>
 #include <rastertrace/core/raster/barycentric.h>

@@ -308,6 +308,15 @@ inline double error_between(Adaptive depth, Adaptive other_depth, double rise, d
            Adaptive::widening;
 }
 
+/// Leaves a primitive open if the depths of two vertices differ by more than doubles hold, with a
+/// factor of 2 for rounding.
+inline void require_finite_differences(const std::array<Adaptive, 3>& depths) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < 3; ++i)
+        if (!std::isfinite(2 * (depths[i].value() - depths[(i + 1) % 3].value())))
+            Adaptive::leave_open(infinity, infinity);
+}
+
 /// The depths of an edge, with one error bound.
 template <> class DepthEdge<Adaptive> {
 public:
