@@ -43,8 +43,8 @@ void tell_cut_faces(const Scene& scene, const Listener& listener) {
 
 Image draw(const Scene& scene, const Plan& plan, const Listener& listener, Fallbacks* fallbacks) {
     tell_cut_faces(scene, listener);
-    return with_scalar(
-        plan, [&]<typename Scalar>() { return draw_in<Scalar>(scene, plan, listener, fallbacks); });
+    const auto draw_by_plan = with_scalar(plan, []<typename Scalar>() { return draw_in<Scalar>; });
+    return draw_by_plan(scene, plan, listener, fallbacks);
 }
 
 } // namespace rastertrace
