@@ -8,33 +8,21 @@
 namespace rastertrace {
 
 double nearest_double(const mpq_class& value) {
-    if (sgn(value) < 0)
-        return -nearest_double(mpq_class(-value));
+    if (abs(value) > std::numeric_limits<double>::max())
+        return sgn(value) * std::numeric_limits<double>::infinity();
 
-    // The quotient in whole units of 2^-shift: at least two bits more than the double has, of which
-    // the last one is set if the division leaves a rest.
-    constexpr int most_bits = std::numeric_limits<double>::digits;
-    constexpr int smallest_exponent = std::numeric_limits<double>::min_exponent - most_bits;
-    const int shift =
-        std::min(most_bits + 2 - static_cast<int>(mpz_sizeinbase(value.get_num_mpz_t(), 2)) +
-                     static_cast<int>(mpz_sizeinbase(value.get_den_mpz_t(), 2)),
-                 2 - smallest_exponent);
-    const mpz_class above = value.get_num() << static_cast<mp_bitcnt_t>(std::max(shift, 0));
-    const mpz_class below = value.get_den() << static_cast<mp_bitcnt_t>(std::max(-shift, 0));
-    const mpz_class whole = above / below;
-    auto bits = static_cast<std::uint64_t>(whole.get_ui());
-    bits |= static_cast<std::uint64_t>(whole * below != above);
-
-    // Rounded to the nearest, of two equally near to the even one.
-    const int dropped = std::max(2, static_cast<int>(std::bit_width(bits)) - most_bits);
-    const std::uint64_t half = std::uint64_t{1} << (dropped - 1);
-    const std::uint64_t rest = bits % (2 * half);
-    bits >>= dropped;
-    bits += static_cast<std::uint64_t>(rest > half || (rest == half && bits % 2 == 1));
-    const double nearest = std::ldexp(static_cast<double>(bits), dropped - shift);
-    const double largest = std::numeric_limits<double>::max();
-    return nearest == largest && value > largest ? std::numeric_limits<double>::infinity()
-                                                 : nearest;
+    // get_d rounds toward zero: the nearest double is this one or its neighbor away from zero.
+    const double infinity = std::numeric_limits<double>::infinity();
+    const double inner = value.get_d();
+    const double outer = std::nextafter(inner, sgn(value) < 0 ? -infinity : infinity);
+    if (!std::isfinite(outer))
+        return inner;
+    const int nearer =
+        cmp(mpq_class(abs(value - mpq_class(inner))), mpq_class(abs(mpq_class(outer) - value)));
+    if (nearer != 0)
+        return nearer < 0 ? inner : outer;
+    // Neighbors differ by one in the last bit of the significand, the lowest bit of their encoding.
+    return std::bit_cast<std::uint64_t>(inner) % 2 == 0 ? inner : outer;
 }
 
 double nearest_quotient(Int128 above, Int128 below) {

@@ -7,7 +7,6 @@
 
 #include <rastertrace/core/draw/list/geometry.h>
 #include <rastertrace/core/draw/scene/scene.h>
-#include <rastertrace/core/draw/scene/transforms.h>
 #include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/core/numbers/vec.h>
 #include <rastertrace/core/raster/rounding.h>
@@ -43,12 +42,7 @@ template <typename Scalar> bool all_finite(const Matrix<Scalar>& matrix) {
 /// `matrix` times `vector`, or `vector` itself if there is no matrix.
 template <typename Scalar>
 Vec<Scalar, 4> moved(const std::optional<Matrix<Scalar>>& matrix, const Vec<Scalar, 4>& vector) {
-    if (!matrix)
-        return vector;
-    if constexpr (std::same_as<Scalar, Rational>)
-        return product(*matrix, vector);
-    else
-        return *matrix * vector;
+    return matrix ? *matrix * vector : vector;
 }
 
 /// The first spaces of a vertex, in homogeneous coordinates.

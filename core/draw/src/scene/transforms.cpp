@@ -31,26 +31,6 @@ WholeMatrix over_one_denominator(const Matrix<Rational>& matrix) {
             denominator};
 }
 
-Vec<Rational, 4> product(const Matrix<Rational>& matrix, const Vec<Rational, 4>& vector) {
-    const std::array coordinates{&vector.x, &vector.y, &vector.z, &vector.w};
-    mpz_class denominator = 1;
-    for (const Rational* const coordinate : coordinates)
-        denominator = lcm(denominator, coordinate->get_den());
-    const auto component = [&](const std::array<Rational, 4>& row) {
-        mpz_class row_denominator = 1;
-        for (const Rational& entry : row)
-            row_denominator = lcm(row_denominator, entry.get_den());
-        mpz_class sum = 0;
-        for (std::size_t j = 0; j < row.size(); ++j)
-            if (row[j] != 0)
-                sum += row[j].get_num() * mpz_class(row_denominator / row[j].get_den()) *
-                       coordinates[j]->get_num() * (denominator / coordinates[j]->get_den());
-        return quotient_of(sum, mpz_class(row_denominator * denominator));
-    };
-    const auto& rows = matrix.rows;
-    return {component(rows[0]), component(rows[1]), component(rows[2]), component(rows[3])};
-}
-
 Matrix<Rational> product_of(std::span<const MatrixFactor<Rational>> factors) {
     WholeMatrix product{.numerators = identity<mpz_class>()};
     for (const MatrixFactor<Rational>& factor : factors) {

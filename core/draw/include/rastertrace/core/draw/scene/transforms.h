@@ -35,9 +35,6 @@ struct WholeMatrix {
 
 WholeMatrix over_one_denominator(const Matrix<Rational>& matrix);
 
-/// matrix * vector, where each component is reduced once.
-Vec<Rational, 4> product(const Matrix<Rational>& matrix, const Vec<Rational, 4>& vector);
-
 /// The product of the factors in this order, so that the last one moves a point first. Of none, the
 /// identity.
 Matrix<Rational> product_of(std::span<const MatrixFactor<Rational>> factors);
