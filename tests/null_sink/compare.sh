@@ -1,6 +1,6 @@
 #!/bin/sh
-# compare.sh COMPILER OBJDUMP SOURCE INCLUDE...: fails if removing the emissions changes the machine code
-# in more than its registers and its order.
+# compare.sh COMPILER OBJDUMP SOURCE INCLUDE...: fails if removing the emissions changes the
+# instructions of a function, but for their registers and their order.
 set -eu
 compiler=$1 objdump=$2 source=$3
 shift 3
