@@ -2,8 +2,11 @@
 // `rastertrace check`: claims held against a scene or a trace.
 
 #include "check_report.h"
+#include "command.h"
 #include "commands.h"
 #include "load.h"
+#include "option_values.h"
+#include "shared_options.h"
 
 #include <rastertrace/trace/claims_template.h>
 
@@ -11,8 +14,10 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -150,6 +155,75 @@ int run(const CheckCommand& command) {
     print(report_of(command, files));
     const ExitStatus damage = checker.report();
     return damage == exit_fine ? status_of(files) : damage;
+}
+
+namespace {
+
+class CheckCommandLine final : public Command {
+public:
+    CommandAbout about() const override {
+        return {
+            "check", "Say which line of a worked example is wrong, and why",
+            "rastertrace check examples/claims/t0-rows.claims\n\n"
+            "Claims are lines like these, in a file; docs/check.md has all of them:\n"
+            "y=2: -1/4, 25/8 -> -1..3     (3,2): on     A screen: 2, 5     normal ABC: 0, 0, -4\n"
+            "Exit status 1: a claim is wrong."};
+    }
+
+    void add_to(OptionList& options) override {
+        options
+            .option("file", command_.files,
+                    "A scene or a trace, then files of claims; or only claims that name their "
+                    "scenes; - for standard input",
+                    "[SCENE] CLAIMS")
+            .required();
+        options.option("--format", format_, "text, json, junit, or csv: one line for each file",
+                       "NAME");
+        options.flag("--json", is_json_, "Short for --format json");
+        options.flag("--no-answers", has_no_answers_,
+                     "Tell only which claims are right and which are wrong");
+        options.flag("--template", command_.is_template,
+                     "Write the claims file of a scene with ? in place of every number");
+        options.language();
+        drawing_.add_to(options, Holds::steps);
+    }
+
+    void read() override {
+        read_check_format();
+        command_.has_answers = !has_no_answers_;
+        drawing_.read_into(command_);
+    }
+
+    int run() override { return rastertrace::run(command_); }
+
+private:
+    void read_check_format() {
+        if (is_json_ && !format_.empty())
+            refuse_value("--json", "no --format beside it", format_);
+        if (is_json_)
+            format_ = "json";
+        const std::vector<std::string_view> names{"text", "json", "junit", "csv"};
+        command_.format =
+            value_of<CheckFormat>("--format", format_, names).value_or(CheckFormat::text);
+        if (!command_.is_template)
+            return;
+        if (command_.files.size() > 1)
+            refuse_value("--template", "one scene, without claims", command_.files[1]);
+        if (has_no_answers_ || !format_.empty())
+            refuse_value("--template", "no --format, --json or --no-answers beside it", format_);
+    }
+
+    CheckCommand command_;
+    std::string format_;
+    bool is_json_ = false;
+    bool has_no_answers_ = false;
+    DrawingOptions drawing_;
+};
+
+} // namespace
+
+std::unique_ptr<Command> check_command() {
+    return std::make_unique<CheckCommandLine>();
 }
 
 } // namespace rastertrace

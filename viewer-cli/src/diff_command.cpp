@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 // `rastertrace diff`: what two traces do differently.
 
+#include "command.h"
 #include "commands.h"
 #include "diff_json.h"
 #include "load.h"
+#include "option_values.h"
+#include "shared_options.h"
 
 #include <rastertrace/trace/describe.h>
 #include <rastertrace/trace/diff.h>
@@ -12,10 +15,16 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 namespace rastertrace {
 
@@ -158,6 +167,147 @@ int run(const DiffCommand& command) {
     return tell(command, command.against.empty()
                              ? diff_of_files(command.files[0], command.files[1], command)
                              : diff_of_methods(command));
+}
+
+namespace {
+
+class DiffCommandLine final : public Command {
+public:
+    CommandAbout about() const override {
+        return {
+            "diff", "Say what two traces do differently",
+            "rastertrace diff golden.json scene.json\n\n"
+            "Steps are found by their primitive and what they are about, numbers compared by "
+            "value.\n"
+            "With git: git config diff.trace.command \"rastertrace diff --git\", or\n"
+            "diff.trace.textconv \"rastertrace diff --textconv\", and *.trace.json diff=trace in\n"
+            ".gitattributes."};
+    }
+
+    void add_to(OptionList& options) override {
+        traces_ = options
+                      .option("traces", command_.files,
+                              "Two traces, or scenes, which are drawn first; - for "
+                              "standard input",
+                              "A B")
+                      .required();
+        options.option("--against", command_.against,
+                       "Compare the only scene with itself, drawn by another method, like "
+                       "scalar=double",
+                       "METHOD");
+        options
+            .option("--tolerance", tolerances_,
+                    "How far apart numbers may be: scanline.left=1e-9, depth=4ulp, or 4ulp for "
+                    "all; a list, and may be given again",
+                    "KIND.FIELD=AMOUNT")
+            .repeatable();
+        options.option("--ignore", ignored_,
+                       "Leave out kinds of steps, fields, or header: sample,pixel.color,header",
+                       "NAMES");
+        options.option("--only", only_, "Compare these kinds of steps alone", "KINDS");
+        options.flag("--git", is_git_,
+                     "Take the arguments that git gives to an external diff command; always "
+                     "exit status 0");
+        options.flag("--textconv", is_textconv_,
+                     "Write the lines of one trace that git is to compare");
+        options.option("--format", format_, "text or json", "NAME");
+        options.flag("--json", command_.json, "Short for --format json");
+        options.language();
+        drawing_.add_to(options, Holds::steps);
+    }
+
+    /// How many words at the end of the command line git has put there for `--git` or `--textconv`.
+    /// They are names of files, which may look like options; what somebody has configured stands in
+    /// front of them.
+    std::size_t count_plain_words(std::span<const char* const> words) const override {
+        const auto is_for_git = [](std::string_view word) {
+            return word == "--git" || word == "--textconv";
+        };
+        const auto end = words.end();
+        const auto option = std::find_if(words.begin(), end, is_for_git);
+        if (end - option < 2)
+            return 0;
+        const auto is_hash = [](std::string_view word) {
+            return word == "." ||
+                   (word.size() >= 4 && word.find_first_not_of("0123456789abcdef") == word.npos);
+        };
+        const auto is_mode = [](std::string_view word) {
+            return word == "." ||
+                   (word.size() == 6 && word.find_first_not_of("01234567") == word.npos);
+        };
+        // Name, old file, its hash and mode, new file, its hash and mode; then perhaps a new name, and
+        // what has changed.
+        const bool is_git = *option == std::string_view("--git");
+        if (is_git)
+            for (const int count : {7, 8, 9})
+                if (end - option > count && is_hash(end[2 - count]) && is_mode(end[3 - count]) &&
+                    is_hash(end[5 - count]) && is_mode(end[6 - count]))
+                    return static_cast<std::size_t>(count);
+        // One name. As long as it is no option to look at, it can stand anywhere.
+        const std::string_view last = end[-1];
+        const bool looks_like_option = last.starts_with('-') || last.starts_with('[');
+        return looks_like_option && (is_git || std::filesystem::exists(last)) ? 1 : 0;
+    }
+
+    void take_plain_words(std::span<const char* const> words) override {
+        git_words_.assign(words.begin(), words.end());
+        traces_->required(words.empty());
+    }
+
+    void read() override {
+        command_.json = is_json(format_, command_.json);
+        if (is_git_)
+            command_.arguments = DiffCommand::Arguments::git;
+        if (is_textconv_)
+            command_.arguments = DiffCommand::Arguments::textconv;
+        for (const std::string& list : tolerances_)
+            for (const std::string& one : split_at(list, ','))
+                command_.options.tolerances.push_back(parse_tolerance(one));
+        if (!ignored_.empty())
+            command_.options.ignored = split_at(ignored_, ',');
+        if (!only_.empty())
+            command_.options.only = split_at(only_, ',');
+        drawing_.read_into(command_);
+        command_.files.insert(command_.files.end(), git_words_.begin(), git_words_.end());
+        check_diff_files();
+    }
+
+    int run() override { return rastertrace::run(command_); }
+
+private:
+    /// How many files there have to be.
+    void check_diff_files() const {
+        const std::size_t count = command_.files.size();
+        const auto fail = [count](std::string_view expected) {
+            throw problem_of("", fmt::format("diff: expected {}, found {}", expected, count));
+        };
+        constexpr std::size_t git_arguments = 7;
+        if (is_git_ && count != 1 && count < git_arguments)
+            fail("the seven arguments of git, or the name of a file that is not merged");
+        else if (is_textconv_ && count != 1)
+            fail("one file with --textconv");
+        else if (!is_git_ && !is_textconv_ && !command_.against.empty() && count != 1)
+            fail("one scene with --against");
+        else if (!is_git_ && !is_textconv_ && command_.against.empty() && count != 2)
+            fail("two files");
+    }
+
+    DiffCommand command_;
+    std::optional<AddedOption> traces_;
+    std::vector<std::string> git_words_; ///< files, from the end of the command line
+    std::vector<std::string> tolerances_;
+    std::string ignored_;
+    std::string only_;
+    bool is_git_ = false;
+    bool is_textconv_ = false;
+    std::string format_;
+    DrawingOptions drawing_;
+};
+
+} // namespace
+
+std::unique_ptr<Command> diff_command() {
+    return std::make_unique<DiffCommandLine>();
 }
 
 } // namespace rastertrace

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 // `rastertrace explain`: why something is as it is.
 
+#include "command.h"
 #include "commands.h"
 #include "explain_text.h"
 #include "load.h"
+#include "option_values.h"
+#include "shared_options.h"
 
 #include <rastertrace/trace/explain.h>
 #include <rastertrace/trace/steps_of_pixel.h>
@@ -11,7 +14,11 @@
 
 #include <fmt/core.h>
 
+#include <map>
+#include <memory>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -85,6 +92,100 @@ int run(const ExplainCommand& command) {
         return tell(command, steps_of_pixel(*steps, command));
     InputFrames input(command.trace, std::get<Source>(std::move(opened)), options);
     return tell(command, input.trace(input.first()));
+}
+
+namespace {
+
+/// 4,2, or (4, 2) as it is printed.
+std::optional<Pixel> pixel_in(std::string_view text) {
+    text = without_blanks(text);
+    if (text.starts_with('(') && text.ends_with(')'))
+        text = text.substr(1, text.size() - 2);
+    const auto words = split_at(text, ',');
+    const auto x = whole_number<int>(without_blanks(words.front()));
+    const auto y =
+        words.size() == 2 ? whole_number<int>(without_blanks(words.back())) : std::nullopt;
+    return x && y ? std::optional(Pixel{*x, *y}) : std::nullopt;
+}
+
+class ExplainCommandLine final : public Command {
+public:
+    CommandAbout about() const override {
+        return {
+            "explain", "Say why a pixel, a row, a face, ... is as it is",
+            "rastertrace explain examples/t0-fill/first-triangle.json --pixel 4,2\n\n"
+            "Of a pixel: who drew it, and what kept all others out, with the numbers. --against\n"
+            "rounding=truncate asks the same under another method, and tells the first decision\n"
+            "that differs."};
+    }
+
+    void add_to(OptionList& options) override {
+        options.option("trace", command_.trace, trace_input, "TRACE").required();
+        OptionList what = options.one_of("What is asked", "One of these", true);
+        what.option("--pixel", pixel_, "Who drew it, and why others did not", "X,Y");
+        what.option("--scanline", row_, "Both ends of the row", "Y");
+        const auto add_text = [&](const char* name, const char* meaning, const char* type) {
+            what.option(name, texts_[name], meaning, type);
+        };
+        add_text("--face", "How it is turned, lit and clipped, and what is seen of it", "NAME");
+        add_text("--vertex", "Where it is, from space to space", "NAME");
+        add_text("--edge", "How it is set up, and the rows that end at it", "NAME");
+        add_text("--pair", "Who has each pixel along the edge of two triangles", "NAME,NAME");
+        add_text("--step", "One step: a number, or like \"scanline y=2\"", "STEP");
+        options.option("--against", command_.against,
+                       "Ask the same of the scene drawn by another method, like "
+                       "rounding=truncate,sample=center",
+                       "METHOD");
+        options.option("--format", format_, "text or json", "NAME");
+        options.flag("--json", command_.json, "Short for --format json");
+        options.language();
+        drawing_.add_to(options, Holds::steps);
+    }
+
+    void read() override {
+        command_.json = is_json(format_, command_.json);
+        command_.question = explain_question();
+        drawing_.read_into(command_);
+    }
+
+    int run() override { return rastertrace::run(command_); }
+
+private:
+    /// What `explain` is asked.
+    Question explain_question() const {
+        if (!pixel_.empty()) {
+            const auto pixel = pixel_in(pixel_);
+            if (!pixel)
+                refuse_value("--pixel", "a pixel as x,y, like 4,2", pixel_);
+            return {.about = Topic::pixel, .pixel = *pixel};
+        }
+        if (!row_.empty()) {
+            const auto y = whole_number<int>(row_);
+            if (!y)
+                refuse_value("--scanline", "the y of a row, like 2", row_);
+            return {.about = Topic::scanline, .pixel = {0, *y}};
+        }
+        for (const Topic topic :
+             {Topic::face, Topic::vertex, Topic::edge, Topic::pair, Topic::step}) {
+            const auto text = texts_.find("--" + std::string(name_of(topic)));
+            if (text != texts_.end() && !text->second.empty())
+                return {.about = topic, .text = text->second};
+        }
+        return {};
+    }
+
+    ExplainCommand command_;
+    std::string pixel_;
+    std::string row_;
+    std::map<std::string, std::string> texts_; ///< --face, --vertex, ...
+    std::string format_;
+    DrawingOptions drawing_;
+};
+
+} // namespace
+
+std::unique_ptr<Command> explain_command() {
+    return std::make_unique<ExplainCommandLine>();
 }
 
 } // namespace rastertrace

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // rastertrace plan: which stages a scene needs, and why.
 
+#include "command.h"
 #include "commands.h"
 #include "load.h"
+#include "shared_options.h"
 
 #include <rastertrace/core/draw/plan/plan.h>
 #include <rastertrace/trace/stage_name.h>
@@ -11,6 +13,7 @@
 
 #include <fmt/core.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -69,6 +72,37 @@ int run(const PlanCommand& command) {
     scene.title = shown_title(scene.title, command.scene);
     print(command.json ? as_json(scene, plan) : as_text(scene, plan));
     return exit_fine;
+}
+
+namespace {
+
+class PlanCommandLine final : public Command {
+public:
+    CommandAbout about() const override {
+        return {"plan", "Say which stages of drawing a scene needs, and why",
+                "rastertrace plan examples/t4-pipeline/behind-the-eye.json"};
+    }
+
+    void add_to(OptionList& options) override {
+        options.option("scene", command_.scene, "A scene; - for standard input", "SCENE")
+            .required();
+        options.flag("--json", command_.json, "Print JSON");
+        drawing_.add_to(options, Holds::no_steps);
+    }
+
+    void read() override { drawing_.read_into(command_); }
+
+    int run() override { return rastertrace::run(command_); }
+
+private:
+    PlanCommand command_;
+    DrawingOptions drawing_;
+};
+
+} // namespace
+
+std::unique_ptr<Command> plan_command() {
+    return std::make_unique<PlanCommandLine>();
 }
 
 } // namespace rastertrace

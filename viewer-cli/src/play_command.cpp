@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 // `rastertrace play`: a trace step by step, forward and back, in a terminal.
 
+#include "command.h"
 #include "commands.h"
 #include "load.h"
+#include "option_values.h"
 #include "player.h"
 #include "player_screen.h"
+#include "shared_options.h"
 #include "terminal_session.h"
 
 #include <rastertrace/trace/growing_trace.h>
@@ -14,8 +17,12 @@
 
 #include <chrono>
 #include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
+#include <vector>
 
 namespace rastertrace {
 
@@ -171,6 +178,94 @@ int run(const PlayCommand& command) {
     Player player(open_input_of(command), player_options(command));
     play(player, {.colors = output_colors(command.color), .has_unicode = output_has_unicode()});
     return report_damage(player.playback().trace());
+}
+
+namespace {
+
+/// The list of keys is as wide as a page.
+constexpr std::size_t key_columns = 79;
+
+class PlayCommandLine final : public Command {
+public:
+    CommandAbout about() const override {
+        return {"play", "Go through a trace step by step, forward and back, in the terminal",
+                "rastertrace play examples/t0-fill/first-triangle.json --step \"scanline y=2\"\n\n"
+                "rastertrace play --keys lists the keys, and ? does while it plays."};
+    }
+
+    void add_to(OptionList& options) override {
+        AddedOption trace = options.option("trace", command_.trace, trace_input, "TRACE");
+        options.flag("--keys", lists_keys_, "List the keys, and play nothing").excludes(trace);
+        options.option("--step", command_.step, "Begin at this step; before the first if not given",
+                       "STEP");
+        add_view_to(options, view_);
+        options.option(
+            "--memory", memory_,
+            fmt::format("Megabytes for pictures that are kept for going back, {} if not given",
+                        Snapshots::usual_bytes / 1'000'000),
+            "N");
+        options.option("--color", color_, "auto, always or never: colors", "WHEN");
+        options.option("--print", screen_size_,
+                       "Print the first screen of a terminal of that size, and play nothing",
+                       "COLUMNSxLINES");
+        options.language();
+        drawing_.add_to(options, Holds::steps, "all if not given");
+    }
+
+    void read() override {
+        if (lists_keys_)
+            return;
+        if (command_.trace.empty())
+            refuse_value("TRACE", "a trace or a scene to play", "none");
+        command_.view = value_of("--view", view_, view_names(), view_named);
+        if (!memory_.empty()) {
+            constexpr std::size_t most_megabytes = 1'000'000;
+            const auto megabytes = whole_number<std::size_t>(memory_);
+            if (megabytes.value_or(0) < 1 || *megabytes > most_megabytes)
+                refuse_value("--memory", "a number of megabytes from 1 to 1000000", memory_);
+            command_.bytes = *megabytes * 1'000'000;
+        }
+        command_.color = color_choice_of(color_);
+        if (!screen_size_.empty())
+            command_.screen = screen_size_in(screen_size_);
+        drawing_.read_into(command_);
+    }
+
+    int run() override {
+        if (!lists_keys_)
+            return rastertrace::run(command_);
+        print(joined(player_help(key_columns), "\n") + "\n");
+        return exit_fine;
+    }
+
+private:
+    /// 80x24
+    static TextSize screen_size_in(const std::string& text) {
+        constexpr std::size_t most = 1000;
+        const auto parts = split_at(text, 'x');
+        const auto columns = whole_number<std::size_t>(parts.front());
+        const auto lines = whole_number<std::size_t>(parts.back());
+        const auto is_fine = [](std::optional<std::size_t> size) {
+            return size && 1 <= *size && *size <= most;
+        };
+        if (parts.size() != 2 || !is_fine(columns) || !is_fine(lines))
+            refuse_value("--print", "columns and lines from 1 to 1000, as in 80x24", text);
+        return {*columns, *lines};
+    }
+
+    PlayCommand command_;
+    bool lists_keys_ = false;
+    std::string view_;
+    std::string memory_;
+    std::string color_;
+    std::string screen_size_;
+    DrawingOptions drawing_;
+};
+
+} // namespace
+
+std::unique_ptr<Command> play_command() {
+    return std::make_unique<PlayCommandLine>();
 }
 
 } // namespace rastertrace

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // `rastertrace renew`: the commands on Markdown pages, run again.
 
+#include "command.h"
 #include "commands.h"
 #include "load.h"
+#include "option_values.h"
 #include "page.h"
 #include "page_files.h"
 #include "run_self.h"
@@ -16,8 +18,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -268,6 +272,66 @@ int run(const RenewCommand& command) {
         print(fmt::format("{}: {}, {} renewed\n", printable(page.page.name),
                           counted(page.commands.size(), "command"), differences_in(page).size()));
     return exit_fine;
+}
+
+namespace {
+
+class RenewCommandLine final : public Command {
+public:
+    CommandAbout about() const override {
+        return {
+            "renew", "Run the commands on Markdown pages again and put their output there",
+            "rastertrace renew docs/pages.md --check\n\n"
+            "In a fenced code block, a line that begins with `$ rastertrace ` is a command; what\n"
+            "follows, to the next line that begins with `$ ` or to the end of the block, is its\n"
+            "output. A command that has to fail says so: $ rastertrace show bad.json # exit 2"};
+    }
+
+    void add_to(OptionList& options) override {
+        options
+            .option("page", command_.pages,
+                    "Markdown files; their commands run in the current folder", "FILE")
+            .required();
+        options.option("-o,--output", command_.output,
+                       "Write the only page to this file, and leave it as it is", "FILE");
+        options.flag("--check", command_.check,
+                     "Write no page and no other file; tell where one is not as its commands "
+                     "print it, with exit status 1");
+        options.flag("--allow-outside", command_.allow_outside,
+                     "Let commands read and write files outside of the current folder too: "
+                     "only for pages that you trust");
+        options.option("--timeout", time_, "Seconds that a command may take, 60 if not given",
+                       "SECONDS");
+    }
+
+    void read() override {
+        for (const std::string& page : command_.pages)
+            if (page == "-")
+                refuse_value("renew", "the names of pages", page);
+        if (command_.output == "-")
+            refuse_value("--output", "the name of a file", "-");
+        if (!command_.output.empty() && (command_.check || command_.pages.size() > 1))
+            refuse_value("--output", "one page, and no --check", command_.output);
+        constexpr int most_seconds = 1'000'000;
+        if (!time_.empty()) {
+            const auto seconds = whole_number<int>(time_);
+            if (seconds.value_or(0) < 1 || *seconds > most_seconds)
+                refuse_value("--timeout", "a number of seconds from 1 to 1000000", time_);
+            command_.time = std::chrono::seconds(*seconds);
+        }
+    }
+
+    int run() override { return rastertrace::run(command_); }
+
+private:
+    RenewCommand command_;
+    std::string time_;
+};
+
+} // namespace
+
+std::unique_ptr<Command> renew_command() {
+    return std::make_unique<RenewCommandLine>();
 }
 
 } // namespace rastertrace

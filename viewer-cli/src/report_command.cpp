@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 // rastertrace report: error against run time, for every method and scalar.
 
+#include "command.h"
 #include "commands.h"
 #include "load.h"
+#include "option_values.h"
 #include "output_ending.h"
 #include "report_file.h"
+#include "shared_options.h"
 
 #include <rastertrace/trace/output.h>
 #include <rastertrace/trace/process_files.h>
@@ -15,6 +18,8 @@
 #include <unistd.h>
 
 #include <array>
+#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -111,6 +116,62 @@ int run(const ReportCommand& command) {
         files[i]->write(report_in(formats[i], report));
     outputs.commit();
     return exit_fine;
+}
+
+namespace {
+
+class ReportCommandLine final : public Command {
+public:
+    CommandAbout about() const override {
+        return {"report", "Measure error against run time, for every method and scalar",
+                "rastertrace report examples/numerics/friendly.json --quick --jobs edge"};
+    }
+
+    void add_to(OptionList& options) override {
+        options.option("scene", command_.scenes, "Scenes; - for standard input", "SCENE...")
+            .required();
+        options
+            .option("-o,--output", command_.outputs,
+                    "Write to this file instead of standard output: .svg, .html, .json, .csv "
+                    "or .txt; may be given again",
+                    "FILE")
+            .repeatable();
+        options.option("--format", format_,
+                       "text, json, csv, svg or html, whatever the file's name", "NAME");
+        options.option("--jobs", jobs_,
+                       fmt::format("Measure only these jobs: {}", joined(job_names(), ",")),
+                       "JOB,...");
+        options.flag("--quick", command_.quick, "Take seconds, not minutes; times are rough");
+        drawing_.add_to(options, Holds::no_steps);
+    }
+
+    void read() override {
+        const std::vector<std::string_view> formats{"text", "json", "csv", "svg", "html"};
+        command_.format = value_of<ReportFormat>("--format", format_, formats);
+        command_.jobs = values_of("--jobs", "jobs", jobs_, job_names(), report_job_named);
+        drawing_.read_into(command_);
+    }
+
+    int run() override { return rastertrace::run(command_); }
+
+private:
+    static std::vector<std::string_view> job_names() {
+        std::vector<std::string_view> names;
+        for (const ReportJob job : report_jobs())
+            names.push_back(name_of(job));
+        return names;
+    }
+
+    ReportCommand command_;
+    std::string format_;
+    std::string jobs_;
+    DrawingOptions drawing_;
+};
+
+} // namespace
+
+std::unique_ptr<Command> report_command() {
+    return std::make_unique<ReportCommandLine>();
 }
 
 } // namespace rastertrace

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 // `rastertrace show`: prints frames of a trace as text.
 
+#include "command.h"
 #include "commands.h"
 #include "frame_text.h"
 #include "load.h"
 #include "off_canvas.h"
+#include "option_values.h"
+#include "shared_options.h"
 #include "step_table.h"
 #include "terminal.h"
 
@@ -20,8 +23,10 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rastertrace {
@@ -197,6 +202,113 @@ int run(const ShowCommand& command) {
         status = show(input.trace(frame), command, faces);
     }
     return status;
+}
+
+namespace {
+
+class ShowCommandLine final : public Command {
+public:
+    CommandAbout about() const override {
+        return {
+            "show", "Print frames of a trace as text",
+            "rastertrace show examples/t0-fill/first-triangle.json --every scanline\n\n"
+            "In a frame, . is empty, # plotted, @ plotted by the step shown, x tested and not "
+            "drawn, a letter a\nvertex; --view faces, shade, depth, writes or coverage show more.\n"
+            "STEP is a number, first, last, or a kind of step with what it has:\n"
+            "14, scanline, \"scanline y=2\", \"depth x=3 y=2 fail\", \"face culled\", \"pixel "
+            "in=ABC\""};
+    }
+
+    void add_to(OptionList& options) override {
+        options.option("trace", command_.trace, trace_input, "TRACE").required();
+        OptionList which = options.one_of("Which frames", "One of these; --last if none is given");
+        which.option("--step", step_, "After this step, from 0", "STEP");
+        which.flag("--last", last_, "After the last step");
+        which.option("--every", every_,
+                     "After every such step, together with the pixels that belong to it", "STEP");
+        which.flag("--all", all_, "After every step");
+        options.flag("--bare", command_.bare, "Only the grid: . empty, # plotted, top row first");
+        add_view_to(options, view_);
+        options.option("--region", region_, "Show only these pixels", "x0,y0,x1,y1");
+        options.flag("--overview", command_.is_overview,
+                     "Show all of the canvas, many pixels to a cell");
+        options.flag("--frames", command_.has_frames,
+                     "With --every: a frame for each step, also of kinds that are told as a table");
+        options.flag("--working", command_.has_working,
+                     "Write out how the numbers of a step come of one another");
+        options.option(
+            "--format", format_,
+            fmt::format("With --every: the steps as {}", joined(table_format_names(), ", ")),
+            "NAME");
+        options.flag("--json", is_json_, "With --every: short for --format json");
+        options.option("--color", color_, "auto, always or never: colors, on a terminal", "WHEN");
+        options.language();
+        drawing_.add_to(options, Holds::steps, "all if not given");
+    }
+
+    void read() override {
+        if (!step_.empty())
+            command_.which = ShowCommand::Which::step;
+        if (!every_.empty())
+            command_.which = ShowCommand::Which::every;
+        command_.selector = step_ + every_; // one of them, at most
+        if (all_)
+            command_.which = ShowCommand::Which::all;
+        command_.view = value_of("--view", view_, view_names(), view_named);
+        command_.region = region_of(region_);
+        if (command_.bare && command_.is_overview)
+            refuse_value("--overview", "a frame, without --bare", "--bare");
+        if (command_.bare && command_.has_working)
+            refuse_value("--bare", "only the grid, without --working", "--bare");
+        if (command_.region && command_.is_overview)
+            refuse_value("--overview", "no --region beside it", region_);
+        if (is_json_) {
+            if (!format_.empty())
+                refuse_value("--json", "no --format beside it", format_);
+            if (command_.which != ShowCommand::Which::every || command_.bare ||
+                command_.asks_for_frames())
+                refuse_value("--json", "--every beside it, and no grid", "--json");
+            format_ = "json";
+        }
+        if (!format_.empty()) {
+            command_.format = table_format_named(format_);
+            if (!command_.format)
+                refuse_value("--format",
+                             fmt::format("one of {}", joined(table_format_names(), ", ")), format_,
+                             did_you_mean(format_, table_format_names()));
+            if (command_.which != ShowCommand::Which::every)
+                refuse_value("--format", "--every beside it", format_);
+            if (command_.has_working && command_.format != TableFormat::table)
+                refuse_value("--working", "sentences, without --format " + format_, "--working");
+            if (command_.bare || command_.asks_for_frames())
+                refuse_value("--format",
+                             "a table, without --bare, --frames, --view, --region and --overview",
+                             format_);
+        }
+        command_.color = color_choice_of(color_);
+        drawing_.read_into(command_);
+    }
+
+    int run() override { return rastertrace::run(command_); }
+
+private:
+    ShowCommand command_;
+    std::string step_;
+    std::string every_;
+    bool last_ = false;
+    bool all_ = false;
+    std::string view_;
+    std::string region_;
+    std::string format_;
+    bool is_json_ = false;
+    std::string color_;
+    DrawingOptions drawing_;
+};
+
+} // namespace
+
+std::unique_ptr<Command> show_command() {
+    return std::make_unique<ShowCommandLine>();
 }
 
 } // namespace rastertrace

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 // `rastertrace stats`: what a trace amounts to.
 
+#include "command.h"
 #include "commands.h"
 #include "load.h"
+#include "option_values.h"
+#include "shared_options.h"
 #include "stats_text.h"
 
 #include <rastertrace/trace/stats.h>
@@ -12,6 +15,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -92,6 +97,60 @@ int run(const StatsCommand& command) {
     if (damage != exit_fine || unjudged != exit_fine)
         return exit_bad_input;
     return found.empty() ? exit_fine : exit_difference;
+}
+
+namespace {
+
+class StatsCommandLine final : public Command {
+public:
+    CommandAbout about() const override {
+        return {"stats", "Count the steps, pixels and writes of a trace",
+                "rastertrace stats examples/t0-fill/first-triangle.json"};
+    }
+
+    void add_to(OptionList& options) override {
+        options.option("trace", command_.trace, trace_input, "TRACE").required();
+        options.flag("--json", command_.json, "Print JSON");
+        options.option("--fail-on", fail_on_,
+                       fmt::format("End with status 1 if there are any of these, with 2 if that "
+                                   "cannot be judged: {}",
+                                   joined(finding_names(), ",")),
+                       "NAME,...");
+        drawing_.add_to(options, Holds::steps);
+    }
+
+    void read() override {
+        command_.fail_on =
+            values_of("--fail-on", "findings", fail_on_, finding_names(), finding_named);
+        drawing_.read_into(command_);
+    }
+
+    int run() override { return rastertrace::run(command_); }
+
+private:
+    static std::vector<std::string_view> finding_names() {
+        std::vector<std::string_view> names;
+        for (const StatsFinding finding : stats_findings)
+            names.push_back(name_of(finding));
+        return names;
+    }
+
+    static std::optional<StatsFinding> finding_named(std::string_view name) {
+        for (const StatsFinding finding : stats_findings)
+            if (name_of(finding) == name)
+                return finding;
+        return std::nullopt;
+    }
+
+    StatsCommand command_;
+    std::string fail_on_;
+    DrawingOptions drawing_;
+};
+
+} // namespace
+
+std::unique_ptr<Command> stats_command() {
+    return std::make_unique<StatsCommandLine>();
 }
 
 } // namespace rastertrace

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 // `rastertrace stress`: the catalogue of stiff and extreme cases; or, whether a scene is near any cliff.
 
+#include "command.h"
 #include "commands.h"
 #include "load.h"
+#include "option_values.h"
 #include "run_case.h"
+#include "shared_options.h"
 #include "stress_markdown.h"
 
 #include <rastertrace/numerics/cliffs.h>
@@ -22,6 +25,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -412,6 +417,102 @@ int run(const StressCommand& command) {
     const bool has_failed = std::any_of(cases.begin(), cases.end(),
                                         [](const RunCase& one) { return one.failed() > 0; });
     return has_failed ? exit_difference : exit_fine;
+}
+
+namespace {
+
+class StressCommandLine final : public Command {
+public:
+    CommandAbout about() const override {
+        return {
+            "stress", "Run the stiff and extreme cases, or look for cliffs in a scene",
+            "rastertrace stress --case S1\n"
+            "         rastertrace stress --case S1 --scene | rastertrace show -\n"
+            "         rastertrace stress examples/t0-fill/first-triangle.json\n\n"
+            "Each row of a case is one scalar and one method: right; within its stated bound; "
+            "wrong\n"
+            "by a count; or refused. What is documented to be wrong must be wrong by just that. "
+            "Exit\n"
+            "status 1: a row is not as documented. How the program bears bad files, full disks "
+            "and\n"
+            "odd terminals (R1 to R12 of the catalogue) is tested elsewhere: it is no arithmetic."};
+    }
+
+    void add_to(OptionList& options) override {
+        options.option(
+            "scene", command_.scene,
+            "A scene; - for standard input. Is it near any cliff, and does a scalar fall?",
+            "SCENE");
+        options
+            .option("--case", command_.cases,
+                    "Only these cases, in full: L1 to L13, S1 to S14, C1 to C18, Z1 to Z14, P1 to "
+                    "P12, X1 to X9",
+                    "ID,...")
+            .separated_by_commas();
+        scene_ = options
+                     .option("--scene", number_,
+                             "Print the scene of the case, or its Nth scene, to draw it", "[N]")
+                     .with_optional_value();
+        options.flag("--quick", command_.quick, "Every case, the longest with one scalar only");
+        options.flag("--json", command_.json, "Print JSON");
+        options.flag("--markdown", command_.markdown,
+                     "Print the cases as entries of a page, with what is wrong or refused");
+        drawing_.add_to(options, Holds::no_steps);
+    }
+
+    void read() override {
+        drawing_.read_into(command_);
+        check_stress();
+    }
+
+    int run() override { return rastertrace::run(command_); }
+
+private:
+    /// Which options of `stress` go together.
+    void check_stress() {
+        const bool has_scene = !command_.scene.empty();
+        if (has_scene && !command_.cases.empty())
+            refuse_value("--case", "cases, or a scene, not both", command_.scene,
+                         find_stress_case(command_.scene) != nullptr
+                             ? fmt::format("several cases are one word: --case {},{}",
+                                           joined(command_.cases, ","), command_.scene)
+                             : "");
+        if (command_.markdown && (has_scene || command_.json))
+            refuse_value("--markdown", "cases to print as entries of a page",
+                         has_scene ? command_.scene : "--json");
+        for (const auto& [key, value] : command_.method) {
+            if (!has_scene)
+                refuse_value(option_named(key), "a scene to draw by another method", "none",
+                             "the cases of the catalogue have their own methods");
+            if (key == "scalar")
+                refuse_value("--scalar", "no scalar: the scene is drawn with each", value);
+        }
+        if (!has_scene && (!command_.frames.vary.empty() || command_.frames.frame))
+            refuse_value(command_.frames.frame ? "--frame" : "--vary", "a scene whose numbers vary",
+                         "none");
+        if (!scene_->is_given())
+            return;
+        if (has_scene || command_.cases.size() != 1)
+            refuse_value("--scene", "one case whose scene to print",
+                         fmt::format("{}", joined(command_.cases, ",")), "say --case S1 --scene");
+        command_.scene_number = 1;
+        if (!number_.empty()) {
+            command_.scene_number = whole_number<std::size_t>(number_);
+            if (!command_.scene_number)
+                refuse_value("--scene", "the number of a scene, from 1", number_);
+        }
+    }
+
+    StressCommand command_;
+    std::optional<AddedOption> scene_;
+    std::string number_;
+    DrawingOptions drawing_;
+};
+
+} // namespace
+
+std::unique_ptr<Command> stress_command() {
+    return std::make_unique<StressCommandLine>();
 }
 
 } // namespace rastertrace

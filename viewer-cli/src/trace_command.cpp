@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 // `rastertrace trace`: draws a scene and writes its trace; or writes a part of one that is there.
 
+#include "command.h"
 #include "commands.h"
 #include "frame_files.h"
 #include "load.h"
+#include "option_values.h"
 #include "output_ending.h"
+#include "shared_options.h"
 
 #include <rastertrace/trace/excerpt.h>
 #include <rastertrace/trace/output.h>
@@ -17,6 +20,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -116,6 +120,64 @@ int run(const TraceCommand& command) {
     write_trace(scene, plan, options, output);
     output.commit();
     return exit_fine;
+}
+
+namespace {
+
+class TraceCommandLine final : public Command {
+public:
+    CommandAbout about() const override {
+        return {"trace", "Draw a scene and write its trace, or a part of a trace",
+                "rastertrace trace examples/t0-fill/first-triangle.json --only "
+                "scanline -o rows.json"};
+    }
+
+    void add_to(OptionList& options) override {
+        options
+            .option("scene", command_.scene,
+                    "A scene, or a trace to cut down; - for standard input", "SCENE")
+            .required();
+        options.option("-o,--output", command_.output,
+                       "Write to this file (.jsonl: JSON Lines) instead of standard output",
+                       "FILE");
+        options.option("--format", format_, "json or jsonl, whatever the file's name", "NAME");
+        options.option(
+            "--only", only_,
+            fmt::format("Write only these kinds of step: {}", joined(step_kind_names(), ",")),
+            "KIND,...");
+        options.option("--region", region_, "Write only steps that touch these pixels",
+                       "x0,y0,x1,y1");
+        options.option("--primitive", command_.filter.primitive,
+                       "Write only the steps of this primitive and its parts", "NAME");
+        drawing_.add_to(options, Holds::no_steps, "without it, -o writes a file for each");
+    }
+
+    void read() override {
+        if (!format_.empty() && format_ != "json" && format_ != "jsonl")
+            refuse_value("--format", "json or jsonl", format_);
+        if (!format_.empty())
+            command_.layout = format_ == "json" ? TraceLayout::json : TraceLayout::jsonl;
+        if (!only_.empty())
+            command_.filter.only =
+                values_of("--only", "kinds of step", only_, step_kind_names(), step_kind_named);
+        command_.filter.region = region_of(region_);
+        drawing_.read_into(command_);
+    }
+
+    int run() override { return rastertrace::run(command_); }
+
+private:
+    TraceCommand command_;
+    std::string format_;
+    std::string only_;
+    std::string region_;
+    DrawingOptions drawing_;
+};
+
+} // namespace
+
+std::unique_ptr<Command> trace_command() {
+    return std::make_unique<TraceCommandLine>();
 }
 
 } // namespace rastertrace

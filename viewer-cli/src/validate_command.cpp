@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 // `rastertrace validate`: whether files are scenes, traces or claims that can be used.
 
+#include "command.h"
 #include "commands.h"
 #include "load.h"
+#include "option_values.h"
+#include "shared_options.h"
 
 #include <rastertrace/core/draw/plan/stages.h>
 #include <rastertrace/trace/check.h>
@@ -21,6 +24,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -325,6 +329,75 @@ int run(const ValidateCommand& command) {
     if (command.json)
         print("[" + joined(reports, ",\n") + "]\n");
     return all_valid ? exit_fine : exit_bad_input;
+}
+
+namespace {
+
+class ValidateCommandLine final : public Command {
+public:
+    CommandAbout about() const override {
+        return {
+            "validate", "Say whether files are scenes, traces or claims that can be used",
+            "rastertrace validate examples/t0-fill/first-triangle.json\n\n"
+            "What a file is, is found by its content. Exit status 2: one of them is not valid.\n"
+            "--schema prints the JSON Schema of a kind of file, for an editor:\n"
+            "rastertrace validate --schema scene > scene.schema.json"};
+    }
+
+    void add_to(OptionList& options) override {
+        options.option("file", command_.files, "The files; - for standard input", "FILE");
+        options.option(
+            "--kind", kind_,
+            fmt::format("What each file has to be: {}", joined(schema_kind_names(), ", ")), "NAME");
+        options.option("--format", format_, "text or json", "NAME");
+        options.flag("--json", is_json_, "Short for --format json");
+        options.option("--schema", schema_,
+                       fmt::format("Print a schema instead: {}", joined(schema_kind_names(), ", ")),
+                       "NAME");
+        input_.add_to(options, Holds::steps);
+    }
+
+    void read() override {
+        command_.kind = schema_kind_in("--kind", kind_);
+        command_.schema = schema_kind_in("--schema", schema_);
+        if (command_.schema && !command_.files.empty())
+            refuse_value("--schema", "no file beside it", command_.files.front());
+        if (!command_.schema && command_.files.empty())
+            throw problem_of("", "validate: expected a file, found none",
+                             "- is standard input; --schema NAME prints a schema");
+        if (std::count(command_.files.begin(), command_.files.end(), "-") > 1)
+            refuse_value("validate", "standard input once", "-");
+        if (is_json_ && !format_.empty())
+            refuse_value("--json", "no --format beside it", format_);
+        command_.json = is_json(format_, is_json_);
+        command_.input = input_.limits();
+    }
+
+    int run() override { return rastertrace::run(command_); }
+
+private:
+    /// The kind of file that an option names, if it was given.
+    static std::optional<SchemaKind> schema_kind_in(std::string_view option,
+                                                    const std::string& name) {
+        const auto kind = schema_kind_named(name);
+        if (!kind && !name.empty())
+            refuse_value(option, fmt::format("one of {}", joined(schema_kind_names(), ", ")), name,
+                         did_you_mean(name, schema_kind_names()));
+        return kind;
+    }
+
+    ValidateCommand command_;
+    std::string kind_;
+    std::string schema_;
+    std::string format_;
+    bool is_json_ = false;
+    InputOptions input_;
+};
+
+} // namespace
+
+std::unique_ptr<Command> validate_command() {
+    return std::make_unique<ValidateCommandLine>();
 }
 
 } // namespace rastertrace

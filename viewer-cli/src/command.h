@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A command of the program as it is typed: its name, its options, and what it does with their
+// values. Each stands in the file of its command. Only command_line.cpp knows CLI11.
+//
+//     void add_to(OptionList& options) override {
+//         options.option("scene", command_.scene, "A scene; - for standard input", "SCENE").required();
+//         options.flag("--json", command_.json, "Print JSON");
+//     }
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace CLI {
+class App;
+class Option;
+} // namespace CLI
+
+namespace rastertrace {
+
+/// An option that has been added, for what else is to be said of it.
+class AddedOption {
+public:
+    explicit AddedOption(CLI::Option& option) : option_(&option) {}
+
+    AddedOption& required(bool is_required = true);
+    AddedOption& group(const std::string& title);
+    AddedOption& repeatable();          ///< may be given again, with one value each time
+    AddedOption& separated_by_commas(); ///< has a list of values
+    AddedOption& with_optional_value(); ///< may be given alone
+    AddedOption& excludes(AddedOption& other);
+
+    bool is_given() const; ///< with or without a value
+
+private:
+    CLI::Option* option_;
+};
+
+/// The options of a command, to be added to.
+class OptionList {
+public:
+    /// `language` gets the value of --language.
+    OptionList(CLI::App& app, std::string& language) : app_(&app), language_(&language) {}
+
+    /// An option, or with a name without dashes an argument. `type` stands behind its name in the
+    /// help.
+    AddedOption option(const std::string& names, std::string& value, const std::string& help,
+                       const std::string& type);
+    AddedOption option(const std::string& names, std::optional<std::string>& value,
+                       const std::string& help, const std::string& type);
+    AddedOption option(const std::string& names, std::vector<std::string>& values,
+                       const std::string& help, const std::string& type);
+
+    /// An option without a value.
+    AddedOption flag(const std::string& names, bool& value, const std::string& help);
+
+    /// A list of options of which at most one may be given; exactly one, if `is_required`.
+    OptionList one_of(const std::string& title, const std::string& help, bool is_required = false);
+
+    /// --language
+    void language();
+
+private:
+    CLI::App* app_;
+    std::string* language_;
+};
+
+/// What `help` says of a command beside its options.
+struct CommandAbout {
+    std::string name;
+    std::string meaning;
+    std::string example;
+};
+
+class Command {
+public:
+    virtual ~Command() = default;
+
+    virtual CommandAbout about() const = 0;
+
+    virtual void add_to(OptionList& options) = 0;
+
+    /// How many words at the end of the command line are no options, whatever they look like.
+    virtual std::size_t count_plain_words(std::span<const char* const>) const { return 0; }
+
+    /// Takes these words. Called before the options are read.
+    virtual void take_plain_words(std::span<const char* const>) {}
+
+    /// Reads the values of the options. Throws a Problem if one does not fit.
+    virtual void read() = 0;
+
+    /// Does it; returns the exit status.
+    virtual int run() = 0;
+};
+
+// The commands, in the order of the help.
+std::unique_ptr<Command> trace_command();
+std::unique_ptr<Command> show_command();
+std::unique_ptr<Command> play_command();
+std::unique_ptr<Command> figure_command();
+std::unique_ptr<Command> explain_command();
+std::unique_ptr<Command> stats_command();
+std::unique_ptr<Command> check_command();
+std::unique_ptr<Command> diff_command();
+std::unique_ptr<Command> validate_command();
+std::unique_ptr<Command> plan_command();
+std::unique_ptr<Command> stress_command();
+std::unique_ptr<Command> report_command();
+std::unique_ptr<Command> renew_command();
+
+} // namespace rastertrace

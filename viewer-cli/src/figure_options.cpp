@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: MIT
+// The options of `rastertrace figure`.
+
+#include "command.h"
+#include "commands.h"
+#include "option_values.h"
+#include "shared_options.h"
+
+#include <rastertrace/figures/figure.h>
+#include <rastertrace/trace/text.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rastertrace {
+
+namespace {
+
+class FigureCommandLine final : public Command {
+public:
+    CommandAbout about() const override {
+        std::string list;
+        for (const FigurePartRow& row : figure_parts())
+            list += fmt::format("  {:<12} {}\n", row.name, row.shows);
+        return {
+            "figure", "Draw frames as figures for a page, a book or a talk",
+            "rastertrace figure examples/t0-fill/first-triangle.json --step \"scanline y=2\" -o "
+            "row.svg\n\n"
+            "An .html is a page to click through, forward and back, with all steps.\n\n"
+            "What a figure can show (PART), for --with and --without:\n" +
+                list};
+    }
+
+    void add_to(OptionList& options) override {
+        options.option("trace", command_.trace, trace_input, "TRACE").required();
+        options
+            .option("-o,--output", command_.output,
+                    fmt::format("The file; its name ends in one of {}; - for standard output",
+                                joined(endings_in<FigureFormat>(figure_endings), ", ")),
+                    "FILE")
+            .required();
+        options.option("--format", format_,
+                       "svg, png, tex, txt, cast, gif or html, whatever the file's name", "NAME");
+        OptionList which = options.one_of(
+            "Which frames", "One of these; if none is given, the last one, and of a .gif, "
+                            ".cast or --animate each row, pixel of a line and vertex");
+        which.option(
+            "--step", step_,
+            "After this step, together with the pixels that belong to it; of an .html, the "
+            "step that it begins at",
+            "STEP");
+        which.option("--until", until_, "Before this step, which is not told: an exercise", "STEP");
+        which.option("--every", every_,
+                     "After every such step: a file for each, but for --sheet, --animate, .gif "
+                     "and .cast",
+                     "STEP");
+        options.option("--sheet", sheet_, "Frames side by side, like 3x4: 3 columns, 4 rows",
+                       "CxR");
+        options.flag("--animate", command_.is_animated, "All frames in one .svg, which moves");
+        options.option("--seconds", seconds_,
+                       "How long each frame is seen; by default all of them take 20, and one at "
+                       "most 1",
+                       "N");
+        options.option("--with", with_, "Show these parts too", "PART,...");
+        options.option("--without", without_, "Leave these parts out", "PART,...");
+        options.option("--title", command_.options.title, "This title instead of the scene's",
+                       "TEXT");
+        options.option("--caption", command_.options.caption,
+                       "This text instead of the step's sentence; none for no text", "TEXT");
+        options.option(
+            "--view", view_,
+            fmt::format("What the color of a pixel means: {}; if none is given, what the scene "
+                        "is about",
+                        joined(figure_views(), ", ")),
+            "NAME");
+        options.option("--against", command_.against,
+                       "Compare the pixels with those of another trace or scene, or of the same "
+                       "scene by another METHOD (key=value,...)",
+                       "TRACE|METHOD");
+        options.option("--region", region_, "Show only these pixels", "x0,y0,x1,y1");
+        options.option("--palette", palette_,
+                       "Colors of faces: distinct (for every kind of color vision) or scene",
+                       "NAME");
+        options.option("--theme", theme_,
+                       "auto (in an .svg as the reader has set it), light, dark or print (grays)",
+                       "NAME");
+        options.option("--cell", cell_, "The side of a pixel, in units; by default by the canvas",
+                       "PX");
+        options.option("--scale", scale_,
+                       "Of a .png or .gif: pixels of a unit; 2 and 1 if not given", "N");
+        options.option("--width", width_, "Of a .tex: millimeters", "MM");
+        options.flag("--bare", command_.is_bare,
+                     "Only the pixels in their own colors, one unit each if --cell is not given");
+        options.language();
+        drawing_.add_to(options, Holds::steps, "all if not given");
+    }
+
+    void read() override {
+        using Which = FigureCommand::Which;
+        if (!step_.empty())
+            command_.which = Which::step;
+        if (!until_.empty())
+            command_.which = Which::until;
+        if (!every_.empty())
+            command_.which = Which::every;
+        command_.selector = step_ + until_ + every_; // one of them, at most
+
+        std::vector<std::string_view> part_names;
+        for (const FigurePartRow& row : figure_parts())
+            part_names.push_back(row.name);
+        FigureOptions& options = command_.options;
+        options.with = values_of("--with", "parts", with_, part_names, figure_part_named);
+        options.without = values_of("--without", "parts", without_, part_names, figure_part_named);
+        for (const FigurePart part : options.with)
+            if (std::find(options.without.begin(), options.without.end(), part) !=
+                options.without.end())
+                refuse_value("--without", "parts that are not in --with", without_);
+        if (options.caption == "none") {
+            options.caption.reset();
+            options.without.push_back(FigurePart::caption);
+        }
+        options.view = value_of("--view", view_, figure_views(), view_named);
+        if (options.view == View::coverage) // tells numbers, not colors
+            refuse_value("--view", fmt::format("one of {}", joined(figure_views(), ", ")), view_);
+        options.region = region_of(region_);
+        options.palette = value_of("--palette", palette_, face_palette_names(), face_palette_named)
+                              .value_or(FacePalette::distinct);
+        constexpr double largest_cell = 1000;
+        options.cell = size_in("--cell", cell_, largest_cell);
+
+        FigureStyle& style = command_.style;
+        style.theme =
+            value_of("--theme", theme_, theme_names(), theme_named).value_or(Theme::automatic);
+        constexpr double largest_scale = 100;
+        style.scale = size_in("--scale", scale_, largest_scale);
+        constexpr double largest_width = 5000;
+        style.width_mm = size_in("--width", width_, largest_width);
+        constexpr double longest = 600;
+        style.seconds = size_in("--seconds", seconds_, longest);
+        constexpr double shortest = 0.02; // of a GIF, as browsers play it
+        if (style.seconds && *style.seconds < shortest)
+            refuse_value("--seconds", fmt::format("at least {:g}", shortest), seconds_);
+
+        if (command_.is_bare) {
+            for (const FigurePartRow& row : figure_parts())
+                if (row.part != FigurePart::pixels)
+                    options.without.push_back(row.part);
+            options.view = options.view.value_or(View::shade);
+            options.cell = options.cell.value_or(1);
+            style.scale = style.scale.value_or(1);
+        }
+        if (!format_.empty())
+            command_.format =
+                value_of("--format", format_, figure_format_names(), figure_format_named);
+        if (!sheet_.empty())
+            command_.sheet = sheet_in(sheet_);
+        drawing_.read_into(command_);
+    }
+
+    int run() override { return rastertrace::run(command_); }
+
+private:
+    /// A number above 0, at most `most`.
+    static std::optional<double> size_in(std::string_view option, const std::string& text,
+                                         double most) {
+        if (text.empty())
+            return std::nullopt;
+        const auto value = nearest_double_in(text);
+        if (!value || !(*value > 0) || *value > most)
+            refuse_value(option, fmt::format("a number above 0, at most {:g}", most), text);
+        return value;
+    }
+
+    /// The views that have colors.
+    static std::vector<std::string_view> figure_views() {
+        std::vector<std::string_view> names = view_names();
+        std::erase_if(names,
+                      [](std::string_view name) { return view_named(name) == View::coverage; });
+        return names;
+    }
+
+    static FigureCommand::Sheet sheet_in(const std::string& text) {
+        const auto words = split_at(text, 'x');
+        if (words.size() == 2) {
+            const auto columns = whole_number<std::size_t>(words[0]);
+            const auto rows = whole_number<std::size_t>(words[1]);
+            constexpr std::size_t most = 100;
+            if (columns && rows && 0 < *columns && *columns <= most && 0 < *rows && *rows <= most)
+                return {*columns, *rows};
+        }
+        refuse_value("--sheet", "columns and rows, like 3x4, each from 1 to 100", text);
+    }
+
+    FigureCommand command_;
+    std::string step_;
+    std::string until_;
+    std::string every_;
+    std::string format_;
+    std::string with_;
+    std::string without_;
+    std::string view_;
+    std::string region_;
+    std::string palette_;
+    std::string theme_;
+    std::string sheet_;
+    std::string cell_;
+    std::string scale_;
+    std::string width_;
+    std::string seconds_;
+    DrawingOptions drawing_;
+};
+
+} // namespace
+
+std::unique_ptr<Command> figure_command() {
+    return std::make_unique<FigureCommandLine>();
+}
+
+} // namespace rastertrace

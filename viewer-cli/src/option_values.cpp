@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include "option_values.h"
+
+#include <rastertrace/trace/problem.h>
+
+namespace rastertrace {
+
+void refuse_value(std::string_view option, std::string_view expected, std::string_view found,
+                  std::string hint) {
+    throw problem_of("", fmt::format("{}: expected {}, found \"{}\"", option, expected, found),
+                     std::move(hint));
+}
+
+std::optional<Region> region_of(const std::string& text) {
+    if (text.empty())
+        return std::nullopt;
+    std::vector<int> numbers;
+    for (const std::string& word : split_at(text, ','))
+        if (const auto number = whole_number<int>(word))
+            numbers.push_back(*number);
+    if (numbers.size() != 4 || split_at(text, ',').size() != 4)
+        refuse_value("--region", "two corners as x0,y0,x1,y1, like -4,-3,2,5", text);
+    if (numbers[0] > numbers[2] || numbers[1] > numbers[3])
+        refuse_value("--region", "the smaller x and y first", text,
+                     fmt::format("--region {},{},{},{}", std::min(numbers[0], numbers[2]),
+                                 std::min(numbers[1], numbers[3]), std::max(numbers[0], numbers[2]),
+                                 std::max(numbers[1], numbers[3])));
+    return Region{numbers[0], numbers[1], numbers[2], numbers[3]};
+}
+
+ColorChoice color_choice_of(const std::string& text) {
+    if (text == "always")
+        return ColorChoice::always;
+    if (text == "never")
+        return ColorChoice::never;
+    if (!text.empty() && text != "auto")
+        refuse_value("--color", "auto, always or never", text);
+    return ColorChoice::automatic;
+}
+
+bool is_json(const std::string& format, bool has_flag) {
+    if (!format.empty() && format != "text" && format != "json")
+        refuse_value("--format", "text or json", format);
+    return has_flag || format == "json";
+}
+
+} // namespace rastertrace

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Reads the values of options. What does not fit is refused: "--region: expected ..., found ...".
+
+#include "terminal_text.h"
+
+#include <rastertrace/trace/named_value.h>
+#include <rastertrace/trace/step_writer.h>
+#include <rastertrace/trace/text.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+namespace rastertrace {
+
+/// Throws: an option's value that does not fit.
+[[noreturn]] void refuse_value(std::string_view option, std::string_view expected,
+                               std::string_view found, std::string hint = {});
+
+/// The whole number that a text is, if it is one and fits.
+template <typename Integer> std::optional<Integer> whole_number(std::string_view text) {
+    Integer value = 0;
+    const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (read.ec != std::errc{} || read.ptr != text.data() + text.size())
+        return std::nullopt;
+    return value;
+}
+
+/// What one of several names stands for, as `named` has it; nothing if no name is given.
+template <typename Named>
+auto value_of(std::string_view option, const std::string& text,
+              const std::vector<std::string_view>& names, const Named& named)
+    -> decltype(named(std::string_view())) {
+    if (text.empty())
+        return std::nullopt;
+    const auto value = named(text);
+    if (!value)
+        refuse_value(option, fmt::format("one of {}", joined(names, ", ")), text,
+                     did_you_mean(text, names));
+    return value;
+}
+
+/// The same where the names are in the order of the values.
+template <typename Value>
+std::optional<Value> value_of(std::string_view option, const std::string& text,
+                              const std::vector<std::string_view>& names) {
+    return value_of(option, text, names,
+                    [&names](std::string_view name) { return value_named<Value>(names, name); });
+}
+
+/// What a list of names stands for, each once; nothing if no list is given. `what` are such values.
+template <typename Value>
+std::vector<Value> values_of(std::string_view option, std::string_view what, std::string_view text,
+                             const std::vector<std::string_view>& names,
+                             std::optional<Value> (*named)(std::string_view)) {
+    std::vector<Value> values;
+    if (text.empty())
+        return values;
+    for (const std::string& word : split_at(text, ',')) {
+        const auto value = named(word);
+        if (!value)
+            refuse_value(option, fmt::format("{} out of {}", what, joined(names, ",")), word,
+                         did_you_mean(word, names));
+        if (std::find(values.begin(), values.end(), *value) == values.end())
+            values.push_back(*value);
+    }
+    return values;
+}
+
+/// The value of --region, if it is given.
+std::optional<Region> region_of(const std::string& text);
+
+/// The value of --color.
+ColorChoice color_choice_of(const std::string& text);
+
+/// The value of --color.
+ColorChoice color_choice_of(const std::string& text);
+
+/// True for `json`, or if --json is given; `text` is the other --format.
+bool is_json(const std::string& format, bool has_flag);
+
+} // namespace rastertrace

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include "shared_options.h"
+
+#include "environment.h"
+#include "option_values.h"
+
+#include <rastertrace/figures/view.h>
+#include <rastertrace/trace/language.h>
+#include <rastertrace/trace/stage_name.h>
+#include <rastertrace/trace/text.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <utility>
+
+namespace rastertrace {
+
+void choose_language(const std::string& option) {
+    constexpr const char* variable = "RASTERTRACE_LANGUAGE";
+    const bool is_option = !option.empty();
+    const auto language = value_of(is_option ? "--language" : variable,
+                                   is_option ? option : std::string(environment_variable(variable)),
+                                   language_codes(), language_with_code);
+    if (language)
+        tell_steps_in(*language);
+}
+
+void add_view_to(OptionList& options, std::string& view) {
+    options.option("--view", view,
+                   fmt::format("What a cell shows: {}; if none is given, what the scene is about",
+                               joined(view_names(), ", ")),
+                   "NAME");
+}
+
+std::string option_named(std::string_view key) {
+    std::string option = "--" + std::string(key);
+    std::replace(option.begin(), option.end(), '_', '-');
+    return option;
+}
+
+void MethodOptions::add_to(OptionList& options) {
+    for (const MethodKey& key : method_keys())
+        options
+            .option(option_named(key.name), values_[std::string(key.name)],
+                    fmt::format("{}: {}", key.meaning, joined(key.values, ", ")), "NAME")
+            .group("Method, instead of what the scene says");
+    options.option("--keep", keep_,
+                   fmt::format("Run these stages even if the scene does not need them: {}",
+                               joined(stage_names(), ",")),
+                   "STAGE,...");
+    options.flag("--full", full_, "Run every stage that the method has");
+}
+
+MethodOverrides MethodOptions::overrides() const {
+    MethodOverrides overrides;
+    for (const MethodKey& key : method_keys()) {
+        const std::string& value = values_.at(std::string(key.name));
+        if (value.empty())
+            continue;
+        Method scratch;
+        if (!key.set(scratch, value))
+            refuse_value(option_named(key.name), fmt::format("one of {}", joined(key.values, ", ")),
+                         value, did_you_mean(value, key.values));
+        overrides.emplace_back(key.name, value);
+    }
+    if (!keep_.empty())
+        for (const Stage stage : values_of("--keep", "stages", keep_, stage_names(), stage_named))
+            overrides.emplace_back("keep", name_of(stage));
+    if (full_)
+        for (const std::string_view stage : stage_names())
+            overrides.emplace_back("keep", stage);
+    return overrides;
+}
+
+namespace {
+
+std::size_t bytes_in(const std::string& text) {
+    constexpr std::array<std::pair<std::string_view, std::size_t>, 3> units{
+        {{"kB", 1'000}, {"MB", 1'000'000}, {"GB", 1'000'000'000}}};
+    for (const auto& [unit, bytes] : units) {
+        if (!text.ends_with(unit))
+            continue;
+        const auto count = whole_number<std::size_t>(text.substr(0, text.size() - unit.size()));
+        if (count && *count > 0 && *count <= std::numeric_limits<std::size_t>::max() / bytes)
+            return *count * bytes;
+    }
+    refuse_value("--max-input", "a size in kB, MB or GB, like 512MB", text);
+}
+
+std::size_t steps_in(const std::string& text) {
+    if (const auto count = whole_number<std::size_t>(text); count && *count > 0)
+        return *count;
+    refuse_value("--max-steps", "a number of steps, from 1", text);
+}
+
+} // namespace
+
+void InputOptions::add_to(OptionList& options, Holds holds) {
+    options.option("--max-input", max_input_,
+                   "The largest scene or OBJ file to read, in kB, MB or GB; 256MB if not "
+                   "given. A trace may have any size",
+                   "SIZE");
+    options.flag("--allow-outside", limits_.allow_outside,
+                 "Read OBJ files that lie outside of the scene's folder too");
+    if (holds == Holds::steps)
+        options.option("--max-steps", max_steps_,
+                       "The most steps of a trace to hold; 10 million if not given. Pixels of a "
+                       "row that follow one another in a trace that is drawn count as one",
+                       "N");
+}
+
+InputLimits InputOptions::limits() const {
+    InputLimits limits = limits_;
+    if (!max_input_.empty())
+        limits.bytes = bytes_in(max_input_);
+    if (!max_steps_.empty())
+        limits.steps = steps_in(max_steps_);
+    return limits;
+}
+
+void FrameOptions::add_to(OptionList& options, std::string_view without) {
+    options
+        .option("--vary", vary_,
+                "Let a number of the scene vary from frame to frame, like "
+                "/camera/position/2=4:1:7 (from 4 to 1 in 7 steps) or =4,3,1; may be "
+                "given again",
+                "POINTER=VALUES")
+        .repeatable();
+    options.option("--frame", frame_,
+                   fmt::format("The frame of a scene that varies, from 1; {}", without), "N");
+}
+
+FrameChoice FrameOptions::choice() const {
+    FrameChoice choice;
+    for (const std::string& one : vary_) {
+        const std::size_t equals = one.find_last_of('=');
+        if (equals == std::string::npos)
+            refuse_value("--vary", "POINTER=FROM:TO:STEPS or a list of values", one,
+                         "like /camera/position/2=4:1:7");
+        choice.vary.push_back({one.substr(0, equals), one.substr(equals + 1)});
+    }
+    if (!frame_.empty()) {
+        choice.frame = whole_number<std::size_t>(frame_);
+        if (choice.frame.value_or(0) < 1)
+            refuse_value("--frame", "the number of a frame, from 1", frame_);
+    }
+    return choice;
+}
+
+} // namespace rastertrace
