@@ -270,12 +270,8 @@ public:
                 refuse_value("--json", "--every beside it, and no grid", "--json");
             format_ = "json";
         }
-        if (!format_.empty()) {
-            command_.format = table_format_named(format_);
-            if (!command_.format)
-                refuse_value("--format",
-                             fmt::format("one of {}", joined(table_format_names(), ", ")), format_,
-                             did_you_mean(format_, table_format_names()));
+        command_.format = value_of("--format", format_, table_format_names(), table_format_named);
+        if (command_.format) {
             if (command_.which != ShowCommand::Which::every)
                 refuse_value("--format", "--every beside it", format_);
             if (command_.has_working && command_.format != TableFormat::table)

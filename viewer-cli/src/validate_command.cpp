@@ -358,8 +358,8 @@ public:
     }
 
     void read() override {
-        command_.kind = schema_kind_in("--kind", kind_);
-        command_.schema = schema_kind_in("--schema", schema_);
+        command_.kind = value_of("--kind", kind_, schema_kind_names(), schema_kind_named);
+        command_.schema = value_of("--schema", schema_, schema_kind_names(), schema_kind_named);
         if (command_.schema && !command_.files.empty())
             refuse_value("--schema", "no file beside it", command_.files.front());
         if (!command_.schema && command_.files.empty())
@@ -376,16 +376,6 @@ public:
     int run() override { return rastertrace::run(command_); }
 
 private:
-    /// The kind of file that an option names, if it was given.
-    static std::optional<SchemaKind> schema_kind_in(std::string_view option,
-                                                    const std::string& name) {
-        const auto kind = schema_kind_named(name);
-        if (!kind && !name.empty())
-            refuse_value(option, fmt::format("one of {}", joined(schema_kind_names(), ", ")), name,
-                         did_you_mean(name, schema_kind_names()));
-        return kind;
-    }
-
     ValidateCommand command_;
     std::string kind_;
     std::string schema_;
