@@ -18,6 +18,8 @@
 
 #include <algorithm>
 #include <exception>
+#include <functional>
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -99,12 +101,13 @@ public:
              {trace_command, show_command, play_command, figure_command, explain_command,
               stats_command, check_command, diff_command, validate_command, plan_command,
               stress_command, report_command, renew_command}) {
-            Command& command = *commands_.emplace_back(make());
-            const CommandAbout about = command.about();
+            std::unique_ptr<Command> command = make();
+            const CommandAbout about = command->about();
             CLI::App& app = *app_.add_subcommand(about.name, about.meaning);
             app.footer("Example: " + about.example);
             OptionList options(app, language_);
-            command.add_to(options);
+            command->add_to(options);
+            commands_.emplace(about.name, std::move(command));
         }
         CLI::App& help = *app_.add_subcommand("help", "Explain a command");
         help.footer("Example: rastertrace help show");
@@ -142,10 +145,8 @@ public:
 private:
     /// The command of this name; none of `help` and of what is no command.
     Command* command_named(std::string_view name) const {
-        for (const auto& command : commands_)
-            if (command->about().name == name)
-                return command.get();
-        return nullptr;
+        const auto found = commands_.find(name);
+        return found == commands_.end() ? nullptr : found->second.get();
     }
 
     int run_chosen() {
@@ -216,7 +217,7 @@ private:
     }
 
     CLI::App app_{"A rasterizer you can watch think", "rastertrace"};
-    std::vector<std::unique_ptr<Command>> commands_;
+    std::map<std::string, std::unique_ptr<Command>, std::less<>> commands_; ///< by their names
     std::string language_;
     std::string help_about_;
 };

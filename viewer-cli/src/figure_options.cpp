@@ -155,9 +155,7 @@ public:
             options.cell = options.cell.value_or(1);
             style.scale = style.scale.value_or(1);
         }
-        if (!format_.empty())
-            command_.format =
-                value_of("--format", format_, figure_format_names(), figure_format_named);
+        command_.format = value_of("--format", format_, figure_format_names(), figure_format_named);
         if (!sheet_.empty())
             command_.sheet = sheet_in(sheet_);
         drawing_.read_into(command_);

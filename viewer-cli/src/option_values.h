@@ -78,13 +78,10 @@ std::vector<Value> values_of(std::string_view option, std::string_view what, std
 /// The value of --region, if it is given.
 std::optional<Region> region_of(const std::string& text);
 
-/// The value of --color.
+/// The value of --color; automatic if it is not given.
 ColorChoice color_choice_of(const std::string& text);
 
-/// The value of --color.
-ColorChoice color_choice_of(const std::string& text);
-
-/// True for `json`, or if --json is given; `text` is the other --format.
+/// True if --format is json, or if --json is given. Refuses a format other than text and json.
 bool is_json(const std::string& format, bool has_flag);
 
 } // namespace rastertrace
