@@ -9,12 +9,10 @@
 //         options.flag("--json", command_.json, "Print JSON");
 //     }
 
+#include <cstddef>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
-#include <string_view>
-#include <vector>
 
 namespace CLI {
 class App;
@@ -23,7 +21,7 @@ class Option;
 
 namespace rastertrace {
 
-/// An option that has been added, for what else is to be said of it.
+/// An option of a command, to set its further properties.
 class AddedOption {
 public:
     explicit AddedOption(CLI::Option& option) : option_(&option) {}
@@ -47,22 +45,19 @@ public:
     /// `language` gets the value of --language.
     OptionList(CLI::App& app, std::string& language) : app_(&app), language_(&language) {}
 
-    /// An option, or with a name without dashes an argument. `type` stands behind its name in the
-    /// help.
-    AddedOption option(const std::string& names, std::string& value, const std::string& help,
+    /// Adds an option, or an argument if its name has no dashes. The help shows `type` behind the
+    /// name. `Value` is a text, an optional text or a vector of texts.
+    template <typename Value>
+    AddedOption option(const std::string& names, Value& value, const std::string& help,
                        const std::string& type);
-    AddedOption option(const std::string& names, std::optional<std::string>& value,
-                       const std::string& help, const std::string& type);
-    AddedOption option(const std::string& names, std::vector<std::string>& values,
-                       const std::string& help, const std::string& type);
 
-    /// An option without a value.
+    /// Adds an option without a value.
     AddedOption flag(const std::string& names, bool& value, const std::string& help);
 
-    /// A list of options of which at most one may be given; exactly one, if `is_required`.
+    /// Adds a list of options of which at most one may be given; exactly one, if `is_required`.
     OptionList one_of(const std::string& title, const std::string& help, bool is_required = false);
 
-    /// --language
+    /// Adds --language.
     void language();
 
 private:
@@ -94,7 +89,7 @@ public:
     /// Reads the values of the options. Throws a Problem if one does not fit.
     virtual void read() = 0;
 
-    /// Does it; returns the exit status.
+    /// Runs the command; returns the exit status.
     virtual int run() = 0;
 };
 

@@ -21,6 +21,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -57,18 +58,18 @@ bool AddedOption::is_given() const {
     return option_->count() > 0;
 }
 
-AddedOption OptionList::option(const std::string& names, std::string& value,
-                               const std::string& help, const std::string& type) {
+template <typename Value>
+AddedOption OptionList::option(const std::string& names, Value& value, const std::string& help,
+                               const std::string& type) {
     return AddedOption(*app_->add_option(names, value, help)->type_name(type));
 }
-AddedOption OptionList::option(const std::string& names, std::optional<std::string>& value,
-                               const std::string& help, const std::string& type) {
-    return AddedOption(*app_->add_option(names, value, help)->type_name(type));
-}
-AddedOption OptionList::option(const std::string& names, std::vector<std::string>& values,
-                               const std::string& help, const std::string& type) {
-    return AddedOption(*app_->add_option(names, values, help)->type_name(type));
-}
+template AddedOption OptionList::option(const std::string&, std::string&, const std::string&,
+                                        const std::string&);
+template AddedOption OptionList::option(const std::string&, std::optional<std::string>&,
+                                        const std::string&, const std::string&);
+template AddedOption OptionList::option(const std::string&, std::vector<std::string>&,
+                                        const std::string&, const std::string&);
+
 AddedOption OptionList::flag(const std::string& names, bool& value, const std::string& help) {
     return AddedOption(*app_->add_flag(names, value, help));
 }

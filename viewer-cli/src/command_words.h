@@ -31,8 +31,8 @@ inline constexpr std::string_view exit_statuses =
 /// or a slash in its name.
 std::vector<const char*> words_with_command(std::span<const char* const> arguments);
 
-/// Throws at a word without a letter, of which a script made too little: no file, name or number is
-/// "".
+/// Throws at an empty word, as a script makes it of a variable that is not set: no file, name or
+/// number is "".
 void refuse_empty_words(std::span<const char* const> words);
 
 /// What is wrong with a command line, and what may have been meant.

@@ -24,7 +24,7 @@ inline const std::string trace_input =
 /// by the locale: a command prints the same on every machine.
 void choose_language(const std::string& option);
 
-/// --view, with this value.
+/// Adds --view; `view` gets its value.
 void add_view_to(OptionList& options, std::string& view);
 
 /// --fan-passes for fan_passes.
