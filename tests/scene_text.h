@@ -11,7 +11,7 @@
 #include <rastertrace/trace/method_names.h>
 #include <rastertrace/trace/pipeline_names.h>
 #include <rastertrace/trace/stage_name.h>
-#include <rastertrace/trace/step_writer.h>
+#include <rastertrace/trace/text.h>
 
 #include <array>
 #include <cstddef>

@@ -7,7 +7,6 @@
 #include <rastertrace/figures/svg.h>
 #include <rastertrace/trace/color_text.h>
 #include <rastertrace/trace/language.h>
-#include <rastertrace/trace/step_writer.h>
 #include <rastertrace/trace/text.h>
 
 #include <fmt/core.h>

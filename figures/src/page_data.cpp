@@ -33,7 +33,6 @@
 #include <rastertrace/trace/describe.h>
 #include <rastertrace/trace/explain_pixels.h>
 #include <rastertrace/trace/method_names.h>
-#include <rastertrace/trace/step_writer.h>
 #include <rastertrace/trace/text.h>
 #include <rastertrace/trace/working.h>
 

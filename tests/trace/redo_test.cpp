@@ -9,6 +9,7 @@
 
 #include <rastertrace/core/draw/plan/plan.h>
 #include <rastertrace/trace/color_text.h>
+#include <rastertrace/trace/primitive_name.h>
 #include <rastertrace/trace/scene_file.h>
 #include <rastertrace/trace/trace.h>
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/trace/color_text.h>
-#include <rastertrace/trace/step_writer.h>
 #include <rastertrace/trace/text.h>
 
 #include <gtest/gtest.h>

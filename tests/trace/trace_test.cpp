@@ -6,6 +6,7 @@
 #include "traces.h"
 
 #include <rastertrace/trace/frame.h>
+#include <rastertrace/trace/trace_layout.h>
 
 #include <gtest/gtest.h>
 

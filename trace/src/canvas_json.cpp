@@ -2,15 +2,12 @@
 #include "canvas_json.h"
 
 #include "json_reader.h"
-#include "scene_keys.h"
 
 #include <rastertrace/core/numbers/number.h>
-#include <rastertrace/trace/scene_file.h>
 #include <rastertrace/trace/text.h>
 
 #include <fmt/core.h>
 
-#include <array>
 #include <cstdint>
 #include <utility>
 #include <variant>

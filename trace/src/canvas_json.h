@@ -4,16 +4,25 @@
 // The "canvas" of scenes and of trace headers.
 
 #include "json_document.h"
+#include "json_key.h"
 
 #include <rastertrace/core/raster/canvas.h>
 #include <rastertrace/trace/problem.h>
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace rastertrace {
+
+inline constexpr std::array canvas_keys{
+    JsonKey{"width", "side", "Columns of pixels"},
+    JsonKey{"height", "side", "Rows of pixels"},
+    JsonKey{"origin", "origin",
+            "Where (0, 0) is, and which way y points: up, but down for top-left"},
+};
 
 /// A canvas as it was written: a size may be missing.
 struct CanvasJson {
@@ -30,7 +39,10 @@ Result<CanvasJson> read_canvas_json(const Source& source, const JsonValue& value
 /// Why a canvas of this size is refused, if it is.
 std::optional<std::string> fault_of_size(const Canvas& canvas);
 
-/// center, bottom-left and top-left.
+/// The word of a scene's canvas for it: center, bottom-left or top-left.
+std::string_view name_of(Origin origin);
+
+/// All three words.
 std::vector<std::string_view> origin_names();
 
 } // namespace rastertrace

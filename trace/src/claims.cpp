@@ -10,6 +10,7 @@
 #include "json_reader.h"
 #include "json_scanner.h"
 #include "zero_byte.h"
+#include <rastertrace/trace/trace_layout.h>
 
 #include <rastertrace/trace/text.h>
 #include <rastertrace/trace/trace.h>

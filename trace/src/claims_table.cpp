@@ -6,7 +6,6 @@
 #include "claim_fields.h"
 #include "claim_forms.h"
 
-#include <rastertrace/trace/step_writer.h>
 #include <rastertrace/trace/text.h>
 
 #include <algorithm>

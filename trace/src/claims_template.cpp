@@ -5,7 +5,6 @@
 #include "claims_table.h"
 
 #include <rastertrace/trace/claims.h>
-#include <rastertrace/trace/step_writer.h>
 #include <rastertrace/trace/text.h>
 
 #include <fmt/core.h>

@@ -9,7 +9,7 @@
 #include "step_lines.h"
 
 #include <rastertrace/trace/diff.h>
-#include <rastertrace/trace/step_writer.h>
+#include <rastertrace/trace/trace_options.h>
 
 #include <optional>
 #include <string>

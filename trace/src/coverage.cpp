@@ -5,7 +5,7 @@
 #include "step_text.h"
 
 #include <rastertrace/core/numbers/number.h>
-#include <rastertrace/trace/scene_file.h>
+#include <rastertrace/trace/primitive_name.h>
 #include <rastertrace/trace/t_junctions.h>
 
 #include <fmt/core.h>

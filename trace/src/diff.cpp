@@ -7,7 +7,6 @@
 #include "trace_comparison.h"
 #include "trace_lines.h"
 
-#include <rastertrace/trace/step_writer.h>
 #include <rastertrace/trace/text.h>
 
 #include <fmt/core.h>

@@ -12,7 +12,7 @@
 
 #include <rastertrace/core/raster/image.h>
 #include <rastertrace/trace/diff.h>
-#include <rastertrace/trace/step_writer.h>
+#include <rastertrace/trace/trace_options.h>
 
 #include <cstdint>
 #include <functional>

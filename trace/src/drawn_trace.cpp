@@ -47,12 +47,6 @@ std::optional<StepKind> kind_in(std::string_view line) {
 
 } // namespace
 
-Problem too_many_steps(const std::string& name, std::size_t most) {
-    return problem_of(name, fmt::format("expected at most {} steps to hold, found more", most),
-                      "--max-steps N holds more of them, about 150 bytes each; `trace` writes any "
-                      "number of them");
-}
-
 /// Takes the lines of a trace as they are written, and keeps what is held of them.
 class DrawnSteps final : public Output {
 public:

@@ -3,8 +3,7 @@
 
 #include "json_document.h"
 #include "zero_byte.h"
-
-#include <rastertrace/trace/trace.h>
+#include <rastertrace/trace/trace_layout.h>
 
 #include <fmt/core.h>
 
@@ -37,6 +36,12 @@ Problem line_too_long(const Source& source, std::size_t line_begin) {
     return problem_at(source, line_begin,
                       fmt::format("expected lines of at most {} in a trace, found a longer one",
                                   in_words(longest_line)));
+}
+
+Problem too_many_steps(const std::string& name, std::size_t most) {
+    return problem_of(name, fmt::format("expected at most {} steps to hold, found more", most),
+                      "--max-steps N holds more of them, about 150 bytes each; `trace` writes any "
+                      "number of them");
 }
 
 bool InputCheck::holds_trace(const Source& source) {

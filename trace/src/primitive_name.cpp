@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/trace/primitive_name.h>
 
+#include <rastertrace/trace/text.h>
+
+#include <algorithm>
+
 namespace rastertrace {
 
 std::string_view name_of(PrimitiveKind kind) {
@@ -15,6 +19,17 @@ std::string_view name_of(PrimitiveKind kind) {
         break;
     }
     return "triangle";
+}
+
+std::string_view name_separator(std::span<const std::string_view> names) {
+    const bool all_short = std::all_of(names.begin(), names.end(), [](std::string_view name) {
+        return !name.empty() && first_code_point(name).length == name.size();
+    });
+    return all_short ? "" : "-";
+}
+
+std::string joined_names(std::span<const std::string_view> names) {
+    return joined(names, name_separator(names));
 }
 
 } // namespace rastertrace

@@ -18,6 +18,7 @@
 #include <rastertrace/core/draw/scene/fit.h>
 #include <rastertrace/trace/color_text.h>
 #include <rastertrace/trace/obj_file.h>
+#include <rastertrace/trace/primitive_name.h>
 #include <rastertrace/trace/refusal.h>
 #include <rastertrace/trace/stage_name.h>
 #include <rastertrace/trace/text.h>
@@ -41,17 +42,6 @@
 #include <vector>
 
 namespace rastertrace {
-
-std::string_view name_separator(std::span<const std::string_view> names) {
-    const bool all_short = std::all_of(names.begin(), names.end(), [](std::string_view name) {
-        return !name.empty() && first_code_point(name).length == name.size();
-    });
-    return all_short ? "" : "-";
-}
-
-std::string joined_names(std::span<const std::string_view> names) {
-    return joined(names, name_separator(names));
-}
 
 namespace {
 

@@ -41,13 +41,6 @@ inline constexpr std::array scene_keys{
     JsonKey{"vary", "vary", "Numbers that have another value in each frame of a sequence"},
 };
 
-inline constexpr std::array canvas_keys{
-    JsonKey{"width", "side", "Columns of pixels"},
-    JsonKey{"height", "side", "Rows of pixels"},
-    JsonKey{"origin", "origin",
-            "Where (0, 0) is, and which way y points: up, but down for top-left"},
-};
-
 /// Of a primitive that is written as an object. What its vertices are depends on the list that it is in.
 inline constexpr JsonKey primitive_vertices{"vertices", "", "Its vertices, by name", true};
 inline constexpr std::array primitive_keys{

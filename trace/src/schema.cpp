@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/trace/schema.h>
 
-#include "schemas.h"
+#include "schema_claims.h"
+#include "schema_scene.h"
+#include "schema_trace.h"
 
 namespace rastertrace {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The schema of claims in JSON.
 
+#include "schema_claims.h"
 #include "claim_fields.h"
 #include "claims_keys.h"
-#include "schemas.h"
 
 #include <rastertrace/core/numbers/number.h>
 #include <rastertrace/trace/claims.h>

@@ -2,7 +2,6 @@
 #include "schema_parts.h"
 
 #include "canvas_json.h"
-#include "scene_keys.h"
 
 #include <rastertrace/core/numbers/number.h>
 #include <rastertrace/trace/color_text.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The schema of scene files.
 
+#include "schema_scene.h"
 #include "scene_keys.h"
-#include "schemas.h"
 
 #include <rastertrace/trace/method_names.h>
 #include <rastertrace/trace/pipeline_names.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The schema of traces: of a document, and of each line of JSON Lines.
 
+#include "schema_trace.h"
 #include "field_type.h"
-#include "schemas.h"
 #include "trace_keys.h"
 
 #include <rastertrace/core/raster/canvas.h>

@@ -4,6 +4,7 @@
 #include "input_check.h"
 #include "json_scanner.h"
 #include "trace_lines.h"
+#include <rastertrace/trace/trace_layout.h>
 
 #include <rastertrace/trace/text.h>
 

@@ -5,6 +5,7 @@
 #include "input_check.h"
 #include "input_file.h"
 #include "trace_lines.h"
+#include <rastertrace/trace/trace_layout.h>
 
 #include <rastertrace/trace/frame.h>
 #include <rastertrace/trace/text.h>

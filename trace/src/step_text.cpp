@@ -6,7 +6,7 @@
 #include <rastertrace/core/numbers/number.h>
 #include <rastertrace/core/raster/rounding.h>
 #include <rastertrace/trace/color_text.h>
-#include <rastertrace/trace/scene_file.h>
+#include <rastertrace/trace/primitive_name.h>
 #include <rastertrace/trace/text.h>
 
 #include <fmt/core.h>

@@ -3,7 +3,6 @@
 
 #include <rastertrace/trace/color_text.h>
 #include <rastertrace/trace/primitive_name.h>
-#include <rastertrace/trace/scene_file.h>
 #include <rastertrace/trace/text.h>
 
 #include <fmt/core.h>
@@ -55,37 +54,6 @@ std::string_view name_of(Move move) {
 }
 
 } // namespace
-
-std::string json_quoted(std::string_view text) {
-    const auto is_plain = [](char byte) {
-        return ' ' <= byte && byte <= '~' && byte != '"' && byte != '\\';
-    };
-    std::string out = "\"";
-    while (!text.empty()) {
-        // Most text needs no second look.
-        const auto end_of_plain = std::find_if_not(text.begin(), text.end(), is_plain);
-        out.append(text.begin(), end_of_plain);
-        text.remove_prefix(static_cast<std::size_t>(end_of_plain - text.begin()));
-        if (text.empty())
-            break;
-        const CodePoint character = first_code_point(text);
-        const std::string_view bytes = text.substr(0, character.length);
-        if (bytes == "\"" || bytes == "\\")
-            (out += '\\') += bytes;
-        else if (bytes == "\n")
-            out += "\\n";
-        else if (bytes == "\t")
-            out += "\\t";
-        else if (character.value == not_a_character)
-            out += "\\ufffd";
-        else if (is_unsafe(character.value))
-            out += fmt::format("\\u{:04x}", static_cast<unsigned>(character.value));
-        else
-            out += bytes;
-        text.remove_prefix(character.length);
-    }
-    return out += '"';
-}
 
 NumberStyle number_style_of(const Method& method) {
     return method.scalar == ScalarKind::adaptive ? NumberStyle::doubles : NumberStyle::exact;

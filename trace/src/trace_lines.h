@@ -16,23 +16,6 @@
 
 namespace rastertrace {
 
-/// True for an object that has the trace's version, and whose last key is `last_key`; for one without steps if
-/// that is "".
-bool is_header(std::string_view line, std::string_view last_key);
-
-/// How the lines behind a header are laid out.
-enum class LineLayout : std::uint8_t {
-    document, ///< `]` closes the steps
-    lines,    ///< JSON Lines: a line of its own has the end record
-    other,    ///< not a step a line
-};
-
-/// The layout that the first line of a trace tells.
-LineLayout layout_of(std::string_view first_line);
-
-/// True for a line with the end record of JSON Lines.
-bool is_end_line(std::string_view line);
-
 /// The kind of the step that a part of a source holds, if we know it. Throws a Problem if it is no step that can be
 /// understood.
 std::optional<StepKind> checked_kind(const Source& source, std::size_t begin, std::size_t size);

@@ -6,6 +6,7 @@
 #include "json_scanner.h"
 #include "nameless_file.h"
 #include "trace_lines.h"
+#include <rastertrace/trace/trace_layout.h>
 
 #include <rastertrace/trace/output.h>
 #include <rastertrace/trace/text.h>

@@ -10,8 +10,9 @@
 #include <rastertrace/trace/input.h>
 #include <rastertrace/trace/method_names.h>
 #include <rastertrace/trace/pipeline_names.h>
-#include <rastertrace/trace/scene_file.h>
 #include <rastertrace/trace/stage_name.h>
+#include <rastertrace/trace/step_writer.h>
+#include <rastertrace/trace/text.h>
 
 #include <fmt/core.h>
 

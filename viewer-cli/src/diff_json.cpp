@@ -4,7 +4,6 @@
 #include "json_list.h"
 
 #include <rastertrace/trace/color_text.h>
-#include <rastertrace/trace/step_writer.h>
 #include <rastertrace/trace/text.h>
 
 #include <fmt/core.h>

@@ -2,7 +2,7 @@
 #include "explain_text.h"
 #include "json_list.h"
 
-#include <rastertrace/trace/step_writer.h>
+#include <rastertrace/trace/text.h>
 
 #include <fmt/core.h>
 

@@ -15,7 +15,7 @@
 
 #include <rastertrace/figures/view.h>
 #include <rastertrace/trace/frame.h>
-#include <rastertrace/trace/step_writer.h>
+#include <rastertrace/trace/trace_options.h>
 
 #include <cstddef>
 #include <optional>

@@ -3,6 +3,7 @@
 
 #include <rastertrace/trace/process_files.h>
 #include <rastertrace/trace/scene_file.h>
+#include <rastertrace/trace/trace_layout.h>
 
 #include <fmt/core.h>
 

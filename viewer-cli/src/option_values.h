@@ -6,8 +6,8 @@
 #include "terminal_text.h"
 
 #include <rastertrace/trace/named_value.h>
-#include <rastertrace/trace/step_writer.h>
 #include <rastertrace/trace/text.h>
+#include <rastertrace/trace/trace_options.h>
 
 #include <fmt/core.h>
 

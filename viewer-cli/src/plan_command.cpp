@@ -8,7 +8,6 @@
 
 #include <rastertrace/core/draw/plan/plan.h>
 #include <rastertrace/trace/stage_name.h>
-#include <rastertrace/trace/step_writer.h>
 #include <rastertrace/trace/text.h>
 
 #include <fmt/core.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "stats_text.h"
 
+#include <rastertrace/trace/text.h>
 #include <rastertrace/trace/write_trace.h>
 
 #include <fmt/core.h>

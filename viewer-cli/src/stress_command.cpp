@@ -13,7 +13,6 @@
 #include <rastertrace/numerics/stress.h>
 #include <rastertrace/trace/problem.h>
 #include <rastertrace/trace/scene_file.h>
-#include <rastertrace/trace/step_writer.h>
 #include <rastertrace/trace/text.h>
 
 #include <fmt/core.h>

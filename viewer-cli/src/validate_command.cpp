@@ -15,6 +15,7 @@
 #include <rastertrace/trace/stats_needs.h>
 #include <rastertrace/trace/step_stream.h>
 #include <rastertrace/trace/text.h>
+#include <rastertrace/trace/trace_layout.h>
 #include <rastertrace/trace/unknown_names.h>
 #include <rastertrace/trace/write_trace.h>
 

@@ -9,6 +9,7 @@
 #include <rastertrace/trace/output.h>
 #include <rastertrace/trace/step_kind.h>
 #include <rastertrace/trace/text.h>
+#include <rastertrace/trace/trace_layout.h>
 #include <rastertrace/trace/trace_text.h>
 
 #include <fmt/core.h>

@@ -7,6 +7,7 @@
 #include <rastertrace/trace/refusal.h>
 #include <rastertrace/trace/scene_file.h>
 #include <rastertrace/trace/text.h>
+#include <rastertrace/trace/trace_layout.h>
 #include <rastertrace/trace/write_trace.h>
 
 #include <fmt/core.h>

@@ -12,7 +12,7 @@
 #include <rastertrace/figures/shown_steps.h>
 #include <rastertrace/figures/view.h>
 #include <rastertrace/trace/frame.h>
-#include <rastertrace/trace/step_writer.h>
+#include <rastertrace/trace/trace_options.h>
 
 #include <bitset>
 #include <cstddef>

@@ -7,8 +7,8 @@
 //     write_excerpt(trace, text.header_json(), {"scanline", "pixel"}, TraceLayout::jsonl, output);
 
 #include <rastertrace/trace/output.h>
-#include <rastertrace/trace/step_writer.h>
 #include <rastertrace/trace/trace.h>
+#include <rastertrace/trace/trace_options.h>
 
 #include <string>
 #include <string_view>

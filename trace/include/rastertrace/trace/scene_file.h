@@ -42,9 +42,6 @@ Result<PlannedScene> read_scene(const Source& source, const MethodOverrides& ove
 /// object that is no JSON.
 bool is_scene(const Source& source);
 
-/// The word of a scene's canvas for it: center, bottom-left or top-left.
-std::string_view name_of(Origin origin);
-
 /// The scenes of a source whose "vary" makes a sequence of it: frame n is the scene that has the
 /// numbers of frame n typed in their places. A scene where nothing varies is its only frame.
 ///
@@ -72,11 +69,5 @@ private:
     struct State;
     std::unique_ptr<State> state_;
 };
-
-/// What stands between names that are written as one: nothing if each is one letter, "-" otherwise.
-std::string_view name_separator(std::span<const std::string_view> names);
-
-/// Names written as one: "ABC", or "P1-P2-P3".
-std::string joined_names(std::span<const std::string_view> names);
 
 } // namespace rastertrace

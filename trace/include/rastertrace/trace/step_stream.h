@@ -15,6 +15,7 @@
 #include <rastertrace/trace/input.h>
 #include <rastertrace/trace/problem.h>
 #include <rastertrace/trace/trace.h>
+#include <rastertrace/trace/trace_layout.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -19,6 +19,8 @@
 #include <rastertrace/trace/format_number.h>
 #include <rastertrace/trace/output.h>
 #include <rastertrace/trace/step_kind.h>
+#include <rastertrace/trace/text.h>
+#include <rastertrace/trace/trace_options.h>
 
 #include <algorithm>
 #include <array>
@@ -34,34 +36,6 @@
 #include <vector>
 
 namespace rastertrace {
-
-/// How the lines of a trace hang together.
-enum class TraceLayout {
-    json,  ///< one JSON document, one step per line
-    jsonl, ///< one JSON value per line
-};
-
-/// A rectangle of pixels, borders included.
-struct Region {
-    int x0 = 0;
-    int y0 = 0;
-    int x1 = 0;
-    int y1 = 0;
-
-    bool has_row(Index y) const { return y0 <= y && y <= y1; }
-    bool meets(Index from, Index to) const { return from <= x1 && x0 <= to; }
-};
-
-/// Which steps are written.
-struct StepFilter {
-    std::optional<std::vector<StepKind>> only = {}; ///< these kinds; all, if not said
-    std::optional<Region> region =
-        {}; ///< of the steps that name pixels or rows, those that meet it
-    std::optional<std::string> primitive = {}; ///< those of this primitive and its parts
-};
-
-/// `text` as a JSON string, quotes included. Characters that could harm a terminal are escaped.
-std::string json_quoted(std::string_view text);
 
 /// How numbers are written that are known exactly.
 enum class NumberStyle {

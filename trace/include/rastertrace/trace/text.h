@@ -76,4 +76,7 @@ std::string_view nearest_word(std::string_view word, const std::vector<std::stri
 std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& known,
                          std::string_view quote = "");
 
+/// `text` as a JSON string, quotes included. Characters that could harm a terminal are escaped.
+std::string json_quoted(std::string_view text);
+
 } // namespace rastertrace

@@ -256,7 +256,4 @@ Result<Trace> read_written_trace(Source source);
 Trace drawn_trace(const Scene& scene, const Plan& plan, const std::string& name,
                   std::size_t most_steps);
 
-/// True if a source holds a trace rather than a scene: an object with the key "rastertrace".
-bool is_trace(const Source& source);
-
 } // namespace rastertrace

@@ -12,7 +12,7 @@
 #include <rastertrace/core/raster/image.h>
 #include <rastertrace/trace/output.h>
 #include <rastertrace/trace/problem.h>
-#include <rastertrace/trace/step_writer.h>
+#include <rastertrace/trace/trace_options.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -23,11 +23,6 @@ namespace rastertrace {
 
 /// The version of the trace format that is written, and the newest that is read.
 inline constexpr int trace_version = 1;
-
-struct TraceOptions {
-    TraceLayout layout = TraceLayout::json;
-    StepFilter filter;
-};
 
 /// Draws the scene by its plan and writes its trace. The same scene and options give the same bytes
 /// on every machine. Returns how many steps it wrote. Throws the Problem that the output throws.
