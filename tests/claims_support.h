@@ -5,9 +5,9 @@
 //
 //     const Checked checked = check_claims(scene_text, "y=2: 1/4, 25/8\n");
 
-#include <rastertrace/trace/check.h>
-#include <rastertrace/trace/claims.h>
-#include <rastertrace/trace/problem.h>
+#include <rastertrace/trace/check/check.h>
+#include <rastertrace/trace/check/claims.h>
+#include <rastertrace/trace/text/problem.h>
 
 #include <gtest/gtest.h>
 

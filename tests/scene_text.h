@@ -7,11 +7,11 @@
 //     EXPECT_EQ(...) << scene_text(scene);  // save it as scene.json: rastertrace show scene.json
 
 #include <rastertrace/core/draw/scene/scene.h>
-#include <rastertrace/trace/color_text.h>
-#include <rastertrace/trace/method_names.h>
-#include <rastertrace/trace/pipeline_names.h>
-#include <rastertrace/trace/stage_name.h>
-#include <rastertrace/trace/text.h>
+#include <rastertrace/trace/text/color_text.h>
+#include <rastertrace/trace/text/method_names.h>
+#include <rastertrace/trace/text/pipeline_names.h>
+#include <rastertrace/trace/text/stage_name.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <array>
 #include <cstddef>

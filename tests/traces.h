@@ -5,11 +5,11 @@
 //
 //     const Trace trace = trace_of(scene_in(R"({"vertices":{"A":[1,2]},"points":["A"]})"));
 
-#include <rastertrace/trace/output.h>
-#include <rastertrace/trace/scene_file.h>
-#include <rastertrace/trace/stats.h>
-#include <rastertrace/trace/trace.h>
-#include <rastertrace/trace/write_trace.h>
+#include <rastertrace/trace/audit/stats.h>
+#include <rastertrace/trace/record/trace.h>
+#include <rastertrace/trace/record/write_trace.h>
+#include <rastertrace/trace/scene/scene_file.h>
+#include <rastertrace/trace/text/output.h>
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include "panel.h"
 
 #include <rastertrace/figures/corners.h>
-#include <rastertrace/trace/text.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 

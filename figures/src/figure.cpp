@@ -8,8 +8,8 @@
 #include "words.h"
 
 #include <rastertrace/figures/corners.h>
-#include <rastertrace/trace/describe.h>
-#include <rastertrace/trace/working.h>
+#include <rastertrace/trace/tell/describe.h>
+#include <rastertrace/trace/tell/working.h>
 
 #include <fmt/core.h>
 

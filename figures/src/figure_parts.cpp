@@ -3,7 +3,7 @@
 
 #include <rastertrace/figures/figure.h>
 
-#include <rastertrace/trace/named_value.h>
+#include <rastertrace/trace/text/named_value.h>
 
 #include <algorithm>
 #include <array>

@@ -7,7 +7,7 @@
 // and the next one (canvas.h of the core). So an edge that passes a sample passes the middle of a square.
 
 #include <rastertrace/figures/drawing.h>
-#include <rastertrace/trace/trace_options.h>
+#include <rastertrace/trace/record/trace_options.h>
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 
 #include "font.h"
 
-#include <rastertrace/trace/text.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <algorithm>
 #include <array>

@@ -5,9 +5,9 @@
 
 #include <rastertrace/figures/player_keys.h>
 #include <rastertrace/figures/svg.h>
-#include <rastertrace/trace/color_text.h>
-#include <rastertrace/trace/language.h>
-#include <rastertrace/trace/text.h>
+#include <rastertrace/trace/text/color_text.h>
+#include <rastertrace/trace/text/language.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 #include <zlib.h>

@@ -29,12 +29,12 @@
 #include <rastertrace/figures/corners.h>
 #include <rastertrace/figures/face_groups.h>
 #include <rastertrace/figures/shown_steps.h>
-#include <rastertrace/trace/color_text.h>
-#include <rastertrace/trace/describe.h>
-#include <rastertrace/trace/explain_pixels.h>
-#include <rastertrace/trace/method_names.h>
-#include <rastertrace/trace/text.h>
-#include <rastertrace/trace/working.h>
+#include <rastertrace/trace/explain/explain_pixels.h>
+#include <rastertrace/trace/tell/describe.h>
+#include <rastertrace/trace/tell/working.h>
+#include <rastertrace/trace/text/color_text.h>
+#include <rastertrace/trace/text/method_names.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 

@@ -10,7 +10,7 @@
 #include <rastertrace/figures/drawing.h>
 #include <rastertrace/figures/face_groups.h>
 #include <rastertrace/figures/figure.h>
-#include <rastertrace/trace/frame.h>
+#include <rastertrace/trace/record/frame.h>
 
 #include <functional>
 #include <optional>

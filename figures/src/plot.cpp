@@ -4,7 +4,7 @@
 #include "label_places.h"
 #include "plot_axis.h"
 
-#include <rastertrace/trace/text.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 

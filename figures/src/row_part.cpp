@@ -3,7 +3,7 @@
 
 #include "panel.h"
 
-#include <rastertrace/trace/working.h>
+#include <rastertrace/trace/tell/working.h>
 
 #include <algorithm>
 #include <array>

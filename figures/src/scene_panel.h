@@ -7,7 +7,7 @@
 //     if (const auto space = space_of(trace)) drawing = scene_drawing(*space, 300, 300);
 
 #include <rastertrace/figures/drawing.h>
-#include <rastertrace/trace/trace.h>
+#include <rastertrace/trace/record/trace.h>
 
 #include <array>
 #include <map>

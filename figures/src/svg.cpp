@@ -3,8 +3,8 @@
 
 #include "pixel_runs.h"
 
-#include <rastertrace/trace/color_text.h>
-#include <rastertrace/trace/text.h>
+#include <rastertrace/trace/text/color_text.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 

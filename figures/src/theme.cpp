@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/figures/theme.h>
 
-#include <rastertrace/trace/named_value.h>
+#include <rastertrace/trace/text/named_value.h>
 
 #include <array>
 #include <cassert>

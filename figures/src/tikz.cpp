@@ -4,7 +4,7 @@
 #include "clip.h"
 #include "pixel_runs.h"
 
-#include <rastertrace/trace/text.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 

@@ -2,10 +2,10 @@
 #include <rastertrace/figures/view.h>
 
 #include <rastertrace/figures/corners.h>
-#include <rastertrace/trace/color_text.h>
-#include <rastertrace/trace/describe.h>
-#include <rastertrace/trace/named_value.h>
-#include <rastertrace/trace/text.h>
+#include <rastertrace/trace/tell/describe.h>
+#include <rastertrace/trace/text/color_text.h>
+#include <rastertrace/trace/text/named_value.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 

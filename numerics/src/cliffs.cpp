@@ -6,9 +6,9 @@
 #include <rastertrace/core/draw/plan/plan.h>
 #include <rastertrace/core/raster/rounding.h>
 #include <rastertrace/numerics/drawing.h>
-#include <rastertrace/trace/primitive_name.h>
-#include <rastertrace/trace/scene_file.h>
-#include <rastertrace/trace/t_junctions.h>
+#include <rastertrace/trace/audit/t_junctions.h>
+#include <rastertrace/trace/scene/scene_file.h>
+#include <rastertrace/trace/text/primitive_name.h>
 
 #include <fmt/core.h>
 

@@ -4,8 +4,8 @@
 #include "placed_triangles.h"
 
 #include <rastertrace/core/draw/paint/fill.h>
-#include <rastertrace/trace/method_names.h>
-#include <rastertrace/trace/refusal.h>
+#include <rastertrace/trace/scene/refusal.h>
+#include <rastertrace/trace/text/method_names.h>
 
 #include <fmt/core.h>
 

@@ -4,8 +4,8 @@
 #include "job_builder.h"
 
 #include <rastertrace/numerics/drawing.h>
-#include <rastertrace/trace/output.h>
-#include <rastertrace/trace/write_trace.h>
+#include <rastertrace/trace/record/write_trace.h>
+#include <rastertrace/trace/text/output.h>
 
 #include <fmt/core.h>
 

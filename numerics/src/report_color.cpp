@@ -10,7 +10,7 @@
 #include <rastertrace/core/draw/paint/fill.h>
 #include <rastertrace/core/raster/mixed_colors.h>
 #include <rastertrace/numerics/knobs.h>
-#include <rastertrace/trace/method_names.h>
+#include <rastertrace/trace/text/method_names.h>
 
 #include <fmt/core.h>
 

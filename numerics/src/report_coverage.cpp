@@ -8,7 +8,7 @@
 #include <rastertrace/core/draw/filtered/filtered.h>
 #include <rastertrace/core/draw/paint/fill.h>
 #include <rastertrace/core/raster/flat_painter.h>
-#include <rastertrace/trace/method_names.h>
+#include <rastertrace/trace/text/method_names.h>
 
 #include <fmt/core.h>
 

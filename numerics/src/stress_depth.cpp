@@ -6,7 +6,7 @@
 
 #include <rastertrace/core/draw/filtered/depths.h>
 #include <rastertrace/core/raster/depth_interpolation.h>
-#include <rastertrace/trace/text.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 

@@ -7,7 +7,7 @@
 #include <rastertrace/core/raster/barycentric.h>
 #include <rastertrace/core/raster/edge_function.h>
 #include <rastertrace/core/raster/triangle.h>
-#include <rastertrace/trace/text.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 

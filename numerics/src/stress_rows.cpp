@@ -2,9 +2,9 @@
 #include "stress_rows.h"
 
 #include <rastertrace/numerics/drawing.h>
-#include <rastertrace/trace/output.h>
-#include <rastertrace/trace/scene_file.h>
-#include <rastertrace/trace/write_trace.h>
+#include <rastertrace/trace/record/write_trace.h>
+#include <rastertrace/trace/scene/scene_file.h>
+#include <rastertrace/trace/text/output.h>
 
 #include <fmt/core.h>
 

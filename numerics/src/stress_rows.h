@@ -12,9 +12,9 @@
 #include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/core/raster/image.h>
 #include <rastertrace/numerics/stress.h>
-#include <rastertrace/trace/method_names.h>
-#include <rastertrace/trace/problem.h>
-#include <rastertrace/trace/trace.h>
+#include <rastertrace/trace/record/trace.h>
+#include <rastertrace/trace/text/method_names.h>
+#include <rastertrace/trace/text/problem.h>
 
 #include <cmath>
 #include <concepts>

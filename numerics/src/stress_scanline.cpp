@@ -7,8 +7,8 @@
 #include <rastertrace/core/draw/filtered/filtered.h>
 #include <rastertrace/core/raster/edge.h>
 #include <rastertrace/numerics/knobs.h>
-#include <rastertrace/trace/output.h>
-#include <rastertrace/trace/write_trace.h>
+#include <rastertrace/trace/record/write_trace.h>
+#include <rastertrace/trace/text/output.h>
 
 #include <fmt/core.h>
 

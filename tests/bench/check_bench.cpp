@@ -4,8 +4,8 @@
 
 #include <check_report.h>
 
-#include <rastertrace/trace/check.h>
-#include <rastertrace/trace/claims.h>
+#include <rastertrace/trace/check/check.h>
+#include <rastertrace/trace/check/claims.h>
 
 #include <benchmark/benchmark.h>
 #include <fmt/core.h>

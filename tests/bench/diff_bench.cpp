@@ -4,7 +4,7 @@
 
 #include "trace_file.h"
 
-#include <rastertrace/trace/diff.h>
+#include <rastertrace/trace/compare/diff.h>
 
 #include <benchmark/benchmark.h>
 

@@ -3,10 +3,10 @@
 
 // The trace of a scene, for what reads traces.
 
-#include <rastertrace/trace/output.h>
-#include <rastertrace/trace/scene_file.h>
-#include <rastertrace/trace/trace.h>
-#include <rastertrace/trace/write_trace.h>
+#include <rastertrace/trace/record/trace.h>
+#include <rastertrace/trace/record/write_trace.h>
+#include <rastertrace/trace/scene/scene_file.h>
+#include <rastertrace/trace/text/output.h>
 
 #include <cstdlib>
 #include <string>

@@ -4,9 +4,9 @@
 
 #include "trace_file.h"
 
-#include <rastertrace/trace/explain.h>
-#include <rastertrace/trace/step_stream.h>
-#include <rastertrace/trace/steps_of_pixel.h>
+#include <rastertrace/trace/explain/explain.h>
+#include <rastertrace/trace/explain/steps_of_pixel.h>
+#include <rastertrace/trace/record/step_stream.h>
 
 #include <benchmark/benchmark.h>
 

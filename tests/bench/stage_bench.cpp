@@ -4,9 +4,9 @@
 // docs/performance.md from it.
 
 #include <rastertrace/core/draw/draw.h>
-#include <rastertrace/trace/output.h>
-#include <rastertrace/trace/stage_name.h>
-#include <rastertrace/trace/write_trace.h>
+#include <rastertrace/trace/record/write_trace.h>
+#include <rastertrace/trace/text/output.h>
+#include <rastertrace/trace/text/stage_name.h>
 
 #include <benchmark/benchmark.h>
 

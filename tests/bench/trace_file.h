@@ -5,9 +5,9 @@
 //
 //     count_lines(head_trace_path());
 
-#include <rastertrace/trace/output.h>
-#include <rastertrace/trace/scene_file.h>
-#include <rastertrace/trace/write_trace.h>
+#include <rastertrace/trace/record/write_trace.h>
+#include <rastertrace/trace/scene/scene_file.h>
+#include <rastertrace/trace/text/output.h>
 
 #include <algorithm>
 #include <cstdlib>

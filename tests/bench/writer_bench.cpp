@@ -3,7 +3,7 @@
 // StepWriter and by nlohmann-json's dump() of the same steps. "dyadic": quantities are multiples of
 // 1/1024; "full": any 53-bit double.
 
-#include <rastertrace/trace/step_writer.h>
+#include <rastertrace/trace/record/step_writer.h>
 
 #include <benchmark/benchmark.h>
 #include <nlohmann/json.hpp>

@@ -7,7 +7,7 @@
 
 #include <rastertrace/core/draw/draw.h>
 #include <rastertrace/core/draw/scene/triangulate.h>
-#include <rastertrace/trace/scene_file.h>
+#include <rastertrace/trace/scene/scene_file.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -9,7 +9,7 @@
 
 #include <rastertrace/figures/figure.h>
 #include <rastertrace/figures/theme.h>
-#include <rastertrace/trace/selector.h>
+#include <rastertrace/trace/record/selector.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -6,10 +6,10 @@
 
 #include <rastertrace/figures/page.h>
 #include <rastertrace/figures/player_keys.h>
-#include <rastertrace/trace/color_text.h>
-#include <rastertrace/trace/describe.h>
-#include <rastertrace/trace/explain.h>
-#include <rastertrace/trace/working.h>
+#include <rastertrace/trace/explain/explain.h>
+#include <rastertrace/trace/tell/describe.h>
+#include <rastertrace/trace/tell/working.h>
+#include <rastertrace/trace/text/color_text.h>
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>

@@ -6,8 +6,8 @@
 //
 //     check(stats.pixels <= stats.canvas, "more pixels were drawn than there are");
 
-#include <rastertrace/trace/problem.h>
-#include <rastertrace/trace/trace.h>
+#include <rastertrace/trace/record/trace.h>
+#include <rastertrace/trace/text/problem.h>
 
 #include <algorithm>
 #include <cstddef>

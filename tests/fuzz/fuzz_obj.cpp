@@ -4,7 +4,7 @@
 
 #include "check.h"
 
-#include <rastertrace/trace/obj_file.h>
+#include <rastertrace/trace/scene/obj_file.h>
 
 #include <array>
 #include <charconv>

@@ -4,11 +4,11 @@
 
 #include "check.h"
 
-#include <rastertrace/trace/describe.h>
-#include <rastertrace/trace/frame.h>
-#include <rastertrace/trace/scene_file.h>
-#include <rastertrace/trace/trace.h>
-#include <rastertrace/trace/write_trace.h>
+#include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/trace.h>
+#include <rastertrace/trace/record/write_trace.h>
+#include <rastertrace/trace/scene/scene_file.h>
+#include <rastertrace/trace/tell/describe.h>
 
 #include <array>
 #include <cstddef>

@@ -3,7 +3,7 @@
 
 #include <rastertrace/numerics/cliffs.h>
 #include <rastertrace/numerics/stress.h>
-#include <rastertrace/trace/scene_file.h>
+#include <rastertrace/trace/scene/scene_file.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -7,7 +7,7 @@
 
 #include <rastertrace/numerics/knobs.h>
 #include <rastertrace/numerics/report.h>
-#include <rastertrace/trace/scene_file.h>
+#include <rastertrace/trace/scene/scene_file.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

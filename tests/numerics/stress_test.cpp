@@ -5,8 +5,8 @@
 #include "picture.h"
 
 #include <rastertrace/numerics/stress.h>
-#include <rastertrace/trace/method_names.h>
-#include <rastertrace/trace/scene_file.h>
+#include <rastertrace/trace/scene/scene_file.h>
+#include <rastertrace/trace/text/method_names.h>
 
 #include <gtest/gtest.h>
 

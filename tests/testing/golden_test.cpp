@@ -5,9 +5,9 @@
 #include "picture.h"
 
 #include <rastertrace/testing.h>
-#include <rastertrace/trace/diff.h>
-#include <rastertrace/trace/trace_text.h>
-#include <rastertrace/trace/write_trace.h>
+#include <rastertrace/trace/compare/diff.h>
+#include <rastertrace/trace/record/trace_text.h>
+#include <rastertrace/trace/record/write_trace.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

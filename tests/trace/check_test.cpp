@@ -8,7 +8,7 @@
 
 #include "effort.h"
 
-#include <rastertrace/trace/check.h>
+#include <rastertrace/trace/check/check.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

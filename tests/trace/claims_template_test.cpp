@@ -6,8 +6,8 @@
 #include "random_scene.h"
 #include "traces.h"
 
-#include <rastertrace/trace/claims.h>
-#include <rastertrace/trace/claims_template.h>
+#include <rastertrace/trace/check/claims.h>
+#include <rastertrace/trace/check/claims_template.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Claims files: a line of a table says what its JSON says, and what is wrong with a file is told.
 
-#include <rastertrace/trace/claims.h>
+#include <rastertrace/trace/check/claims.h>
 
 #include <gtest/gtest.h>
 

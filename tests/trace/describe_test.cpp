@@ -2,8 +2,8 @@
 #include "picture.h"
 #include "traces.h"
 
-#include <rastertrace/trace/describe.h>
-#include <rastertrace/trace/write_trace.h>
+#include <rastertrace/trace/record/write_trace.h>
+#include <rastertrace/trace/tell/describe.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -7,8 +7,8 @@
 #include "traces.h"
 
 #include <rastertrace/core/numbers/conversion.h>
-#include <rastertrace/trace/diff.h>
-#include <rastertrace/trace/text.h>
+#include <rastertrace/trace/compare/diff.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

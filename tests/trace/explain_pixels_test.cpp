@@ -7,10 +7,10 @@
 #include "random_scene.h"
 #include "traces.h"
 
-#include <rastertrace/trace/explain.h>
-#include <rastertrace/trace/explain_pixels.h>
-#include <rastertrace/trace/frame.h>
-#include <rastertrace/trace/steps_of_pixel.h>
+#include <rastertrace/trace/explain/explain.h>
+#include <rastertrace/trace/explain/explain_pixels.h>
+#include <rastertrace/trace/explain/steps_of_pixel.h>
+#include <rastertrace/trace/record/frame.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

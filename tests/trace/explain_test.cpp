@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include <rastertrace/trace/explain.h>
+#include <rastertrace/trace/explain/explain.h>
 
 #include "picture.h"
 #include "traces.h"
 
-#include <rastertrace/trace/frame.h>
-#include <rastertrace/trace/method_names.h>
+#include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/text/method_names.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <rastertrace/trace/format_number.h>
+#include <rastertrace/trace/text/format_number.h>
 
 #include <gtest/gtest.h>
 

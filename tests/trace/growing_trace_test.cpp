@@ -4,10 +4,10 @@
 #include "random_scene.h"
 #include "traces.h"
 
-#include <rastertrace/trace/descriptor.h>
-#include <rastertrace/trace/growing_trace.h>
-#include <rastertrace/trace/output.h>
-#include <rastertrace/trace/trace.h>
+#include <rastertrace/trace/record/growing_trace.h>
+#include <rastertrace/trace/record/trace.h>
+#include <rastertrace/trace/text/descriptor.h>
+#include <rastertrace/trace/text/output.h>
 
 #include <gtest/gtest.h>
 

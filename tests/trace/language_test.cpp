@@ -5,12 +5,12 @@
 #include "random_scene.h"
 #include "traces.h"
 
-#include <rastertrace/trace/describe.h>
-#include <rastertrace/trace/language.h>
-#include <rastertrace/trace/scene_file.h>
-#include <rastertrace/trace/step_kind.h>
-#include <rastertrace/trace/text.h>
-#include <rastertrace/trace/working.h>
+#include <rastertrace/trace/record/step_kind.h>
+#include <rastertrace/trace/scene/scene_file.h>
+#include <rastertrace/trace/tell/describe.h>
+#include <rastertrace/trace/tell/working.h>
+#include <rastertrace/trace/text/language.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

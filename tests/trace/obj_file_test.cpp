@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "picture.h"
 
-#include <rastertrace/trace/input.h>
-#include <rastertrace/trace/obj_file.h>
+#include <rastertrace/trace/scene/obj_file.h>
+#include <rastertrace/trace/text/input.h>
 
 #include <gtest/gtest.h>
 

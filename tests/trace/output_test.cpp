@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <rastertrace/trace/output.h>
+#include <rastertrace/trace/text/output.h>
 
 #include <gtest/gtest.h>
 

@@ -8,10 +8,10 @@
 #include "traces.h"
 
 #include <rastertrace/core/draw/plan/plan.h>
-#include <rastertrace/trace/color_text.h>
-#include <rastertrace/trace/primitive_name.h>
-#include <rastertrace/trace/scene_file.h>
-#include <rastertrace/trace/trace.h>
+#include <rastertrace/trace/record/trace.h>
+#include <rastertrace/trace/scene/scene_file.h>
+#include <rastertrace/trace/text/color_text.h>
+#include <rastertrace/trace/text/primitive_name.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -2,11 +2,11 @@
 // The schemas of docs/, and what `$schema` does in a file. tests/schema holds the schemas against the readers.
 
 #include <rastertrace/core/numbers/number.h>
-#include <rastertrace/trace/claims.h>
-#include <rastertrace/trace/method_names.h>
-#include <rastertrace/trace/scene_file.h>
-#include <rastertrace/trace/schema.h>
-#include <rastertrace/trace/step_kind.h>
+#include <rastertrace/trace/check/claims.h>
+#include <rastertrace/trace/check/schema.h>
+#include <rastertrace/trace/record/step_kind.h>
+#include <rastertrace/trace/scene/scene_file.h>
+#include <rastertrace/trace/text/method_names.h>
 
 #include "random_choice.h"
 #include "random_scene.h"

@@ -4,7 +4,7 @@
 #include "picture.h"
 #include "traces.h"
 
-#include <rastertrace/trace/selector.h>
+#include <rastertrace/trace/record/selector.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -8,8 +8,8 @@
 #include "random_scene.h"
 #include "traces.h"
 
-#include <rastertrace/trace/check.h>
-#include <rastertrace/trace/slips.h>
+#include <rastertrace/trace/check/check.h>
+#include <rastertrace/trace/check/slips.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

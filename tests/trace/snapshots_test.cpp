@@ -5,8 +5,8 @@
 #include "random_scene.h"
 #include "traces.h"
 
-#include <rastertrace/trace/describe.h>
-#include <rastertrace/trace/snapshots.h>
+#include <rastertrace/trace/record/snapshots.h>
+#include <rastertrace/trace/tell/describe.h>
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include "scene_text.h"
 #include "traces.h"
 
-#include <rastertrace/trace/stage_name.h>
+#include <rastertrace/trace/text/stage_name.h>
 
 #include <fmt/core.h>
 

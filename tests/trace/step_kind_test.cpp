@@ -4,10 +4,10 @@
 #include "random_scene.h"
 #include "traces.h"
 
-#include <rastertrace/trace/describe.h>
-#include <rastertrace/trace/scene_file.h>
-#include <rastertrace/trace/step_kind.h>
-#include <rastertrace/trace/trace.h>
+#include <rastertrace/trace/record/step_kind.h>
+#include <rastertrace/trace/record/trace.h>
+#include <rastertrace/trace/scene/scene_file.h>
+#include <rastertrace/trace/tell/describe.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

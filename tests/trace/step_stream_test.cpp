@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include <rastertrace/trace/step_stream.h>
+#include <rastertrace/trace/record/step_stream.h>
 
 #include "effort.h"
 #include "picture.h"
 #include "random_scene.h"
 #include "traces.h"
 
-#include <rastertrace/trace/describe.h>
-#include <rastertrace/trace/explain.h>
-#include <rastertrace/trace/steps_of_pixel.h>
-#include <rastertrace/trace/working.h>
+#include <rastertrace/trace/explain/explain.h>
+#include <rastertrace/trace/explain/steps_of_pixel.h>
+#include <rastertrace/trace/tell/describe.h>
+#include <rastertrace/trace/tell/working.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <rastertrace/trace/color_text.h>
-#include <rastertrace/trace/text.h>
+#include <rastertrace/trace/text/color_text.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 #include "random_triangle.h"
 #include "traces.h"
 
-#include <rastertrace/trace/frame.h>
-#include <rastertrace/trace/trace_layout.h>
+#include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/text/trace_layout.h>
 
 #include <gtest/gtest.h>
 

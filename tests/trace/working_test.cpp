@@ -2,8 +2,8 @@
 #include "picture.h"
 #include "traces.h"
 
-#include <rastertrace/trace/describe.h>
-#include <rastertrace/trace/working.h>
+#include <rastertrace/trace/tell/describe.h>
+#include <rastertrace/trace/tell/working.h>
 
 #include <fmt/core.h>
 

@@ -4,7 +4,7 @@
 #include "program.h"
 #include "xml_fault.h"
 
-#include <rastertrace/trace/slips.h>
+#include <rastertrace/trace/check/slips.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -7,8 +7,8 @@
 #include "frame_text.h"
 
 #include <rastertrace/testing.h>
-#include <rastertrace/trace/frame.h>
-#include <rastertrace/trace/stats.h>
+#include <rastertrace/trace/audit/stats.h>
+#include <rastertrace/trace/record/frame.h>
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include "random_scene.h"
 #include "traces.h"
 
-#include <rastertrace/trace/frame.h>
+#include <rastertrace/trace/record/frame.h>
 
 #include <gmock/gmock.h>
 #include <png.h>

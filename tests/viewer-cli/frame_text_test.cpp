@@ -3,7 +3,7 @@
 #include "picture.h"
 #include "traces.h"
 
-#include <rastertrace/trace/describe.h>
+#include <rastertrace/trace/tell/describe.h>
 
 #include <gtest/gtest.h>
 

@@ -10,8 +10,8 @@
 #include "random_scene.h"
 #include "traces.h"
 
-#include <rastertrace/trace/describe.h>
-#include <rastertrace/trace/text.h>
+#include <rastertrace/trace/tell/describe.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

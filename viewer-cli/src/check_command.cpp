@@ -8,7 +8,7 @@
 #include "option_values.h"
 #include "shared_options.h"
 
-#include <rastertrace/trace/claims_template.h>
+#include <rastertrace/trace/check/claims_template.h>
 
 #include <fmt/core.h>
 

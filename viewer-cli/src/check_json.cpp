@@ -3,8 +3,8 @@
 
 #include "check_report.h"
 
-#include <rastertrace/trace/text.h>
-#include <rastertrace/trace/write_trace.h>
+#include <rastertrace/trace/record/write_trace.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 

@@ -4,7 +4,7 @@
 #include "check_report.h"
 
 #include <rastertrace/figures/svg.h>
-#include <rastertrace/trace/text.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 

@@ -6,9 +6,9 @@
 //     const CheckedFile file{.name = "anna.txt", .claims = claims, .checked = check(truth, claims)};
 //     check_text({file}, true);  // "anna.txt:3: y=2: ... \n    left end: expected -1/4, found 0\n..."
 
-#include <rastertrace/trace/check.h>
-#include <rastertrace/trace/claims.h>
-#include <rastertrace/trace/problem.h>
+#include <rastertrace/trace/check/check.h>
+#include <rastertrace/trace/check/claims.h>
+#include <rastertrace/trace/text/problem.h>
 
 #include <optional>
 #include <string>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "check_report.h"
 
-#include <rastertrace/trace/text.h>
-#include <rastertrace/trace/working.h>
+#include <rastertrace/trace/tell/working.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 

@@ -9,9 +9,9 @@
 #include "load.h"
 #include "shared_options.h"
 
-#include <rastertrace/trace/language.h>
-#include <rastertrace/trace/problem.h>
-#include <rastertrace/trace/text.h>
+#include <rastertrace/trace/text/language.h>
+#include <rastertrace/trace/text/problem.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>

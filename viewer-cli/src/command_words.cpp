@@ -3,7 +3,7 @@
 
 #include "option_values.h"
 
-#include <rastertrace/trace/text.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 

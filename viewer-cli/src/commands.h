@@ -12,15 +12,15 @@
 
 #include <rastertrace/figures/figure.h>
 #include <rastertrace/figures/view.h>
-#include <rastertrace/trace/diff.h>
-#include <rastertrace/trace/explain.h>
-#include <rastertrace/trace/input.h>
-#include <rastertrace/trace/method_names.h>
-#include <rastertrace/trace/schema.h>
-#include <rastertrace/trace/snapshots.h>
-#include <rastertrace/trace/stats.h>
-#include <rastertrace/trace/vary.h>
-#include <rastertrace/trace/write_trace.h>
+#include <rastertrace/trace/audit/stats.h>
+#include <rastertrace/trace/check/schema.h>
+#include <rastertrace/trace/compare/diff.h>
+#include <rastertrace/trace/explain/explain.h>
+#include <rastertrace/trace/record/snapshots.h>
+#include <rastertrace/trace/record/write_trace.h>
+#include <rastertrace/trace/scene/vary.h>
+#include <rastertrace/trace/text/input.h>
+#include <rastertrace/trace/text/method_names.h>
 
 #include <chrono>
 #include <cstddef>

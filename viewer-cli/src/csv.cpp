@@ -2,7 +2,7 @@
 #include "csv.h"
 
 #include <rastertrace/core/numbers/number.h>
-#include <rastertrace/trace/text.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <string_view>
 #include <variant>

@@ -8,10 +8,10 @@
 #include "option_values.h"
 #include "shared_options.h"
 
-#include <rastertrace/trace/describe.h>
-#include <rastertrace/trace/diff.h>
-#include <rastertrace/trace/frame.h>
-#include <rastertrace/trace/text.h>
+#include <rastertrace/trace/compare/diff.h>
+#include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/tell/describe.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 

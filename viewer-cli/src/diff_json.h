@@ -5,7 +5,7 @@
 //
 //     print(diff_json(found));
 
-#include <rastertrace/trace/diff.h>
+#include <rastertrace/trace/compare/diff.h>
 
 #include <string>
 

@@ -8,9 +8,9 @@
 #include "option_values.h"
 #include "shared_options.h"
 
-#include <rastertrace/trace/explain.h>
-#include <rastertrace/trace/steps_of_pixel.h>
-#include <rastertrace/trace/text.h>
+#include <rastertrace/trace/explain/explain.h>
+#include <rastertrace/trace/explain/steps_of_pixel.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 

@@ -2,7 +2,7 @@
 #include "explain_text.h"
 #include "json_list.h"
 
-#include <rastertrace/trace/text.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 

@@ -3,7 +3,7 @@
 
 // The answers of `rastertrace explain`, as text and as JSON.
 
-#include <rastertrace/trace/explain.h>
+#include <rastertrace/trace/explain/explain.h>
 
 #include <optional>
 #include <string>

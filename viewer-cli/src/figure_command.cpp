@@ -11,13 +11,13 @@
 #include <rastertrace/figures/figure.h>
 #include <rastertrace/figures/gif.h>
 #include <rastertrace/figures/shown_steps.h>
-#include <rastertrace/trace/describe.h>
-#include <rastertrace/trace/frame.h>
-#include <rastertrace/trace/output.h>
-#include <rastertrace/trace/process_files.h>
-#include <rastertrace/trace/selector.h>
-#include <rastertrace/trace/text.h>
-#include <rastertrace/trace/working.h>
+#include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/selector.h>
+#include <rastertrace/trace/tell/describe.h>
+#include <rastertrace/trace/tell/working.h>
+#include <rastertrace/trace/text/output.h>
+#include <rastertrace/trace/text/process_files.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 

@@ -7,7 +7,7 @@
 #include "shared_options.h"
 
 #include <rastertrace/figures/figure.h>
-#include <rastertrace/trace/text.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 

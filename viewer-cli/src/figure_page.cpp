@@ -5,9 +5,9 @@
 #include "page_scene.h"
 
 #include <rastertrace/figures/page.h>
-#include <rastertrace/trace/output.h>
-#include <rastertrace/trace/process_files.h>
-#include <rastertrace/trace/selector.h>
+#include <rastertrace/trace/record/selector.h>
+#include <rastertrace/trace/text/output.h>
+#include <rastertrace/trace/text/process_files.h>
 #include <rastertrace/wasm/module.h>
 
 #include <fmt/core.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "frame_files.h"
 
-#include <rastertrace/trace/process_files.h>
+#include <rastertrace/trace/text/process_files.h>
 
 #include <fmt/core.h>
 

@@ -7,7 +7,7 @@
 //     files.open(1).write(svg);
 //     files.commit();
 
-#include <rastertrace/trace/output.h>
+#include <rastertrace/trace/text/output.h>
 
 #include <cstddef>
 #include <string>

@@ -2,7 +2,7 @@
 #include "frame_text.h"
 
 #include <rastertrace/figures/shown_steps.h>
-#include <rastertrace/trace/text.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 

@@ -14,8 +14,8 @@
 #include "terminal_text.h"
 
 #include <rastertrace/figures/view.h>
-#include <rastertrace/trace/frame.h>
-#include <rastertrace/trace/trace_options.h>
+#include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/trace_options.h>
 
 #include <cstddef>
 #include <optional>

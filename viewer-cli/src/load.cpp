@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "load.h"
 
-#include <rastertrace/trace/process_files.h>
-#include <rastertrace/trace/scene_file.h>
-#include <rastertrace/trace/trace_layout.h>
+#include <rastertrace/trace/scene/scene_file.h>
+#include <rastertrace/trace/text/process_files.h>
+#include <rastertrace/trace/text/trace_layout.h>
 
 #include <fmt/core.h>
 

@@ -6,15 +6,15 @@
 
 #include "commands.h"
 
-#include <rastertrace/trace/check.h>
-#include <rastertrace/trace/claims.h>
-#include <rastertrace/trace/output.h>
-#include <rastertrace/trace/problem.h>
-#include <rastertrace/trace/scene_file.h>
-#include <rastertrace/trace/step_stream.h>
-#include <rastertrace/trace/trace.h>
-#include <rastertrace/trace/trace_text.h>
-#include <rastertrace/trace/vary.h>
+#include <rastertrace/trace/check/check.h>
+#include <rastertrace/trace/check/claims.h>
+#include <rastertrace/trace/record/step_stream.h>
+#include <rastertrace/trace/record/trace.h>
+#include <rastertrace/trace/record/trace_text.h>
+#include <rastertrace/trace/scene/scene_file.h>
+#include <rastertrace/trace/scene/vary.h>
+#include <rastertrace/trace/text/output.h>
+#include <rastertrace/trace/text/problem.h>
 
 #include <cstddef>
 #include <optional>

@@ -8,7 +8,7 @@
 #include "run_self.h"
 #include "terminal_session.h"
 
-#include <rastertrace/trace/unfinished_files.h>
+#include <rastertrace/trace/text/unfinished_files.h>
 
 #include <gmp.h>
 

@@ -6,7 +6,7 @@
 //     3 rows and 2 pixels lie above the canvas, 10 pixels left of it, none drawn: does y point down?
 //     ("origin": "top-left")
 
-#include <rastertrace/trace/trace.h>
+#include <rastertrace/trace/record/trace.h>
 
 #include <string>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "option_values.h"
 
-#include <rastertrace/trace/problem.h>
+#include <rastertrace/trace/text/problem.h>
 
 namespace rastertrace {
 

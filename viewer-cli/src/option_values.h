@@ -5,9 +5,9 @@
 
 #include "terminal_text.h"
 
-#include <rastertrace/trace/named_value.h>
-#include <rastertrace/trace/text.h>
-#include <rastertrace/trace/trace_options.h>
+#include <rastertrace/trace/record/trace_options.h>
+#include <rastertrace/trace/text/named_value.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 

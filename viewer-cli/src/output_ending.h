@@ -6,8 +6,8 @@
 //     constexpr std::array endings{Ending<TraceLayout>{".json", TraceLayout::json}, ...};
 //     const auto layout = format_by_ending("x.png", endings);  // throws: expected ...
 
-#include <rastertrace/trace/problem.h>
-#include <rastertrace/trace/text.h>
+#include <rastertrace/trace/text/problem.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 

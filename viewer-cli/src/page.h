@@ -14,7 +14,7 @@
 // blank lines there: those are the author's. Nothing else on a page is looked at. docs/pages.md
 // tells it to users.
 
-#include <rastertrace/trace/problem.h>
+#include <rastertrace/trace/text/problem.h>
 
 #include <cstddef>
 #include <string>

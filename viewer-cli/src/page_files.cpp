@@ -3,7 +3,7 @@
 
 #include "frame_files.h"
 
-#include <rastertrace/trace/problem.h>
+#include <rastertrace/trace/text/problem.h>
 
 #include <algorithm>
 #include <cerrno>

@@ -2,7 +2,7 @@
 #include "page_scene.h"
 
 #include <rastertrace/figures/page.h>
-#include <rastertrace/trace/scene_file.h>
+#include <rastertrace/trace/scene/scene_file.h>
 
 #include <nlohmann/json.hpp>
 

@@ -6,8 +6,8 @@
 //     page.scene = scene_to_move(source, command.method, trace.canvas);
 
 #include <rastertrace/core/raster/canvas.h>
-#include <rastertrace/trace/method_names.h>
-#include <rastertrace/trace/problem.h>
+#include <rastertrace/trace/text/method_names.h>
+#include <rastertrace/trace/text/problem.h>
 
 #include <string>
 

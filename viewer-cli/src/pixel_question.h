@@ -6,9 +6,9 @@
 //     PixelQuestion question(trace, {4, 2});
 //     while (!question.answer()) question.look_on(100'000, true);
 
-#include <rastertrace/trace/explain.h>
-#include <rastertrace/trace/steps_of_pixel.h>
-#include <rastertrace/trace/trace.h>
+#include <rastertrace/trace/explain/explain.h>
+#include <rastertrace/trace/explain/steps_of_pixel.h>
+#include <rastertrace/trace/record/trace.h>
 
 #include <algorithm>
 #include <cstddef>

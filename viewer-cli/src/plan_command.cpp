@@ -7,8 +7,8 @@
 #include "shared_options.h"
 
 #include <rastertrace/core/draw/plan/plan.h>
-#include <rastertrace/trace/stage_name.h>
-#include <rastertrace/trace/text.h>
+#include <rastertrace/trace/text/stage_name.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 

@@ -10,8 +10,8 @@
 #include "shared_options.h"
 #include "terminal_session.h"
 
-#include <rastertrace/trace/growing_trace.h>
-#include <rastertrace/trace/selector.h>
+#include <rastertrace/trace/record/growing_trace.h>
+#include <rastertrace/trace/record/selector.h>
 
 #include <fmt/core.h>
 

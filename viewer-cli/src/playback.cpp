@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "playback.h"
 
-#include <rastertrace/trace/describe.h>
+#include <rastertrace/trace/tell/describe.h>
 
 #include <algorithm>
 #include <utility>

@@ -9,9 +9,9 @@
 //     playback.sentence_of(30);
 
 #include <rastertrace/figures/view.h>
-#include <rastertrace/trace/frame.h>
-#include <rastertrace/trace/growing_trace.h>
-#include <rastertrace/trace/snapshots.h>
+#include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/growing_trace.h>
+#include <rastertrace/trace/record/snapshots.h>
 
 #include <cstddef>
 #include <map>

@@ -4,7 +4,7 @@
 #include "load.h"
 
 #include <rastertrace/figures/shown_steps.h>
-#include <rastertrace/trace/text.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "player_screen.h"
 
-#include <rastertrace/trace/describe.h>
-#include <rastertrace/trace/text.h>
-#include <rastertrace/trace/working.h>
+#include <rastertrace/trace/tell/describe.h>
+#include <rastertrace/trace/tell/working.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 

@@ -4,7 +4,7 @@
 
 #include "player.h"
 
-#include <rastertrace/trace/text.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 

@@ -10,10 +10,10 @@
 #include "run_self.h"
 
 #include <rastertrace/core/draw/plan/stages.h>
-#include <rastertrace/trace/input.h>
-#include <rastertrace/trace/output.h>
-#include <rastertrace/trace/process_files.h>
-#include <rastertrace/trace/text.h>
+#include <rastertrace/trace/text/input.h>
+#include <rastertrace/trace/text/output.h>
+#include <rastertrace/trace/text/process_files.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 

@@ -9,9 +9,9 @@
 #include "report_file.h"
 #include "shared_options.h"
 
-#include <rastertrace/trace/output.h>
-#include <rastertrace/trace/process_files.h>
-#include <rastertrace/trace/text.h>
+#include <rastertrace/trace/text/output.h>
+#include <rastertrace/trace/text/process_files.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 

@@ -6,7 +6,7 @@
 #include <rastertrace/core/draw/plan/stages.h>
 #include <rastertrace/figures/plot.h>
 #include <rastertrace/figures/svg.h>
-#include <rastertrace/trace/text.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 

@@ -5,7 +5,7 @@
 #include "report_file.h"
 
 #include <rastertrace/core/draw/plan/stages.h>
-#include <rastertrace/trace/text.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>

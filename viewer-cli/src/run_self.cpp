@@ -3,8 +3,8 @@
 
 #include "environment.h"
 
-#include <rastertrace/trace/descriptor.h>
-#include <rastertrace/trace/problem.h>
+#include <rastertrace/trace/text/descriptor.h>
+#include <rastertrace/trace/text/problem.h>
 
 #include <fmt/core.h>
 

@@ -6,8 +6,8 @@
 //
 //     const FinishedRun run = run_self({"plan", "scene.json"}, {});
 
-#include <rastertrace/trace/descriptor.h>
-#include <rastertrace/trace/process_files.h>
+#include <rastertrace/trace/text/descriptor.h>
+#include <rastertrace/trace/text/process_files.h>
 
 #include <chrono>
 #include <csignal>

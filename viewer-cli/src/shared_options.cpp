@@ -5,9 +5,9 @@
 #include "option_values.h"
 
 #include <rastertrace/figures/view.h>
-#include <rastertrace/trace/language.h>
-#include <rastertrace/trace/stage_name.h>
-#include <rastertrace/trace/text.h>
+#include <rastertrace/trace/text/language.h>
+#include <rastertrace/trace/text/stage_name.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 

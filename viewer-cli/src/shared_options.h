@@ -5,9 +5,9 @@
 
 #include "command.h"
 
-#include <rastertrace/trace/input.h>
-#include <rastertrace/trace/method_names.h>
-#include <rastertrace/trace/vary.h>
+#include <rastertrace/trace/scene/vary.h>
+#include <rastertrace/trace/text/input.h>
+#include <rastertrace/trace/text/method_names.h>
 
 #include <map>
 #include <string>

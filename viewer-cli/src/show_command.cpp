@@ -12,10 +12,10 @@
 #include "terminal.h"
 
 #include <rastertrace/figures/shown_steps.h>
-#include <rastertrace/trace/describe.h>
-#include <rastertrace/trace/selector.h>
-#include <rastertrace/trace/text.h>
-#include <rastertrace/trace/working.h>
+#include <rastertrace/trace/record/selector.h>
+#include <rastertrace/trace/tell/describe.h>
+#include <rastertrace/trace/tell/working.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 

@@ -8,8 +8,8 @@
 #include "shared_options.h"
 #include "stats_text.h"
 
-#include <rastertrace/trace/stats.h>
-#include <rastertrace/trace/text.h>
+#include <rastertrace/trace/audit/stats.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "stats_text.h"
 
-#include <rastertrace/trace/text.h>
-#include <rastertrace/trace/write_trace.h>
+#include <rastertrace/trace/record/write_trace.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 

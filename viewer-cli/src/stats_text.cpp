@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "stats_text.h"
 
-#include <rastertrace/trace/text.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 

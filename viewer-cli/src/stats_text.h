@@ -3,8 +3,8 @@
 
 // What a trace amounts to, as `rastertrace stats` prints it.
 
-#include <rastertrace/trace/stats.h>
-#include <rastertrace/trace/trace.h>
+#include <rastertrace/trace/audit/stats.h>
+#include <rastertrace/trace/record/trace.h>
 
 #include <string>
 

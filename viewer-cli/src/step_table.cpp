@@ -3,9 +3,9 @@
 
 #include "csv.h"
 
-#include <rastertrace/trace/describe.h>
-#include <rastertrace/trace/named_value.h>
-#include <rastertrace/trace/text.h>
+#include <rastertrace/trace/tell/describe.h>
+#include <rastertrace/trace/text/named_value.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 

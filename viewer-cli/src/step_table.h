@@ -6,8 +6,8 @@
 //     StepTable table(TableFormat::csv, StepKind::light);
 //     table.head(); table.line(replay); table.line(replay); table.end();
 
-#include <rastertrace/trace/frame.h>
-#include <rastertrace/trace/step_kind.h>
+#include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/step_kind.h>
 
 #include <cstdint>
 #include <optional>

@@ -11,9 +11,9 @@
 
 #include <rastertrace/numerics/cliffs.h>
 #include <rastertrace/numerics/stress.h>
-#include <rastertrace/trace/problem.h>
-#include <rastertrace/trace/scene_file.h>
-#include <rastertrace/trace/text.h>
+#include <rastertrace/trace/scene/scene_file.h>
+#include <rastertrace/trace/text/problem.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 

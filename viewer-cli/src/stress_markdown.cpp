@@ -3,8 +3,8 @@
 
 #include <rastertrace/core/draw/plan/stages.h>
 #include <rastertrace/numerics/stress.h>
-#include <rastertrace/trace/method_names.h>
-#include <rastertrace/trace/text.h>
+#include <rastertrace/trace/text/method_names.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 

@@ -4,7 +4,7 @@
 #include "environment.h"
 #include "load.h"
 
-#include <rastertrace/trace/problem.h>
+#include <rastertrace/trace/text/problem.h>
 
 #include <fmt/core.h>
 

@@ -12,7 +12,7 @@
 #include "key_reader.h"
 #include "terminal.h"
 
-#include <rastertrace/trace/descriptor.h>
+#include <rastertrace/trace/text/descriptor.h>
 
 #include <optional>
 #include <string>

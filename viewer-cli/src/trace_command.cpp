@@ -9,11 +9,11 @@
 #include "output_ending.h"
 #include "shared_options.h"
 
-#include <rastertrace/trace/excerpt.h>
-#include <rastertrace/trace/output.h>
-#include <rastertrace/trace/process_files.h>
-#include <rastertrace/trace/text.h>
-#include <rastertrace/trace/trace_text.h>
+#include <rastertrace/trace/record/excerpt.h>
+#include <rastertrace/trace/record/trace_text.h>
+#include <rastertrace/trace/text/output.h>
+#include <rastertrace/trace/text/process_files.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 

@@ -8,16 +8,16 @@
 #include "shared_options.h"
 
 #include <rastertrace/core/draw/plan/stages.h>
-#include <rastertrace/trace/check.h>
-#include <rastertrace/trace/claims.h>
-#include <rastertrace/trace/primitive_name.h>
-#include <rastertrace/trace/scene_file.h>
-#include <rastertrace/trace/stats_needs.h>
-#include <rastertrace/trace/step_stream.h>
-#include <rastertrace/trace/text.h>
-#include <rastertrace/trace/trace_layout.h>
-#include <rastertrace/trace/unknown_names.h>
-#include <rastertrace/trace/write_trace.h>
+#include <rastertrace/trace/audit/stats_needs.h>
+#include <rastertrace/trace/check/check.h>
+#include <rastertrace/trace/check/claims.h>
+#include <rastertrace/trace/record/step_stream.h>
+#include <rastertrace/trace/record/unknown_names.h>
+#include <rastertrace/trace/record/write_trace.h>
+#include <rastertrace/trace/scene/scene_file.h>
+#include <rastertrace/trace/text/primitive_name.h>
+#include <rastertrace/trace/text/text.h>
+#include <rastertrace/trace/text/trace_layout.h>
 
 #include <fmt/core.h>
 

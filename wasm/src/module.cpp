@@ -3,11 +3,11 @@
 // functions of JavaScript of them.
 
 #include <rastertrace/figures/page.h>
-#include <rastertrace/trace/language.h>
-#include <rastertrace/trace/output.h>
-#include <rastertrace/trace/problem.h>
-#include <rastertrace/trace/scene_file.h>
-#include <rastertrace/trace/write_trace.h>
+#include <rastertrace/trace/record/write_trace.h>
+#include <rastertrace/trace/scene/scene_file.h>
+#include <rastertrace/trace/text/language.h>
+#include <rastertrace/trace/text/output.h>
+#include <rastertrace/trace/text/problem.h>
 
 #include <exception>
 #include <new>

@@ -3,8 +3,8 @@
 
 #include <rastertrace/core.h>
 #include <rastertrace/core/draw/paint/fill.h>
-#include <rastertrace/trace/frame.h>
-#include <rastertrace/trace/write_trace.h>
+#include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/write_trace.h>
 
 #include <cstdio>
 

@@ -3,8 +3,8 @@
 
 #include "question.h"
 
-#include <rastertrace/trace/frame.h>
-#include <rastertrace/trace/text.h>
+#include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 

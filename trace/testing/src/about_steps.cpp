@@ -3,7 +3,7 @@
 
 #include "question.h"
 
-#include <rastertrace/trace/text.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 

@@ -3,14 +3,14 @@
 
 #include "question.h"
 
-#include <rastertrace/trace/diff.h>
-#include <rastertrace/trace/excerpt.h>
-#include <rastertrace/trace/input.h>
-#include <rastertrace/trace/output.h>
-#include <rastertrace/trace/step_kind.h>
-#include <rastertrace/trace/text.h>
-#include <rastertrace/trace/trace_layout.h>
-#include <rastertrace/trace/trace_text.h>
+#include <rastertrace/trace/compare/diff.h>
+#include <rastertrace/trace/record/excerpt.h>
+#include <rastertrace/trace/record/step_kind.h>
+#include <rastertrace/trace/record/trace_text.h>
+#include <rastertrace/trace/text/input.h>
+#include <rastertrace/trace/text/output.h>
+#include <rastertrace/trace/text/text.h>
+#include <rastertrace/trace/text/trace_layout.h>
 
 #include <fmt/core.h>
 

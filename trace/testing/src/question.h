@@ -8,7 +8,7 @@
 
 #include <rastertrace/testing.h>
 
-#include <rastertrace/trace/explain.h>
+#include <rastertrace/trace/explain/explain.h>
 
 #include <cstddef>
 #include <functional>

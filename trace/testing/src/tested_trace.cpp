@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "question.h"
 
-#include "explanation.h"
-
-#include <rastertrace/trace/input.h>
-#include <rastertrace/trace/refusal.h>
-#include <rastertrace/trace/scene_file.h>
-#include <rastertrace/trace/text.h>
-#include <rastertrace/trace/trace_layout.h>
-#include <rastertrace/trace/write_trace.h>
+#include <rastertrace/trace/explain/explanation.h>
+#include <rastertrace/trace/record/write_trace.h>
+#include <rastertrace/trace/scene/refusal.h>
+#include <rastertrace/trace/scene/scene_file.h>
+#include <rastertrace/trace/text/input.h>
+#include <rastertrace/trace/text/text.h>
+#include <rastertrace/trace/text/trace_layout.h>
 
 #include <fmt/core.h>
 

@@ -3,7 +3,7 @@
 
 // Where the corners of a primitive lie, as its step in a trace tells them.
 
-#include <rastertrace/trace/trace.h>
+#include <rastertrace/trace/record/trace.h>
 
 #include <vector>
 

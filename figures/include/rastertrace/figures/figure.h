@@ -11,8 +11,8 @@
 #include <rastertrace/figures/face_groups.h>
 #include <rastertrace/figures/shown_steps.h>
 #include <rastertrace/figures/view.h>
-#include <rastertrace/trace/frame.h>
-#include <rastertrace/trace/trace_options.h>
+#include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/trace_options.h>
 
 #include <bitset>
 #include <cstddef>

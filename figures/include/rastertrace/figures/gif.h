@@ -9,7 +9,7 @@
 //         {.seconds = 0.5});
 
 #include <rastertrace/figures/bitmap.h>
-#include <rastertrace/trace/problem.h>
+#include <rastertrace/trace/text/problem.h>
 
 #include <cstddef>
 #include <functional>

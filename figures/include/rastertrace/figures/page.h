@@ -11,8 +11,8 @@
 
 #include <rastertrace/figures/theme.h>
 #include <rastertrace/figures/view.h>
-#include <rastertrace/trace/problem.h>
-#include <rastertrace/trace/trace.h>
+#include <rastertrace/trace/record/trace.h>
+#include <rastertrace/trace/text/problem.h>
 
 #include <cstddef>
 #include <cstdint>

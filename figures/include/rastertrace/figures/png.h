@@ -7,7 +7,7 @@
 //     const auto png = png_of(bitmap_of(drawing, Theme::light, 2));
 
 #include <rastertrace/figures/bitmap.h>
-#include <rastertrace/trace/problem.h>
+#include <rastertrace/trace/text/problem.h>
 
 #include <cstddef>
 #include <string>

@@ -5,7 +5,7 @@
 //
 //     const ShownSteps row{n, end_of(trace, n)};  // a scanline with its pixels
 
-#include <rastertrace/trace/trace.h>
+#include <rastertrace/trace/record/trace.h>
 
 #include <cstddef>
 #include <optional>

@@ -8,7 +8,7 @@
 
 #include <rastertrace/figures/drawing.h>
 #include <rastertrace/figures/theme.h>
-#include <rastertrace/trace/problem.h>
+#include <rastertrace/trace/text/problem.h>
 
 #include <cstddef>
 #include <cstdint>

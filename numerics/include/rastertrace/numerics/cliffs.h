@@ -14,10 +14,10 @@
 
 #include <rastertrace/core/draw/scene/scene.h>
 #include <rastertrace/core/raster/canvas.h>
-#include <rastertrace/trace/input.h>
-#include <rastertrace/trace/method_names.h>
-#include <rastertrace/trace/problem.h>
-#include <rastertrace/trace/vary.h>
+#include <rastertrace/trace/scene/vary.h>
+#include <rastertrace/trace/text/input.h>
+#include <rastertrace/trace/text/method_names.h>
+#include <rastertrace/trace/text/problem.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -16,9 +16,9 @@
 #include <rastertrace/core/draw/scene/scene.h>
 #include <rastertrace/core/numbers/number.h>
 #include <rastertrace/core/raster/canvas.h>
-#include <rastertrace/trace/method_names.h>
-#include <rastertrace/trace/problem.h>
-#include <rastertrace/trace/trace.h>
+#include <rastertrace/trace/record/trace.h>
+#include <rastertrace/trace/text/method_names.h>
+#include <rastertrace/trace/text/problem.h>
 
 #include <gmock/gmock.h>
 

@@ -1,0 +1,783 @@
+// SPDX-License-Identifier: MIT
+#include "coverage.h"
+
+#include "t_junctions.h"
+
+#include <rastertrace/core/numbers/number.h>
+#include <rastertrace/trace/tell/step_text.h>
+#include <rastertrace/trace/text/json_scanner.h>
+#include <rastertrace/trace/text/primitive_name.h>
+
+#include <fmt/core.h>
+#include <gmpxx.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+#include <variant>
+
+namespace rastertrace {
+
+namespace {
+
+/// An exact point of the scene.
+using Position = ScreenPoint;
+
+/// Where sample points are.
+struct Grid {
+    Canvas canvas;
+    mpq_class sample_offset; ///< from a pixel's integer point to its sample point, in x and in y
+};
+
+/// The pixels of one row from x = first to x = last, or the rows from first to last; none if last
+/// lies before first.
+struct Span {
+    Index first = 0;
+    Index last = -1;
+
+    bool is_empty() const { return last < first; }
+    bool has(Index x) const { return first <= x && x <= last; }
+};
+
+Span common_part(const Span& a, const Span& b) {
+    return {std::max(a.first, b.first), std::min(a.last, b.last)};
+}
+
+void add(PixelList& list, Pixel pixel) {
+    ++list.count;
+    if (list.kept.size() < most_pixels_kept)
+        list.kept.push_back(pixel);
+}
+
+/// Adds the pixels of a row; the time it takes does not depend on how many are not kept.
+void add(PixelList& list, int y, const Span& span) {
+    if (span.is_empty())
+        return;
+    list.count += static_cast<std::uint64_t>(span.last - span.first + 1);
+    for (Index x = span.first; x <= span.last && list.kept.size() < most_pixels_kept; ++x)
+        list.kept.push_back({static_cast<int>(x), y});
+}
+
+// The geometry: regions of the plane whose pixels are found row by row, by whole numbers.
+
+/// The pixels (x, y) with a x + b y + c >= 0.
+struct HalfPlane {
+    mpz_class a;
+    mpz_class b;
+    mpz_class c;
+};
+
+/// The pixels that lie in every one of some half planes.
+using Region = std::vector<HalfPlane>;
+
+/// The pixels whose sample points have a x + b y + c >= 0.
+HalfPlane half_plane(const mpq_class& a, const mpq_class& b, const mpq_class& c, const Grid& grid) {
+    // From the sample point to the pixel that it belongs to.
+    const mpq_class at_pixel = c + (a + b) * grid.sample_offset;
+
+    // The same over a common denominator, and without it.
+    mpz_class denominator = a.get_den();
+    for (const mpq_class* value : {&b, &at_pixel})
+        mpz_lcm(denominator.get_mpz_t(), denominator.get_mpz_t(), value->get_den_mpz_t());
+    const auto whole = [&denominator](const mpq_class& value) {
+        return mpz_class(value.get_num() * (denominator / value.get_den()));
+    };
+    return {whole(a), whole(b), whole(at_pixel)};
+}
+
+/// Left of the line from one point to another, where y points up: the edge function, twice the
+/// signed area that a sample point makes with the edge, is at least -`widening`. Pineda 1988.
+HalfPlane left_of(const Position& from, const Position& to, const Grid& grid,
+                  const mpq_class& widening = 0) {
+    const mpq_class dx = to.x - from.x;
+    const mpq_class dy = to.y - from.y;
+    return half_plane(-dy, dx, dy * from.x - dx * from.y + widening, grid);
+}
+
+/// The other side of the line.
+HalfPlane opposite(const HalfPlane& plane) {
+    return {-plane.a, -plane.b, -plane.c};
+}
+
+/// The pixels with a x + b y + c >= -by.
+HalfPlane widened(const HalfPlane& plane, const mpz_class& by) {
+    return {plane.a, plane.b, plane.c + by};
+}
+
+/// The region without its boundary: of whole numbers, those above 0 are the ones from 1.
+Region interior_of(Region region) {
+    for (HalfPlane& plane : region)
+        plane.c -= 1;
+    return region;
+}
+
+/// A whole number of any size, held between two that are on the canvas or next to it.
+Index clamped(const mpz_class& value, Index low, Index high) {
+    if (value < low)
+        return low;
+    return value > high ? high : value.get_si();
+}
+
+/// The pixels of `within`, a part of row `y`, that lie in a region. Where there are none, the
+/// result begins one behind the end of `within`.
+Span span_on_row(const Region& region, int y, const Span& within) {
+    Span span = within;
+    mpz_class bound;
+    for (const HalfPlane& plane : region) {
+        // a x >= -rest; the division gives the outermost x.
+        const mpz_class rest = plane.b * y + plane.c;
+        const int sign = sgn(plane.a);
+        if (sign > 0) {
+            mpz_fdiv_q(bound.get_mpz_t(), rest.get_mpz_t(), plane.a.get_mpz_t());
+            bound = -bound;
+            span.first = std::max(span.first, clamped(bound, within.first, within.last + 1));
+        } else if (sign < 0) {
+            bound = -plane.a;
+            mpz_fdiv_q(bound.get_mpz_t(), rest.get_mpz_t(), bound.get_mpz_t());
+            span.last = std::min(span.last, clamped(bound, within.first - 1, within.last));
+        } else if (sgn(rest) < 0) {
+            span.last = within.first - 1;
+        }
+        if (span.is_empty())
+            return {within.last + 1, within.last};
+    }
+    return span;
+}
+
+/// The rows of the canvas, counted from its top, whose sample points have a y from `low` to `high`.
+Span rows_between(const mpq_class& low, const mpq_class& high, const Grid& grid) {
+    const auto [lowest, highest] = std::minmax<Index>({grid.canvas.top(), grid.canvas.bottom()});
+    const mpq_class low_pixel = low - grid.sample_offset;
+    const mpq_class high_pixel = high - grid.sample_offset;
+    mpz_class whole;
+    mpz_cdiv_q(whole.get_mpz_t(), low_pixel.get_num_mpz_t(), low_pixel.get_den_mpz_t());
+    const Index from = clamped(whole, lowest, highest + 1);
+    mpz_fdiv_q(whole.get_mpz_t(), high_pixel.get_num_mpz_t(), high_pixel.get_den_mpz_t());
+    const Index to = clamped(whole, lowest - 1, highest);
+    if (to < from)
+        return {};
+    const auto [first, last] = std::minmax({grid.canvas.row_of(from), grid.canvas.row_of(to)});
+    return {first, last};
+}
+
+Span whole_row(const Canvas& canvas) {
+    return {canvas.left(), canvas.right()};
+}
+
+/// Twice the signed area of a triangle.
+mpq_class area2(const std::array<Position, 3>& at) {
+    return (at[1].x - at[0].x) * (at[2].y - at[0].y) - (at[2].x - at[0].x) * (at[1].y - at[0].y);
+}
+
+/// The closed triangle, whichever way its vertices turn: the half planes of the edges from its
+/// first, second and third corner. Their edge functions are at least -`widening`.
+Region region_of(const std::array<Position, 3>& at, const Grid& grid,
+                 const mpq_class& widening = 0) {
+    const bool turns_left = sgn(area2(at)) > 0;
+    Region region;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Position& from = at[i];
+        const Position& to = at[(i + 1) % 3];
+        region.push_back(turns_left ? left_of(from, to, grid, widening)
+                                    : left_of(to, from, grid, widening));
+    }
+    return region;
+}
+
+/// How far rounding may put an edge function of a triangle off, at a sample in its box, when all is
+/// worked out in the numbers of the trace; 0 if these do not round. Weights and edge functions are
+/// sums of products of a length in x and one in y, none larger than the box: of up to 32 roundings,
+/// each puts them off by half an ulp of such a product. The ends of a row are a coordinate plus a
+/// length, with up to four roundings, and count times a side of the box.
+mpq_class rounding_error(const std::array<Position, 3>& at, const Trace& trace) {
+    const std::string scalar = trace.method_value("scalar");
+    if (scalar == "exact" || scalar == "adaptive" || scalar == "fixed")
+        return 0;
+    const auto [left, right] = std::minmax<mpq_class>({at[0].x, at[1].x, at[2].x});
+    const auto [low, high] = std::minmax<mpq_class>({at[0].y, at[1].y, at[2].y});
+    const mpq_class width = right - left;
+    const mpq_class height = high - low;
+    const mpq_class farthest = std::max<mpq_class>({abs(left), abs(right), abs(low), abs(high)});
+    const mpq_class one_rounding = scalar == "float" ? 0x1p-24 : 0x1p-53;
+    return one_rounding * (32 * width * height + 4 * (width + height) * farthest);
+}
+
+// What the trace says: corners, and the pixels of a row.
+
+bool has_floats(const Trace& trace) {
+    return trace.method_value("scalar") == "float";
+}
+
+/// A triangle or an outline, with its corners.
+struct Cornered {
+    const DrawnPrimitive* drawn = nullptr;
+    std::size_t place = 0; ///< in Stats::primitives
+    std::array<Position, 3> at;
+    std::array<std::uint32_t, 3> corners{}; ///< numbers of the positions; the same for equal ones
+    mpq_class error = {};     ///< see rounding_error; of a triangle with area, like the regions
+    Region closed = {};       ///< the triangle
+    Region interior = {};     ///< so far inside that no rounding matters
+    Region within_error = {}; ///< and so much wider than it
+};
+
+/// Numbers positions: equal ones have the same number.
+using PositionNumbers = std::unordered_map<std::string, std::uint32_t>;
+
+/// The place that a point of a step stands for, if it is a pair of numbers.
+std::optional<Position> position_in(std::string_view json, bool is_float) {
+    std::vector<mpq_class> values;
+    JsonScanner elements(json);
+    while (elements.next_element())
+        if (const auto value = stored_number_in(elements.value(), is_float))
+            values.push_back(*value);
+        else
+            return std::nullopt;
+    return values.size() == 2 ? std::optional(Position{values[0], values[1]}) : std::nullopt;
+}
+
+/// The corners that a primitive's step gives, numbered.
+std::optional<Cornered> corners_of(const StepView& step, const Trace& trace,
+                                   PositionNumbers& numbers) {
+    const auto at = positions_in(step, trace);
+    if (!at)
+        return std::nullopt;
+    Cornered result{.at = *at};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::string text = result.at[i].x.get_str() + "," + result.at[i].y.get_str();
+        const auto next = static_cast<std::uint32_t>(numbers.size());
+        result.corners[i] = numbers.emplace(text, next).first->second;
+    }
+    return result;
+}
+
+/// The pixels that a primitive covers on a row of the canvas.
+std::span<const std::uint32_t> drawn_on_row(const DrawnPrimitive& primitive, Index row,
+                                            const Canvas& canvas) {
+    const Index begin = row * canvas.width;
+    const auto& pixels = primitive.covering();
+    const auto first = std::lower_bound(pixels.begin(), pixels.end(), begin);
+    const auto last = std::lower_bound(first, pixels.end(), begin + canvas.width);
+    return std::span(pixels).subspan(static_cast<std::size_t>(first - pixels.begin()),
+                                     static_cast<std::size_t>(last - first));
+}
+
+Pixel pixel_at(std::uint32_t offset, const Canvas& canvas) {
+    const int place = static_cast<int>(offset);
+    return {canvas.left() + place % canvas.width, canvas.y_of(place / canvas.width)};
+}
+
+// A triangle against its own corners.
+
+/// The pixels `gap` of a row were not drawn; `inside` is the part of the row within the triangle.
+void add_missing(Coverage& coverage, int y, const Span& gap, const Span& inside) {
+    add(coverage.open_edge, y, common_part(gap, {gap.first, inside.first - 1}));
+    add(coverage.holes, y, common_part(gap, inside));
+    add(coverage.open_edge, y, common_part(gap, {inside.last + 1, gap.last}));
+}
+
+/// Why the step that found a row's ends, or the pixel itself, has led to a pixel outside: `step`, 0 if
+/// there is none.
+std::string cause_of(const Trace& trace, std::size_t step, int x, const Grid& grid) {
+    const auto kind = step == 0 ? std::nullopt : trace.kind_of(step);
+    if (kind == StepKind::sample)
+        return "the weights of the sample were rounded";
+    if (kind == StepKind::ray)
+        return "a line of the fan leaves the triangle";
+    if (kind != StepKind::scanline)
+        return "no step says why";
+
+    const auto end = [&](std::string_view name) {
+        return stored_number_in(trace.step(step).field(name).value_or(""), has_floats(trace));
+    };
+    const mpq_class sample = x + grid.sample_offset;
+    const std::string all = trace.method_value("rounding");
+    const std::string rounding = all.empty() ? "rounding" : all.substr(0, all.find('+'));
+    if (const auto left = end("left"); left && sample < *left)
+        return rounding + " takes the pixel left of the edge";
+    if (const auto right = end("right"); right && sample > *right)
+        return rounding + " takes the pixel right of the edge";
+    return "the ends of the row, as calculated, lie outside";
+}
+
+/// The causes of the pixels of a primitive that were drawn outside; `outside` has their places, in
+/// ascending order.
+std::vector<PixelCause> causes_of(const std::vector<std::uint32_t>& outside,
+                                  const DrawnPrimitive& primitive, const Trace& trace,
+                                  const Grid& grid) {
+    std::vector<PixelCause> causes;
+    std::vector<bool> has_cause(outside.size());
+    std::size_t decisive = 0;
+    for (std::size_t n = primitive.step + 1; n <= trace.size() && !outside.empty(); ++n) {
+        const auto kind = trace.kind_of(n);
+        if (kind == StepKind::primitive)
+            break;
+        if (kind == StepKind::scanline || kind == StepKind::sample || kind == StepKind::ray)
+            decisive = n;
+        if (kind != StepKind::pixel && kind != StepKind::depth)
+            continue;
+        const Index x = *trace.step(n).whole("x");
+        const Index y = *trace.step(n).whole("y");
+        if (!grid.canvas.contains(x, y))
+            continue;
+        const Pixel pixel{static_cast<int>(x), static_cast<int>(y)};
+        const auto offset = static_cast<std::uint32_t>(grid.canvas.offset_of(pixel));
+        const auto place = std::lower_bound(outside.begin(), outside.end(), offset);
+        if (place == outside.end() || *place != offset)
+            continue;
+        const auto i = static_cast<std::size_t>(place - outside.begin());
+        if (has_cause[i]) // the pixel comes again
+            continue;
+        has_cause[i] = true;
+        const std::string cause = cause_of(trace, decisive, pixel.x, grid);
+        const auto known = std::find_if(causes.begin(), causes.end(),
+                                        [&](const auto& one) { return one.cause == cause; });
+        ++(known == causes.end() ? causes.emplace_back(PixelCause{cause, 0}) : *known).pixels;
+    }
+    return causes;
+}
+
+Coverage coverage_of(const Cornered& triangle, const Trace& trace, const Grid& grid) {
+    const Canvas& canvas = grid.canvas;
+    const auto& [a, b, c] = triangle.at;
+    const auto& drawn = triangle.drawn->covering();
+
+    // The rows that the triangle passes through, and those that it was drawn on.
+    Span rows = rows_between(std::min({a.y, b.y, c.y}), std::max({a.y, b.y, c.y}), grid);
+    if (!drawn.empty()) {
+        const Span drawn_rows{canvas.row_of(pixel_at(drawn.front(), canvas).y),
+                              canvas.row_of(pixel_at(drawn.back(), canvas).y)};
+        rows = rows.is_empty() ? drawn_rows
+                               : Span{std::min(rows.first, drawn_rows.first),
+                                      std::max(rows.last, drawn_rows.last)};
+    }
+
+    // On each of them, the gaps between the pixels drawn are missing, as far as the triangle goes.
+    Coverage coverage;
+    std::vector<std::uint32_t> outside;
+    for (Index row = rows.first; row <= rows.last; ++row) {
+        const int y = canvas.y_of(static_cast<int>(row));
+        const Span closed = span_on_row(triangle.closed, y, whole_row(canvas));
+        const Span inside = span_on_row(triangle.interior, y, closed);
+        const Span within_error = span_on_row(triangle.within_error, y, whole_row(canvas));
+        Index next = closed.first;
+        for (const std::uint32_t offset : drawn_on_row(*triangle.drawn, row, canvas)) {
+            const Pixel pixel = pixel_at(offset, canvas);
+            if (!closed.has(pixel.x)) {
+                if (!within_error.has(pixel.x)) {
+                    add(coverage.outside, pixel);
+                    outside.push_back(offset);
+                }
+                continue;
+            }
+            add_missing(coverage, y, {next, pixel.x - 1}, inside);
+            next = pixel.x + 1;
+        }
+        add_missing(coverage, y, {next, closed.last}, inside);
+    }
+    coverage.causes = causes_of(outside, *triangle.drawn, trace, grid);
+    return coverage;
+}
+
+// Two triangles at the edge that they share.
+
+/// An edge, by places of vertices in the first triangle that has it.
+struct EdgeUse {
+    std::size_t from = 0;
+    std::size_t to = 0;
+    std::vector<const Cornered*> triangles; ///< at most `most_compared`
+
+    /// The numbers of its vertices, the smaller one first.
+    std::pair<std::uint32_t, std::uint32_t> ends() const {
+        const auto& corners = triangles.front()->corners;
+        return std::minmax({corners[from], corners[to]});
+    }
+};
+
+/// The edges that more than one triangle has, in the order in which they come first.
+std::vector<EdgeUse> shared_edges(const std::vector<Cornered>& triangles) {
+    std::vector<EdgeUse> edges;
+    std::unordered_map<std::uint64_t, std::size_t> known;
+    for (const Cornered& triangle : triangles)
+        for (const auto& [from, to] : {std::pair{0U, 1U}, std::pair{0U, 2U}, std::pair{1U, 2U}}) {
+            const auto [low, high] = std::minmax(triangle.corners[from], triangle.corners[to]);
+            const std::uint64_t ends = std::uint64_t{low} << 32 | high;
+            const auto [entry, is_new] = known.emplace(ends, edges.size());
+            if (is_new)
+                edges.push_back({from, to, {}});
+            std::vector<const Cornered*>& users = edges[entry->second].triangles;
+            if (users.size() < most_compared)
+                users.push_back(&triangle);
+        }
+    std::erase_if(edges, [](const EdgeUse& edge) { return edge.triangles.size() < 2; });
+    return edges;
+}
+
+/// An edge's name in a trace: "AC", or "P1-P3"; its ends where the step names no vertices.
+std::string edge_name(const StepView& step, std::size_t from, std::size_t to) {
+    const std::vector<std::string> names = step.texts("vertices");
+    if (names.size() == 3) {
+        const std::array<std::string_view, 3> all{names[0], names[1], names[2]};
+        return names[from] + std::string(name_separator(all)) + names[to];
+    }
+    const auto at = step.text_rows("at");
+    return fmt::format("({}, {})-({}, {})", at[from][0], at[from][1], at[to][0], at[to][1]);
+}
+
+/// What lies between the ends of an edge: x or y, whichever it runs along more, is from that of
+/// one end to that of the other.
+Region between_ends(const Position& from, const Position& to, const Grid& grid) {
+    const bool runs_along_x = abs(to.x - from.x) >= abs(to.y - from.y);
+    const auto [low, high] =
+        runs_along_x ? std::minmax<mpq_class>(from.x, to.x) : std::minmax<mpq_class>(from.y, to.y);
+    const mpq_class along_x = runs_along_x ? 1 : 0;
+    const mpq_class along_y = 1 - along_x;
+    return {half_plane(along_x, along_y, -low, grid), half_plane(-along_x, -along_y, high, grid)};
+}
+
+/// True if both triangles lie on one side of an edge that they share.
+bool lie_on_one_side(const EdgeUse& edge, const Cornered& one, const Cornered& other) {
+    const auto [low, high] = edge.ends();
+    const Position& from = edge.triangles.front()->at[edge.from];
+    const Position& to = edge.triangles.front()->at[edge.to];
+    const auto side_of = [&, low = low, high = high](const Cornered& triangle) {
+        std::size_t i = 0;
+        while (i < 2 && (triangle.corners[i] == low || triangle.corners[i] == high))
+            ++i;
+        return sgn(area2({from, to, triangle.at[i]}));
+    };
+    return side_of(one) == side_of(other);
+}
+
+/// The pixels of a triangle at an edge that it shares: so far from its other two edges that no
+/// rounding matters, and up to as far beyond this one as rounding may put it. The edge of a fold is
+/// like the other two: what lies on it lies between no two triangles.
+Region region_at_edge(const EdgeUse& edge, const Cornered& triangle, bool is_fold) {
+    Region region = triangle.interior;
+    for (std::size_t i = 0; i < 3 && !is_fold; ++i)
+        if (std::minmax({triangle.corners[i], triangle.corners[(i + 1) % 3]}) == edge.ends())
+            region[i] = triangle.within_error[i];
+    return region;
+}
+
+/// The pixels near an edge that neither of its triangles drew. SharedEdge says which count.
+PixelList never_drawn(const EdgeUse& edge, const Cornered& one, const Cornered& other, bool is_fold,
+                      const Grid& grid) {
+    const Canvas& canvas = grid.canvas;
+    const Position& from = edge.triangles.front()->at[edge.from];
+    const Position& to = edge.triangles.front()->at[edge.to];
+
+    // a x + b y + c is b times the height above the edge, and a times the distance to its right.
+    const HalfPlane side = left_of(from, to, grid);
+    const mpz_class reach = std::max<mpz_class>(abs(side.a), abs(side.b));
+    Region near = between_ends(from, to, grid);
+    near.push_back(widened(side, reach));
+    near.push_back(widened(opposite(side), reach));
+    const Region region_of_one = region_at_edge(edge, one, is_fold);
+    const Region region_of_other = region_at_edge(edge, other, is_fold);
+
+    PixelList never;
+    const auto [low, high] = std::minmax<mpq_class>(from.y, to.y);
+    const Span rows = rows_between(low - 1, high + 1, grid);
+    for (Index row = rows.first; row <= rows.last; ++row) {
+        const int y = canvas.y_of(static_cast<int>(row));
+        const Span close_by = span_on_row(near, y, whole_row(canvas));
+        if (close_by.is_empty())
+            continue;
+        const Span in_one = span_on_row(region_of_one, y, close_by);
+        const Span in_other = span_on_row(region_of_other, y, close_by);
+        const auto drawn_by_one = drawn_on_row(*one.drawn, row, canvas);
+        const auto drawn_by_other = drawn_on_row(*other.drawn, row, canvas);
+        for (Index x = close_by.first; x <= close_by.last; ++x) {
+            const Pixel pixel{static_cast<int>(x), y};
+            const auto offset = static_cast<std::uint32_t>(canvas.offset_of(pixel));
+            const auto is_in = [offset](std::span<const std::uint32_t> drawn) {
+                return std::binary_search(drawn.begin(), drawn.end(), offset);
+            };
+            const bool belongs = in_one.has(x) || in_other.has(x);
+            if (belongs && !is_in(drawn_by_one) && !is_in(drawn_by_other))
+                add(never, pixel);
+        }
+    }
+    return never;
+}
+
+/// The pixels that both primitives drew.
+PixelList drawn_by_both(const DrawnPrimitive& one, const DrawnPrimitive& other,
+                        const Canvas& canvas) {
+    PixelList both;
+    auto place = other.pixels.begin();
+    for (const std::uint32_t offset : one.pixels) {
+        place = std::lower_bound(place, other.pixels.end(), offset);
+        if (place == other.pixels.end())
+            break;
+        if (*place == offset)
+            add(both, pixel_at(offset, canvas));
+    }
+    return both;
+}
+
+/// Every pair of the triangles at an edge.
+void compare_at_edge(const EdgeUse& edge, const Trace& trace, const Grid& grid, Stats& stats) {
+    const Cornered& first = *edge.triangles.front();
+    const std::string name = edge_name(trace.step(first.drawn->step), edge.from, edge.to);
+    for (auto one = edge.triangles.begin(); one != edge.triangles.end(); ++one)
+        for (auto other = one + 1; other != edge.triangles.end(); ++other) {
+            const bool is_fold = lie_on_one_side(edge, **one, **other);
+            stats.edges.push_back(
+                {.name = name,
+                 .one = stats.primitives[(*one)->place].name,
+                 .other = stats.primitives[(*other)->place].name,
+                 .twice = is_fold ? PixelList()
+                                  : drawn_by_both(*(*one)->drawn, *(*other)->drawn, grid.canvas),
+                 .never = never_drawn(edge, **one, **other, is_fold, grid)});
+        }
+}
+
+// Vertices on edges that have no vertex there.
+
+/// A vertex's name in a trace, or its place where the step names no vertices.
+std::string vertex_name(const StepView& step, std::size_t corner) {
+    const std::vector<std::string> names = step.texts("vertices");
+    if (names.size() == 3)
+        return names[corner];
+    const auto at = step.text_rows("at");
+    return fmt::format("({}, {})", at[corner][0], at[corner][1]);
+}
+
+/// A distance from an edge of a triangle, in pixels, to as many decimal places as the numbers of the
+/// trace can tell.
+double told_distance(const mpq_class& distance, const Cornered& triangle, std::size_t from,
+                     std::size_t to) {
+    const double exact = nearest_double(distance);
+    if (triangle.error == 0)
+        return exact;
+    const Position& a = triangle.at[from];
+    const Position& b = triangle.at[to];
+    const mpq_class length = std::max<mpq_class>(abs(b.x - a.x), abs(b.y - a.y));
+    const double error = nearest_double(mpq_class(triangle.error / length));
+    const int places = std::clamp(static_cast<int>(std::floor(-std::log10(error))), 0, 18);
+    const auto scale = static_cast<double>(power_of_ten(places));
+    return std::round(exact * scale) / scale;
+}
+
+PixelList pixel_list(const std::vector<std::uint32_t>& offsets, const Canvas& canvas) {
+    PixelList list;
+    for (const std::uint32_t offset : offsets)
+        add(list, pixel_at(offset, canvas));
+    return list;
+}
+
+/// The T-junctions among the triangles that are drawn. The edges of those that are not count too:
+/// whoever shares one has a neighbor.
+void find_junctions(const std::vector<Cornered>& drawn, const std::vector<Cornered>& not_drawn,
+                    const Trace& trace, const Grid& grid, Stats& stats) {
+    std::vector<ScreenTriangle> mesh;
+    for (const Cornered& triangle : drawn)
+        mesh.push_back({.at = triangle.at, .corners = triangle.corners, .error = triangle.error});
+    for (const Cornered& triangle : not_drawn)
+        mesh.push_back({.at = triangle.at, .corners = triangle.corners, .is_drawn = false});
+
+    const auto step_of = [&](std::size_t triangle) {
+        return trace.step(drawn[triangle].drawn->step);
+    };
+    const auto name_of_triangle = [&](std::size_t triangle) {
+        return stats.primitives[drawn[triangle].place].name;
+    };
+    const auto covered_by = [&drawn](std::size_t triangle) {
+        return std::span<const std::uint32_t>(drawn[triangle].drawn->covering());
+    };
+    for (const TJunction& junction : t_junctions_of(mesh)) {
+        EdgeWithJunctions edge;
+        const std::size_t owner = junction.from.triangle;
+        edge.name = edge_name(step_of(owner), junction.from.corner, junction.to.corner);
+        edge.triangle = name_of_triangle(owner);
+        for (const auto& [vertex, distance] : junction.vertices)
+            edge.vertices.push_back(
+                {vertex_name(step_of(vertex.triangle), vertex.corner),
+                 told_distance(distance, drawn[owner], junction.from.corner, junction.to.corner)});
+        for (const EdgeBeside& beside : junction.beside)
+            edge.beside.push_back(name_of_triangle(beside.from.triangle));
+        const JunctionPixels pixels =
+            pixels_at(junction, mesh, covered_by, grid.canvas, grid.sample_offset);
+        edge.twice = pixel_list(pixels.twice, grid.canvas);
+        edge.never = pixel_list(pixels.never, grid.canvas);
+        stats.t_junctions.push_back(std::move(edge));
+    }
+}
+
+/// Judges all triangles with area by the samples of a grid.
+void judge_by_samples(const Grid& grid, const Trace& trace, std::vector<Cornered>& fills,
+                      const std::vector<Cornered>& not_drawn, Stats& stats) {
+    stats.edges.clear();
+    stats.t_junctions.clear();
+    for (Cornered& fill : fills) {
+        fill.error = rounding_error(fill.at, trace);
+        fill.closed = region_of(fill.at, grid);
+        fill.interior = interior_of(region_of(fill.at, grid, -fill.error));
+        fill.within_error = region_of(fill.at, grid, fill.error);
+        stats.primitives[fill.place].coverage = coverage_of(fill, trace, grid);
+    }
+    for (const EdgeUse& edge : shared_edges(fills))
+        compare_at_edge(edge, trace, grid, stats);
+    find_junctions(fills, not_drawn, trace, grid, stats);
+}
+
+/// True if every pixel has been drawn whose sample lies inside a triangle, and no other one.
+bool explains_all(const Stats& stats) {
+    return std::all_of(stats.primitives.begin(), stats.primitives.end(),
+                       [](const PrimitiveStats& one) {
+                           return !one.coverage || (one.coverage->holes.count == 0 &&
+                                                    one.coverage->outside.count == 0);
+                       }) &&
+           std::all_of(stats.edges.begin(), stats.edges.end(),
+                       [](const SharedEdge& edge) { return edge.never.count == 0; });
+}
+
+/// True if a trace says where its sample points are. The fills that go from row to row, and the
+/// fan, have them at integer points.
+bool tells_sample(const Trace& trace) {
+    const std::string fill = trace.method_value("fill");
+    return !trace.method_value("sample").empty() || fill == "scanline" || fill == "two-halves" ||
+           fill == "fan";
+}
+
+// Outlines against fills.
+
+PixelList drawn_by_first_only(const DrawnPrimitive& first, const DrawnPrimitive& other,
+                              const Canvas& canvas) {
+    PixelList alone;
+    for (const std::uint32_t offset : first.pixels)
+        if (!std::binary_search(other.pixels.begin(), other.pixels.end(), offset))
+            add(alone, pixel_at(offset, canvas));
+    return alone;
+}
+
+/// Every pair of an outline and a fill with the same corners, in whatever order they are named.
+void compare_outlines(const std::vector<Cornered>& outlines, const std::vector<Cornered>& fills,
+                      const Canvas& canvas, Stats& stats) {
+    struct SameCorners {
+        std::size_t outlines = 0;
+        std::vector<const Cornered*> fills;
+    };
+    std::map<std::array<std::uint32_t, 3>, SameCorners> known;
+    const auto same_corners = [&known](const Cornered& primitive) -> SameCorners& {
+        auto corners = primitive.corners;
+        std::sort(corners.begin(), corners.end());
+        return known[corners];
+    };
+    for (const Cornered& fill : fills)
+        if (SameCorners& same = same_corners(fill); same.fills.size() < most_compared)
+            same.fills.push_back(&fill);
+
+    for (const Cornered& outline : outlines) {
+        SameCorners& same = same_corners(outline);
+        if (++same.outlines > most_compared)
+            continue;
+        for (const Cornered* fill : same.fills)
+            stats.outlines.push_back(
+                {.outline = stats.primitives[outline.place].name,
+                 .fill = stats.primitives[fill->place].name,
+                 .outside = drawn_by_first_only(*outline.drawn, *fill->drawn, canvas)});
+    }
+}
+
+} // namespace
+
+void add_pixel(DrawnPrimitive& primitive, std::size_t offset) {
+    // Canvases have at most 2^26 pixels.
+    primitive.pixels.push_back(static_cast<std::uint32_t>(offset));
+}
+
+void add_hidden_pixel(DrawnPrimitive& primitive, std::size_t offset) {
+    primitive.covered.push_back(static_cast<std::uint32_t>(offset));
+}
+
+namespace {
+
+void put_in_order(std::vector<std::uint32_t>& pixels) {
+    if (!std::is_sorted(pixels.begin(), pixels.end()))
+        std::sort(pixels.begin(), pixels.end());
+    pixels.erase(std::unique(pixels.begin(), pixels.end()), pixels.end());
+    pixels.shrink_to_fit();
+}
+
+} // namespace
+
+void keep_each_once(DrawnPrimitive& primitive) {
+    put_in_order(primitive.pixels);
+    if (primitive.covered.empty())
+        return;
+    primitive.covered.insert(primitive.covered.end(), primitive.pixels.begin(),
+                             primitive.pixels.end());
+    put_in_order(primitive.covered);
+}
+
+std::optional<std::array<Position, 3>> positions_in(const StepView& step, const Trace& header) {
+    if (step.field("within"))
+        return std::nullopt;
+    std::vector<ScreenPoint> found;
+    JsonScanner places(step.field("at").value_or("[]"));
+    while (places.next_element())
+        if (const auto position = position_in(places.value(), has_floats(header)))
+            found.push_back(*position);
+        else
+            return std::nullopt;
+    return found.size() == 3 ? std::optional(std::array{found[0], found[1], found[2]})
+                             : std::nullopt;
+}
+
+void compare_with_corners(const Trace& trace, std::span<const DrawnPrimitive> drawn, Stats& stats) {
+    // The triangles and the outlines whose corners are known.
+    PositionNumbers numbers;
+    std::vector<Cornered> fills;
+    std::vector<Cornered> not_drawn;
+    std::vector<Cornered> outlines;
+    for (std::size_t place = 0; place < drawn.size(); ++place) {
+        const std::string& kind = stats.primitives[place].kind;
+        const bool is_culled = stats.primitives[place].skipped == "culled";
+        if (kind != "triangle" && (kind != "outline" || is_culled))
+            continue;
+        const StepView step = trace.step(drawn[place].step);
+        if (step.text("painted") == "false")
+            continue; // it only hides
+        if (auto cornered = corners_of(step, trace, numbers)) {
+            cornered->drawn = &drawn[place];
+            cornered->place = place;
+            auto& list = kind == "outline" ? outlines : is_culled ? not_drawn : fills;
+            list.push_back(std::move(*cornered));
+        }
+    }
+    compare_outlines(outlines, fills, trace.canvas, stats);
+
+    // A triangle without area covers nothing, and shares an edge with nobody.
+    const auto flat = std::stable_partition(
+        fills.begin(), fills.end(), [](const Cornered& fill) { return sgn(area2(fill.at)) != 0; });
+    std::move(flat, fills.end(), std::back_inserter(not_drawn));
+    fills.erase(flat, fills.end());
+    const auto judge = [&](bool is_center) {
+        judge_by_samples({trace.canvas, is_center ? mpq_class(1, 2) : mpq_class(0)}, trace, fills,
+                         not_drawn, stats);
+        return explains_all(stats);
+    };
+    if (tells_sample(trace)) {
+        judge(trace.samples_at_centers());
+        return;
+    }
+    const bool center_explains = judge(true);
+    const bool integer_explains = judge(false);
+    if (center_explains && integer_explains)
+        return;
+    stats.sample = {.is_center = center_explains,
+                    .explains_all = center_explains || integer_explains};
+    if (center_explains)
+        judge(true);
+}
+
+} // namespace rastertrace

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What a trace amounts to: how many steps, pixels, and pixels drawn again; and what its triangles
+// should have drawn and did not, or did draw and should not have.
+//
+//     const Stats stats = stats_of(trace);
+//     stats.primitives[0].coverage->holes.count;
+//
+// What a triangle should have drawn is found from the positions in its primitive step alone, by
+// exact arithmetic. A pixel is judged by its sample point: its integer point, or (1/2, 1/2) from
+// there when the method says "sample":"center". Numbers of a trace are read as the doubles, or
+// floats, which they stand for. Where they leave open on which side of an edge a sample lies, it
+// counts as neither inside nor outside.
+
+#include <rastertrace/trace/record/trace.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace rastertrace {
+
+/// How many pixels of each finding are kept; the rest are only counted.
+inline constexpr std::size_t most_pixels_kept = 1000;
+
+/// Where more triangles than this meet at one edge, or more fills and outlines than this have the
+/// same corners, only the first of them are compared: there are about half as many pairs as the
+/// square of this, and a sound mesh has one.
+inline constexpr std::size_t most_compared = 8;
+
+/// Pixels that something was found about.
+struct PixelList {
+    std::uint64_t count = 0;
+    std::vector<Pixel> kept; ///< the first ones, from the top row of the picture, left to right
+};
+
+/// Why pixels were drawn that should not have been.
+struct PixelCause {
+    std::string cause; ///< "floor takes the pixel left of the edge"
+    std::uint64_t pixels = 0;
+};
+
+/// What a triangle drew against what it covers.
+struct Coverage {
+    PixelList holes;     ///< not drawn, though the sample point lies strictly inside
+    PixelList open_edge; ///< not drawn, and the sample point lies on the boundary
+    PixelList
+        outside; ///< drawn, or hidden, though the sample point lies outside the closed triangle
+    std::vector<PixelCause> causes; ///< of those outside: each of them has one
+};
+
+/// What one primitive drew.
+struct PrimitiveStats {
+    std::string kind;
+    std::string name;
+    std::uint64_t writes = 0; ///< pixel steps
+    std::uint64_t pixels = 0; ///< different pixels among them
+    std::uint64_t over = 0;   ///< writes onto pixels that were drawn already
+    std::uint64_t hidden = 0; ///< pixels that failed the depth test and that it has not drawn
+    std::string skipped;      ///< why it drew nothing, if it was skipped
+    std::optional<Coverage> coverage; ///< of a triangle with area whose positions are known
+};
+
+/// Two triangles that have an edge in common: the same two end positions, in either order. If both
+/// lie on one side of it, it is a fold, and they cover the same pixels.
+struct SharedEdge {
+    std::string name;  ///< as the first triangle names its vertices: "AC"
+    std::string one;   ///< the triangle drawn first
+    std::string other; ///< and the one drawn later
+    PixelList twice;   ///< that both have drawn; none at a fold
+
+    /// That neither has drawn, near the edge. The sample point lies strictly inside one of the
+    /// triangles, or on the edge but not on its ends, unless it is a fold. Near: at most one pixel
+    /// from the edge, up or down where the edge is flatter than 45 degrees (or just that), to the
+    /// left or right where it is steeper.
+    PixelList never;
+};
+
+/// A vertex that lies on an edge that has no vertex there, or near it.
+struct VertexOnEdge {
+    std::string name;
+    double distance = 0; ///< from the edge, in pixels, as t_junctions.h measures it
+};
+
+/// An edge that one triangle has and no other, with T-junctions: vertices of other triangles lie on
+/// it or near it. Which ones, t_junctions.h says. No rule for shared edges holds there, so it is told
+/// even if no pixel came out wrong: rounded otherwise, one may.
+struct EdgeWithJunctions {
+    std::string name;                   ///< as its triangle names its vertices
+    std::string triangle;               ///< the one that has it
+    std::vector<VertexOnEdge> vertices; ///< from one end of the edge to the other
+    std::vector<std::string> beside;    ///< the triangles whose edges run beside it, the same
+    PixelList twice;                    ///< in its triangle and in one of those; hidden ones too
+
+    /// In none of these, nor in any other triangle that has one of the vertices. The sample point
+    /// lies strictly inside a triangle, or between the edges, or on them; near the edge, as in
+    /// SharedEdge.
+    PixelList never;
+};
+
+/// An outline, and a filled triangle with the same three corners.
+struct OutlineOnFill {
+    std::string outline;
+    std::string fill;
+    PixelList outside; ///< drawn by the outline and not by the fill
+};
+
+/// A scanline step that the steps behind it do not agree with: the pixels from `from` to `to` should
+/// have been plotted, hidden or rejected, each once, and no others.
+struct WrongRow {
+    std::size_t step = 0;
+    std::string primitive;
+    Index y = 0;
+    Index from = 0;
+    Index to = 0;
+    std::uint64_t missing = 0; ///< of the pixels from `from` to `to`
+    std::uint64_t others = 0;  ///< pixels that are none of these, or come again
+};
+
+/// What `stats` can be asked to fail on.
+enum class StatsFinding {
+    holes,   ///< pixels inside a triangle, or between two, that none has drawn
+    twice,   ///< pixels that both triangles at an edge have drawn
+    outside, ///< pixels drawn outside of their triangle
+    rows,    ///< scanline steps that the steps behind them do not agree with
+};
+inline constexpr std::array stats_findings{StatsFinding::holes, StatsFinding::twice,
+                                           StatsFinding::outside, StatsFinding::rows};
+std::string_view name_of(StatsFinding finding);
+std::string names_of(const std::vector<StatsFinding>& findings); ///< "holes, twice"
+
+/// Findings that a trace cannot be judged by.
+struct Unjudged {
+    std::vector<StatsFinding> findings;
+    std::string lacks; ///< `expected "at", ..., found none`
+};
+
+/// Where the sample points are, by the pixels of a trace that does not say so.
+struct FoundSample {
+    bool is_center = false;    ///< by which all is judged
+    bool explains_all = false; ///< it does, and the other one does not; false: neither does
+};
+
+struct Stats {
+    std::uint64_t steps = 0;
+    std::vector<std::pair<std::string, std::uint64_t>> count; ///< by kind, in order of appearance
+    std::uint64_t canvas = 0;                                 ///< pixels that the canvas has
+    std::uint64_t pixels = 0;                                 ///< different pixels drawn
+    std::uint64_t writes = 0;                                 ///< pixel steps on the canvas
+    std::vector<PrimitiveStats> primitives;
+    std::vector<SharedEdge> edges; ///< every pair of triangles with area at every edge
+    std::vector<EdgeWithJunctions> t_junctions;
+    std::vector<OutlineOnFill> outlines; ///< every pair of an outline and a fill
+    std::vector<WrongRow> wrong_rows;
+    std::vector<Unjudged> unjudged;
+
+    /// If the trace does not tell it, and not both of them explain all pixels.
+    std::optional<FoundSample> sample;
+
+    /// Where a triangle of another color had just the depth of the one that is seen, and came too
+    /// late: drawn in another order, the picture would be another one.
+    PixelList depth_ties;
+    std::string frame;          ///< name of the final picture, see frame_name
+    bool frame_differs = false; ///< the end record names another picture
+};
+
+/// Counts, and compares what was drawn with what should have been. Nothing is compared in a trace
+/// that steps were left out of, nor is the last primitive of a truncated trace: pixels that are
+/// missing there were not necessarily missed.
+Stats stats_of(const Trace& trace);
+
+} // namespace rastertrace

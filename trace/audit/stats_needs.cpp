@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "stats_needs.h"
+
+#include "coverage.h"
+
+#include <rastertrace/trace/text/text.h>
+
+#include <fmt/core.h>
+
+#include <utility>
+
+namespace rastertrace {
+
+void StatsNeeds::begin(const StepView& step, std::size_t number) {
+    close();
+    const std::string kind = step.text("kind");
+    primitive_ = {.called = fmt::format("{} {} (step {})", printable(kind),
+                                        printable(step.text("name")), number)};
+    primitive_.is_judged =
+        kind != "line" && kind != "point" && kind != "outline" && step.text("painted") != "false";
+    if (kind != "triangle")
+        primitive_.lacks =
+            "expected a triangle, outline, line or point, found " + primitive_.called;
+    else if (step.field("within"))
+        primitive_.lacks =
+            R"(expected an exact "at" of )" + primitive_.called + R"(, found one with "within")";
+    else if (!positions_in(step, header_))
+        primitive_.lacks = fmt::format(R"(expected "at", three pairs of numbers, of {}, found {})",
+                                       primitive_.called,
+                                       shortened(printable(step.field("at").value_or("none")), 40));
+}
+
+void StatsNeeds::add(const StepView& step, std::optional<StepKind> kind, std::size_t number) {
+    switch (kind.value_or(StepKind::vertex)) {
+    case StepKind::primitive:
+        begin(step, number);
+        break;
+    case StepKind::skip:
+    case StepKind::clip:
+        primitive_.is_undrawn = true;
+        break;
+    case StepKind::scanline:
+    case StepKind::sample:
+    case StepKind::ray:
+        primitive_.tells_its_pixels = true;
+        break;
+    case StepKind::pixel:
+    case StepKind::depth:
+        if (primitive_.first_pixel == 0)
+            primitive_.first_pixel = number;
+        break;
+    default:
+        break;
+    }
+}
+
+void StatsNeeds::close() {
+    const Primitive primitive = std::exchange(primitive_, {});
+    if (!primitive.is_judged)
+        return;
+    const bool has_pixels = primitive.first_pixel != 0;
+    std::string lacks = primitive.lacks;
+    if (primitive.called.empty() && has_pixels)
+        lacks = fmt::format(R"(expected a "primitive" in front of step {}, found none)",
+                            primitive.first_pixel);
+    if (lacks_of_corners_.empty() && (has_pixels || !primitive.is_undrawn))
+        lacks_of_corners_ = lacks;
+    if (lacks_of_rows_.empty() && has_pixels && !primitive.tells_its_pixels)
+        lacks_of_rows_ = fmt::format(R"(expected a "scanline" in front of step {}, found none)",
+                                     primitive.first_pixel);
+}
+
+std::vector<Unjudged> StatsNeeds::unjudged() const {
+    if (header_.is_partial)
+        return {{{stats_findings.begin(), stats_findings.end()},
+                 "expected a trace with all its steps, found one that steps were left out of"}};
+    std::vector<Unjudged> all;
+    if (!lacks_of_corners_.empty())
+        all.push_back(
+            {{StatsFinding::holes, StatsFinding::twice, StatsFinding::outside}, lacks_of_corners_});
+    if (!lacks_of_rows_.empty())
+        all.push_back({{StatsFinding::rows}, lacks_of_rows_});
+    return all;
+}
+
+} // namespace rastertrace

@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: MIT
+#include "check.h"
+
+#include "claim_comparison.h"
+#include "claim_subject.h"
+#include "picture_claim.h"
+#include "wrong_explainer.h"
+
+#include <rastertrace/trace/tell/describe.h>
+#include <rastertrace/trace/tell/working.h>
+#include <rastertrace/trace/text/text.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+namespace rastertrace {
+
+namespace {
+
+/// Checks the claims of one file.
+class Checker {
+public:
+    Checker(const Truth& truth, const Claims& claims) : truth_(truth.index()), claims_(claims) {}
+
+    Checked run() {
+        for (std::size_t i = 0; i < claims_.claims.size(); ++i)
+            compare_claim(i);
+        WrongExplainer explainer(wrong_);
+        for (std::size_t i = 0; i < claims_.claims.size(); ++i)
+            if (subjects_[i])
+                explainer.explain(*subjects_[i], i, checked_.claims[i]);
+        rank_slips(checked_);
+        for (CheckedClaim& claim : checked_.claims)
+            settle(claim);
+        write_workings();
+        return std::move(checked_);
+    }
+
+private:
+    /// What was claimed of a number first.
+    struct Said {
+        Values values;
+        std::size_t line;
+        bool is_right;
+    };
+
+    /// Compares each field with what is told.
+    void compare_claim(std::size_t i) {
+        const Claim& claim = claims_.claims[i];
+        subjects_.emplace_back();
+        if (claim.step == "picture") {
+            if (truth_.decided().trace().is_partial)
+                throw problem_at(claims_.source, claim.offset,
+                                 "expected a trace with all pixels, found one that steps were left "
+                                 "out of");
+            checked_.claims.push_back(check_picture(claim, claims_, truth_.decided()));
+            checked_.claims.back().claim = i;
+            return;
+        }
+        subjects_.back() = subject_of(as_meant(claim), claims_, truth_);
+        const Subject& subject = *subjects_.back();
+        CheckedClaim checked{.claim = i, .step = subject.step};
+        if (subject.is_left_out)
+            checked.remarks.push_back("steps were left out of the trace: it may be one of these");
+        else if (!subject.absence.empty())
+            checked.remarks.push_back(subject.absence);
+        snap_if_whole(*subjects_.back());
+        for (const ClaimedField* field : subject.fields)
+            checked.fields.push_back(compare_field(*field, i, checked));
+        // A claim without values says that there is such a step.
+        if (subject.fields.empty() && subject.step == 0)
+            checked.fields.push_back({.name = claim.step,
+                                      .verdict = ClaimVerdict::wrong,
+                                      .expected = "none",
+                                      .found = "one"});
+        checked_.claims.push_back(std::move(checked));
+    }
+
+    /// `ABC: ?` is Bresenham's d of a line, and the verdict of a face: what ABC is tells which.
+    const Claim& as_meant(const Claim& claim) {
+        const ClaimedField* const d = claim.find("d");
+        const ClaimedField* const name = claim.find("in");
+        if (claim.step != name_of(StepKind::decide) || d == nullptr || !d->is_list ||
+            d->values != std::vector<std::string>{std::string(open_value)} || name == nullptr ||
+            !names_face(name->values.front(), truth_))
+            return claim;
+        meant_.push_back(std::make_unique<Claim>(claim));
+        Claim& verdict = *meant_.back();
+        verdict.step = name_of(StepKind::face);
+        for (ClaimedField& field : verdict.fields) {
+            field.name = field.name == "in" ? "name" : "culled";
+            field.is_list = false;
+        }
+        return verdict;
+    }
+
+    /// Where a vertex is snapped, whole numbers are its pixel.
+    void snap_if_whole(Subject& subject) {
+        const bool names_pixel =
+            std::any_of(subject.fields.begin(), subject.fields.end(),
+                        [](const ClaimedField* field) { return field->name == "snapped"; });
+        if (subject.kind != StepKind::vertex || subject.step == 0 || names_pixel ||
+            !subject.exact->trace().step(subject.step).field("snapped"))
+            return;
+        for (const ClaimedField*& field : subject.fields) {
+            const auto is_whole = [](const std::string& value) {
+                return value.find_first_of("./") == std::string::npos;
+            };
+            if (field->name == "at" &&
+                std::all_of(field->values.begin(), field->values.end(), is_whole)) {
+                snapped_.push_back(std::make_unique<ClaimedField>(*field));
+                snapped_.back()->name = "snapped";
+                field = snapped_.back().get();
+            }
+        }
+    }
+
+    CheckedField compare_field(const ClaimedField& field, std::size_t order, CheckedClaim& claim) {
+        const Subject& subject = *subjects_.back();
+        CheckedField checked{.name = field.name, .found = joined(field.values, ", ")};
+        const ToldValues exact = told_exactly(subject, field);
+        const bool decides = is_decision(subject.kind, field.name);
+        const ToldValues decided = decides ? told_as_decided(subject, field) : exact;
+        if (!decided && !exact) {
+            refuse_untold(field, subject);
+            checked.expected = "none";
+            checked.verdict = subject.is_left_out ? ClaimVerdict::open : ClaimVerdict::wrong;
+            return checked;
+        }
+        const std::vector<std::string>& right = decided ? *decided : *exact;
+        checked.expected = joined(right, ", ");
+        const bool is_vertex = subject.kind == StepKind::vertex;
+        const NumbersHeld held = numbers_held(subject, field);
+        Comparison comparison = compare(field, right, held, is_vertex);
+        if (decides && exact && decided != exact) {
+            // A value that is still open is not given away.
+            if (!has_open(field))
+                checked.remark = fmt::format("the scene's `{}` has {}, exact arithmetic {}",
+                                             truth_.decided().trace().method_value("scalar"),
+                                             as_written(field, checked.expected),
+                                             as_written(field, joined(*exact, ", ")));
+            if (!comparison.is_right)
+                comparison = compare(field, *exact, held, is_vertex);
+        }
+        note_fit(comparison, checked);
+        if (!comparison.is_right && !comparison.is_open)
+            note_count(field, right, checked);
+        if (!comparison.is_right && field.name == "culled" && subject.decided_step == 0)
+            claim.remarks.emplace_back("the scene culls nothing");
+        if (comparison.is_open)
+            checked.verdict = ClaimVerdict::open;
+        else if (!comparison.is_right)
+            checked.verdict = ClaimVerdict::wrong;
+        note_number(field, right, order, comparison.fit, checked, claim);
+        return checked;
+    }
+
+    /// A value as the claims would have it.
+    std::string as_written(const ClaimedField& field, const std::string& value) const {
+        return claims_.is_table ? std::string(word_for_value(field.name, value)) : value;
+    }
+
+    static bool has_open(const ClaimedField& field) {
+        return std::find(field.values.begin(), field.values.end(), open_value) !=
+               field.values.end();
+    }
+
+    /// A field that nothing is told of: the scene does not have it, or there is no such step.
+    void refuse_untold(const ClaimedField& field, const Subject& subject) const {
+        if (!subject.absence.empty())
+            return;
+        const bool is_depth = field.name == "z" || field.name == "inverse_z";
+        if (is_depth && subject.exact->find(StepKind::depth, {}).empty())
+            throw problem_at(claims_.source, field.offset,
+                             "expected a scene with a depth buffer, found one without",
+                             "--depth inverse-z gives it one");
+        if (subject.kind != StepKind::pixel)
+            throw problem_at(claims_.source, field.offset,
+                             fmt::format("expected a field that the step `{}` has, found {}",
+                                         name_of(subject.kind), field.name));
+    }
+
+    /// Says how a decimal was shortened. One that was cut off is right only where that is asked for.
+    void note_fit(Comparison& comparison, CheckedField& checked) const {
+        if (!comparison.is_right)
+            return;
+        const std::string digits =
+            fmt::format("{} {}", comparison.places, comparison.places == 1 ? "digit" : "digits");
+        if (comparison.fit == Fit::rounded)
+            checked.remark = fmt::format("rounded to {}", digits);
+        if (comparison.fit != Fit::truncated)
+            return;
+        checked.remark = fmt::format("cut off behind {}, not rounded", digits);
+        comparison.is_right = claims_.truncates;
+    }
+
+    /// Says that a list has too few numbers, or too many.
+    static void note_count(const ClaimedField& field, const std::vector<std::string>& right,
+                           CheckedField& checked) {
+        const std::size_t count = field.values.size();
+        // A vertex may be given without a z of 0.
+        const bool lacks_z =
+            field.name == "at" && count == 2 && right.size() == 3 && right[2] == "0";
+        if (field.is_list && count != right.size() && !lacks_z)
+            checked.remark =
+                fmt::format("{} {}, where {} belong{}", count, count == 1 ? "value" : "values",
+                            right.size(), right.size() == 1 ? "s" : "");
+    }
+
+    /// Remembers what is claimed of a number, and tells if somebody claims two things of one.
+    void note_number(const ClaimedField& field, const std::vector<std::string>& right,
+                     std::size_t order, Fit fit, CheckedField& checked, CheckedClaim& claim) {
+        const Subject& subject = *subjects_.back();
+        const std::string name = name_of_number(subject, field);
+        const Values values = claimed_values(field, right);
+        if (values.empty() || checked.verdict == ClaimVerdict::open)
+            return;
+        const std::size_t line = claims_.claims[order].line;
+        const bool is_right = checked.verdict == ClaimVerdict::right;
+        const auto [place, is_new] = claimed_.try_emplace(name, Said{values, line, is_right});
+        const Said& first = place->second;
+        const std::string remark = fmt::format("contradicts line {}", first.line);
+        // Two roundings of one number are no contradiction.
+        if (!is_new && first.values != values && first.line != line &&
+            !(first.is_right && is_right) &&
+            std::find(claim.remarks.begin(), claim.remarks.end(), remark) == claim.remarks.end())
+            claim.remarks.push_back(remark);
+        // Who has rounded a number goes on from what is written.
+        if (checked.verdict == ClaimVerdict::wrong || values != true_values(right))
+            wrong_.try_emplace(
+                name, WrongNumber{values, order, line, field.name, is_right && fit != Fit::exact});
+    }
+
+    /// What is told, as claimed_values has it.
+    static Values true_values(const std::vector<std::string>& told) {
+        return claimed_values({.name = {}, .values = told}, told);
+    }
+
+    /// What a claim's fields make of it.
+    void settle(CheckedClaim& claim) {
+        const auto has = [&claim](ClaimVerdict verdict) {
+            return std::any_of(claim.fields.begin(), claim.fields.end(),
+                               [&](const auto& field) { return field.verdict == verdict; });
+        };
+        const bool is_open =
+            std::all_of(claim.fields.begin(), claim.fields.end(),
+                        [](const auto& field) { return field.verdict == ClaimVerdict::open; });
+        claim.verdict = has(ClaimVerdict::wrong)           ? ClaimVerdict::wrong
+                        : has(ClaimVerdict::follows)       ? ClaimVerdict::follows
+                        : is_open && !claim.fields.empty() ? ClaimVerdict::open
+                                                           : ClaimVerdict::right;
+        ++(claim.verdict == ClaimVerdict::right     ? checked_.right
+           : claim.verdict == ClaimVerdict::wrong   ? checked_.wrong
+           : claim.verdict == ClaimVerdict::follows ? checked_.follow
+                                                    : checked_.open);
+    }
+
+    /// The working of each wrong claim's step. A replay goes forward once.
+    void write_workings() {
+        std::map<std::pair<const StepIndex*, std::size_t>, std::vector<CheckedClaim*>> by_step;
+        for (std::size_t i = 0; i < checked_.claims.size(); ++i) {
+            CheckedClaim& claim = checked_.claims[i];
+            if (claim.verdict != ClaimVerdict::wrong || !subjects_[i])
+                continue;
+            const auto wrong =
+                std::find_if(claim.fields.begin(), claim.fields.end(), [](const auto& field) {
+                    return field.verdict == ClaimVerdict::wrong;
+                });
+            if (const std::size_t step = step_of(*subjects_[i], wrong->name); step != 0)
+                by_step[{subjects_[i]->exact, step}].push_back(&claim);
+        }
+        std::optional<Replay> replay;
+        for (const auto& [place, claims] : by_step) {
+            const auto& [index, step] = place;
+            if (!replay || &replay->trace() != &index->trace())
+                replay.emplace(index->trace(), FrameParts{.depths = true});
+            replay->go_to(step);
+            std::vector<std::string> working{describe_step(*replay)};
+            for (std::string& line : working_of(*replay))
+                working.push_back(std::move(line));
+            for (CheckedClaim* claim : claims)
+                claim->working = working;
+        }
+    }
+
+    const TruthIndex& truth_;
+    const Claims& claims_;
+    Checked checked_;
+    std::vector<std::optional<Subject>> subjects_; ///< of each claim; none of a picture
+    std::vector<std::unique_ptr<ClaimedField>> snapped_;
+    std::vector<std::unique_ptr<Claim>>
+        meant_;                           ///< claims that are about something else than was read
+    std::map<std::string, Said> claimed_; ///< first, by number
+    WrongNumbers wrong_;
+};
+
+} // namespace
+
+Checked check(const Truth& truth, const Claims& claims) {
+    return Checker(truth, claims).run();
+}
+
+} // namespace rastertrace

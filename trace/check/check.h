@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Claims held against a scene, or against a trace: which are right, and of the wrong ones the right
+// value, how it is worked out, and the likely slip.
+//
+//     Truth truth(std::move(scene_source), {});
+//     const Checked checked = check(truth, claims);
+//     checked.claims[2].fields[0].expected;  // "-1/4"
+//
+// A claim is a step with fields left out. Its key fields (step_kind.h) find the step, `in` names the
+// step's primitive; the others are compared. Fields that are no fields of the trace, but follow from it:
+//
+//     pixel   plotted              the final picture has the pixel
+//             inside               a primitive has it, seen or hidden
+//             z, inverse_z         of what is seen there
+//             color                that is seen there
+//     face    centroid, plane      of the corners in the world; A, B, C, D of A x + B y + C z + D = 0
+//     decide  d                    a list: all of a line, in order
+
+#include "claims.h"
+
+#include <rastertrace/trace/record/trace.h>
+#include <rastertrace/trace/scene/vary.h>
+#include <rastertrace/trace/text/input.h>
+#include <rastertrace/trace/text/method_names.h>
+#include <rastertrace/trace/text/problem.h>
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rastertrace {
+
+class TruthIndex;
+
+/// What claims are held against. Of a scene: values against exact arithmetic, decisions against the scene's
+/// own method and scalar, both drawn when someone asks. Of a trace: what it tells.
+class Truth {
+public:
+    explicit Truth(Trace trace);
+
+    /// Throws a Problem if the scene cannot be drawn.
+    Truth(Source scene, MethodOverrides overrides, InputLimits limits = {},
+          FrameChoice frames = {});
+    Truth(Truth&&) noexcept;
+    ~Truth();
+
+    /// Decided by the scene's own method and scalar.
+    const Trace& decided() const;
+
+    /// The same scene in exact numbers; the trace itself if there is no scene.
+    const Trace& exact() const;
+
+    /// The same with every face tested, whether the scene culls or not; nullptr if there is no scene.
+    const Trace* with_faces() const;
+
+    /// What can be drawn, but is probably not what the scene's author meant.
+    const std::vector<Problem>& remarks() const;
+
+    /// For check(): its steps by their keys, found once for all files of claims.
+    const TruthIndex& index() const;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+/// What has been found about a claim, or about one of its fields.
+enum class ClaimVerdict {
+    right,
+    wrong,
+    follows, ///< wrong only because it goes on from a wrong number, which was claimed elsewhere
+    open,    ///< `?`: not worked out yet
+};
+
+/// A mistake that gives the number which was claimed.
+struct LikelySlip {
+    std::string name;    ///< of slips.h
+    std::string meaning; ///< in words
+};
+
+/// What has been found about one field of a claim.
+struct CheckedField {
+    std::string name; ///< of the field
+    ClaimVerdict verdict = ClaimVerdict::right;
+    std::string expected = {}; ///< as it would be written: "-1/4", "2, 5"
+    std::string found = {};
+    std::string remark =
+        {}; ///< "rounded to 2 digits", or what the scalar decides otherwise; may be empty
+
+    /// Of a wrong one: most likely first, which is the one that explains most of the wrong fields.
+    std::vector<LikelySlip> slips = {};
+
+    /// Where the number stands that it goes on from: its line, which may be the field's own, and its field.
+    std::size_t follows_from = 0;
+    std::string follows_from_field = {};
+    bool follows_from_rounded = false; ///< that number is right, but rounded
+};
+
+struct CheckedClaim {
+    std::size_t claim = 0; ///< which one of the claims
+    ClaimVerdict verdict = ClaimVerdict::right;
+    std::vector<CheckedField> fields = {}; ///< those that were compared, in the claim's order
+    std::size_t step = 0;                  ///< of the exact trace that it is about; 0 for none
+
+    /// Of a wrong one: what is to be known besides (there is no such row; contradicts line 3), then how the
+    /// right values are worked out.
+    std::vector<std::string> remarks = {};
+    std::vector<std::string> working = {};
+
+    /// Of a picture that differs: `#` right, `!` extra, `?` missing, `.` empty, blank left open, each row with what the
+    /// trace tells of it behind it.
+    std::vector<std::string> picture = {};
+};
+
+struct Checked {
+    std::size_t right = 0;
+    std::size_t wrong = 0;
+    std::size_t follow = 0;
+    std::size_t open = 0;
+    std::vector<CheckedClaim> claims; ///< one for each, in their order
+};
+
+/// Checks every claim. Throws a Problem, which points at the claim, if one is about a name that the scene
+/// does not have, or if it does not say which of several steps is meant.
+Checked check(const Truth& truth, const Claims& claims);
+
+} // namespace rastertrace

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "claim_comparison.h"
+
+#include <rastertrace/core/numbers/number.h>
+#include <rastertrace/trace/tell/step_text.h>
+#include <rastertrace/trace/text/color_text.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <string_view>
+
+namespace rastertrace {
+
+namespace {
+
+struct ClaimedNumber {
+    Rational value;
+    std::optional<int> places = {}; ///< digits behind the point, of a decimal
+};
+
+/// Nothing of a text that is no number.
+std::optional<ClaimedNumber> claimed_number(std::string_view text) {
+    const auto value = number_in(text);
+    if (!value)
+        return std::nullopt;
+    const std::size_t point = text.find('.');
+    if (point == std::string_view::npos)
+        return ClaimedNumber{*value};
+    // 1.25e-3 has five digits behind the point.
+    const std::size_t mark = std::min(text.find_first_of("eE"), text.size());
+    int exponent = 0;
+    const std::string_view power = text.substr(std::min(mark + 1, text.size()));
+    const std::size_t sign = power.starts_with('+') ? 1 : 0;
+    std::from_chars(power.data() + sign, power.data() + power.size(), exponent);
+    return ClaimedNumber{*value, static_cast<int>(mark - point - 1) - exponent};
+}
+
+/// How a claimed number is the true one.
+Fit fit_of(const ClaimedNumber& claimed, const Rational& truth) {
+    if (claimed.value == truth)
+        return Fit::exact;
+    constexpr int most_places = 1000; // more than anybody writes
+    const int places = claimed.places.value_or(0);
+    if (!claimed.places || places < 0 || places > most_places)
+        return Fit::none;
+    mpz_class power;
+    mpz_ui_pow_ui(power.get_mpz_t(), 10, static_cast<unsigned long>(places));
+    if (2 * abs(claimed.value - truth) * power <= 1)
+        return Fit::rounded;
+    const Rational scaled = truth * power;
+    const mpz_class cut = scaled.get_num() / scaled.get_den(); // toward 0
+    return claimed.value * power == cut ? Fit::truncated : Fit::none;
+}
+
+/// True if two numbers are one as far as numbers that are no fractions tell.
+bool is_near(const Rational& a, const Rational& b, NumbersHeld held) {
+    if (held == NumbersHeld::fractions)
+        return false;
+    if (held == NumbersHeld::nearest_doubles)
+        return nearest_double(a) == nearest_double(b);
+    const double last_bits = held == NumbersHeld::floats ? 1e-6 : 1e-14;
+    const double difference = std::abs(nearest_double(a - b));
+    return difference <= last_bits * std::abs(nearest_double(b));
+}
+
+void compare_one(Comparison& comparison, const std::string& claimed, const std::string& told,
+                 NumbersHeld held) {
+    if (claimed == open_value)
+        return;
+    comparison.is_open = false;
+    const auto number = claimed_number(claimed);
+    const auto truth = number_in(told);
+    if (!number || !truth) {
+        const auto color = parse_color(claimed);
+        const bool is_same = claimed == told || (color && color == parse_color(told));
+        comparison.is_right = comparison.is_right && is_same;
+        return;
+    }
+    const Fit fit = is_near(number->value, *truth, held) ? Fit::exact : fit_of(*number, *truth);
+    if (fit == Fit::none)
+        comparison.is_right = false;
+    if (fit != Fit::exact)
+        comparison.places = std::max(comparison.places, number->places.value_or(0));
+    comparison.fit = std::max(comparison.fit, fit);
+}
+
+} // namespace
+
+Comparison compare(const ClaimedField& claimed, const std::vector<std::string>& told,
+                   NumbersHeld held, bool may_lack_z) {
+    Comparison comparison;
+    const std::size_t count = claimed.values.size();
+    comparison.is_right =
+        count == told.size() || (may_lack_z && count == 2 && told.size() == 3 && told[2] == "0");
+    for (std::size_t i = 0; i < count; ++i)
+        compare_one(comparison, claimed.values[i], i < told.size() ? told[i] : std::string(), held);
+    return comparison;
+}
+
+Values claimed_values(const ClaimedField& field, const std::vector<std::string>& told) {
+    Values values;
+    for (std::size_t i = 0; i < std::max(field.values.size(), told.size()); ++i) {
+        const bool is_claimed = i < field.values.size() && field.values[i] != open_value;
+        const std::string& text = is_claimed        ? field.values[i]
+                                  : i < told.size() ? told[i]
+                                                    : field.name;
+        const auto number = text == "true"    ? std::optional(Rational(1))
+                            : text == "false" ? std::optional(Rational(0))
+                                              : number_in(text);
+        if (!number)
+            return {};
+        values.push_back(*number);
+    }
+    return values;
+}
+
+bool gives(const Values& values, const ClaimedField& claimed) {
+    const std::size_t count = claimed.values.size();
+    const bool lacks_only_z = count == 2 && values.size() == 3 && sgn(values[2]) == 0;
+    if (count != values.size() && !lacks_only_z)
+        return false;
+    for (std::size_t i = 0; i < claimed.values.size(); ++i) {
+        const std::string& text = claimed.values[i];
+        if (text == open_value)
+            continue;
+        if (text == "true" || text == "false") {
+            if (values[i] != (text == "true" ? 1 : 0))
+                return false;
+            continue;
+        }
+        const auto number = claimed_number(text);
+        if (!number || fit_of(*number, values[i]) == Fit::none)
+            return false;
+    }
+    return true;
+}
+
+} // namespace rastertrace

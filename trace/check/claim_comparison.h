@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What somebody wrote down, held against what is told: 0.33 is 1/3, rounded to 2 digits.
+//
+//     compare(field, {"1/3"}, NumbersHeld::fractions, false).fit;  // Fit::rounded
+
+#include "claims.h"
+
+#include <rastertrace/trace/tell/formula.h>
+
+#include <string>
+#include <vector>
+
+namespace rastertrace {
+
+/// How a claimed number is the true one.
+enum class Fit {
+    exact,
+    rounded,   ///< to the digits written
+    truncated, ///< cut off behind the digits written, and not rounded to them
+    none,
+};
+
+/// How a claimed value, or a list of them, is the one that is told.
+struct Comparison {
+    bool is_right = true;
+    bool is_open = true; ///< nothing of it has been worked out
+    int places = 0;      ///< of a decimal that was rounded or cut off
+    Fit fit = Fit::exact;
+};
+
+/// What kind of numbers is told: where they are rounded, a fraction is right that rounds to them.
+enum class NumbersHeld {
+    fractions,
+    nearest_doubles, ///< rounded once, at the end
+    doubles,         ///< rounded on the way
+    floats,
+};
+
+/// Compares a field with what is told of it. A vertex may be given without a z of 0.
+Comparison compare(const ClaimedField& claimed, const std::vector<std::string>& told,
+                   NumbersHeld held, bool may_lack_z);
+
+/// The numbers of a claim, 1 and 0 for true and false; what is open as it is told. Nothing if one is no number.
+Values claimed_values(const ClaimedField& field, const std::vector<std::string>& told);
+
+/// True if somebody who found these values would have written the claim.
+bool gives(const Values& values, const ClaimedField& claimed);
+
+} // namespace rastertrace

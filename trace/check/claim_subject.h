@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The step that a claim is about, and what its fields say.
+
+#include "check.h"
+#include "claim_comparison.h"
+#include "derivation.h"
+#include "step_index.h"
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace rastertrace {
+
+/// The traces that claims are held against, each with its index.
+class TruthIndex {
+public:
+    /// No `exact`: the decided one is. `draw_faces` gives the trace that has every face tested, or nullptr.
+    TruthIndex(const Trace& decided, const Trace* exact, std::function<const Trace*()> draw_faces)
+        : decided_(decided), draw_faces_(std::move(draw_faces)) {
+        if (exact != nullptr)
+            exact_.emplace(*exact);
+    }
+
+    const StepIndex& decided() const { return decided_; }
+    const StepIndex& exact() const { return exact_ ? *exact_ : decided_; }
+
+    /// The one that has the tests of all faces, toward the eye: the exact one, if it has any.
+    const StepIndex& faces() const;
+
+private:
+    StepIndex decided_;
+    std::optional<StepIndex> exact_;
+    std::function<const Trace*()> draw_faces_;
+    mutable std::optional<StepIndex> faces_;
+};
+
+/// What a claim is about: a step, in the exact trace and in that of the scene's own method and scalar; or a
+/// pixel of the final picture, which may have no step.
+struct Subject {
+    StepKind kind;
+    const StepIndex* exact = nullptr;
+    const StepIndex* decided = nullptr;
+    StepIndex::Keys keys = {};
+    std::vector<const ClaimedField*> fields = {}; ///< those that are compared
+    std::size_t step = 0;                         ///< of `exact`; 0: there is none
+    std::size_t decided_step = 0;                 ///< of `decided`
+    std::string absence = {};                     ///< why there is no such step
+    bool is_left_out = false; ///< it may be one of those that the trace leaves out
+    bool culls = true;        ///< of a face: the scene tests faces by itself
+};
+
+/// Finds it. Throws a Problem that points at a name which the scene does not have, or at a claim that several
+/// steps could be meant by.
+Subject subject_of(const Claim& claim, const Claims& claims, const TruthIndex& truth);
+
+/// True if a name is that of a face, and of no line that Bresenham's decisions are told of. Where there are no such
+/// lines, a name that nothing has is taken for that of a face.
+bool names_face(const std::string& name, const TruthIndex& truth);
+
+/// What is told of a field, as the trace writes it; of a list, or a list of lists, each element. Fields of
+/// check.h are worked out. nullopt if nothing is.
+using ToldValues = std::optional<std::vector<std::string>>;
+
+/// In one step.
+ToldValues told_in(const StepIndex& index, std::size_t step, const ClaimedField& field);
+
+/// By exact arithmetic.
+ToldValues told_exactly(const Subject& subject, const ClaimedField& field);
+
+/// By the scene's own method and scalar.
+ToldValues told_as_decided(const Subject& subject, const ClaimedField& field);
+
+/// What kind of numbers the exact trace tells a field in. A cosine is a double, though all else is a fraction.
+NumbersHeld numbers_held(const Subject& subject, const ClaimedField& field);
+
+/// The formulas that a field can be worked out by, see derivation.h.
+std::vector<Formula> formulas_of(const Subject& subject, const Numbers& numbers,
+                                 std::string_view field);
+
+/// Where the number stands that a field is about, see derivation.h; a pixel's by where it lies.
+std::string name_of_number(const Subject& subject, const ClaimedField& field);
+
+/// The step that shows how a field is worked out; 0 for none.
+std::size_t step_of(const Subject& subject, std::string_view field);
+
+/// The field of that name; nullptr if the kind has none.
+const StepField* field_of(StepKind kind, std::string_view name);
+
+/// True if a field tells what was decided, and not a number that is worked out.
+bool is_decision(StepKind kind, std::string_view field);
+
+} // namespace rastertrace

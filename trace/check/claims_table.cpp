@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// Claims in a table, line by line.
+
+#include "claims_table.h"
+
+#include "claim_fields.h"
+#include "claim_forms.h"
+
+#include <rastertrace/trace/text/text.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace rastertrace {
+
+namespace {
+
+/// Reads the lines of a table. What is wrong is thrown as a Problem.
+class TableReader {
+public:
+    explicit TableReader(Claims& claims) : claims_(claims) {}
+
+    void read() {
+        const std::string_view text = claims_.source.text;
+        std::size_t begin = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
+        for (std::size_t number = 1; begin < text.size(); ++number) {
+            const std::size_t end = std::min(text.find('\n', begin), text.size());
+            read_line(number, begin, end);
+            begin = end + 1;
+        }
+        if (in_picture_)
+            read_row(text.size(), text.size());
+    }
+
+private:
+    void read_line(std::size_t number, std::size_t begin, std::size_t end) {
+        if (in_picture_)
+            return read_row(begin, end);
+        ClaimLine line(claims_.source, begin, end);
+        if (line.at_end())
+            return;
+        if (line.take("scene", ":"))
+            return read_scene(line);
+        if (line.take("round", ":"))
+            return read_round(line);
+        Claim claim{.line = number,
+                    .offset = line.peek().offset,
+                    .text = std::string(line.text()),
+                    .step = {},
+                    .fields = {},
+                    .picture = {}};
+        if (line.take("picture", ":")) {
+            line.expect_end();
+            claim.step = "picture";
+            in_picture_ = true;
+        } else {
+            read_claim(line, claim);
+        }
+        claims_.claims.push_back(std::move(claim));
+    }
+
+    /// A row of a picture; a blank line ends it.
+    void read_row(std::size_t begin, std::size_t end) {
+        std::vector<std::string>& rows = claims_.claims.back().picture;
+        const std::string_view text = claims_.source.text;
+        const std::string_view row = without_blanks(text.substr(begin, end - begin));
+        const auto fail = [&](std::string message, std::string hint) {
+            throw problem_at(claims_.source, static_cast<std::size_t>(row.data() - text.data()),
+                             std::move(message), std::move(hint));
+        };
+        in_picture_ = !row.empty();
+        if (!in_picture_ && rows.empty())
+            fail("expected the rows of a picture, found none", "");
+        if (!in_picture_)
+            return;
+        rows.emplace_back(row);
+        if (const auto fault = fault_in_last_row(rows))
+            fail(*fault, "a picture ends with a blank line");
+    }
+
+    void read_scene(ClaimLine& line) {
+        if (!claims_.scene.empty())
+            line.fail_at_begin("expected one line `scene:`, found another");
+        claims_.scene = line.rest();
+        if (claims_.scene.empty())
+            line.fail(line.peek(), "the name of a scene file");
+    }
+
+    void read_round(ClaimLine& line) {
+        if (has_round_)
+            line.fail_at_begin("expected one line `round:`, found another");
+        has_round_ = true;
+        const ClaimWord word = line.next();
+        if (!word.is("nearest") && !word.is("truncate"))
+            line.fail(word, "nearest or truncate",
+                      did_you_mean(word.text, {"nearest", "truncate"}));
+        claims_.truncates = word.is("truncate");
+        line.expect_end();
+    }
+
+    Claims& claims_;
+    bool in_picture_ = false;
+    bool has_round_ = false;
+};
+
+} // namespace
+
+void read_claims_table(Claims& claims) {
+    TableReader(claims).read();
+}
+
+std::string name_in_table(std::string_view name) {
+    const auto words = first_words();
+    const bool is_plain = is_one_word(name) && name != open_value && name != "color" &&
+                          std::find(words.begin(), words.end(), name) == words.end() &&
+                          json_quoted(name).size() == name.size() + 2; // nothing escaped
+    return is_plain ? std::string(name) : json_quoted(name);
+}
+
+} // namespace rastertrace

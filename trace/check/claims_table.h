@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Claims as people write them, one line each.
+//
+//     y=2: -1/4, 25/8 -> -1..3
+//     (3,2): on
+//     A screen: 2, 5
+
+#include "claims.h"
+
+#include <string>
+#include <string_view>
+
+namespace rastertrace {
+
+/// Reads `claims.source` as a table into `claims`. What is wrong is thrown as a Problem.
+void read_claims_table(Claims& claims);
+
+/// A name as a word of the table: in quotes where it could be taken for something else.
+std::string name_in_table(std::string_view name);
+
+} // namespace rastertrace

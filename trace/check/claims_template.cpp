@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+#include "claims_template.h"
+
+#include "claim_line.h"
+#include "claims.h"
+#include "claims_table.h"
+
+#include <rastertrace/trace/text/text.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace rastertrace {
+
+namespace {
+
+/// More lines than anyone fills in.
+constexpr std::size_t most_lines = 500;
+
+/// The largest picture that is drawn by hand, in pixels along a side.
+constexpr int largest_picture = 40;
+
+/// `?, ?, ?`
+std::string open_values(std::size_t count, std::string_view separator) {
+    return joined(std::vector<std::string>(count, std::string(open_value)), separator);
+}
+
+/// Writes the lines of a trace step by step.
+class TemplateWriter {
+public:
+    explicit TemplateWriter(const Trace& trace) : trace_(trace) {
+        for (std::size_t n = 1; n <= trace.size(); ++n) {
+            const auto kind = trace.kind_of(n);
+            const StepView step = trace.step(n);
+            primitives_ += kind == StepKind::primitive ? 1 : 0;
+            if (kind == StepKind::depth)
+                ++tests_[{step.whole("x").value_or(0), step.whole("y").value_or(0)}];
+        }
+    }
+
+    std::string write() {
+        for (std::size_t n = 1; n <= trace_.size(); ++n)
+            if (const auto kind = trace_.kind_of(n))
+                add(*kind, trace_.step(n));
+        end_line_of_d();
+        if (left_out_ > 0)
+            text_ += fmt::format("# and {} more lines\n", left_out_);
+        add_picture();
+        return std::move(text_);
+    }
+
+private:
+    void add(StepKind kind, const StepView& step) {
+        if (kind != StepKind::decide && kind != StepKind::pixel && kind != StepKind::depth)
+            end_line_of_d();
+        switch (kind) {
+        case StepKind::vertex:
+            return add_vertex(step);
+        case StepKind::order:
+            return add_line(kind, "order: " + open_values(step.texts("names").size(), ", "));
+        case StepKind::primitive:
+            primitive_ = step.text("name");
+            is_line_ = step.text("kind") == "line";
+            return;
+        case StepKind::face:
+            return add_face(step);
+        case StepKind::light:
+            return add_line(kind, fmt::format("intensity {}: ?", name_in_table(step.text("name"))));
+        case StepKind::edge:
+            if (step.field("dx_dy").value_or("null") != "null")
+                add_line(kind, fmt::format("{}edge {}: ?", of_primitive(),
+                                           name_in_table(step.text("edge"))));
+            return;
+        case StepKind::scanline:
+            return add_row(step);
+        case StepKind::decide:
+            decisions_ += is_line_ ? 1 : 0;
+            return;
+        case StepKind::depth:
+            return add_depth(step);
+        default:
+            return;
+        }
+    }
+
+    /// What the scene's author typed needs no working out.
+    void add_vertex(const StepView& step) {
+        const std::string space = step.text("space");
+        const auto open = [&step](std::string_view field) {
+            return open_values(step.texts(field).size(), ", ");
+        };
+        if (space != "object")
+            add_line(StepKind::vertex,
+                     fmt::format("{} {}: {}{}", name_in_table(step.text("name")), space, open("at"),
+                                 step.field("snapped") ? " -> " + open("snapped") : ""));
+    }
+
+    void add_face(const StepView& step) {
+        const std::string name = name_in_table(step.text("name"));
+        for (const std::string_view what : {"normal", "centroid", "view"})
+            add_line(StepKind::face, fmt::format("{} {}: ?, ?, ?", what, name));
+        add_line(StepKind::face, fmt::format("dot {}: ? ?", name));
+    }
+
+    void add_row(const StepView& step) {
+        const std::string row = fmt::format("{}y={}", of_primitive(), step.text("y"));
+        add_line(StepKind::scanline, row + ": ?, ? -> ?..?");
+        if (step.field("left_depth"))
+            add_line(StepKind::scanline, row + " depth: ?, ?");
+    }
+
+    void add_depth(const StepView& step) {
+        const Index x = step.whole("x").value_or(0);
+        const Index y = step.whole("y").value_or(0);
+        if (tests_[{x, y}] > 1)
+            add_line(StepKind::scanline, // it stands below its row
+                     fmt::format("depth {} ({},{}): ? ?", name_in_table(primitive_), x, y));
+    }
+
+    /// Bresenham's d, all of a line at once.
+    void end_line_of_d() {
+        if (decisions_ > 0)
+            add_line(StepKind::decide, fmt::format("{}: {}", name_in_table(primitive_),
+                                                   open_values(decisions_, " ")));
+        decisions_ = 0;
+    }
+
+    void add_picture() {
+        const Canvas& canvas = trace_.canvas;
+        if (canvas.width > largest_picture || canvas.height > largest_picture)
+            return;
+        text_ += text_.empty() ? "picture:\n" : "\npicture:\n";
+        for (int row = 0; row < canvas.height; ++row)
+            text_ += std::string(static_cast<std::size_t>(canvas.width), '?') + "\n";
+    }
+
+    /// `ABC `, where there is more than one primitive.
+    std::string of_primitive() const {
+        return primitives_ > 1 ? name_in_table(primitive_) + " " : "";
+    }
+
+    /// Adds a line once, with a blank line before it if it begins another group.
+    void add_line(StepKind group, const std::string& line) {
+        if (!lines_.insert(line).second)
+            return;
+        if (lines_.size() > most_lines) {
+            ++left_out_;
+            return;
+        }
+        if (!text_.empty() && group != last_group_)
+            text_ += '\n';
+        last_group_ = group;
+        text_ += line + "\n";
+    }
+
+    const Trace& trace_;
+    std::size_t primitives_ = 0;
+    std::map<std::pair<Index, Index>, std::size_t> tests_; ///< depth tests of each pixel
+    std::string primitive_;                                ///< the name of the current one
+    bool is_line_ = false;                                 ///< and if it is a line
+    std::size_t decisions_ = 0;                            ///< of the current line
+    std::string text_;
+    std::set<std::string> lines_;
+    std::size_t left_out_ = 0;
+    StepKind last_group_ = StepKind::triangulate;
+};
+
+} // namespace
+
+std::string claims_template(const Trace& trace) {
+    return TemplateWriter(trace).write();
+}
+
+std::string scene_line(std::string_view path) {
+    // A name in quotes is read as in JSON; without quotes it goes from its first word to a comment.
+    const bool is_plain = path.find('#') == std::string_view::npos &&
+                          without_blanks(path).size() == path.size() &&
+                          json_quoted(path).size() == path.size() + 2; // nothing escaped
+    return fmt::format("# a relative name is looked for from the folder of this file\nscene: {}\n",
+                       is_plain ? std::string(path) : json_quoted(path));
+}
+
+} // namespace rastertrace

@@ -1,0 +1,448 @@
+// SPDX-License-Identifier: MIT
+#include "derivation.h"
+
+#include <rastertrace/trace/tell/describe.h>
+#include <rastertrace/trace/tell/step_text.h>
+#include <rastertrace/trace/text/method_names.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace rastertrace {
+
+Method method_of(const Trace& trace) {
+    Method method;
+    for (const auto& [name, value] : trace.method)
+        // Of two values, the first is that of spans.
+        if (const MethodKey* key = find_method_key(name))
+            key->set(method, value.substr(0, value.find('+')));
+    return method;
+}
+
+namespace {
+
+using Formulas = std::vector<Formula>;
+
+/// The formulas of one step's fields.
+class Deriver {
+public:
+    Deriver(const Numbers& numbers, std::size_t step)
+        : numbers_(numbers), step_(step), view_(numbers.step(step)),
+          primitive_(numbers.index().primitive_of(step)) {}
+
+    Formulas of_edge() const;
+    Formulas of_row_end(const std::string& side) const;
+    Formulas of_row_depth(const std::string& side) const;
+    Formulas of_row_pixel(const std::string& field) const;
+    Formulas of_place() const;
+    Formulas of_snapped() const;
+    Formulas of_face(std::string_view field) const;
+    Formulas of_decisions() const;
+    Formulas of_along() const;
+    Formulas of_weights() const;
+    Formulas of_depth(bool as_z, bool as_inverse) const;
+    Formulas of_depth_test() const;
+
+private:
+    struct Edge {
+        Vec2 from;
+        Vec2 to;
+        std::optional<Vec2> other;
+        std::array<std::size_t, 2> corners; ///< which of the primitive's they are
+    };
+
+    /// An edge of the step's primitive, found by its name.
+    std::optional<Edge> edge_named(const std::string& name) const {
+        if (primitive_ == 0)
+            return std::nullopt;
+        const PrimitiveText text = primitive_in(numbers_.step(primitive_));
+        for (std::size_t i = 0; i < text.vertices.size(); ++i)
+            for (std::size_t k = 0; k < text.vertices.size(); ++k) {
+                if (i == k || edge_name(text, i, k) != name)
+                    continue;
+                const auto from = numbers_.corner(primitive_, i);
+                const auto to = numbers_.corner(primitive_, k);
+                if (!from || !to)
+                    return std::nullopt;
+                return Edge{*from,
+                            *to,
+                            text.vertices.size() == 3 ? numbers_.corner(primitive_, 3 - i - k)
+                                                      : std::nullopt,
+                            {i, k}};
+            }
+        return std::nullopt;
+    }
+
+    /// The first `edge` step of an edge in the step's primitive.
+    std::size_t edge_step(const std::string& name) const {
+        for (const std::size_t n : numbers_.index().find(StepKind::edge, {{"edge", name}}))
+            if (numbers_.index().primitive_of(n) == primitive_)
+                return n;
+        return 0;
+    }
+
+    Rational sample_y() const { return *number_in(view_, "y") + sample_offset(numbers_.trace()); }
+
+    std::optional<std::array<Vec3, 3>> world_corners(std::size_t primitive) const;
+    std::optional<Vec3> vector_in(std::string_view field) const {
+        const Values values = numbers_.of(step_, field);
+        return values.size() == 3 ? std::optional(Vec3{values[0], values[1], values[2]})
+                                  : std::nullopt;
+    }
+    std::optional<MixedDepth> depth_in_row() const;
+    std::optional<MixedDepth> depth_in_triangle() const;
+    bool has_inverse_z() const { return numbers_.trace().method_value("depth") == "inverse-z"; }
+    std::optional<std::array<Vec2, 3>> corners() const;
+
+    const Numbers& numbers_;
+    std::size_t step_;
+    StepView view_;
+    std::size_t primitive_;
+};
+
+Formulas Deriver::of_edge() const {
+    const auto edge = edge_named(view_.text("edge"));
+    if (!edge)
+        return {};
+    return {{Slope{edge->from, edge->to, edge->other}}};
+}
+
+/// On the edge; or one slope on from the row before or behind, which may be what somebody did.
+Formulas Deriver::of_row_end(const std::string& side) const {
+    const std::string name = view_.text(side + "_edge");
+    const auto edge = edge_named(name);
+    if (!edge)
+        return {};
+    const Rational y = sample_y();
+    Lerp lerp{.d1 = edge->from.x, .i1 = edge->from.y, .d2 = edge->to.x, .i2 = edge->to.y, .i = y};
+    if (edge->other)
+        lerp.other = {edge->other->x, edge->other->y};
+    Formulas formulas{{lerp}};
+    const auto slope = numbers_.one(edge_step(name), "dx_dy");
+    if (!slope)
+        return formulas;
+    Lerp by_slope = lerp;
+    by_slope.step = slope;
+    formulas.push_back({by_slope});
+    if (!numbers_.takes_only_claims())
+        return formulas;
+    for (const int rows : {1, -1}) {
+        const Rational beside = *number_in(view_, "y") + rows;
+        for (const std::size_t n :
+             numbers_.index().find(StepKind::scanline, {{"y", beside.get_str()}}))
+            for (const std::string one : {"left", "right"})
+                if (numbers_.index().primitive_of(n) == primitive_ &&
+                    numbers_.step(n).text(one + "_edge") == name)
+                    if (const auto x = numbers_.one(n, one))
+                        formulas.push_back({Lerp{.d1 = *x,
+                                                 .i1 = y + rows,
+                                                 .d2 = edge->to.x,
+                                                 .i2 = edge->to.y,
+                                                 .i = y,
+                                                 .step = slope}});
+    }
+    return formulas;
+}
+
+Formulas Deriver::of_row_depth(const std::string& side) const {
+    const auto edge = edge_named(view_.text(side + "_edge"));
+    const Values depths = numbers_.of(primitive_, "depths");
+    if (!edge || depths.size() != 3)
+        return {};
+    Lerp lerp{.d1 = depths[edge->corners[0]],
+              .i1 = edge->from.y,
+              .d2 = depths[edge->corners[1]],
+              .i2 = edge->to.y,
+              .i = sample_y(),
+              .is_inverse_z = has_inverse_z()};
+    if (edge->other)
+        lerp.other = {depths[3 - edge->corners[0] - edge->corners[1]], edge->other->y};
+    return {{lerp}};
+}
+
+/// Of samples, a row has those from its left end on, up to the one before its right end.
+RoundedEnd rounded_end(const Numbers& numbers, std::size_t row, const std::string& side) {
+    const Trace& trace = numbers.trace();
+    const Method method = method_of(trace);
+    const auto x = numbers.one(row, side);
+    const bool is_by_samples = traits_of(method.fill).rule == PixelRule::samples;
+    return {.x = x.value_or(0) - (is_by_samples ? sample_offset(trace) : Rational(0)),
+            .rule = is_by_samples ? SpanRounding{.rounding = Rounding::half_open}
+                                  : span_rounding(method),
+            .is_last = side == "right"};
+}
+
+Formulas Deriver::of_row_pixel(const std::string& field) const {
+    return {{rounded_end(numbers_, step_, field == "from" ? "left" : "right")}};
+}
+
+Formulas Deriver::of_place() const {
+    const std::string space = view_.text("space");
+    const Values right = Numbers(numbers_.index()).of(step_, "at");
+    const std::size_t before = numbers_.index().place_before(step_);
+    Values from = numbers_.of(before, "at");
+    if (space == "canonical" && from.size() == 4)
+        return {{DividedByW{{from[0], from[1], from[2], from[3]}}}};
+    const std::string matrix(matrix_into(space));
+    if (from.empty())
+        return {{TakenOver{right}}};
+    if (numbers_.index().find(StepKind::matrix, {{"name", matrix}}).empty()) {
+        from.resize(std::min(from.size(), right.size()));
+        return {{TakenOver{from}}};
+    }
+    if (from.size() == 3)
+        from.emplace_back(1);
+    if (from.size() != 4)
+        return {};
+    Formulas formulas;
+    // Of several objects, the matrix is that of the one which the vertex belongs to: it gives what is told.
+    const Values told_from = Numbers(numbers_.index()).of(before, "at");
+    for (const std::size_t n : numbers_.index().find(StepKind::matrix, {{"name", matrix}})) {
+        MatrixTimes product{.rows = {}, .point = {from[0], from[1], from[2], from[3]}};
+        for (const auto& texts : numbers_.step(n).text_rows("rows")) {
+            std::array<Rational, 4> row;
+            for (std::size_t i = 0; i < 4 && i < texts.size(); ++i)
+                row[i] = number_in(texts[i]).value_or(0);
+            if (product.rows.size() < right.size())
+                product.rows.push_back(row);
+        }
+        MatrixTimes told = product;
+        std::copy(told_from.begin(), told_from.end(), told.point.begin());
+        const Values of_told = value_of({told});
+        bool is_this = of_told.size() == right.size();
+        for (std::size_t i = 0; is_this && i < right.size(); ++i)
+            is_this = agrees(of_told[i], right[i], numbers_.trace());
+        if (is_this)
+            formulas.push_back({product});
+    }
+    return formulas;
+}
+
+Formulas Deriver::of_snapped() const {
+    const Snap snap = method_of(numbers_.trace()).snap;
+    const Rounding rounding = snap == Snap::floor      ? Rounding::floor
+                              : snap == Snap::truncate ? Rounding::truncate
+                                                       : Rounding::nearest;
+    return {{RoundedPlace{numbers_.of(step_, "at"), {.rounding = rounding}}}};
+}
+
+std::optional<std::array<Vec3, 3>> Deriver::world_corners(std::size_t primitive) const {
+    if (primitive == 0)
+        return std::nullopt;
+    const auto names = numbers_.step(primitive).texts("vertices");
+    std::array<Vec3, 3> corners;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto corner = i < names.size() ? numbers_.in_world(names[i]) : std::nullopt;
+        if (!corner)
+            return std::nullopt;
+        corners[i] = *corner;
+    }
+    return corners;
+}
+
+Formulas Deriver::of_face(std::string_view field) const {
+    const bool is_light = view_.kind() == StepKind::light;
+    const std::string_view to = is_light ? "light" : "view";
+    const auto normal = vector_in("normal");
+    const auto view = vector_in(to);
+    const auto corners = world_corners(primitive_);
+    if (field == "dot" && normal && view)
+        return {{FaceDot{*normal, *view}}};
+    if ((field == "cosine" || field == "intensity") && normal && view)
+        return {{FaceCosine{*normal, *view, numbers_.one(step_, "dot"), field == "intensity"}}};
+    if (field == "culled")
+        if (const auto dot = numbers_.one(step_, "dot"))
+            return {{IsCulled{*dot, method_of(numbers_.trace()).cull != Cull::front}}};
+    if (!corners)
+        return {};
+    if (field == "normal")
+        return {{FaceNormal{*corners}}};
+    if (field == "plane" && normal)
+        return {{FacePlane{*normal, (*corners)[0]}}};
+    const Formula centroid{Centroid{*corners}};
+    if (field == "centroid")
+        return {centroid};
+    // The eye is where the trace's own view and centroid say.
+    const Numbers told(numbers_.index());
+    const auto true_corners = Deriver(told, step_).world_corners(primitive_);
+    const Values true_view = told.of(step_, to);
+    const Values claimed = numbers_.of(step_, "centroid");
+    const Values middle = claimed.size() == 3 ? claimed : value_of(centroid);
+    if (field != to || !true_corners || true_view.size() != 3 || !normal)
+        return {};
+    const Values true_middle = value_of({Centroid{*true_corners}});
+    return {{Toward{.to = {true_view[0] + true_middle[0], true_view[1] + true_middle[1],
+                           true_view[2] + true_middle[2]},
+                    .centroid = {middle[0], middle[1], middle[2]},
+                    .corners = *corners,
+                    .normal = *normal}}};
+}
+
+/// The longest line whose decisions are worked out.
+constexpr int most_decisions = 1000;
+
+Formulas Deriver::of_decisions() const {
+    Replay replay(numbers_.trace());
+    replay.go_to(step_);
+    const auto ends = ends_of_line(replay, primitive_of(replay));
+    if (!ends)
+        return {};
+    const Rational dx = abs(ends->to.x - ends->from.x);
+    const Rational dy = abs(ends->to.y - ends->from.y);
+    const Rational longer = std::max(dx, dy);
+    if (longer > most_decisions)
+        return {}; // no hand works that out
+    return {{BresenhamDecisions{.major = longer,
+                                .minor = std::min(dx, dy),
+                                .steps = static_cast<std::size_t>(longer.get_num().get_ui()),
+                                .steps_at_ties = steps_at_ties(numbers_.trace())}}};
+}
+
+/// A line's other coordinate where it is at x or y.
+Formulas Deriver::of_along() const {
+    const bool is_x_major = view_.field("x").has_value();
+    const auto from = numbers_.corner(primitive_, 0);
+    const auto to = numbers_.corner(primitive_, 1);
+    const auto at = number_in(view_, is_x_major ? "x" : "y");
+    if (primitive_ == 0 || !from || !to || !at || numbers_.step(primitive_).text("kind") != "line")
+        return {};
+    Lerp lerp{.d1 = from->y, .i1 = from->x, .d2 = to->y, .i2 = to->x, .i = *at};
+    if (!is_x_major)
+        lerp = {.d1 = from->x, .i1 = from->y, .d2 = to->x, .i2 = to->y, .i = *at};
+    return {{lerp}};
+}
+
+std::optional<std::array<Vec2, 3>> Deriver::corners() const {
+    std::array<Vec2, 3> corners;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto corner = primitive_ == 0 ? std::nullopt : numbers_.corner(primitive_, i);
+        if (!corner)
+            return std::nullopt;
+        corners[i] = *corner;
+    }
+    return corners;
+}
+
+Formulas Deriver::of_weights() const {
+    const auto triangle = corners();
+    const auto sample = sample_of(numbers_.trace(), view_);
+    if (!triangle || !sample)
+        return {};
+    return {{Weights{*triangle, *sample}}};
+}
+
+/// A share of the way from one depth to another, held between them.
+MixedDepth between(const Rational& first, const Rational& last, const Rational& at,
+                   const Rational& d1, const Rational& d2) {
+    if (first >= last)
+        return {.weights = {1}, .depths = {d1}};
+    const Rational share =
+        std::clamp(Rational((at - first) / (last - first)), Rational(0), Rational(1));
+    return {.weights = {1 - share, share}, .depths = {d1, d2}};
+}
+
+/// From the ends of the row that a depth test lies in, as fills along the edges do.
+std::optional<MixedDepth> Deriver::depth_in_row() const {
+    const auto x = number_in(view_, "x");
+    for (const std::size_t row :
+         numbers_.index().find(StepKind::scanline, {{"y", view_.text("y")}})) {
+        const auto left_depth = numbers_.one(row, "left_depth");
+        const auto right_depth = numbers_.one(row, "right_depth");
+        if (numbers_.index().primitive_of(row) != primitive_ || !left_depth || !right_depth || !x)
+            continue;
+        const bool is_rounded = numbers_.trace().method_value("depth_at") == "rounded-ends";
+        const auto first = numbers_.one(row, is_rounded ? "from" : "left");
+        const auto last = numbers_.one(row, is_rounded ? "to" : "right");
+        if (first && last)
+            return between(*first, *last, *x, *left_depth, *right_depth);
+    }
+    return std::nullopt;
+}
+
+/// From the depths of all three corners, as a plane over the screen.
+std::optional<MixedDepth> Deriver::depth_in_triangle() const {
+    const auto triangle = corners();
+    const auto sample = sample_of(numbers_.trace(), view_);
+    const Values depths = numbers_.of(primitive_, "depths");
+    if (!triangle || !sample || depths.size() != 3)
+        return std::nullopt;
+    const Values weights = value_of({Weights{*triangle, *sample}});
+    return weights.empty() ? std::nullopt
+                           : std::optional(MixedDepth{.weights = weights, .depths = depths});
+}
+
+/// `as_z` and `as_inverse`: not the depth of the trace, but z, or 1/z.
+Formulas Deriver::of_depth(bool as_z, bool as_inverse) const {
+    std::optional<MixedDepth> mixed = depth_in_row();
+    if (!mixed)
+        mixed = depth_in_triangle();
+    if (!mixed)
+        return {};
+    mixed->gives_inverse = has_inverse_z() ? as_z : as_inverse;
+    return {{std::move(*mixed)}};
+}
+
+Formulas Deriver::of_depth_test() const {
+    const auto depth = numbers_.one(step_, "depth");
+    const auto stored = numbers_.one(step_, "stored");
+    const auto larger = larger_depth_passes(numbers_.trace(), step_);
+    if (!depth || !stored || !larger)
+        return {};
+    return {{DepthComparison{*depth, *stored, *larger}}};
+}
+
+/// An end of a row as it was claimed, if somebody has.
+RoundedEnd end_in_row(const Numbers& numbers, std::size_t row, const std::string& side) {
+    const std::string pixel = side == "left" ? "from" : "to";
+    const auto claimed = numbers.one(row, pixel);
+    if (claimed && claimed != Numbers(numbers.index()).one(row, pixel))
+        return {.x = *claimed, .rule = {.rounding = Rounding::floor}};
+    return rounded_end(numbers, row, side);
+}
+
+} // namespace
+
+Formula in_row(const Numbers& numbers, std::size_t row, Rational x) {
+    return {
+        InRow{end_in_row(numbers, row, "left"), end_in_row(numbers, row, "right"), std::move(x)}};
+}
+
+std::vector<Formula> formulas_of(const Numbers& numbers, std::size_t step, std::string_view field) {
+    if (step == 0)
+        return {};
+    const Deriver of(numbers, step);
+    const std::string name(field);
+    switch (numbers.trace().kind_of(step).value_or(StepKind::primitive)) {
+    case StepKind::edge:
+        return name == "dx_dy" ? of.of_edge() : Formulas{};
+    case StepKind::scanline:
+        if (name == "left" || name == "right")
+            return of.of_row_end(name);
+        if (name == "left_depth" || name == "right_depth")
+            return of.of_row_depth(name.substr(0, name.find('_')));
+        return name == "from" || name == "to" ? of.of_row_pixel(name) : Formulas{};
+    case StepKind::vertex:
+        return name == "at" ? of.of_place() : name == "snapped" ? of.of_snapped() : Formulas{};
+    case StepKind::face:
+    case StepKind::light:
+        return of.of_face(name);
+    case StepKind::decide:
+        return name == "d" ? of.of_decisions() : Formulas{};
+    case StepKind::along:
+        return name == "value" ? of.of_along() : Formulas{};
+    case StepKind::sample:
+        return name == "weights" ? of.of_weights() : Formulas{};
+    case StepKind::depth:
+        return name == "depth" || name == "z" || name == "inverse_z"
+                   ? of.of_depth(name == "z", name == "inverse_z")
+               : name == "pass" ? of.of_depth_test()
+                                : Formulas{};
+    default:
+        return {};
+    }
+}
+
+} // namespace rastertrace

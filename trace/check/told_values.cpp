@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: MIT
+// What a trace tells of the fields of a claim, and what of them is worked out.
+
+#include "claim_subject.h"
+
+#include <rastertrace/core/numbers/irrational.h>
+#include <rastertrace/core/numbers/number.h>
+#include <rastertrace/trace/tell/step_text.h>
+#include <rastertrace/trace/text/color_text.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <variant>
+
+namespace rastertrace {
+
+namespace {
+
+/// d before each step of the line that begins here.
+std::vector<std::string> decisions_from(const StepIndex& index, std::size_t first) {
+    std::vector<std::string> decisions;
+    for (std::size_t n = first; n <= index.trace().size(); ++n) {
+        const auto kind = index.trace().kind_of(n);
+        if (kind == StepKind::edge || kind == StepKind::primitive || kind == StepKind::ray)
+            break;
+        if (kind == StepKind::decide)
+            decisions.push_back(index.trace().step(n).text("d"));
+    }
+    return decisions;
+}
+
+/// The same of the whole line, of which the canvas may have a part: that part, if as many are claimed.
+std::vector<std::string> told_decisions(const StepIndex& index, std::size_t first,
+                                        std::size_t claimed) {
+    std::vector<std::string> on_canvas = decisions_from(index, first);
+    const auto formulas = formulas_of(Numbers(index), first, "d");
+    if (on_canvas.size() == claimed || formulas.empty())
+        return on_canvas;
+    std::vector<std::string> all;
+    for (const Rational& d : value_of(formulas.front()))
+        all.push_back(d.get_str());
+    return all;
+}
+
+/// z, or 1/z, by a depth test.
+ToldValues told_z(const StepIndex& index, std::size_t test, bool is_inverse) {
+    const auto depth = number_in(index.trace().step(test), "depth");
+    const bool holds_inverse = index.trace().method_value("depth") == "inverse-z";
+    if (!depth || (is_inverse != holds_inverse && sgn(*depth) == 0))
+        return std::nullopt;
+    return std::vector{(is_inverse == holds_inverse ? *depth : Rational(1 / *depth)).get_str()};
+}
+
+/// True of a cosine or an intensity that is a fraction.
+bool is_fraction(const FaceCosine& face) {
+    return has_rational_root(dot(face.normal, face.normal) * dot(face.view, face.view));
+}
+
+/// One value as the trace tells it; a cosine that a double is told of, as the fraction that it is, if it is one.
+std::string told_value(const StepIndex& index, std::size_t step, const std::string& field) {
+    const StepView view = index.trace().step(step);
+    std::string told = view.text(field);
+    const auto number = number_in(told);
+    if (!number || (field != "cosine" && field != "intensity"))
+        return told;
+    for (const Formula& formula : formulas_of(Numbers(index), step, field)) {
+        const auto* const face = std::get_if<FaceCosine>(&formula.of);
+        const Values values = face && is_fraction(*face) ? value_of(formula) : Values{};
+        if (values.size() == 1 && nearest_double(values.front()) == nearest_double(*number))
+            return values.front().get_str();
+    }
+    return told;
+}
+
+} // namespace
+
+ToldValues told_in(const StepIndex& index, std::size_t step, const ClaimedField& field) {
+    if (step == 0)
+        return std::nullopt;
+    const StepView view = index.trace().step(step);
+    if (view.kind() == StepKind::decide && field.name == "d" && field.is_list)
+        return told_decisions(index, step, field.values.size());
+    if (view.kind() == StepKind::depth && (field.name == "z" || field.name == "inverse_z"))
+        return told_z(index, step, field.name == "inverse_z");
+    const auto json = view.field(field.name);
+    if (json && json->starts_with("[[")) {
+        std::vector<std::string> values;
+        for (const auto& row : view.text_rows(field.name))
+            values.insert(values.end(), row.begin(), row.end());
+        return values;
+    }
+    if (json)
+        return json->starts_with('[') ? view.texts(field.name)
+                                      : std::vector{told_value(index, step, field.name)};
+    const auto formulas = formulas_of(Numbers(index), step, field.name);
+    if (formulas.empty())
+        return std::nullopt;
+    std::vector<std::string> values;
+    for (const Rational& value : value_of(formulas.front()))
+        values.push_back(value.get_str());
+    return values;
+}
+
+namespace {
+
+const std::string& value_of_key(const Subject& subject, std::string_view field) {
+    return std::find_if(subject.keys.begin(), subject.keys.end(),
+                        [&](const auto& key) { return key.first == field; })
+        ->second;
+}
+
+Pixel pixel_of(const Subject& subject) {
+    const auto coordinate = [&](std::string_view axis) {
+        return static_cast<int>(
+            number_in(value_of_key(subject, axis)).value_or(0).get_num().get_si());
+    };
+    return {coordinate("x"), coordinate("y")};
+}
+
+/// The depth test that the buffer has its last depth from, in a pixel; 0 for none.
+std::size_t stored_by(const StepIndex& index, const Subject& subject) {
+    std::size_t stored = 0;
+    for (const std::size_t n : index.find(StepKind::depth, {{"x", value_of_key(subject, "x")},
+                                                            {"y", value_of_key(subject, "y")},
+                                                            {"pass", "true"}}))
+        if (depth_test_in(index.trace().step(n)).is_stored)
+            stored = n;
+    return stored;
+}
+
+/// True if a primitive, the one that is named or any, has the pixel, seen or hidden.
+bool is_inside_any(const StepIndex& index, const Subject& subject) {
+    StepIndex::Keys tested = subject.keys;
+    tested.emplace_back("inside", "true");
+    return !index.find(StepKind::pixel, subject.keys).empty() ||
+           !index.find(StepKind::depth, subject.keys).empty() ||
+           !index.find(StepKind::sample, tested).empty();
+}
+
+/// What is told of a pixel of the final picture.
+ToldValues told_of_pixel(const StepIndex& index, std::size_t step, const Subject& subject,
+                         std::string_view field) {
+    const std::size_t drawn_by =
+        index.frame().drawn_by[index.trace().canvas.offset_of(pixel_of(subject))];
+    // Of a primitive that is named, it is asked whether that one has plotted it.
+    const bool names_primitive = std::any_of(subject.keys.begin(), subject.keys.end(),
+                                             [](const auto& key) { return key.first == "in"; });
+    const bool is_plotted = names_primitive ? step != 0 : drawn_by != 0;
+    if (field == "plotted")
+        return std::vector<std::string>{is_plotted ? "true" : "false"};
+    if (field == "inside")
+        return std::vector<std::string>{is_inside_any(index, subject) ? "true" : "false"};
+    if (field == "color")
+        return std::vector{drawn_by == 0 ? "none"
+                                         : to_text(index.frame().image.at(pixel_of(subject)))};
+    if (field == "z" || field == "inverse_z")
+        return told_in(index, stored_by(index, subject),
+                       {.name = std::string(field), .values = {}});
+    return told_in(index, step, {.name = std::string(field), .values = {}});
+}
+
+/// The only row that a pixel could be in; 0 if there are several, or none.
+std::size_t row_of_pixel(const StepIndex& index, const Subject& subject) {
+    StepIndex::Keys keys = subject.keys;
+    std::erase_if(keys, [](const auto& key) { return key.first == "x"; });
+    const auto& rows = index.find(StepKind::scanline, keys);
+    return rows.size() == 1 ? rows.front() : 0;
+}
+
+/// Where a vertex is on the screen, of a trace that tells it in its primitives only.
+ToldValues told_in_primitive(const StepIndex& index, std::size_t step, const std::string& vertex) {
+    const auto names = index.trace().step(step).texts("vertices");
+    const auto places = index.trace().step(step).text_rows("at");
+    const auto at =
+        static_cast<std::size_t>(std::find(names.begin(), names.end(), vertex) - names.begin());
+    return at < places.size() ? ToldValues(places[at]) : std::nullopt;
+}
+
+ToldValues told(const StepIndex& index, std::size_t step, const Subject& subject,
+                const ClaimedField& field) {
+    if (subject.kind == StepKind::pixel)
+        return told_of_pixel(index, step, subject, field.name);
+    if (subject.kind == StepKind::vertex && step != 0 &&
+        index.trace().kind_of(step) == StepKind::primitive)
+        return told_in_primitive(index, step, value_of_key(subject, "name"));
+    return told_in(index, step, field);
+}
+
+} // namespace
+
+ToldValues told_exactly(const Subject& subject, const ClaimedField& field) {
+    // What is culled, the scene's method says, and not the trace that has faces tested for their numbers.
+    if (subject.kind == StepKind::face && field.name == "culled" && !subject.culls)
+        return told_as_decided(subject, field);
+    return told(*subject.exact, subject.step, subject, field);
+}
+
+ToldValues told_as_decided(const Subject& subject, const ClaimedField& field) {
+    // Where nothing is culled, no face is tested: all are drawn.
+    if (subject.kind == StepKind::face && field.name == "culled" && subject.decided_step == 0)
+        return std::vector<std::string>{"false"};
+    return told(*subject.decided, subject.decided_step, subject, field);
+}
+
+NumbersHeld numbers_held(const Subject& subject, const ClaimedField& field) {
+    const Trace& trace = subject.exact->trace();
+    const std::string scalar = trace.method_value("scalar");
+    if (scalar != "exact" && scalar != "fixed")
+        return scalar == "float" ? NumbersHeld::floats : NumbersHeld::doubles;
+    // Fractions are told in quotes.
+    const auto json = subject.step == 0 ? std::nullopt : trace.step(subject.step).field(field.name);
+    const StepField* const known = field_of(subject.kind, field.name);
+    const bool is_double =
+        json && !json->starts_with('"') && known != nullptr && known->type == FieldType::quantity;
+    return is_double ? NumbersHeld::nearest_doubles : NumbersHeld::fractions;
+}
+
+std::string name_of_number(const Subject& subject, const ClaimedField& field) {
+    const bool is_of_step = subject.step != 0 && subject.kind != StepKind::pixel &&
+                            !(subject.kind == StepKind::decide && field.is_list) &&
+                            subject.exact->trace().kind_of(subject.step) == subject.kind;
+    if (is_of_step)
+        return name_of_number(*subject.exact, subject.step, field.name);
+    std::string name =
+        fmt::format("{}{} of {}", field.is_list ? "all " : "", field.name, name_of(subject.kind));
+    for (const auto& [key, value] : subject.keys)
+        name += fmt::format(" {}={}", key, normal_form(value));
+    return name;
+}
+
+std::size_t step_of(const Subject& subject, std::string_view field) {
+    if (subject.kind != StepKind::pixel)
+        return subject.step;
+    if (field == "z" || field == "inverse_z")
+        return stored_by(*subject.exact, subject);
+    const std::size_t row = row_of_pixel(*subject.exact, subject);
+    return (field == "plotted" || field == "inside") && row != 0 ? row : subject.step;
+}
+
+std::vector<Formula> formulas_of(const Subject& subject, const Numbers& numbers,
+                                 std::string_view field) {
+    if (subject.kind == StepKind::pixel && (field == "plotted" || field == "inside")) {
+        const std::size_t row = row_of_pixel(numbers.index(), subject);
+        return row == 0 ? std::vector<Formula>{}
+                        : std::vector{in_row(numbers, row, Rational(pixel_of(subject).x))};
+    }
+    return formulas_of(numbers, step_of(subject, field), field);
+}
+
+} // namespace rastertrace

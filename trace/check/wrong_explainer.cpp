@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include "wrong_explainer.h"
+
+#include "claim_comparison.h"
+#include "derivation.h"
+#include "slips.h"
+
+#include <rastertrace/trace/tell/step_text.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace rastertrace {
+
+namespace {
+
+/// The formula that a field was worked out by; nothing if there is none. No slip is named by any other.
+std::optional<Formula> formula_of(const Subject& subject, const ClaimedField& field) {
+    auto formulas = formulas_of(subject, Numbers(*subject.exact), field.name);
+    const ToldValues told = told_exactly(subject, field);
+    if (formulas.empty() || !told)
+        return std::nullopt;
+    const Values right = value_of(formulas.front());
+    if (told->size() != right.size())
+        return std::nullopt;
+    for (std::size_t i = 0; i < right.size(); ++i) {
+        const auto number = number_in((*told)[i]);
+        if (number && !agrees(right[i], *number, subject.exact->trace()))
+            return std::nullopt;
+    }
+    return std::move(formulas.front());
+}
+
+bool share_slip(const std::vector<LikelySlip>& some, const std::vector<LikelySlip>& others) {
+    return std::any_of(some.begin(), some.end(), [&others](const LikelySlip& one) {
+        return std::any_of(others.begin(), others.end(),
+                           [&one](const LikelySlip& other) { return other.name == one.name; });
+    });
+}
+
+} // namespace
+
+void WrongExplainer::explain(const Subject& subject, std::size_t order, CheckedClaim& claim) {
+    for (std::size_t k = 0; k < claim.fields.size() && k < subject.fields.size(); ++k) {
+        CheckedField& checked = claim.fields[k];
+        const ClaimedField& field = *subject.fields[k];
+        if (checked.verdict != ClaimVerdict::wrong || follows(subject, field, order, checked))
+            continue;
+        if (const auto formula = formula_of(subject, field))
+            checked.slips = slips_that_give(*formula, name_of_number(subject, field), field);
+    }
+    if (subject.kind == StepKind::scanline)
+        explain_exchanged_ends(subject, claim);
+}
+
+std::optional<WrongExplainer::WrongEnd>
+WrongExplainer::wrong_end(const Subject& subject, CheckedClaim& claim, std::string_view name) {
+    for (std::size_t k = 0; k < claim.fields.size() && k < subject.fields.size(); ++k)
+        if (claim.fields[k].name == name && claim.fields[k].verdict == ClaimVerdict::wrong)
+            if (auto formula = formula_of(subject, *subject.fields[k]))
+                return WrongEnd{&claim.fields[k], subject.fields[k], std::move(*formula)};
+    return std::nullopt;
+}
+
+/// Who takes one end of a row for the other, perhaps because one of them is wrong and they were sorted, has in each
+/// what comes of the other's formula.
+void WrongExplainer::explain_exchanged_ends(const Subject& subject, CheckedClaim& claim) {
+    const auto left = wrong_end(subject, claim, "left");
+    const auto right = wrong_end(subject, claim, "right");
+    if (!left || !right)
+        return;
+    const auto is_other = [](const WrongEnd& end, const WrongEnd& other) {
+        return gives(value_of(other.formula), *end.field);
+    };
+    const auto slips_of_other = [&](const WrongEnd& end, const WrongEnd& other) {
+        return slips_that_give(other.formula, name_of_number(subject, *other.field), *end.field);
+    };
+    const bool left_is_right = is_other(*left, *right);
+    const bool right_is_left = is_other(*right, *left);
+    const bool are_exchanged = left_is_right && right_is_left;
+    if (!are_exchanged && share_slip(left->checked->slips, right->checked->slips))
+        return;
+    Slips slips_of_left = left_is_right ? Slips{} : slips_of_other(*left, *right);
+    Slips slips_of_right = right_is_left ? Slips{} : slips_of_other(*right, *left);
+    const bool is_explained = are_exchanged || (left_is_right && !slips_of_right.empty()) ||
+                              (right_is_left && !slips_of_left.empty()) ||
+                              share_slip(slips_of_left, slips_of_right);
+    if (!is_explained)
+        return;
+    claim.remarks.emplace_back("left and right are exchanged");
+    left->checked->slips = std::move(slips_of_left);
+    right->checked->slips = std::move(slips_of_right);
+}
+
+/// True if redoing a formula from the numbers of other claims gives what is claimed: the textbook's formula from all of
+/// them, any other from those claimed before.
+bool WrongExplainer::follows(const Subject& subject, const ClaimedField& field, std::size_t order,
+                             CheckedField& checked) {
+    const Values right =
+        subject.step == 0 ? Values{} : subject.exact->numbers(subject.step, field.name);
+    const auto comes_to_it = [&](const Formula& formula) {
+        const Values values = value_of(formula);
+        return values != right && gives(values, field);
+    };
+    const auto is_from = [&](const WrongNumber* used, bool is_it) {
+        if (used == nullptr || !is_it)
+            return false;
+        checked.verdict = ClaimVerdict::follows;
+        checked.follows_from = used->line;
+        checked.follows_from_field = used->field;
+        checked.follows_from_rounded = used->is_rounded;
+        return true;
+    };
+    const Numbers& all = claimed_numbers(*subject.exact);
+    all.take_used();
+    const auto by_textbook = formulas_of(subject, all, field.name);
+    if (is_from(all.take_used(), !by_textbook.empty() && comes_to_it(by_textbook.front())))
+        return true;
+    const Numbers before(*subject.exact, wrong_, order);
+    const auto by_any = formulas_of(subject, before, field.name);
+    return is_from(before.take_used(), std::any_of(by_any.begin(), by_any.end(), comes_to_it));
+}
+
+/// The numbers of a trace with all wrong ones in place of the right ones.
+const Numbers& WrongExplainer::claimed_numbers(const StepIndex& index) {
+    return numbers_.try_emplace(&index, index, wrong_).first->second;
+}
+
+/// What a formula comes to with each slip in it. Several claims may be about one number.
+const std::vector<std::vector<Values>>& WrongExplainer::redone(const std::string& number,
+                                                               const Formula& formula) {
+    const auto [place, is_new] = redone_.try_emplace(number);
+    if (is_new)
+        for (const Slip& slip : slips())
+            place->second.push_back(slip.redo(formula));
+    return place->second;
+}
+
+WrongExplainer::Slips WrongExplainer::slips_that_give(const Formula& formula,
+                                                      const std::string& number,
+                                                      const ClaimedField& field) {
+    Slips found;
+    const auto& results = redone(number, formula);
+    for (std::size_t i = 0; i < results.size(); ++i)
+        if (std::any_of(results[i].begin(), results[i].end(),
+                        [&](const Values& values) { return gives(values, field); }))
+            found.push_back({std::string(slips()[i].name), std::string(slips()[i].meaning)});
+    return found;
+}
+
+void rank_slips(Checked& checked) {
+    std::map<std::string, std::size_t> explains;
+    for (const CheckedClaim& claim : checked.claims)
+        for (const CheckedField& field : claim.fields)
+            for (const LikelySlip& slip : field.slips)
+                ++explains[slip.name];
+    for (CheckedClaim& claim : checked.claims)
+        for (CheckedField& field : claim.fields)
+            std::stable_sort(field.slips.begin(), field.slips.end(),
+                             [&](const LikelySlip& a, const LikelySlip& b) {
+                                 return explains.at(a.name) > explains.at(b.name);
+                             });
+}
+
+} // namespace rastertrace

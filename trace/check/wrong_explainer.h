@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Why a claim is wrong: it goes on from another wrong number, or a slip in the formula gives what was claimed.
+//
+//     WrongExplainer explainer(wrong);
+//     explainer.explain(subject, order, claim);  // claim.fields[0].slips: dx-dy-inverted
+//     rank_slips(checked);
+
+#include "check.h"
+#include "claim_subject.h"
+#include "numbers.h"
+
+#include <rastertrace/trace/tell/formula.h>
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rastertrace {
+
+/// Explains the wrong claims of one file. The wrong numbers, all of them, must outlive it.
+class WrongExplainer {
+public:
+    explicit WrongExplainer(const WrongNumbers& wrong) : wrong_(wrong) {}
+
+    /// Finds what each wrong field of a claim goes on from, or the slips behind it. `order` is the claim's, as in the
+    /// wrong numbers.
+    void explain(const Subject& subject, std::size_t order, CheckedClaim& claim);
+
+private:
+    using Slips = std::vector<LikelySlip>;
+
+    /// An end of a row that is wrong, and its formula.
+    struct WrongEnd {
+        CheckedField* checked = nullptr;
+        const ClaimedField* field = nullptr;
+        Formula formula = {};
+    };
+
+    void explain_exchanged_ends(const Subject& subject, CheckedClaim& claim);
+    static std::optional<WrongEnd> wrong_end(const Subject& subject, CheckedClaim& claim,
+                                             std::string_view name);
+    bool follows(const Subject& subject, const ClaimedField& field, std::size_t order,
+                 CheckedField& checked);
+    const Numbers& claimed_numbers(const StepIndex& index);
+    const std::vector<std::vector<Values>>& redone(const std::string& number,
+                                                   const Formula& formula);
+    Slips slips_that_give(const Formula& formula, const std::string& number,
+                          const ClaimedField& field);
+
+    const WrongNumbers& wrong_;
+    std::map<const StepIndex*, Numbers> numbers_;                    ///< with the wrong ones
+    std::map<std::string, std::vector<std::vector<Values>>> redone_; ///< by number, for each slip
+};
+
+/// Puts first of each field's slips what explains most of the wrong fields.
+void rank_slips(Checked& checked);
+
+} // namespace rastertrace

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+#include "diff_context.h"
+
+#include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/tell/describe.h>
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rastertrace {
+
+namespace {
+
+/// So many bytes of steps are kept for the sentences: in front of all primitives, from the
+/// beginning of the primitive, and in front of the spot. Between the last two, the last step of each
+/// kind is kept.
+constexpr std::size_t most_kept = 4'000'000;
+
+/// So many steps are told before and behind the one that differs.
+constexpr std::size_t steps_around = 1;
+
+/// Where something is in a trace: a step, or the place where it would be.
+struct Spot {
+    LinePlace place{};
+    bool is_step = false;
+};
+
+struct Around {
+    std::vector<DiffStep> before{};
+    std::optional<DiffStep> step{};
+    std::vector<DiffStep> after{};
+};
+
+/// A part of a trace, from which sentences can be made.
+class Excerpt {
+public:
+    explicit Excerpt(const TraceText& text) : text_(text), trace_(text.header().without_steps()) {}
+
+    /// Adds the steps from a place on, as long as `wants` says so.
+    template <typename Wants> void add(LinePlace from, const Wants& wants) {
+        StepLines lines(text_, from);
+        for (; const StepLine* const line = lines.front(); lines.pass()) {
+            if (!wants(*line))
+                break;
+            add(*line);
+        }
+    }
+
+    /// Adds the steps of a primitive up to an offset. The row of the last pixel may stand far behind
+    /// the beginning.
+    void add_primitive(LinePlace from, std::size_t end) {
+        std::map<std::optional<StepKind>, StepLine> last; // of each kind, between the parts kept
+        StepLines lines(text_, from);
+        for (; const StepLine* const line = lines.front(); lines.pass()) {
+            const std::size_t offset = line->place.offset;
+            if (offset >= end)
+                break;
+            if (offset >= from.offset + most_kept && offset + most_kept < end) {
+                last.insert_or_assign(line->kind, *line);
+                continue;
+            }
+            add_in_order(std::exchange(last, {}));
+            add(*line);
+        }
+        add_in_order(std::move(last));
+    }
+
+    /// What there is around a spot, the last of the steps that have been added.
+    Around around(const Spot& spot) const {
+        Around found;
+        Replay replay(trace_, {.depths = true});
+        for (std::size_t n = 1; n <= trace_.size(); ++n) {
+            const std::size_t number = trace_.number_of(n);
+            const std::size_t at = spot.place.steps + 1;
+            if (number + steps_around < at)
+                continue;
+            replay.go_to(n);
+            DiffStep step{.number = number,
+                          .line = text_.has_lines() ? lines_[n - 1] + 2 : 0,
+                          .json = std::string(trace_.step(n).json()),
+                          .sentence = describe_step(replay)};
+            if (number < at)
+                found.before.push_back(std::move(step));
+            else if (number == at && spot.is_step)
+                found.step = std::move(step);
+            else
+                found.after.push_back(std::move(step));
+        }
+        return found;
+    }
+
+private:
+    void add(const StepLine& line) {
+        trace_.add_to_excerpt(StepView(line.json), line.kind, line.number);
+        lines_.push_back(line.place.lines);
+    }
+
+    void add_in_order(const std::map<std::optional<StepKind>, StepLine>& steps) {
+        std::map<std::size_t, const StepLine*> by_number;
+        for (const auto& [kind, line] : steps)
+            by_number.emplace(line.number, &line);
+        for (const auto& [number, line] : by_number)
+            add(*line);
+    }
+
+    const TraceText& text_;
+    Trace trace_;
+    std::vector<std::size_t> lines_; ///< of the text in front of each step
+};
+
+Around around(const TraceText& text, LinePlace primitive, const Spot& spot) {
+    Excerpt excerpt(text);
+    const std::size_t offset = spot.place.offset;
+    // What stands in front of all primitives: matrices, vertices, the painter's order.
+    const std::size_t begin = text.begin();
+    excerpt.add({}, [&](const StepLine& line) {
+        return line.kind != StepKind::primitive && line.place.offset < offset &&
+               line.place.offset < begin + most_kept;
+    });
+    // The primitive, up to the spot.
+    if (primitive.offset != 0)
+        excerpt.add_primitive(primitive, offset);
+    std::size_t rest = steps_around + (spot.is_step ? 1 : 0);
+    excerpt.add(spot.place, [&rest](const StepLine&) { return rest-- > 0; });
+    return excerpt.around(spot);
+}
+
+/// Where a side's step is, or else where the comparison was.
+std::optional<Spot> spot_of(const std::optional<StepLine>& step,
+                            const std::optional<LinePlace>& place) {
+    if (step)
+        return Spot{step->place, true};
+    return place ? std::optional(Spot{*place, false}) : std::nullopt;
+}
+
+} // namespace
+
+void tell_first(TraceDiff& found, const TraceComparison& comparison, const TraceText& a,
+                const TraceText& b) {
+    const auto& first = comparison.tally().first();
+    if (!first)
+        return;
+    const auto& gap = comparison.first_gap();
+    const bool is_here = gap && gap->number == first->gap;
+    const StepLine& step = first->a ? *first->a : *first->b;
+    StepDifference difference{
+        .kind = step.kind_name, .fields = first->fields, .is_moved = first->is_moved};
+    const std::string& json = first->a ? first->section.json_a : first->section.json_b;
+    difference.primitive = StepView(json).text("name");
+    if (const auto spot = spot_of(first->a, is_here ? std::optional(gap->a) : std::nullopt)) {
+        Around around_a = around(a, first->section.begin_a, *spot);
+        found.before_a = std::move(around_a.before);
+        difference.a = std::move(around_a.step);
+        found.after_a = std::move(around_a.after);
+    }
+    if (const auto spot = spot_of(first->b, is_here ? std::optional(gap->b) : std::nullopt)) {
+        Around around_b = around(b, first->section.begin_b, *spot);
+        found.before_b = std::move(around_b.before);
+        difference.b = std::move(around_b.step);
+        found.after_b = std::move(around_b.after);
+    }
+    found.first = std::move(difference);
+}
+
+} // namespace rastertrace

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "diff_fields.h"
+
+#include "value_difference.h"
+
+#include <rastertrace/trace/record/field_type.h>
+#include <rastertrace/trace/text/json_scanner.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace rastertrace {
+
+namespace {
+
+using Field = std::pair<std::string, std::string_view>;
+
+std::vector<Field> fields_in(std::string_view json) {
+    std::vector<Field> fields;
+    JsonScanner scanner(json);
+    while (scanner.next_field())
+        if (scanner.key() != "step")
+            fields.emplace_back(plain_text(fmt::format("\"{}\"", scanner.key())), scanner.value());
+    return fields;
+}
+
+std::optional<std::string_view> value_in(const std::vector<Field>& fields, std::string_view name) {
+    for (const auto& [key, value] : fields)
+        if (key == name)
+            return value;
+    return std::nullopt;
+}
+
+/// The type of a field; of a list, that of its elements.
+std::optional<FieldType> type_of(std::optional<StepKind> kind, std::string_view name) {
+    if (!kind)
+        return std::nullopt;
+    for (const StepField& field : row_of(*kind).fields)
+        if (field.name == name)
+            return field.type == FieldType::list ? element_type_of(field) : field.type;
+    return std::nullopt;
+}
+
+/// The last tolerance that is about a field.
+const DiffTolerance* tolerance_for(const std::vector<DiffTolerance>& tolerances,
+                                   std::string_view kind, std::string_view field) {
+    const DiffTolerance* last = nullptr;
+    for (const DiffTolerance& one : tolerances)
+        if ((one.kind.empty() || one.kind == kind) && (one.field.empty() || one.field == field))
+            last = &one;
+    return last;
+}
+
+} // namespace
+
+std::vector<FieldDifference> FieldComparison::differing(const StepLine& a,
+                                                        const StepLine& b) const {
+    std::vector<FieldDifference> differences;
+    if (a.json == b.json)
+        return differences;
+    const std::vector<Field> of_a = fields_in(a.json);
+    const std::vector<Field> of_b = fields_in(b.json);
+    const auto is_compared = [&](std::string_view name) {
+        return !is_ignored(fmt::format("{}.{}", a.kind_name, name));
+    };
+    for (const auto& [name, value] : of_a) {
+        const auto other = value_in(of_b, name);
+        if (!is_compared(name))
+            continue;
+        if (!other) {
+            differences.push_back({.name = std::string(name), .a = std::string(value)});
+            continue;
+        }
+        const ValueComparison by{.type = type_of(a.kind, name),
+                                 .is_color = holds_color(name),
+                                 .tolerance = tolerance_for(options_.tolerances, a.kind_name, name),
+                                 .has_floats = has_floats_};
+        if (const Differs here = differ(value, *other, by))
+            differences.push_back({.name = std::string(name),
+                                   .a = std::string(value),
+                                   .b = std::string(*other),
+                                   .distance = here->distance});
+    }
+    for (const auto& [name, value] : of_b)
+        if (!value_in(of_a, name) && is_compared(name))
+            differences.push_back({.name = std::string(name), .b = std::string(value)});
+    return differences;
+}
+
+bool FieldComparison::is_ignored(std::string_view name) const {
+    return std::find(options_.ignored.begin(), options_.ignored.end(), name) !=
+           options_.ignored.end();
+}
+
+} // namespace rastertrace

@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: MIT
+#include "diff_picture.h"
+
+#include <rastertrace/trace/text/color_text.h>
+
+#include <algorithm>
+#include <charconv>
+#include <unordered_map>
+#include <utility>
+
+namespace rastertrace {
+
+namespace {
+
+/// The largest part of the pictures that is shown, and how far around a difference it reaches.
+constexpr int widest = 60;
+constexpr int highest = 30;
+constexpr int margin = 2;
+
+/// Takes a text off the front, and says if it was there.
+bool take(std::string_view& text, std::string_view front) {
+    if (!text.starts_with(front))
+        return false;
+    text.remove_prefix(front.size());
+    return true;
+}
+
+bool take(std::string_view& text, Index& number) {
+    const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+    text.remove_prefix(static_cast<std::size_t>(read.ptr - text.data()));
+    return read.ec == std::errc{};
+}
+
+SeenStep seen_thoroughly(const StepView& step) {
+    const auto kind = step.kind();
+    SeenStep seen;
+    if (kind == StepKind::pixel && step.whole("x") && step.whole("y"))
+        seen = {.what = SeenStep::What::pixel, .x = *step.whole("x"), .y = *step.whole("y")};
+    else if (kind == StepKind::primitive)
+        seen.what = SeenStep::What::primitive;
+    if (seen.what != SeenStep::What::other && step.field("color"))
+        seen.color = parse_color(step.text("color"));
+    return seen;
+}
+
+/// Both canvases: every pixel that one of them has.
+struct BothCanvases {
+    int left;
+    int right;
+    int low;
+    int high;
+    int down;
+
+    BothCanvases(const Canvas& a, const Canvas& b)
+        : left(std::min(a.left(), b.left())), right(std::max(a.right(), b.right())),
+          low(std::min({a.top(), a.bottom(), b.top(), b.bottom()})),
+          high(std::max({a.top(), a.bottom(), b.top(), b.bottom()})), down(a.down()) {}
+
+    int top() const { return down < 0 ? high : low; }
+    int height() const { return high - low + 1; }
+    int y_of(int row) const { return top() + down * row; }
+    int row_of(int y) const { return (y - top()) * down; }
+};
+
+/// The primitives that own pixels, each looked up once.
+class KnownOwners {
+public:
+    explicit KnownOwners(const std::function<OwnerOfPixels(std::uint32_t)>& look_up)
+        : look_up_(look_up) {}
+
+    const OwnerOfPixels& of(std::uint32_t owner) {
+        const auto [known, is_new] = known_.try_emplace(owner);
+        if (is_new)
+            known->second = look_up_(owner);
+        return known->second;
+    }
+
+private:
+    const std::function<OwnerOfPixels(std::uint32_t)>& look_up_;
+    std::unordered_map<std::uint32_t, OwnerOfPixels> known_;
+};
+
+enum class PixelVerdict : std::uint8_t { none, alike, only_a, only_b, color, owner };
+
+class PictureComparison {
+public:
+    PictureComparison(const OwnedPicture& a, const OwnedPicture& b, const PictureOwners& owners,
+                      const PictureScope& scope)
+        : a_(a), b_(b), owners_(owners), known_a_(owners.in_a), known_b_(owners.in_b),
+          scope_(scope), both_(a.canvas(), b.canvas()) {}
+
+    std::pair<PictureDifference, Consequences> compare() {
+        for (int row = 0; row < both_.height(); ++row)
+            for (int x = both_.left; x <= both_.right; ++x)
+                count({x, both_.y_of(row)}, row);
+        found_.down = both_.down;
+        if (has_any_)
+            show();
+        return {std::move(found_), std::move(led_to_)};
+    }
+
+private:
+    PixelVerdict verdict(Pixel pixel) const {
+        if (scope_.region &&
+            !(scope_.region->has_row(pixel.y) && scope_.region->meets(pixel.x, pixel.x)))
+            return PixelVerdict::none;
+        const bool in_a = a_.is_drawn(pixel);
+        const bool in_b = b_.is_drawn(pixel);
+        if (!in_a || !in_b)
+            return in_a ? PixelVerdict::only_a : in_b ? PixelVerdict::only_b : PixelVerdict::none;
+        if (!scope_.has_owners)
+            return PixelVerdict::alike;
+        if (a_.color(pixel) != b_.color(pixel))
+            return PixelVerdict::color;
+        return has_one_owner(pixel) ? PixelVerdict::alike : PixelVerdict::owner;
+    }
+
+    /// True if the same primitive has drawn a pixel in both.
+    bool has_one_owner(Pixel pixel) const {
+        return owners_.b_of_a(a_.owner(pixel)) == b_.owner(pixel);
+    }
+
+    void count(Pixel pixel, int row) {
+        switch (verdict(pixel)) {
+        case PixelVerdict::none:
+        case PixelVerdict::alike:
+            return;
+        case PixelVerdict::only_a:
+            ++found_.only_a;
+            note_reached(pixel, led_to_.only_a);
+            break;
+        case PixelVerdict::only_b:
+            ++found_.only_b;
+            note_reached(pixel, led_to_.only_b);
+            break;
+        case PixelVerdict::color:
+            ++found_.colors;
+            note_reached(pixel, led_to_.colors);
+            has_other_owner_ = has_other_owner_ || !has_one_owner(pixel);
+            break;
+        case PixelVerdict::owner:
+            ++found_.owners;
+            note_reached(pixel, led_to_.owners);
+            has_other_owner_ = true;
+            break;
+        }
+        if (!has_any_)
+            left_ = right_ = pixel.x, first_row_ = row;
+        has_any_ = true;
+        left_ = std::min(left_, pixel.x);
+        right_ = std::max(right_, pixel.x);
+        last_row_ = row;
+        if (found_.pixels.size() < most_pixels_told)
+            found_.pixels.push_back({.pixel = pixel,
+                                     .a = drawn_in(a_, pixel, known_a_),
+                                     .b = drawn_in(b_, pixel, known_b_)});
+    }
+
+    /// Notes a pixel that differs because of the first difference.
+    void note_reached(Pixel pixel, std::vector<Pixel>& list) {
+        const auto reaches = [&](const OwnedPicture& picture, KnownOwners& known) {
+            return picture.is_drawn(pixel) &&
+                   scope_.reach->has(pixel, known.of(picture.owner(pixel)));
+        };
+        if (!scope_.reach || (!reaches(a_, known_a_) && !reaches(b_, known_b_)))
+            return;
+        ++led_to_.count;
+        if (list.size() < most_pixels_told)
+            list.push_back(pixel);
+    }
+
+    static std::optional<PixelOwner> drawn_in(const OwnedPicture& picture, Pixel pixel,
+                                              KnownOwners& known) {
+        if (!picture.is_drawn(pixel))
+            return std::nullopt;
+        return PixelOwner{.primitive = known.of(picture.owner(pixel)).name,
+                          .color = picture.color(pixel)};
+    }
+
+    /// Rows of a part that holds the differences, or as many as find room behind the first.
+    void show() {
+        const int last_row = both_.height() - 1;
+        const bool has_room =
+            both_.right - both_.left < widest && both_.height() <= highest && !scope_.region;
+        int left = has_room ? both_.left : std::max(both_.left, left_ - margin);
+        int right = has_room ? both_.right : std::min(both_.right, right_ + margin);
+        const int first = has_room ? 0 : std::max(0, first_row_ - margin);
+        int last = has_room ? last_row : std::min(last_row, last_row_ + margin);
+        if (right - left >= widest) {
+            left = std::max(both_.left, found_.pixels.front().pixel.x - widest / 2);
+            right = std::min(both_.right, left + widest - 1);
+        }
+        last = std::min(last, first + highest - 1);
+        found_.left = left;
+        found_.top = both_.y_of(first);
+        found_.is_cut = left > both_.left || right < both_.right || first > 0 || last < last_row;
+
+        std::unordered_map<std::string, char> letter_of;
+        for (int row = first; row <= last; ++row) {
+            std::string marks, faces_a, faces_b;
+            for (int x = left; x <= right; ++x) {
+                const Pixel pixel{x, both_.y_of(row)};
+                marks += mark_of(verdict(pixel));
+                faces_a += letter(letter_of, a_.owner(pixel), known_a_);
+                faces_b += letter(letter_of, b_.owner(pixel), known_b_);
+            }
+            found_.rows.push_back(std::move(marks));
+            found_.faces_a.push_back(std::move(faces_a));
+            found_.faces_b.push_back(std::move(faces_b));
+        }
+        if (!has_other_owner_) {
+            found_.faces_a.clear();
+            found_.faces_b.clear();
+            found_.names.clear();
+        }
+    }
+
+    char letter(std::unordered_map<std::string, char>& letter_of, std::uint32_t owner,
+                KnownOwners& known) {
+        if (owner == 0)
+            return '.';
+        const std::string& text = known.of(owner).name;
+        const auto found = letter_of.find(text);
+        if (found != letter_of.end())
+            return found->second;
+        if (found_.names.size() == primitive_letters.size())
+            return '#';
+        const char next = primitive_letters[found_.names.size()];
+        found_.names.push_back(text);
+        letter_of.emplace(text, next);
+        return next;
+    }
+
+    static char mark_of(PixelVerdict verdict) {
+        switch (verdict) {
+        case PixelVerdict::none:
+            break;
+        case PixelVerdict::alike:
+            return '#';
+        case PixelVerdict::only_a:
+            return '!';
+        case PixelVerdict::only_b:
+            return '?';
+        case PixelVerdict::color:
+        case PixelVerdict::owner:
+            return '~';
+        }
+        return '.';
+    }
+
+    const OwnedPicture& a_;
+    const OwnedPicture& b_;
+    const PictureOwners& owners_;
+    KnownOwners known_a_;
+    KnownOwners known_b_;
+    const PictureScope& scope_;
+    BothCanvases both_;
+    PictureDifference found_;
+    Consequences led_to_;
+    bool has_any_ = false;
+    bool has_other_owner_ = false; ///< some pixel of both is of different primitives
+    int left_ = 0;                 ///< of all pixels that differ
+    int right_ = 0;
+    int first_row_ = 0;
+    int last_row_ = 0;
+};
+
+} // namespace
+
+SeenStep seen_in(std::string_view line) {
+    std::string_view rest = line;
+    if (take(rest, R"({"step":")")) {
+        const bool is_pixel = rest.starts_with("pixel\"");
+        if (!is_pixel && !rest.starts_with("primitive\""))
+            return {};
+        SeenStep seen{.what = SeenStep::What::pixel};
+        if (is_pixel && take(rest, R"(pixel","x":)") && take(rest, seen.x) &&
+            take(rest, R"(,"y":)") && take(rest, seen.y) && take(rest, "}"))
+            return seen;
+    }
+    return seen_thoroughly(StepView(step_of_line(line)));
+}
+
+std::pair<PictureDifference, Consequences> difference_between(const OwnedPicture& a,
+                                                              const OwnedPicture& b,
+                                                              const PictureOwners& owners,
+                                                              const PictureScope& scope) {
+    return PictureComparison(a, b, owners, scope).compare();
+}
+
+} // namespace rastertrace

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The pictures of two traces, with the primitive that has drawn each pixel, and how they differ.
+//
+//     OwnedPicture picture(canvas);
+//     picture.see(seen_in(line));
+//     difference_between(a, b, owners, {});
+
+#include "diff.h"
+#include "diff_reach.h"
+
+#include <rastertrace/core/raster/image.h>
+#include <rastertrace/trace/record/step_lines.h>
+#include <rastertrace/trace/record/trace_options.h>
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace rastertrace {
+
+/// What a line has to do with a picture.
+struct SeenStep {
+    enum class What : std::uint8_t { other, pixel, primitive };
+    What what = What::other;
+    Index x = 0;
+    Index y = 0;
+    std::optional<Color> color = {}; ///< of a primitive, or of a pixel that has its own
+};
+
+/// Looks at a line of a step; quickly, if it is written as this program writes it.
+SeenStep seen_in(std::string_view line);
+
+/// A picture, and which primitive drew each pixel: 1 is the first, 0 stands for none.
+class OwnedPicture {
+public:
+    explicit OwnedPicture(const Canvas& canvas) : image_(canvas), owners_(image_.colors().size()) {}
+
+    /// Goes on by a step.
+    void see(const SeenStep& step) {
+        if (step.what == SeenStep::What::pixel) {
+            plot(step);
+        } else if (step.what == SeenStep::What::primitive) {
+            ++primitive_;
+            color_ = step.color.value_or(Color{});
+        }
+    }
+
+    const Canvas& canvas() const { return image_.canvas(); }
+
+    /// Who drew a pixel, which may lie anywhere; 0 for nobody.
+    std::uint32_t owner(Pixel pixel) const {
+        return canvas().contains(pixel.x, pixel.y) ? owners_[canvas().offset_of(pixel)] : 0;
+    }
+    bool is_drawn(Pixel pixel) const { return color(pixel) != no_color; }
+    Color color(Pixel pixel) const {
+        return canvas().contains(pixel.x, pixel.y) ? image_.at(pixel) : no_color;
+    }
+
+private:
+    void plot(const SeenStep& step) {
+        if (!canvas().contains(step.x, step.y))
+            return;
+        const Pixel pixel{static_cast<int>(step.x), static_cast<int>(step.y)};
+        const std::size_t offset = canvas().offset_of(pixel);
+        image_.at(pixel) = step.color.value_or(color_);
+        owners_[offset] = primitive_;
+    }
+
+    Image image_;
+    BlankVector<std::uint32_t> owners_;
+    std::uint32_t primitive_ = 0;
+    Color color_;
+};
+
+/// Who draws in a, and who in b.
+struct PictureOwners {
+    std::function<std::uint32_t(std::uint32_t)>
+        b_of_a; ///< the primitive of b that is one of a; 0: none is
+    std::function<OwnerOfPixels(std::uint32_t)> in_a;
+    std::function<OwnerOfPixels(std::uint32_t)> in_b;
+};
+
+/// What of two pictures is compared.
+struct PictureScope {
+    std::optional<Region> region{};   ///< nothing: all of it
+    bool has_owners = true;           ///< else only what is drawn, in whatever color
+    std::optional<DiffReach> reach{}; ///< of the first difference
+};
+
+/// How the pictures differ, and what of it comes of the first difference.
+std::pair<PictureDifference, Consequences> difference_between(const OwnedPicture& a,
+                                                              const OwnedPicture& b,
+                                                              const PictureOwners& owners,
+                                                              const PictureScope& scope);
+
+} // namespace rastertrace

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What has been found to differ between two traces so far: how often, and the first of it.
+//
+//     tally.begin_section({.json_a = ..., .json_b = ...});
+//     tally.add_changed(gap, a, b, fields);
+//     tally.kinds();
+
+#include "diff.h"
+
+#include <rastertrace/trace/record/step_lines.h>
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rastertrace {
+
+/// The steps of a primitive, or those in front of the first one.
+struct DiffSection {
+    std::string
+        json_a{}; ///< of the `primitive` step; "" in front of the first, and where a has none
+    std::string json_b{};
+    LinePlace begin_a{};
+    LinePlace begin_b{};
+};
+
+/// The first step that differs, with where its primitive begins.
+struct FirstDifference {
+    std::size_t gap = 0;
+    std::optional<StepLine> a{};
+    std::optional<StepLine> b{};
+    std::vector<FieldDifference> fields{};
+    bool is_moved = false;
+    DiffSection section{};
+};
+
+/// Counts differences. Each comes with its gap: the two traces are gone through together, and whenever they are not
+/// alike a gap begins, which ends where they are alike again. Gaps are numbered in the order of the traces. If a gap
+/// has a step of a alone and one of b alone, one stands in place of the other.
+class DiffTally {
+public:
+    void begin_section(DiffSection section) { section_ = std::move(section); }
+
+    void add_changed(std::size_t gap, const StepLine& a, const StepLine& b,
+                     std::vector<FieldDifference> fields);
+    void add_only_a(std::size_t gap, const StepLine& a);
+    void add_only_b(std::size_t gap, const StepLine& b);
+    void add_moved(std::size_t gap, const StepLine& a, const StepLine& b);
+
+    bool is_empty() const { return kinds_.empty(); }
+    const std::optional<FirstDifference>& first() const { return first_; }
+
+    /// In the order of step_kind.h; those that we do not know come last.
+    std::vector<KindDifference> kinds() const;
+
+private:
+    KindDifference& of_kind(const StepLine& step);
+    void note_first(std::size_t gap, const StepLine* a, const StepLine* b,
+                    std::vector<FieldDifference> fields, bool is_moved);
+
+    DiffSection section_;
+    std::map<std::string, KindDifference> kinds_;
+    std::optional<FirstDifference> first_;
+};
+
+} // namespace rastertrace

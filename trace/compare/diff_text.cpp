@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: MIT
+// What two traces do differently, as text: the first difference and what came of it, then all of them by kind, then
+// the pictures.
+
+#include "diff.h"
+
+#include <rastertrace/trace/record/trace.h>
+#include <rastertrace/trace/text/color_text.h>
+#include <rastertrace/trace/text/json_scanner.h>
+#include <rastertrace/trace/text/text.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace rastertrace {
+
+namespace {
+
+/// So many pixels of a list are named.
+constexpr std::size_t most_pixels_named = 8;
+
+/// Longer JSON is cut.
+constexpr std::size_t longest_value = 60;
+
+/// A value as a sentence has it: a string without its quotes, a stage as what became of it.
+std::string value_text(const std::string& json) {
+    if (json.starts_with("{\"stage\"")) {
+        const StepView stage(json);
+        return fmt::format("{} ({})", stage.text("kept") == "true" ? "kept" : "left out",
+                           printable(stage.text("why")));
+    }
+    return json.empty() ? "none" : shortened(printable(plain_text(json)), longest_value);
+}
+
+std::string distance_text(double distance) {
+    return fmt::format("{:.4g}", distance);
+}
+
+/// `left: -1/4 in a, -1/2 in b, 0.25 apart`.
+std::string field_text(const FieldDifference& field) {
+    std::string text = fmt::format("{}: {} in a, {} in b", printable(field.name),
+                                   value_text(field.a), value_text(field.b));
+    if (field.distance)
+        text += fmt::format(", {} apart", distance_text(*field.distance));
+    return text;
+}
+
+std::string step_line(char side, char mark, const DiffStep& step) {
+    const std::string line = step.line == 0 ? "" : fmt::format(" (line {})", step.line);
+    return fmt::format("{} {} step {}{}: {}\n", side, mark, step.number, line, step.sentence);
+}
+
+std::string steps_of(char side, const std::vector<DiffStep>& before,
+                     const std::optional<DiffStep>& step, const std::vector<DiffStep>& after) {
+    std::string text;
+    for (const DiffStep& one : before)
+        text += step_line(side, ' ', one);
+    if (step)
+        text += step_line(side, '>', *step);
+    else
+        text += fmt::format("{} > no such step\n", side);
+    for (const DiffStep& one : after)
+        text += step_line(side, ' ', one);
+    return text;
+}
+
+std::string pixels_named(const std::vector<Pixel>& pixels) {
+    std::string text;
+    for (std::size_t i = 0; i < std::min(pixels.size(), most_pixels_named); ++i)
+        text += fmt::format(" ({}, {})", pixels[i].x, pixels[i].y);
+    return text + (pixels.size() > most_pixels_named ? " ..." : "");
+}
+
+std::string plural(std::uint64_t count, std::string_view what) {
+    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+std::string first_text(const TraceDiff& found) {
+    const StepDifference& first = *found.first;
+    std::string text =
+        fmt::format("\nthe first difference{}{}\n",
+                    first.primitive.empty() ? "" : ", in " + printable(first.primitive),
+                    first.is_moved ? ": a " + printable(first.kind) + " that has moved" : "");
+    text += steps_of('a', found.before_a, first.a, found.after_a);
+    text += steps_of('b', found.before_b, first.b, found.after_b);
+    for (const FieldDifference& field : first.fields)
+        text += "    " + field_text(field) + "\n";
+
+    const Consequences& led_to = found.led_to;
+    if (led_to.count == 0)
+        return text + (found.picture ? "    it changes no pixel\n" : "");
+    text += fmt::format("    {} because of it\n",
+                        led_to.count == 1 ? "1 pixel differs"
+                                          : fmt::format("{} pixels differ", led_to.count));
+    if (!led_to.only_a.empty())
+        text += "        only in a:" + pixels_named(led_to.only_a) + "\n";
+    if (!led_to.only_b.empty())
+        text += "        only in b:" + pixels_named(led_to.only_b) + "\n";
+    if (!led_to.colors.empty())
+        text += "        in another color:" + pixels_named(led_to.colors) + "\n";
+    if (!led_to.owners.empty())
+        text += "        of another primitive:" + pixels_named(led_to.owners) + "\n";
+    return text;
+}
+
+std::string fields_text(const std::vector<FieldSummary>& fields) {
+    std::vector<std::string> parts;
+    for (const FieldSummary& field : fields) {
+        std::string part = fmt::format("{} {}", printable(field.name), field.count);
+        if (field.largest)
+            part += fmt::format(" (by at most {})", distance_text(*field.largest));
+        parts.push_back(std::move(part));
+    }
+    return joined(parts, ", ");
+}
+
+std::string count_text(std::size_t count) {
+    return count == 0 ? "." : fmt::format("{}", count);
+}
+
+std::string kinds_text(const std::vector<KindDifference>& kinds) {
+    std::size_t width = 5;
+    for (const KindDifference& kind : kinds)
+        width = std::max(width, columns_in(printable(kind.kind)));
+    std::string text =
+        fmt::format("\n{}  changed  only a  only b  moved\n", padded("steps", width));
+    for (const KindDifference& kind : kinds) {
+        std::string line =
+            fmt::format("{}  {:>7}  {:>6}  {:>6}  {:>5}   {}", padded(printable(kind.kind), width),
+                        count_text(kind.changed), count_text(kind.only_a), count_text(kind.only_b),
+                        count_text(kind.moved), fields_text(kind.fields));
+        text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+    }
+    return text;
+}
+
+/// Rows of the picture with their y in front, and the x of the first and the last column above.
+std::string grid_text(const PictureDifference& picture,
+                      const std::vector<const std::vector<std::string>*>& grids) {
+    const std::size_t columns = picture.rows.front().size();
+    std::size_t label = 0;
+    const auto y_of = [&picture](std::size_t row) {
+        return fmt::format("{}", picture.top + picture.down * static_cast<int>(row));
+    };
+    for (std::size_t row = 0; row < picture.rows.size(); ++row)
+        label = std::max(label, y_of(row).size());
+    std::string text = fmt::format("{}  x = {} to {}\n", std::string(label, ' '), picture.left,
+                                   picture.left + static_cast<int>(columns) - 1);
+    for (std::size_t row = 0; row < picture.rows.size(); ++row) {
+        text += fmt::format("{:>{}}  ", y_of(row), label);
+        for (std::size_t i = 0; i < grids.size(); ++i)
+            text += (i == 0 ? "" : "   ") + (*grids[i])[row];
+        text += "\n";
+    }
+    return text;
+}
+
+/// What the letters stand for, in lines.
+std::string names_text(const std::vector<std::string>& names) {
+    constexpr std::size_t widest = 79;
+    std::string text;
+    std::string line;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const std::string name = fmt::format("{} {}{}", primitive_letters[i], printable(names[i]),
+                                             i + 1 < names.size() ? "," : "");
+        if (!line.empty() && columns_in(line) + 1 + columns_in(name) > widest)
+            text += std::exchange(line, "") + "\n";
+        line += (line.empty() ? "" : " ") + name;
+    }
+    return text + line + "\n";
+}
+
+std::string picture_text(const PictureDifference& picture) {
+    if (picture.rows.empty())
+        return "\nthe pictures are alike\n";
+    std::vector<std::string> counts;
+    const auto add = [&counts](std::uint64_t count, std::string_view what) {
+        if (count > 0)
+            counts.push_back(fmt::format("{} {}", plural(count, "pixel"), what));
+    };
+    add(picture.only_a, "only in a");
+    add(picture.only_b, "only in b");
+    add(picture.colors, "in another color");
+    add(picture.owners, "of another primitive");
+    std::string text = fmt::format("\nthe pictures: {}\n", joined(counts, ", "));
+    text += grid_text(picture, {&picture.rows});
+    text += "# in both, ! only in a, ? only in b, ~ in both, but otherwise\n";
+    if (!picture.faces_a.empty()) {
+        text += "\nwho drew them, a and b\n";
+        text += grid_text(picture, {&picture.faces_a, &picture.faces_b});
+        text += names_text(picture.names);
+        if (picture.names.size() == primitive_letters.size())
+            text += "# another one\n";
+    }
+    if (picture.is_cut)
+        text += "(a part of the canvas)\n";
+    return text;
+}
+
+std::string header_text(const TraceDiff& found) {
+    std::string text = "\nthe header\n";
+    for (const FieldDifference& field : found.header)
+        text += "    " + field_text(field) + "\n";
+    for (const FieldDifference& field : found.end)
+        text += "    " + field_text(field) + "\n";
+    return text;
+}
+
+std::string remarks_text(const TraceDiff& found) {
+    std::string text;
+    for (const std::string& remark : found.remarks)
+        text += remark + "\n";
+    return text;
+}
+
+} // namespace
+
+std::string diff_text(const TraceDiff& found) {
+    std::string text =
+        fmt::format("a: {}\nb: {}\n", printable(found.name_a), printable(found.name_b));
+    if (found.is_same)
+        return text + remarks_text(found) +
+               (found.is_same_bytes    ? "the same, byte for byte\n"
+                : found.damage.empty() ? "the same\n"
+                                       : "the same, as far as they go\n");
+
+    std::size_t steps = 0;
+    for (const KindDifference& kind : found.kinds)
+        steps += kind.changed + kind.only_a + kind.only_b + kind.moved;
+    text += remarks_text(found);
+    text += steps == 0 ? "no step differs\n"
+                       : plural(steps, "step") + (steps == 1 ? " differs\n" : " differ\n");
+    if (!found.header.empty() || !found.end.empty())
+        text += header_text(found);
+    if (found.first)
+        text += first_text(found);
+    if (!found.kinds.empty())
+        text += kinds_text(found.kinds);
+    if (found.picture)
+        text += picture_text(*found.picture);
+    return text;
+}
+
+} // namespace rastertrace

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Two traces gone through together: primitive by primitive, and within each step by step. Lines that are the same are
+// passed as bytes; where lines differ, steps are found by their keys, a little way ahead.
+//
+//     TraceComparison comparison(a, b, options);
+//     comparison.run();
+//     comparison.tally().kinds();
+
+#include "compared_steps.h"
+#include "diff.h"
+#include "diff_fields.h"
+#include "diff_picture.h"
+#include "diff_tally.h"
+#include "primitive_order.h"
+#include "waiting_steps.h"
+
+#include <rastertrace/trace/record/step_lines.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace rastertrace {
+
+/// One of the two traces, as far as it has been gone through.
+struct DiffSide {
+    const TraceText& text;
+    bool is_a; ///< the first of the two
+    StepLines lines;
+    std::optional<OwnedPicture> picture{}; ///< nothing: it is drawn elsewhere
+    std::vector<LinePlace> primitives{};   ///< where the step of each begins
+    LinePlace begin{};                     ///< of the current primitive
+    std::string json{};                    ///< of its step
+    bool breaks_off = false;               ///< of a part: the trace ends within it
+
+    /// The whole trace, with its picture.
+    DiffSide(const TraceText& of, bool is_first)
+        : text(of), is_a(is_first), lines(of), picture(of.header().canvas) {}
+
+    /// A part of it.
+    DiffSide(const TraceText& of, bool is_first, LinePlace from, std::size_t end)
+        : text(of), is_a(is_first), lines(of, from, end) {}
+
+    /// Goes on by a step, of which so much has been seen.
+    void see(const SeenStep& step, std::string_view line, LinePlace place);
+
+    /// Goes on by the next step.
+    void pass(const StepLine& line);
+
+    /// The n-th primitive, from 1; one without a name for 0.
+    OwnerOfPixels primitive(std::uint32_t number) const;
+};
+
+/// Where both traces are when a gap begins, see DiffTally.
+struct DiffGap {
+    std::size_t number = 0;
+    LinePlace a{};
+    LinePlace b{};
+};
+
+class TraceComparison {
+public:
+    TraceComparison(const TraceText& a, const TraceText& b, const DiffOptions& options);
+
+    void run();
+
+    const DiffTally& tally() const { return tally_; }
+    const std::vector<std::string>& remarks() const { return remarks_; }
+    const std::optional<DiffGap>& first_gap() const { return first_gap_; }
+
+    /// How the pictures differ, and what of it comes of the first difference; nothing if the traces do not tell.
+    std::optional<std::pair<PictureDifference, Consequences>> picture() const;
+
+    /// Where each trace breaks off, if it does.
+    std::vector<Problem> damage() const;
+    bool is_cut_off() const { return a_.lines.is_cut_off() || b_.lines.is_cut_off(); }
+
+    /// Where the steps of each trace end.
+    LinePlace end_of_a() const { return a_.lines.place(); }
+    LinePlace end_of_b() const { return b_.lines.place(); }
+
+private:
+    bool compare_in_order();
+    void compare_by_name();
+    void compare_section(DiffSide& a, DiffSide& b);
+    void compare_primitives(const PrimitivePlace& of_a, const PrimitivePlace& of_b, bool has_moved,
+                            bool breaks_off);
+    void begin_primitive(DiffSide& a, DiffSide& b);
+    void begin_section();
+    void compare(const StepLine& a, const StepLine& b);
+    void add_primitive(const TraceText& text, const PrimitivePlace& primitive, bool is_in_a);
+
+    const StepLine* next_compared(DiffSide& side);
+    const StepLine* ahead(DiffSide& side, std::size_t i) const;
+    bool begins_section(const StepLine& step) const {
+        return has_primitives_ && step.kind == StepKind::primitive;
+    }
+
+    void realign(DiffSide& a, DiffSide& b);
+    void begin_gap(const DiffSide& a, const DiffSide& b);
+    void put_aside(DiffSide& side, std::size_t steps);
+    void found_elsewhere(std::size_t gap, const StepLine& a, const StepLine& b);
+    void give_up_waiting(bool breaks_off = false);
+
+    void pass_equal_lines(DiffSide& a, DiffSide& b);
+    std::size_t pass_lines(DiffSide& a, DiffSide& b, std::string_view text);
+
+    std::uint32_t b_of_a(std::uint32_t of_a) const;
+
+    ComparedSteps compared_;
+    bool has_primitives_;
+    FieldComparison fields_;
+    DiffSide a_;
+    DiffSide b_;
+    DiffTally tally_;
+    WaitingSteps waiting_a_;
+    WaitingSteps waiting_b_;
+    std::optional<DiffGap> first_gap_;
+    std::size_t gap_ = 0;                 ///< the number of the last one
+    bool is_compared_ = true;             ///< the steps of the current primitive are
+    std::uint32_t common_primitives_ = 0; ///< so many come in the same order in both
+    std::vector<std::uint32_t> partner_;  ///< of those behind them in a: the one in b; 0: none
+    std::vector<std::string> remarks_;
+};
+
+} // namespace rastertrace

@@ -1,0 +1,378 @@
+// SPDX-License-Identifier: MIT
+// What is told of a row, a face, a vertex or an edge: the steps that are about it, in order.
+
+#include "explanation.h"
+
+#include <rastertrace/core/draw/plan/stages.h>
+#include <rastertrace/trace/tell/step_text.h>
+#include <rastertrace/trace/text/language.h>
+#include <rastertrace/trace/text/text.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <set>
+#include <string_view>
+
+namespace rastertrace {
+
+namespace {
+
+/// A step of a trace, and the primitive that it belongs to.
+struct StepOf {
+    std::size_t number;
+    StepKind kind;
+    StepView step;
+    std::string primitive; ///< its name; "" before the first one
+    std::string whole;     ///< the same, or, of a part that clipping has made, what it is a part of
+};
+
+/// Every step of a kind that we know.
+void for_each_step(const Trace& trace, const std::function<void(const StepOf&)>& take) {
+    std::string primitive, whole;
+    for (std::size_t n = 1; n <= trace.size(); ++n) {
+        const auto kind = trace.kind_of(n);
+        if (!kind)
+            continue;
+        const StepView step = trace.step(n);
+        if (kind == StepKind::primitive) {
+            primitive = step.text("name");
+            const std::string before = primitive.substr(0, primitive.rfind('/'));
+            whole = is_part_of(step, before) ? before : primitive;
+        }
+        take({n, *kind, step, primitive, whole});
+    }
+}
+
+std::vector<std::size_t> numbers_of(const Trace& trace,
+                                    const std::function<bool(const StepOf&)>& is_meant) {
+    std::vector<std::size_t> numbers;
+    for_each_step(trace, [&](const StepOf& one) {
+        if (is_meant(one))
+            numbers.push_back(one.number);
+    });
+    return numbers;
+}
+
+/// A name that nothing has: what there is.
+[[noreturn]] void refuse(std::string_view option, std::string_view what, const std::string& name,
+                         const std::set<std::string>& known) {
+    constexpr std::size_t most_listed = 12;
+    std::vector<std::string> listed(known.begin(), known.end());
+    const std::string near =
+        did_you_mean(name, std::vector<std::string_view>(listed.begin(), listed.end()));
+    const bool is_all = listed.size() <= most_listed;
+    listed.resize(std::min(listed.size(), most_listed));
+    throw problem_of("", fmt::format("{}: expected {}, found \"{}\"", option, what, name),
+                     !near.empty()   ? near
+                     : known.empty() ? std::string("the trace has none")
+                                     : fmt::format("there are {}{}", joined(listed, ", "),
+                                                   is_all ? "" : ", ..."));
+}
+
+/// An answer that counts steps: not all of them are there if the trace lacks some.
+std::string counted_in(const Explanation& explanation, const std::string& answer) {
+    return explanation.lacks.empty() ? answer : "as far as the trace goes: " + answer;
+}
+
+/// What has become of a triangle or an outline. Pixels are counted once, however often they were written.
+struct Fate {
+    bool is_painted = true;
+    std::set<std::size_t> plotted; ///< where on the canvas
+    std::set<std::size_t> hidden;
+    std::set<std::size_t> passed; ///< the depth test
+    std::size_t seen = 0;         ///< of the plotted ones, at the end
+    std::string skipped;          ///< why it draws nothing
+};
+
+void take_step(Fate& fate, const StepOf& one, const Replay& at_end) {
+    if (one.kind == StepKind::primitive && one.step.text("painted") == "false")
+        fate.is_painted = false;
+    if (one.kind == StepKind::skip)
+        fate.skipped = one.step.text("why");
+    const Canvas& canvas = at_end.trace().canvas;
+    const auto x = one.step.whole("x");
+    const auto y = one.step.whole("y");
+    if (!x || !y || !canvas.contains(*x, *y))
+        return;
+    const auto offset = canvas.offset_of({static_cast<int>(*x), static_cast<int>(*y)});
+    if (one.kind == StepKind::depth)
+        (one.step.text("pass") == "false" ? fate.hidden : fate.passed).insert(offset);
+    if (one.kind == StepKind::pixel)
+        fate.plotted.insert(offset);
+    if (one.kind == StepKind::pixel && at_end.frame().drawn_by[offset] == one.number)
+        ++fate.seen;
+}
+
+/// The fates of primitives, and of the parts that clipping has made of them, by their names.
+std::map<std::string, Fate> fates_in(const Trace& trace, const std::vector<std::string>& names) {
+    std::map<std::string, Fate> fates;
+    for (const std::string& name : names)
+        fates[name] = {};
+    Replay at_end(trace);
+    at_end.go_to(trace.size());
+    for_each_step(trace, [&](const StepOf& one) {
+        const auto own = fates.find(one.primitive);
+        const auto found = own == fates.end() ? fates.find(one.whole) : own;
+        if (found != fates.end())
+            take_step(found->second, one, at_end);
+    });
+    return fates;
+}
+
+std::string text_of(const Fate& fate, bool lacks_depths) {
+    if (!fate.skipped.empty() && fate.plotted.empty() && fate.hidden.empty())
+        return fmt::format("not drawn: {}", printable(in_language_of_steps(fate.skipped)));
+    if (!fate.is_painted)
+        return fmt::format("not painted: it only hides what lies behind it, at {}",
+                           counted(fate.passed.size(), "pixel"));
+    const std::string hidden =
+        lacks_depths ? "" : fmt::format(", {} hidden by what is nearer", fate.hidden.size());
+    return fmt::format("{} plotted{}, {} seen at the end", counted(fate.plotted.size(), "pixel"),
+                       hidden, fate.seen);
+}
+
+/// Why no step tests whether a face is turned away.
+std::string why_not_tested(const Trace& trace) {
+    const std::string cull = trace.method_value("cull");
+    return cull.empty() || cull == "none" ? "no face is tested: the method does not cull"
+                                          : "it was skipped before it was tested";
+}
+
+/// Who has pixels in a row without being filled row by row: lines, and the sides of outlines.
+std::set<std::string> passing_through(const Trace& trace, int y) {
+    std::set<std::string> names;
+    bool is_line = false;
+    for_each_step(trace, [&](const StepOf& one) {
+        if (one.kind == StepKind::primitive)
+            is_line = one.step.text("kind") == "line" || one.step.text("kind") == "outline";
+        if (is_line && one.kind == StepKind::pixel && one.step.whole("y") == y)
+            names.insert(one.whole);
+    });
+    return names;
+}
+
+/// Why a trace that lacks no step has none of a row.
+std::string why_no_row(const Trace& trace, int y) {
+    const std::string fill = trace.method_value("fill");
+    if (fill == "barycentric" || fill == "fan")
+        return fmt::format("no primitive has rows: {} goes {}", fill,
+                           fill == "fan" ? "line by line" : "through every pixel of a box");
+    const auto lines = passing_through(trace, y);
+    if (lines.empty())
+        return "no primitive has this row";
+    return fmt::format("no filled triangle has this row; {} with pixels in it {} no rows",
+                       counted(lines.size(), "line"), lines.size() == 1 ? "has" : "have");
+}
+
+} // namespace
+
+Explanation explain_scanline(const Trace& trace, int y) {
+    Explanation explanation;
+    std::vector<std::string> owners;
+    explanation.tries = tries_of(trace, numbers_of(trace, [&](const StepOf& one) {
+                                     const bool is_row =
+                                         one.kind == StepKind::scanline && one.step.whole("y") == y;
+                                     if (is_row)
+                                         owners.push_back(one.primitive);
+                                     return is_row;
+                                 }));
+    for (std::size_t i = 0; i < owners.size(); ++i)
+        explanation.tries[i].primitive = owners[i];
+    explanation.lacks = what_lacks(trace, {StepKind::scanline});
+    if (!owners.empty())
+        explanation.answer =
+            counted_in(explanation, counted(owners.size(), "primitive") + " with this row");
+    else
+        explanation.answer = explanation.lacks.empty() ? why_no_row(trace, y) : "not told";
+    return explanation;
+}
+
+std::vector<std::string> triangles_of_face(const Trace& trace, const std::string& name) {
+    std::set<std::string> known;
+    std::vector<std::string> triangles{name};
+    for_each_step(trace, [&](const StepOf& one) {
+        const std::string kind = one.step.text("kind");
+        const bool is_face = one.kind == StepKind::triangulate ||
+                             (one.kind == StepKind::primitive && kind != "line" && kind != "point");
+        if (is_face || (one.kind == StepKind::primitive && one.primitive != one.whole))
+            known.insert(one.step.text("name"));
+        if (one.kind == StepKind::triangulate && one.step.text("name") == name)
+            triangles = one.step.texts("ears");
+    });
+    if (!trace.lacks(StepKind::primitive) && !known.contains(name))
+        refuse("--face", "the name of a face", name, known);
+    return triangles;
+}
+
+namespace {
+
+/// True of the steps that say how a face is turned, lit, clipped.
+bool is_about_face(StepKind kind) {
+    return kind == StepKind::primitive || kind == StepKind::face || kind == StepKind::light ||
+           kind == StepKind::clip || kind == StepKind::skip || kind == StepKind::undecided;
+}
+
+} // namespace
+
+Explanation explain_face(const Trace& trace, const std::string& name) {
+    const std::vector<std::string> triangles = triangles_of_face(trace, name);
+    const auto is_of_face = [&](const StepOf& one) {
+        return std::any_of(triangles.begin(), triangles.end(), [&](const std::string& triangle) {
+            return one.primitive == triangle || one.whole == triangle;
+        });
+    };
+    bool has_test = false;
+    Explanation explanation;
+    explanation.tries =
+        tries_of(trace, numbers_of(trace, [&](const StepOf& one) {
+                     if (one.kind == StepKind::triangulate)
+                         return one.step.text("name") == name;
+                     has_test = has_test || (one.kind == StepKind::face && is_of_face(one));
+                     return is_about_face(one.kind) && is_of_face(one);
+                 }));
+    explanation.lacks =
+        what_lacks(trace, {StepKind::primitive, StepKind::face, StepKind::pixel, StepKind::depth});
+    const bool is_told = !trace.lacks(StepKind::primitive) && !trace.lacks(StepKind::pixel);
+    std::vector<std::string> texts;
+    const auto fates = fates_in(trace, triangles);
+    for (const std::string& triangle : triangles)
+        texts.push_back((triangles.size() == 1 ? "" : printable(triangle) + ": ") +
+                        text_of(fates.at(triangle), trace.lacks(StepKind::depth)));
+    explanation.answer = is_told ? counted_in(explanation, joined(texts, "; ")) : "not told";
+    if (!has_test && explanation.lacks.empty())
+        explanation.lacks.push_back(why_not_tested(trace));
+    return explanation;
+}
+
+Explanation explain_vertex(const Trace& trace, const std::string& name) {
+    std::set<std::string> known;
+    std::string place;
+    Explanation explanation;
+    explanation.tries =
+        tries_of(trace, numbers_of(trace, [&](const StepOf& one) {
+                     if (one.kind == StepKind::vertex)
+                         known.insert(one.step.text("name"));
+                     return one.kind == StepKind::vertex && one.step.text("name") == name;
+                 }));
+    const bool has_places = !explanation.tries.empty();
+    if (has_places) {
+        const StepView last(explanation.tries.back().step);
+        place = fmt::format("{} space: {}", last.text("space"), point(last.texts("at")));
+    }
+
+    // Where no matrix moves a vertex, the primitives say where it is.
+    const auto corners = numbers_of(trace, [&](const StepOf& one) {
+        if (one.kind != StepKind::primitive)
+            return false;
+        const PrimitiveText primitive = primitive_in(one.step);
+        bool is_corner = false;
+        for (std::size_t i = 0; i < primitive.vertices.size(); ++i) {
+            known.insert(primitive.vertices[i]);
+            is_corner = is_corner || primitive.vertices[i] == name;
+            if (primitive.vertices[i] == name && place.empty() && i < primitive.positions.size())
+                place = fmt::format("{}, as it was typed: no matrix moves it",
+                                    point(primitive.positions[i]));
+        }
+        return is_corner;
+    });
+    if (!known.contains(name))
+        refuse("--vertex", "the name of a vertex", name, known);
+    if (!has_places)
+        explanation.tries = tries_of(trace, corners);
+    explanation.lacks = what_lacks(trace, {StepKind::vertex});
+    explanation.answer = place.empty() ? "not told" : place;
+    return explanation;
+}
+
+namespace {
+
+/// Why no step is about an edge that a primitive has.
+std::string why_not_set_up(const Trace& trace, const std::set<std::string>& spellings) {
+    std::set<std::string> owners;
+    std::string why = "no step is about it";
+    for_each_step(trace, [&](const StepOf& one) {
+        if (one.kind == StepKind::primitive) {
+            const PrimitiveText primitive = primitive_in(one.step);
+            for (std::size_t i = 0; i < primitive.vertices.size(); ++i)
+                for (std::size_t j = 0; j < i; ++j)
+                    if (spellings.contains(edge_name(primitive, i, j)))
+                        owners.insert(one.primitive);
+        }
+        const std::string name =
+            one.step.text("name").empty() ? one.primitive : one.step.text("name");
+        if (one.kind == StepKind::skip && owners.contains(name))
+            why = fmt::format("no edge is set up: {} is {}{}", printable(name),
+                              one.step.text("why") == "culled" ? "" : "skipped, ",
+                              printable(in_language_of_steps(one.step.text("why"))));
+    });
+    return why;
+}
+
+} // namespace
+
+Explanation explain_edge(const Trace& trace, const std::string& name) {
+    // AB is also BA: a trace names an edge from its upper vertex.
+    std::set<std::string> known, spellings;
+    for_each_step(trace, [&](const StepOf& one) {
+        if (one.kind == StepKind::edge)
+            known.insert(one.step.text("edge"));
+        if (one.kind != StepKind::primitive)
+            return;
+        const PrimitiveText primitive = primitive_in(one.step);
+        for (std::size_t i = 0; i < primitive.vertices.size(); ++i)
+            for (std::size_t j = i + 1; j < primitive.vertices.size(); ++j) {
+                const std::string edge = edge_name(primitive, i, j);
+                const std::string back = edge_name(primitive, j, i);
+                known.insert(edge);
+                if (edge == name || back == name)
+                    spellings.insert({edge, back});
+            }
+    });
+    if (known.contains(name))
+        spellings.insert(name);
+    if (spellings.empty())
+        refuse("--edge", "the name of an edge", name, known);
+
+    // The edge is set up, and rows begin or end at it; or it is a line, with its own steps.
+    bool is_in_line = false;
+    std::size_t rows = 0;
+    Explanation explanation;
+    explanation.tries =
+        tries_of(trace, numbers_of(trace, [&](const StepOf& one) {
+                     switch (one.kind) {
+                     case StepKind::primitive:
+                         is_in_line = one.step.text("kind") == "line" &&
+                                      spellings.contains(edge_name(primitive_in(one.step), 0, 1));
+                         return is_in_line;
+                     case StepKind::edge: {
+                         const bool is_meant = spellings.contains(one.step.text("edge"));
+                         is_in_line = is_meant && one.step.field("octant");
+                         return is_meant;
+                     }
+                     case StepKind::scanline: {
+                         const bool is_end = spellings.contains(one.step.text("left_edge")) ||
+                                             spellings.contains(one.step.text("right_edge"));
+                         rows += is_end ? 1 : 0;
+                         return is_end;
+                     }
+                     case StepKind::along:
+                     case StepKind::decide:
+                         return is_in_line;
+                     default:
+                         return false;
+                     }
+                 }));
+    explanation.lacks = what_lacks(trace, {StepKind::edge, StepKind::scanline});
+    if (!explanation.tries.empty() && rows == 0)
+        explanation.answer = explanation.tries.front().sentence;
+    else
+        explanation.answer =
+            counted_in(explanation, rows > 0 ? counted(rows, "row") + " with this end"
+                                             : why_not_set_up(trace, spellings));
+    return explanation;
+}
+
+} // namespace rastertrace

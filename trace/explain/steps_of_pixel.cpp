@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "steps_of_pixel.h"
+
+#include <rastertrace/trace/tell/step_text.h>
+
+#include <utility>
+
+namespace rastertrace {
+
+void StepsOfPixel::take(const StepView& step, std::optional<StepKind> kind, std::size_t number) {
+    if (!kind) {
+        if (is_at_pixel(step))
+            keep(step, kind, number);
+        return;
+    }
+    switch (*kind) {
+    case StepKind::vertex: {
+        // A depth is worked out on the plane of the face, in the camera's space.
+        const std::string space = step.text("space");
+        if (space == "object" || space == "world" || space == "camera")
+            keep(step, kind, number);
+        return;
+    }
+    case StepKind::primitive:
+        keep(row_);
+        begin_primitive(step);
+        break;
+    case StepKind::edge:
+        is_x_major_ = is_x_major_octant(step);
+        ray_ = reason_before_ = reason_ = {};
+        break;
+    case StepKind::ray:
+        ray_ = {std::string(step.json()), kind, number};
+        reason_before_ = reason_ = {};
+        return;
+    case StepKind::scanline:
+        return take_scanline(step, number);
+    case StepKind::along:
+    case StepKind::decide:
+        return take_reason(step, *kind, number);
+    case StepKind::sample:
+        if (is_at_pixel(step))
+            keep(step, kind, number);
+        return;
+    case StepKind::depth:
+    case StepKind::pixel:
+    case StepKind::reject:
+        return take_fragment(step, *kind, number);
+    default:
+        break;
+    }
+    keep(step, kind, number);
+}
+
+void StepsOfPixel::begin_primitive(const StepView& step) {
+    is_line_ = step.text("kind") != "triangle";
+    is_point_ = step.text("kind") == "point";
+    is_x_major_ = is_x_major_octant(step);
+    has_row_ = false;
+    ray_ = reason_before_ = reason_ = {};
+}
+
+/// The row of the pixel, the one before it, and the first and the last of the primitive.
+void StepsOfPixel::take_scanline(const StepView& step, std::size_t number) {
+    if (!has_row_ || step.whole("y") == pixel_.y)
+        keep(step, StepKind::scanline, number);
+    else
+        row_ = {std::string(step.json()), StepKind::scanline, number};
+    has_row_ = true;
+}
+
+void StepsOfPixel::take_reason(const StepView& step, StepKind kind, std::size_t number) {
+    reason_before_ = std::move(reason_);
+    reason_ = {std::string(step.json()), kind, number};
+}
+
+/// Of a line, also where it is in the pixel's column or row, and what of it the canvas does not have.
+void StepsOfPixel::take_fragment(const StepView& step, StepKind kind, std::size_t number) {
+    const bool is_of_pixel = is_line_                   ? shares_line(step)
+                             : kind == StepKind::reject ? covers(step, pixel_)
+                                                        : is_at_pixel(step);
+    if (!is_of_pixel)
+        return;
+    keep(row_);
+    keep(ray_);
+    keep(reason_before_);
+    keep(reason_);
+    keep(step, kind, number);
+}
+
+bool StepsOfPixel::is_at_pixel(const StepView& step) const {
+    return step.whole("y") == pixel_.y && step.whole("x") == pixel_.x;
+}
+
+bool StepsOfPixel::shares_line(const StepView& step) const {
+    const bool is_run = step.field("to_x") || step.field("to_y");
+    if (is_point_ || is_run)
+        return true;
+    const bool is_in_column = step.whole("x") == pixel_.x;
+    const bool is_in_row = step.whole("y") == pixel_.y;
+    return is_x_major_ ? (*is_x_major_ ? is_in_column : is_in_row) : is_in_column || is_in_row;
+}
+
+void StepsOfPixel::keep(const StepView& step, std::optional<StepKind> kind, std::size_t number) {
+    keep(row_);
+    excerpt_.add_to_excerpt(step, kind, number);
+}
+
+void StepsOfPixel::keep(Waiting& waiting) {
+    if (waiting.number != 0)
+        excerpt_.add_to_excerpt(StepView(waiting.json), waiting.kind, waiting.number);
+    waiting.number = 0;
+}
+
+Trace StepsOfPixel::finish() && {
+    keep(row_);
+    return std::move(excerpt_);
+}
+
+} // namespace rastertrace

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+// Where a point, a line, or the sides of an outline are, if not in a pixel.
+
+#include "why_not.h"
+
+#include <rastertrace/core/raster/rounding.h>
+#include <rastertrace/trace/tell/step_text.h>
+#include <rastertrace/trace/text/text.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace rastertrace {
+
+namespace {
+
+/// A line, or a side: the steps that draw it.
+struct LineSteps {
+    std::string name;
+    std::size_t first;
+    std::size_t last;
+    std::optional<LineEnds> ends;
+    bool is_x_major;
+};
+
+/// Where a line is, and how far from the pixel.
+struct PlaceOnLine {
+    std::string text;
+    std::optional<Rational> distance = {};
+    bool is_known = true; ///< false: it may be in the pixel, as far as the trace goes
+};
+
+bool is_x_major_line(const StepView& step, const std::optional<LineEnds>& ends) {
+    if (const auto told = is_x_major_octant(step))
+        return *told;
+    return ends && abs(ends->to.x - ends->from.x) >= abs(ends->to.y - ends->from.y);
+}
+
+/// The line itself, or the sides of an outline that the trace tells.
+std::vector<LineSteps> lines_of(const Trace& trace, const PrimitiveSteps& steps) {
+    const StepView step = trace.step(steps.first);
+    const PrimitiveText primitive = primitive_in(step);
+    const auto ends_at = [](const EdgeEnds& ends) -> std::optional<LineEnds> {
+        const auto from = vec2_in(ends.from);
+        const auto to = vec2_in(ends.to);
+        return from && to ? std::optional(LineEnds{*from, *to}) : std::nullopt;
+    };
+    std::vector<LineSteps> lines;
+    if (primitive.kind == "line") {
+        const auto ends = primitive.positions.size() == 2
+                              ? ends_at({primitive.positions[0], primitive.positions[1]})
+                              : std::nullopt;
+        return {{"the line", steps.first, steps.last, ends, is_x_major_line(step, ends)}};
+    }
+    for (std::size_t n = steps.first; n <= steps.last; ++n) {
+        if (trace.kind_of(n) != StepKind::edge)
+            continue;
+        if (!lines.empty())
+            lines.back().last = n - 1;
+        const StepView edge = trace.step(n);
+        const auto found = ends_of_edge(primitive, edge.text("edge"));
+        const auto ends = found ? ends_at(*found) : std::nullopt;
+        lines.push_back({edge.text("edge"), n, steps.last, ends, is_x_major_line(edge, ends)});
+    }
+    return lines;
+}
+
+/// The nearest pixel to a point, a half up, as the ends of lines are rounded.
+Pixel pixel_at(const Vec2& point) {
+    return {static_cast<int>(nearest_index(point.x, Ties::up)),
+            static_cast<int>(nearest_index(point.y, Ties::up))};
+}
+
+/// The line has no pixel in the column, or the row: it ends before, or there its last pixel is left out.
+PlaceOnLine beyond_ends(const Trace& trace, const LineSteps& line, Pixel pixel) {
+    if (!line.ends)
+        return {.text = fmt::format("no step says where {} is", line.name), .is_known = false};
+    const auto& [from, to] = *line.ends;
+    const Rational at = line.is_x_major ? pixel.x : pixel.y;
+    const auto [low, high] =
+        std::minmax(line.is_x_major ? from.x : from.y, line.is_x_major ? to.x : to.y);
+    const std::string_view axis = line.is_x_major ? "x" : "y";
+    const std::string goes =
+        fmt::format("{} goes from {} = {} to {}", line.name, axis, text(low), text(high));
+    const Rational gap = at < low ? Rational(low - at) : Rational(at - high);
+    if (sgn(gap) > 0)
+        return {fmt::format("{}: {} = {} lies beyond it, by {}", goes, axis, text(at), text(gap)),
+                gap};
+    if (trace.method_value("ends") == "first")
+        for (const Pixel& end : {pixel_at(to), pixel_at(from)})
+            if ((line.is_x_major ? end.x : end.y) == (line.is_x_major ? pixel.x : pixel.y))
+                return {fmt::format("the last pixel of {}, ({}, {}), is left out (ends: first)",
+                                    line.name, end.x, end.y),
+                        Rational(std::abs(line.is_x_major ? end.y - pixel.y : end.x - pixel.x))};
+    return {.text = fmt::format("{}; no step of the trace says where it is at {} = {}", goes, axis,
+                                text(at)),
+            .is_known = false};
+}
+
+/// What led to a pixel of a line: `9/7 -> 1`, or the pixel alone.
+std::string place_in(const Trace& trace, const LineSteps& line, std::size_t n, Index at) {
+    for (std::size_t before = n; before > line.first; --before)
+        if (trace.kind_of(before) == StepKind::along)
+            return fmt::format("{} -> {}", in_sentence(trace.step(before).text("value")), at);
+    return fmt::format("{}", at);
+}
+
+/// Where the line is in the pixel's column, or row.
+PlaceOnLine place_of(const Trace& trace, const LineSteps& line, Pixel pixel) {
+    const std::string_view major = line.is_x_major ? "x" : "y";
+    const std::string_view minor = line.is_x_major ? "y" : "x";
+    const Index wanted = line.is_x_major ? pixel.x : pixel.y;
+    const Index asked = line.is_x_major ? pixel.y : pixel.x;
+    const std::string where =
+        fmt::format("in {} {} = {}", line.is_x_major ? "column" : "row", major, wanted);
+    for (std::size_t n = line.first; n <= line.last; ++n) {
+        const auto kind = trace.kind_of(n);
+        const StepView step = trace.step(n);
+        const bool is_fragment = kind == StepKind::pixel || kind == StepKind::depth;
+        if (is_fragment && step.whole(major) == wanted) {
+            const Index at = step.whole(minor).value_or(0);
+            return {fmt::format("{} {} is at {} = {}, not {}", where, line.name, minor,
+                                place_in(trace, line, n, at), asked),
+                    Rational(std::abs(at - asked))};
+        }
+        const auto reaches = [&](std::string_view from, std::string_view to) {
+            const auto first = step.whole(from);
+            const auto last = step.field(to) ? step.whole(to) : first;
+            return first && last && std::min(*first, *last) <= wanted &&
+                   wanted <= std::max(*first, *last);
+        };
+        if (kind == StepKind::reject &&
+            (line.is_x_major ? reaches("x", "to_x") : reaches("y", "to_y")))
+            return {fmt::format("{} {} is off the canvas", where, line.name)};
+    }
+    return beyond_ends(trace, line, pixel);
+}
+
+WhyNot of_point(const Trace& trace, const PrimitiveSteps& steps, Pixel pixel) {
+    const PrimitiveText primitive = primitive_in(trace.step(steps.first));
+    const auto place =
+        primitive.positions.empty() ? std::nullopt : vec2_in(primitive.positions.front());
+    const bool is_in_pixel = place && nearest_index(place->x, Ties::up) == pixel.x &&
+                             nearest_index(place->y, Ties::up) == pixel.y;
+    if (!place || is_in_pixel)
+        return {.reason = "unknown", .sentence = "no step of the trace says what became of it"};
+    const auto drawn = find_step(trace, steps, StepKind::pixel);
+    const std::string at = fmt::format("it is at ({}, {})", in_sentence(primitive.positions[0][0]),
+                                       in_sentence(primitive.positions[0][1]));
+    return {.reason = "elsewhere",
+            .sentence =
+                drawn ? fmt::format("{}: pixel ({}, {})", at, drawn->text("x"), drawn->text("y"))
+                      : at};
+}
+
+} // namespace
+
+WhyNot why_elsewhere(const Trace& trace, const PrimitiveSteps& steps, Pixel pixel) {
+    if (trace.step(steps.first).text("kind") == "point")
+        return of_point(trace, steps, pixel);
+    if (trace.lacks(StepKind::pixel))
+        return {.reason = "unknown",
+                .sentence = "the trace has no pixel steps, which would say where it is"};
+    WhyNot why{.reason = "elsewhere"};
+    bool is_known = true;
+    std::vector<std::string> places;
+    for (const LineSteps& line : lines_of(trace, steps)) {
+        const PlaceOnLine place = place_of(trace, line, pixel);
+        places.push_back(place.text);
+        is_known = is_known && place.is_known;
+        if (place.distance)
+            why.distance = std::min(why.distance.value_or(nearest_double(*place.distance)),
+                                    nearest_double(*place.distance));
+    }
+    why.sentence = places.empty() ? "no step of the trace says where it is" : joined(places, "; ");
+    // Of an outline, sides that the trace does not have may be in the pixel.
+    const bool may_lack_sides =
+        !steps.may_lack.empty() && trace.step(steps.first).text("kind") != "line";
+    if (is_known && !places.empty() && !may_lack_sides)
+        return why;
+    return steps.may_lack.empty() ? WhyNot{.reason = "unknown", .sentence = why.sentence}
+                                  : not_told(steps, why.sentence);
+}
+
+} // namespace rastertrace

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: MIT
+// What keeps a filled triangle from a pixel. Each fill has its own rule: the trace says by its steps which one it
+// was.
+
+#include "why_not.h"
+
+#include <rastertrace/trace/tell/sheet.h>
+#include <rastertrace/trace/tell/step_text.h>
+#include <rastertrace/trace/text/text.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+namespace rastertrace {
+
+namespace {
+
+/// What the rules are asked with.
+struct Case {
+    const Trace& trace;
+    const PrimitiveSteps& steps;
+    Pixel pixel;
+    PrimitiveText primitive;
+    Vec2 sample;
+};
+
+WhyNot outside(std::string sentence, const Rational& distance) {
+    return {
+        .reason = "outside", .sentence = std::move(sentence), .distance = nearest_double(distance)};
+}
+
+/// The distance of a point from a line through two others, in pixels, of the double of the area between them.
+double distance_from_line(const Rational& area, const Vec2& from, const Vec2& to) {
+    const Rational dx = to.x - from.x;
+    const Rational dy = to.y - from.y;
+    // Scaled, as the squares of coordinates need not fit a double.
+    const Rational scale = std::max(abs(dx), abs(dy));
+    if (sgn(scale) == 0)
+        return 0;
+    return std::abs(nearest_double(area / scale)) /
+           std::hypot(nearest_double(dx / scale), nearest_double(dy / scale));
+}
+
+/// An edge that clipping has made has both ends on its plane, named after the primitive: wing:1, wing:2.
+std::string_view made_by_clipping(const std::string& edge) {
+    const std::size_t colon = edge.find(':');
+    return colon != std::string::npos && edge.find(':', colon + 1) != std::string::npos
+               ? ", which clipping has made,"
+               : "";
+}
+
+/// `top-left`: the edge that has the sample farthest outside.
+std::optional<WhyNot> by_edge_function(const Case& c) {
+    std::optional<WhyNot> farthest;
+    for (std::size_t n = c.steps.first; n <= c.steps.last; ++n) {
+        const StepView step = c.trace.step(n);
+        if (c.trace.kind_of(n) != StepKind::edge)
+            continue;
+        const auto function = edge_function_in(step, c.primitive);
+        const Rational value = function ? function->value_at(c.sample) : Rational(1);
+        if (sgn(value) > 0 || (sgn(value) == 0 && function->is_top_left))
+            continue;
+        const double distance = distance_from_line(value, {0, 0}, {function->a, function->b});
+        if (farthest && *farthest->distance >= distance)
+            continue;
+        const std::string edge = step.text("edge");
+        farthest =
+            WhyNot{.reason = "outside",
+                   .sentence = sgn(value) == 0
+                                   ? fmt::format("E of {} at {} = {}: it is no top or left edge",
+                                                 edge, text(c.sample), function->at(c.sample))
+                                   : fmt::format("E of {}{} at {} = {}, {} px beyond it", edge,
+                                                 made_by_clipping(edge), text(c.sample),
+                                                 function->at(c.sample), six_places(distance)),
+                   .distance = distance};
+    }
+    return farthest;
+}
+
+/// The end of a row that a pixel lies beyond.
+WhyNot beyond_end(const Case& c, const StepView& row, bool is_left) {
+    const std::string side = is_left ? "left" : "right";
+    const std::string pixel = row.text(is_left ? "from" : "to");
+    const std::string edge = row.text(side + "_edge");
+    const auto end = number_in(row, side);
+    const Rational gap = !end      ? Rational(0)
+                         : is_left ? Rational(*end - c.sample.x)
+                                   : Rational(c.sample.x - *end);
+    const std::string where =
+        !end           ? fmt::format("lies {} that pixel", is_left ? "before" : "beyond")
+        : sgn(gap) > 0 ? fmt::format("lies {} it by {}", is_left ? "before" : "beyond", text(gap))
+        : sgn(gap) == 0
+            ? std::string("lies on it, and the rule leaves it out")
+            : fmt::format("lies {} within it, and the rule leaves it out", text(abs(gap)));
+    WhyNot why =
+        outside(fmt::format("{}{} {} row y={} at x = {}{} -> {}; x = {} {}",
+                            edge.empty() ? side + " end" : edge, made_by_clipping(edge),
+                            is_left ? "begins" : "ends", row.text("y"), in_sentence(row.text(side)),
+                            rule_of_end(c.trace, row, side, pixel), pixel, text(c.sample.x), where),
+                gap);
+    for (const std::string& line : c.steps.working)
+        if (line.starts_with(name_of_side(side) + " "))
+            why.working.push_back(line);
+    return why;
+}
+
+/// The row of the pixel, if the triangle has one there.
+std::optional<WhyNot> by_row(const Case& c) {
+    for (std::size_t n = c.steps.first; n <= c.steps.last; ++n) {
+        const StepView row = c.trace.step(n);
+        if (c.trace.kind_of(n) != StepKind::scanline || row.whole("y") != c.pixel.y)
+            continue;
+        const Index from = row.whole("from").value_or(0);
+        const Index to = row.whole("to").value_or(0);
+        if (c.pixel.x < from)
+            return beyond_end(c, row, true);
+        if (c.pixel.x > to)
+            return beyond_end(c, row, false);
+        return WhyNot{.reason = "unknown",
+                      .sentence = fmt::format("row y={} has the pixels {} to {}, but no step of "
+                                              "the trace says what became of this one",
+                                              c.pixel.y, from, to)};
+    }
+    return std::nullopt;
+}
+
+/// The corner that lies highest in the picture, or lowest.
+std::size_t outermost_corner(const Case& c, bool is_top) {
+    const auto corners = *corners_of(c.primitive);
+    const bool wants_largest = (c.trace.canvas.down() < 0) == is_top;
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < 3; ++i)
+        if (wants_largest ? corners[i].y > corners[best].y : corners[i].y < corners[best].y)
+            best = i;
+    return best;
+}
+
+/// A row that the triangle does not reach.
+std::optional<WhyNot> by_rows(const Case& c) {
+    const Canvas& canvas = c.trace.canvas;
+    std::optional<Index> top, bottom;
+    for (std::size_t n = c.steps.first; n <= c.steps.last; ++n) {
+        if (c.trace.kind_of(n) != StepKind::scanline)
+            continue;
+        const Index y = c.trace.step(n).whole("y").value_or(0);
+        if (!top || canvas.row_of(y) < canvas.row_of(*top))
+            top = y;
+        if (!bottom || canvas.row_of(y) > canvas.row_of(*bottom))
+            bottom = y;
+    }
+    if (!top)
+        return std::nullopt;
+    const bool is_above = canvas.row_of(c.pixel.y) < canvas.row_of(*top);
+    const bool is_below = canvas.row_of(c.pixel.y) > canvas.row_of(*bottom);
+    const std::string rows = *top == *bottom ? fmt::format("its only row, y={}", *top)
+                                             : fmt::format("its rows, y={} to {}", *top, *bottom);
+    if (!is_above && !is_below)
+        return WhyNot{.reason = "unknown",
+                      .sentence = fmt::format("row y={} is missing among {}", c.pixel.y, rows)};
+    if (!c.steps.may_lack.empty())
+        return not_told(c.steps, fmt::format("the trace does not have row y={} of it", c.pixel.y));
+    const auto corners = corners_of(c.primitive);
+    if (!corners)
+        return WhyNot{.reason = "outside",
+                      .sentence = fmt::format("row y={} lies {} {}", c.pixel.y,
+                                              is_above ? "above" : "below", rows)};
+    const std::size_t corner = outermost_corner(c, is_above);
+    const Rational distance = abs(c.sample.y - (*corners)[corner].y);
+    return outside(fmt::format("row y={} lies {} {}: its {} corner, {}, is at y = {}", c.pixel.y,
+                               is_above ? "above" : "below", rows, is_above ? "highest" : "lowest",
+                               c.primitive.vertices[corner],
+                               in_sentence(c.primitive.positions[corner][1])),
+                   distance);
+}
+
+/// AB, or A1-B1: the side across from a corner.
+std::string side_across(const PrimitiveText& primitive, std::size_t corner) {
+    return edge_name(primitive, (corner + 1) % 3, (corner + 2) % 3);
+}
+
+/// `barycentric`: the corner of the most negative weight.
+std::optional<WhyNot> by_weight(const Case& c) {
+    const auto corners = corners_of(c.primitive);
+    for (std::size_t n = c.steps.first; n <= c.steps.last; ++n) {
+        const StepView step = c.trace.step(n);
+        if (c.trace.kind_of(n) != StepKind::sample || !covers(step, c.pixel) ||
+            step.text("inside") == "true")
+            continue;
+        const auto weights = step.texts("weights");
+        std::optional<std::size_t> worst;
+        for (std::size_t i = 0; i < weights.size() && i < 3; ++i) {
+            const auto weight = number_in(weights[i]);
+            if (weight && sgn(*weight) < 0 && (!worst || *weight < *number_in(weights[*worst])))
+                worst = i;
+        }
+        if (!worst || !corners)
+            return WhyNot{.reason = "outside", .sentence = "its sample lies outside"};
+        const auto& from = (*corners)[(*worst + 1) % 3];
+        const auto& to = (*corners)[(*worst + 2) % 3];
+        const double distance = distance_from_line(doubled_area(from, to, c.sample), from, to);
+        return WhyNot{.reason = "outside",
+                      .sentence = fmt::format(
+                          "at {} the weight of {} is {} < 0: beyond {}, by {} px", text(c.sample),
+                          c.primitive.vertices[*worst], in_sentence(weights[*worst]),
+                          side_across(c.primitive, *worst), six_places(distance)),
+                      .distance = distance,
+                      .working = c.steps.working};
+    }
+    return std::nullopt;
+}
+
+/// How far a number lies outside of a range; 0 within it.
+Rational beyond(const Rational& number, const Rational& low, const Rational& high) {
+    return std::max({Rational(0), Rational(low - number), Rational(number - high)});
+}
+
+/// `barycentric`: the box around the triangle, beyond which no sample is tested.
+std::optional<WhyNot> by_box(const Case& c) {
+    const auto corners = corners_of(c.primitive);
+    if (!corners || c.trace.method_value("fill") != "barycentric")
+        return std::nullopt;
+    const auto& [p, q, r] = *corners;
+    const auto [left, right] = std::minmax({p.x, q.x, r.x});
+    const auto [low, high] = std::minmax({p.y, q.y, r.y});
+    const Rational dx = beyond(c.sample.x, left, right);
+    const Rational dy = beyond(c.sample.y, low, high);
+    if (sgn(dx) == 0 && sgn(dy) == 0)
+        return std::nullopt;
+    return outside(fmt::format("{} lies beyond the box around it, x {} to {}, y {} to {}, by {}",
+                               text(c.sample), text(left), text(right), text(low), text(high),
+                               text(std::max(dx, dy))),
+                   std::max(dx, dy));
+}
+
+/// Lines from one side to the corner across: `fan`.
+bool is_fan(const Case& c) {
+    const auto edge = find_step(c.trace, c.steps, StepKind::edge);
+    return c.trace.method_value("fill") == "fan" || (edge && edge->field("octant"));
+}
+
+/// No rule can be told: which steps would say more?
+WhyNot unknown(const Case& c) {
+    std::vector<std::string> lacking;
+    for (const StepKind kind : {StepKind::edge, StepKind::scanline, StepKind::sample})
+        if (c.trace.lacks(kind))
+            lacking.emplace_back(name_of(kind));
+    if (lacking.empty() && !c.steps.may_lack.empty())
+        return not_told(c.steps, "no step of the trace says why");
+    return {.reason = "unknown",
+            .sentence = lacking.empty()
+                            ? "no step of the trace says why"
+                            : fmt::format("the trace has no {} steps, which would say why",
+                                          joined(lacking, ", "))};
+}
+
+} // namespace
+
+WhyNot why_outside(const Trace& trace, const PrimitiveSteps& steps, Pixel pixel) {
+    const StepView step = trace.step(steps.first);
+    const Rational offset = sample_offset(trace);
+    const Case c{trace, steps, pixel, primitive_in(step), {pixel.x + offset, pixel.y + offset}};
+    if (step.text("painted") == "false")
+        return {.reason = "unpainted", .sentence = "it only hides what lies behind it"};
+    for (const auto rule : {by_edge_function, by_row, by_weight, by_rows, by_box})
+        if (auto why = rule(c))
+            return *std::move(why);
+    if (is_fan(c) && !trace.lacks(StepKind::pixel) && steps.may_lack.empty())
+        return {.reason = "outside", .sentence = "no line of the fan passes through the pixel"};
+    return unknown(c);
+}
+
+} // namespace rastertrace

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+#include "frame.h"
+
+#include "field_type.h"
+
+#include <rastertrace/trace/text/color_text.h>
+#include <rastertrace/trace/text/json_scanner.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace rastertrace {
+
+void Replay::go_to(std::size_t n) {
+    if (n < place_.step) {
+        frame_ = Frame(trace_.canvas, parts_);
+        has_changed_.assign(has_changed_.size(), 0);
+        place_ = {};
+    }
+    while (place_.step < n)
+        apply_next();
+}
+
+void Replay::go_to_place_of(const Replay& other) {
+    Color* const colors = frame_.image.row(trace_.canvas.top()).colors;
+    for (std::size_t tile = 0; tile < has_changed_.size(); ++tile) {
+        if (has_changed_[tile] == 0 && other.has_changed_[tile] == 0)
+            continue; // blank in both
+        const std::size_t begin = tile * tile_size;
+        const std::size_t end = std::min(begin + tile_size, frame_.drawn_by.size());
+        const auto take_over = [begin, end](auto& values, const auto& others) {
+            if (!values.empty())
+                std::copy(others.data() + begin, others.data() + end, values.data() + begin);
+        };
+        std::copy(other.frame_.image.colors().data() + begin,
+                  other.frame_.image.colors().data() + end, colors + begin);
+        take_over(frame_.drawn_by, other.frame_.drawn_by);
+        take_over(frame_.writes, other.frame_.writes);
+        take_over(frame_.stored_by, other.frame_.stored_by);
+        has_changed_[tile] = other.has_changed_[tile];
+    }
+    place_ = other.place_;
+    if (primitives_.size() < place_.primitives)
+        primitives_ = other.primitives_;
+    if (matrices_.size() < place_.matrices)
+        matrices_ = other.matrices_;
+}
+
+namespace {
+
+/// Adds a step to the list of its kind, of which `count` come before it. A replay that went back has it already.
+void add_to(std::vector<std::size_t>& list, std::size_t& count, std::size_t step) {
+    if (count == list.size())
+        list.push_back(step);
+    ++count;
+}
+
+} // namespace
+
+void Replay::apply_next() {
+    ++place_.step;
+    place_.drew_over = place_.stored_before = 0;
+    const auto kind = trace_.kind_of(place_.step);
+    if (!kind)
+        return;
+    const StepView step = trace_.step(place_.step);
+    switch (*kind) {
+    case StepKind::primitive:
+        place_.primitive = place_.step;
+        add_to(primitives_, place_.primitives, place_.step);
+        place_.ray = place_.scanline = place_.scanline_before = 0;
+        place_.edges.clear();
+        place_.color = color_of_primitive(step);
+        break;
+    case StepKind::matrix:
+        add_to(matrices_, place_.matrices, place_.step);
+        break;
+    case StepKind::order:
+        place_.order = place_.step;
+        break;
+    case StepKind::vertex:
+        place_.vertex_before = place_.vertex;
+        place_.vertex = place_.step;
+        break;
+    case StepKind::edge:
+        place_.edges.push_back(place_.step);
+        place_.ray = 0;
+        break;
+    case StepKind::ray:
+        place_.ray = place_.step;
+        break;
+    case StepKind::scanline:
+        place_.scanline_before = place_.scanline;
+        place_.scanline = place_.step;
+        break;
+    case StepKind::pixel:
+        plot(step);
+        break;
+    case StepKind::depth:
+        if (parts_.depths)
+            test_depth(step);
+        break;
+    default:
+        break;
+    }
+}
+
+void Replay::plot(const StepView& step) {
+    const auto plotted = plotted_by(step, trace_.canvas, place_.color);
+    if (!plotted)
+        return;
+    const std::size_t offset = trace_.canvas.offset_of(plotted->pixel);
+    frame_.image.at(plotted->pixel) = plotted->color;
+    place_.drew_over = std::exchange(frame_.drawn_by[offset], place_.step);
+    if (parts_.writes)
+        ++frame_.writes[offset];
+    has_changed_[offset / tile_size] = 1;
+}
+
+void Replay::test_depth(const StepView& step) {
+    const DepthTest test = depth_test_in(step);
+    if (!trace_.canvas.contains(test.x, test.y))
+        return;
+    const std::size_t offset =
+        trace_.canvas.offset_of({static_cast<int>(test.x), static_cast<int>(test.y)});
+    place_.stored_before = frame_.stored_by[offset];
+    if (!test.is_stored)
+        return;
+    frame_.stored_by[offset] = place_.step;
+    has_changed_[offset / tile_size] = 1;
+}
+
+std::size_t Replay::primitive_of(std::size_t step) const {
+    const auto so_far = primitives();
+    const auto next = std::upper_bound(so_far.begin(), so_far.end(), step);
+    return next == so_far.begin() ? 0 : *(next - 1);
+}
+
+const std::vector<std::size_t>& Replay::places_of(const std::string& vertex) const {
+    for (; steps_with_places_ < trace_.size(); ++steps_with_places_) {
+        const std::size_t n = steps_with_places_ + 1;
+        if (trace_.kind_of(n) == StepKind::vertex)
+            places_[trace_.step(n).text("name")].push_back(n);
+    }
+    static const std::vector<std::size_t> none;
+    const auto found = places_.find(vertex);
+    return found == places_.end() ? none : found->second;
+}
+
+std::optional<PlottedPixel> plotted_by(const StepView& step, const Canvas& canvas,
+                                       Color of_primitive) {
+    if (const Pixel* const pixel = step.plain_pixel())
+        return canvas.contains(pixel->x, pixel->y)
+                   ? std::optional(PlottedPixel{*pixel, of_primitive})
+                   : std::nullopt;
+    std::optional<Index> x;
+    std::optional<Index> y;
+    Color color = of_primitive;
+    // In one go: a player goes through some hundred thousand steps between two keys.
+    JsonScanner fields(step.json());
+    while (fields.next_field()) {
+        if (fields.key() == "x")
+            x = whole_in(fields.value());
+        else if (fields.key() == "y")
+            y = whole_in(fields.value());
+        else if (fields.key() == "color")
+            color = parse_color(plain_text(fields.value())).value_or(of_primitive);
+    }
+    if (!canvas.contains(*x, *y))
+        return std::nullopt;
+    return PlottedPixel{{static_cast<int>(*x), static_cast<int>(*y)}, color};
+}
+
+DepthTest depth_test_in(const StepView& step) {
+    DepthTest test;
+    bool leaves_nearer = false;
+    JsonScanner fields(step.json()); // in one go, as above
+    while (fields.next_field()) {
+        if (fields.key() == "x")
+            test.x = *whole_in(fields.value());
+        else if (fields.key() == "y")
+            test.y = *whole_in(fields.value());
+        else if (fields.key() == "pass")
+            test.passes = fields.value() == "true";
+        else if (fields.key() == "side_of" || fields.key() == "beside")
+            leaves_nearer = true;
+    }
+    test.is_stored = test.passes && !leaves_nearer;
+    return test;
+}
+
+Color color_of_primitive(const StepView& step) {
+    return parse_color(step.text("color")).value_or(Color{});
+}
+
+Frame frame_after(const Trace& trace, std::size_t n) {
+    Replay replay(trace);
+    replay.go_to(n);
+    return std::move(replay).frame();
+}
+
+} // namespace rastertrace

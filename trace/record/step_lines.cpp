@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+#include "step_lines.h"
+
+#include "trace_lines.h"
+
+#include <rastertrace/trace/text/input_check.h>
+#include <rastertrace/trace/text/json_scanner.h>
+#include <rastertrace/trace/text/text.h>
+#include <rastertrace/trace/text/trace_layout.h>
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+namespace rastertrace {
+
+namespace {
+
+/// So much is read at once: as much as stays in a cache close to the processor.
+constexpr std::size_t block_size = 1 << 17;
+
+/// The front of a step as this program writes it.
+constexpr std::string_view step_front = R"({"step":")";
+
+/// A field of a key: a whole number as such, anything else as what it says.
+void add_key(std::string& key, std::string_view name, const StepView& step) {
+    const auto number = step.whole(name);
+    key += ' ';
+    key += name;
+    key += '=';
+    key += number ? std::to_string(*number) : step.text(name);
+}
+
+std::string key_of(const StepLine& line) {
+    std::string key = line.kind_name;
+    const StepView step(line.json);
+    if (line.kind) {
+        for (const StepField& field : row_of(*line.kind).fields)
+            if (field.role == FieldRole::key)
+                if (step.field(field.name))
+                    add_key(key, field.name, step);
+        return key;
+    }
+    // Of a kind that we do not know: what other kinds have for a key.
+    for (const std::string_view name : {"name", "x", "y"})
+        if (step.field(name))
+            add_key(key, name, step);
+    return key;
+}
+
+} // namespace
+
+std::string_view step_of_line(std::string_view line) {
+    line = without_blanks(line);
+    if (line.ends_with(','))
+        line.remove_suffix(1);
+    return line;
+}
+
+bool begins_primitive(std::string_view line) {
+    if (line.starts_with(step_front))
+        return line.substr(step_front.size()).starts_with("primitive\"");
+    return StepView(step_of_line(line)).kind() == StepKind::primitive;
+}
+
+StepLines::StepLines(const TraceText& text, LinePlace from, std::size_t end)
+    : text_(text), place_(from), end_(end) {
+    if (place_.offset == 0)
+        place_.offset = text.begin();
+}
+
+bool StepLines::ends_steps(std::string_view line) const {
+    if (line.starts_with(step_front))
+        return false;
+    line = without_blanks(line);
+    return text_.is_document() ? line.starts_with(']') : is_end_line(line);
+}
+
+Problem StepLines::too_long() const {
+    Problem problem = line_too_long({text_.name(), buffer_, {}}, 0);
+    problem.line = text_.has_lines() ? place_.lines + 2 : 0;
+    return problem;
+}
+
+bool StepLines::read_more() {
+    if (has_all_)
+        return false;
+    if (passed_ > 0) {
+        buffer_.erase(0, passed_);
+        passed_ = 0;
+    }
+    if (buffer_.size() > longest_line)
+        throw too_long();
+    const std::size_t kept = buffer_.size();
+    const std::size_t begin = place_.offset + kept;
+    const std::size_t size = std::min(block_size, end_ - std::min(end_, begin));
+    buffer_.resize(kept + size);
+    const std::size_t count = text_.read(begin, std::span(buffer_).subspan(kept));
+    buffer_.resize(kept + count);
+    has_all_ = count == 0;
+    return !has_all_;
+}
+
+std::string_view StepLines::unread_lines() {
+    if (!ahead_.empty() || is_behind_)
+        return {};
+    for (;;) {
+        const std::string_view unread = std::string_view(buffer_).substr(passed_);
+        const std::size_t last = unread.rfind('\n');
+        if (last != std::string_view::npos) {
+            const std::size_t size = last + 1;
+            return unread.substr(0, std::min(size, end_ - std::min(end_, place_.offset)));
+        }
+        if (!read_more())
+            return {};
+    }
+}
+
+void StepLines::pass_lines(LinePlace to) {
+    passed_ += to.offset - place_.offset;
+    place_ = to;
+}
+
+/// The next line that is not empty, with what ends it.
+std::optional<std::string_view> StepLines::next_line() {
+    while (place_.offset < end_) {
+        std::string_view unread = std::string_view(buffer_).substr(passed_);
+        std::size_t newline = unread.find('\n');
+        while (newline == std::string_view::npos && read_more()) {
+            unread = std::string_view(buffer_).substr(passed_);
+            newline = unread.find('\n');
+        }
+        unread = std::string_view(buffer_).substr(passed_);
+        if (unread.empty())
+            break;
+        const std::string_view line = unread.substr(0, std::min(newline, unread.size() - 1) + 1);
+        if (!without_blanks(step_of_line(line.substr(0, newline))).empty())
+            return line;
+        pass_lines({place_.offset + line.size(), place_.steps, place_.lines + 1});
+    }
+    return std::nullopt;
+}
+
+const StepLine* StepLines::at(std::size_t i) {
+    while (ahead_.size() <= i && !is_behind_) {
+        const auto line = next_line();
+        if (!line) {
+            is_behind_ = true;
+            is_cut_off_ = place_.offset < end_;
+            break;
+        }
+        const std::string_view json = line->substr(0, line->find('\n'));
+        if (ends_steps(json)) {
+            is_behind_ = true;
+            break;
+        }
+        const bool is_last = !line->ends_with('\n');
+        try {
+            ahead_.push_back(step_in(step_of_line(json)));
+        } catch (const Problem&) {
+            // The last line of a file may be one that was not written to its end.
+            if (!is_last)
+                throw;
+            is_behind_ = is_cut_off_ = true;
+            break;
+        }
+        pass_lines({place_.offset + line->size(), place_.steps + 1, place_.lines + 1});
+    }
+    return i < ahead_.size() ? &ahead_[i] : nullptr;
+}
+
+StepLine StepLines::step_in(std::string_view json) const {
+    Source source{text_.name(), std::string(json), {}};
+    StepLine line;
+    try {
+        line.kind = checked_kind(source, 0, source.text.size());
+    } catch (Problem& problem) {
+        problem.line = text_.has_lines() ? place_.lines + 2 : 0;
+        throw;
+    }
+    line.json = std::move(source.text);
+    line.kind_name = line.kind ? std::string(name_of(*line.kind)) : StepView(line.json).kind_name();
+    line.key = key_of(line);
+    line.place = place_;
+    line.number = place_.steps + 1;
+    return line;
+}
+
+} // namespace rastertrace

@@ -1,0 +1,381 @@
+// SPDX-License-Identifier: MIT
+#include "step_stream.h"
+
+#include "frame.h"
+#include "trace_lines.h"
+#include "unknown_names.h"
+
+#include <rastertrace/trace/text/first_line.h>
+#include <rastertrace/trace/text/input_check.h>
+#include <rastertrace/trace/text/input_file.h>
+#include <rastertrace/trace/text/text.h>
+#include <rastertrace/trace/text/trace_layout.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <string_view>
+#include <tuple>
+#include <utility>
+
+namespace rastertrace {
+
+namespace {
+
+/// So many bytes of steps are looked at at once.
+constexpr std::size_t block_size = 1 << 20;
+
+template <typename T> T value_of(Result<T> result) {
+    if (!result)
+        throw result.problem();
+    return std::move(result.value());
+}
+
+} // namespace
+
+/// The file comes in blocks of whole lines. Each block is read as a trace of its own, with the header in front, so
+/// that every line is checked as in a trace that is read whole.
+struct StepStream::State {
+    InputFile file;
+    LineLayout layout = LineLayout::other;
+    std::string header_line;
+    std::string text; ///< what has been read and is in no block yet, from the beginning of a line
+    bool has_all = false;       ///< the file has come to its end
+    bool may_grow = false;      ///< the end of the file is not the end: more may be added
+    std::size_t text_begin = 0; ///< of `text` in the file
+    std::size_t block_begin = 0;
+    std::size_t lines_before = 1; ///< lines of the file in front of `text`
+    std::size_t lines_before_block = 1;
+
+    Trace header;
+    Trace block;
+    std::size_t place = 0;  ///< of the current step in the block
+    std::size_t before = 0; ///< steps in front of the block
+    bool is_behind = false; ///< the last step has been passed
+    std::array<std::uint64_t, step_kinds> count{};
+    std::map<std::string, std::uint64_t> other_count; ///< of kinds that we do not know
+    std::optional<EndRecord> end;
+    std::optional<Problem> fault; ///< what stands behind the current block
+    std::vector<Problem> damage;
+    std::vector<Problem> passed_over; ///< in the header and the end record
+    NotFiniteSteps not_finite;
+
+    bool tells_all = false;         ///< useless steps are damage, and the picture is drawn
+    bool has_useless_steps = false; ///< nobody knows what they should have been
+    bool has_stray_pixel = false;   ///< off the canvas
+    std::optional<Image> image;     ///< what the steps have drawn, if that is wanted
+    Color color;                    ///< of the current primitive
+
+    explicit State(InputFile opened) : file(std::move(opened)) {}
+
+    /// False if there is no more, or not yet.
+    bool read_more() {
+        if (has_all)
+            return false;
+        const bool has_read = file.read_into(text);
+        has_all = !has_read && !may_grow;
+        return has_read;
+    }
+
+    /// A problem of what stands in `text`, with the line that it has in the file.
+    Problem moved(Problem problem) const { return moved(std::move(problem), lines_before); }
+
+    /// The same for a problem of lines that so many others stand in front of.
+    static Problem moved(Problem problem, std::size_t before) {
+        if (problem.line > 1)
+            problem.line += before - 1;
+        return problem;
+    }
+
+    /// The steps of some lines, as a trace of its own; what is wrong with them is damage of the whole.
+    Trace trace_of(std::string_view lines, bool is_cut_off) {
+        const bool is_document = layout == LineLayout::document;
+        Source source{file.name(), header_line + "\n", {}};
+        source.text += lines;
+        if (!is_cut_off)
+            source.text += is_document ? "],\"end\":{}}" : "{\"end\":{}}";
+        const bool goes_on = tells_all && damage.size() < most_useless_steps;
+        auto read = goes_on ? read_trace_to_tell(std::move(source)) : read_trace(std::move(source));
+        if (!read)
+            throw moved(read.problem());
+        for (Problem& problem : read.value().damage)
+            damage.push_back(moved(std::move(problem)));
+        NotFiniteSteps& more = read.value().not_finite;
+        if (not_finite.count == 0 && more.first)
+            not_finite.first = moved(*std::move(more.first));
+        not_finite.count += more.count;
+        return std::move(read.value());
+    }
+
+    /// True for the line behind the last step.
+    bool is_end(std::string_view line) const {
+        line = without_blanks(line);
+        return layout == LineLayout::document ? line.starts_with(']')
+                                              : !line.starts_with("{\"step\"") && is_end_line(line);
+    }
+
+    /// Where the line behind the last step begins, among the whole lines of `text`; or else where these end.
+    std::pair<std::size_t, bool> end_of_steps() const {
+        std::size_t begin = 0;
+        while (begin < text.size()) {
+            const std::size_t newline = text.find('\n', begin);
+            const bool is_whole = newline != std::string::npos || has_all;
+            if (!is_whole)
+                break;
+            const std::size_t length =
+                newline == std::string::npos ? text.size() - begin : newline - begin;
+            if (is_end(std::string_view(text).substr(begin, length)))
+                return {begin, true};
+            begin += length + (newline == std::string::npos ? 0 : 1);
+        }
+        return {begin, false};
+    }
+
+    /// Goes to the next block that has a step.
+    bool next_block() {
+        if (is_behind)
+            return false;
+        before += std::exchange(block, {}).size();
+        place = 0;
+        while (text.size() < block_size && read_more()) {
+        }
+        auto [size, is_last] = end_of_steps();
+        while (size == 0 && !is_last && !has_all) { // a line longer than a block
+            if (text.size() > longest_line)
+                throw moved(line_too_long({file.name(), header_line + "\n" + text, {}},
+                                          header_line.size() + 1));
+            if (!read_more() && may_grow)
+                return false; // not a whole line yet
+            std::tie(size, is_last) = end_of_steps();
+        }
+        const std::string_view lines = std::string_view(text).substr(0, size);
+        const bool is_cut_off = !is_last && has_all;
+        if (fault)
+            throw *fault;
+        try {
+            block = trace_of(lines, is_cut_off);
+        } catch (const Problem& problem) {
+            return next_block_before(problem, lines);
+        }
+        block_begin = text_begin;
+        text_begin += size;
+        if (is_cut_off && !block.end && !damage.empty())
+            damage.back().message = truncation_after(before + block.size());
+        count_steps();
+        lines_before_block = lines_before;
+        lines_before += static_cast<std::size_t>(std::count(lines.begin(), lines.end(), '\n'));
+        text.erase(0, size);
+        is_behind = is_last || has_all;
+        if (is_last)
+            read_end();
+        return block.size() > 0 || next_block();
+    }
+
+    /// The steps in front of the line that is no step; the next block is the fault.
+    bool next_block_before(const Problem& problem, std::string_view lines) {
+        const std::size_t whole = problem.line > lines_before ? problem.line - lines_before - 1 : 0;
+        std::size_t length = 0;
+        for (std::size_t line = 0; line < whole && length < lines.size(); ++line)
+            length = lines.find('\n', length) + 1;
+        if (length == 0)
+            throw problem;
+        fault = problem;
+        block = trace_of(lines.substr(0, length), false);
+        block_begin = text_begin;
+        lines_before_block = lines_before;
+        count_steps();
+        if (block.size() == 0)
+            throw problem;
+        return true;
+    }
+
+    void count_steps() {
+        for (std::size_t n = 1; n <= block.size(); ++n)
+            if (const auto kind = block.kind_of(n)) {
+                ++count[static_cast<std::size_t>(*kind)];
+                if (image)
+                    draw(block.step(n), *kind);
+            } else {
+                has_useless_steps = has_useless_steps || !is_foreign(block.step(n));
+                ++other_count[block.step(n).kind_name()];
+            }
+    }
+
+    void draw(const StepView& step, StepKind kind) {
+        if (kind == StepKind::primitive)
+            color = color_of_primitive(step);
+        if (kind != StepKind::pixel)
+            return;
+        const auto plotted = plotted_by(step, header.canvas, color);
+        if (plotted)
+            image->at(plotted->pixel) = plotted->color;
+        has_stray_pixel = has_stray_pixel || !plotted;
+    }
+
+    /// What is left is the end record, and nothing behind it.
+    void read_end() {
+        while (text.size() < 16 * block_size && read_more()) {
+        }
+        Source source{file.name(), header_line + "\n" + text, {}};
+        const Trace rest = value_of(read_end_of(std::move(source)));
+        end = rest.end;
+        // Those of the header have been told already.
+        for (std::size_t i = header.passed_over.size(); i < rest.passed_over.size(); ++i)
+            passed_over.push_back(moved(rest.passed_over[i]));
+        if (!end) {
+            for (Problem problem : rest.damage) {
+                if (problem.message == truncation_after(0))
+                    problem.message = truncation_after(before + block.size());
+                damage.push_back(moved(std::move(problem)));
+            }
+            return;
+        }
+        // Held against no steps, it has told where it disagrees.
+        compare_with_end(rest.damage.empty() ? problem_of(file.name(), "")
+                                             : moved(rest.damage.front()));
+    }
+
+    Result<Trace> read_end_of(Source source) const {
+        auto read = read_trace(std::move(source));
+        return read ? std::move(read) : Result<Trace>(moved(read.problem()));
+    }
+
+    /// Says what does not agree with the end record; a problem points at it.
+    void compare_with_end(const Problem& at) {
+        const auto disagree = [&](std::uint64_t told, std::string_view what, std::uint64_t found) {
+            damage.push_back(at);
+            damage.back().message =
+                disagreement(fmt::format("{}", told), what, fmt::format("{}", found));
+        };
+        if (end->steps && *end->steps != before + block.size())
+            disagree(*end->steps, "steps", before + block.size());
+        if (has_useless_steps)
+            return;
+        for (const auto& [name, told] : end->count) {
+            const auto kind = step_kind_named(name);
+            const auto other = other_count.find(name);
+            const std::uint64_t found = kind ? count[static_cast<std::size_t>(*kind)]
+                                        : other == other_count.end() ? 0
+                                                                     : other->second;
+            if (found != told)
+                disagree(told, name + " steps", found);
+        }
+        if (image && !has_stray_pixel)
+            if (auto message = disagreement_of_picture(header, *end, *image)) {
+                damage.push_back(at);
+                damage.back().message = *std::move(message);
+            }
+    }
+};
+
+void StepStream::tell_all() {
+    state_->tells_all = true;
+    state_->image.emplace(state_->header.canvas);
+}
+
+std::vector<Problem> StepStream::faults_in_step() const {
+    std::vector<Problem> faults = state_->block.faults_in_step(state_->place);
+    for (Problem& fault : faults)
+        fault = State::moved(std::move(fault), state_->lines_before_block);
+    return faults;
+}
+
+const std::vector<Problem>& StepStream::passed_over() const {
+    return state_->passed_over;
+}
+
+const NotFiniteSteps& StepStream::not_finite() const {
+    return state_->not_finite;
+}
+
+StepStream::StepStream(StepStream&&) noexcept = default;
+StepStream& StepStream::operator=(StepStream&&) noexcept = default;
+StepStream::~StepStream() = default;
+
+const Trace& StepStream::header() const {
+    return state_->header;
+}
+
+const std::optional<FileId>& StepStream::file() const {
+    return state_->file.id();
+}
+
+bool StepStream::next() {
+    if (state_->place < state_->block.size()) {
+        ++state_->place;
+        return true;
+    }
+    if (!state_->next_block())
+        return false;
+    state_->place = 1;
+    return true;
+}
+
+StepView StepStream::step() const {
+    return state_->block.step(state_->place);
+}
+
+std::optional<StepKind> StepStream::kind() const {
+    return state_->block.kind_of(state_->place);
+}
+
+std::size_t StepStream::number() const {
+    return state_->before + state_->place;
+}
+
+const std::optional<EndRecord>& StepStream::end() const {
+    return state_->end;
+}
+
+const std::vector<Problem>& StepStream::damage() const {
+    return state_->damage;
+}
+
+std::size_t StepStream::offset() const {
+    const std::size_t lines = state_->header_line.size() + 1;
+    return state_->block_begin + state_->block.offset_of(state_->place) - lines;
+}
+
+int StepStream::descriptor() const {
+    return state_->file.descriptor();
+}
+
+bool StepStream::is_behind_end() const {
+    return state_->is_behind && state_->place == state_->block.size();
+}
+
+void StepStream::let_grow(bool may_grow) {
+    state_->may_grow = may_grow;
+}
+
+std::variant<StepStream, Source> StepStream::open(FirstLine first) {
+    if (first.layout == LineLayout::other)
+        return std::move(first.source);
+    return StepStream(std::move(first.file), first.layout, first.source.text);
+}
+
+StepStream::StepStream(InputFile file, LineLayout layout, const std::string& first)
+    : state_(std::make_unique<State>(std::move(file))) {
+    State* const state = state_.get();
+    state->layout = layout;
+    const std::size_t newline = first.find('\n');
+    state->header_line = without_blanks(first.substr(0, newline));
+    state->text = first.substr(newline + 1);
+    state->text_begin = newline + 1;
+    state->header = state->trace_of("", false);
+    state->damage.clear();
+    state->passed_over = state->header.passed_over;
+}
+
+std::variant<StepStream, Source> open_steps(const std::string& path, const InputLimits& limits) {
+    return StepStream::open(open_first_line(path, InputCheck::Kind::scene_or_trace, limits));
+}
+
+std::variant<StepStream, Source> open_steps_or_claims(const std::string& path,
+                                                      const InputLimits& limits) {
+    return StepStream::open(open_first_line(path, InputCheck::Kind::scene_trace_or_claims, limits));
+}
+
+} // namespace rastertrace

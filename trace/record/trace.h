@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A trace that was read back: its header, its steps, its end record.
+//
+//     const Result<Trace> trace = read_trace(std::move(source));
+//     trace.value().size();                  // how many steps
+//     trace.value().step(1).kind_name();     // "primitive"
+//
+// Steps stay the text that they were; a step is looked into when someone asks. Steps and fields of
+// unknown names are kept.
+
+#include "step_kind.h"
+
+#include <rastertrace/core/raster/canvas.h>
+#include <rastertrace/core/raster/image.h>
+#include <rastertrace/trace/text/problem.h>
+
+#include <array>
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace rastertrace {
+
+struct Plan;
+struct Scene;
+
+/// One step: a view of its JSON object, valid as long as its trace.
+class StepView {
+public:
+    explicit StepView(std::string_view json) : json_(json) {}
+
+    /// A `pixel` step without a color, of which only the pixel is held.
+    explicit StepView(const Pixel& pixel) : pixel_(pixel), is_pixel_(true) {}
+
+    /// The whole object as it stands in the file; valid as long as this view.
+    std::string_view json() const& { return is_pixel_ ? pixel_json() : json_; }
+    std::string json() const&& { return std::string(json()); }
+
+    /// The value of "step": primitive, pixel, ..., or a name that we do not know.
+    std::string kind_name() const { return text("step"); }
+    std::optional<StepKind> kind() const { return step_kind_named(kind_name()); }
+
+    /// The pixel of a `pixel` step of which only that is held; nullptr else.
+    const Pixel* plain_pixel() const { return is_pixel_ ? &pixel_ : nullptr; }
+
+    /// The JSON of a field, or nothing if the step has no such field; valid as long as this view.
+    std::optional<std::string_view> field(std::string_view name) const&;
+    std::optional<std::string> field(std::string_view name) const&& {
+        const auto value = field(name);
+        return value ? std::optional<std::string>(*value) : std::nullopt;
+    }
+
+    /// A field that is a whole number.
+    std::optional<Index> whole(std::string_view name) const;
+
+    /// A field that is a number or a string, without the quotes; "" if there is none.
+    std::string text(std::string_view name) const;
+
+    /// The elements of a field that is an array, each as text() would give it.
+    std::vector<std::string> texts(std::string_view name) const;
+
+    /// The same for an array of arrays.
+    std::vector<std::vector<std::string>> text_rows(std::string_view name) const;
+
+private:
+    std::string_view pixel_json() const;
+
+    std::string_view json_;
+    Pixel pixel_{};
+    bool is_pixel_ = false;
+    mutable std::array<char, 48> buffer_; ///< for the JSON of pixel_, once someone has asked
+};
+
+/// The nearest double of a number as a trace writes it, 0.25 or 25/8; nothing for what is no number, like null.
+std::optional<double> nearest_double_in(const std::string& number);
+
+/// What the end record says; whatever it leaves out is not there.
+struct EndRecord {
+    std::optional<std::uint64_t> steps;
+    std::map<std::string, std::uint64_t> count; ///< of steps, by kind
+    std::optional<std::uint64_t> pixels;        ///< different pixels plotted
+    std::string frame;                          ///< name of the final picture, see frame_name
+};
+
+/// Which steps were left out, as the header says: `only`, `region`, `primitive`.
+struct LeftOut {
+    std::optional<std::vector<std::string>> only; ///< the kinds that were written
+    std::optional<std::array<Index, 4>> region;   ///< x0, y0, x1, y1: those about these pixels
+    std::string primitive;                        ///< the one whose steps were written
+    bool has_places_missing = false;              ///< by `region` or `primitive`
+};
+
+/// Steps of a foreign rasterizer with a quantity that is not finite: "NaN", "inf" or "-inf". Nothing is worked out from
+/// such a number.
+struct NotFiniteSteps {
+    std::uint64_t count = 0;
+    std::optional<Problem> first; ///< where the first of them is, and what it has
+
+    /// What is said of them, if there are any.
+    std::optional<Problem> remark() const;
+};
+
+class Trace {
+public:
+    Index version = 0; ///< of the format
+    std::string title;
+    Canvas canvas;
+    std::optional<Color> background;                         ///< of pixels that nothing draws
+    std::vector<std::pair<std::string, std::string>> method; ///< key and value, as in the header
+    std::vector<std::string> stages; ///< those that ran, as in the header; see stages.h
+    bool is_partial = false; ///< the header says that steps were left out: only, region, primitive
+    LeftOut left_out;
+    std::optional<EndRecord> end;
+
+    /// What is wrong with the trace though its whole steps can be used: cut short, pixels off the
+    /// canvas, counts that do not agree. Empty for a sound trace.
+    std::vector<Problem> damage;
+
+    NotFiniteSteps not_finite;
+
+    /// Known keys of the header and the end record that are not as the format says, and that nobody reads.
+    std::vector<Problem> passed_over;
+
+    /// The same for the fields of step n: those that have another type than step_kind.h says, though the step can be
+    /// understood without them.
+    std::vector<Problem> faults_in_step(std::size_t n) const;
+
+    /// How many steps there are.
+    std::size_t size() const { return steps_.size() + steps_in_runs_; }
+
+    /// Step n, from 1 to size().
+    StepView step(std::size_t n) const {
+        assert(n > 0 && n <= size());
+        const RunsBefore before = runs_before(n);
+        if (before.run != nullptr)
+            return StepView(
+                Pixel{before.run->x + static_cast<int>(n - before.run->first), before.run->y});
+        return StepView(text_of(steps_[n - 1 - before.steps]));
+    }
+
+    /// Where step n begins in the text that it was read from, in bytes. Not of a trace that was drawn.
+    std::size_t offset_of(std::size_t n) const {
+        assert(runs_.empty());
+        return steps_[n - 1].offset;
+    }
+
+    /// The kind of step n, if we know it.
+    std::optional<StepKind> kind_of(std::size_t n) const {
+        const RunsBefore before = runs_before(n);
+        return before.run != nullptr ? StepKind::pixel : steps_[n - 1 - before.steps].kind;
+    }
+
+    /// The number of step n in the trace that this is an excerpt of; n, if it is none.
+    std::size_t number_of(std::size_t n) const {
+        return numbers_.empty() || n == 0 ? n : numbers_[n - 1];
+    }
+
+    /// The header and the end of this trace, without a step: the beginning of an excerpt.
+    Trace without_steps() const;
+
+    /// Adds a step to an excerpt: step `number` of the whole trace.
+    void add_to_excerpt(const StepView& step, std::optional<StepKind> kind, std::size_t number);
+
+    /// True if steps of this kind were left out.
+    bool lacks(StepKind kind) const;
+
+    /// The value of a method's key, or "".
+    std::string method_value(std::string_view key) const;
+
+    /// True if a pixel is tested half a pixel beyond its coordinates, in x and in y.
+    bool samples_at_centers() const { return method_value("sample") == "center"; }
+
+private:
+    friend class TraceReader;
+    friend class GrowingTrace;
+    friend class DrawnSteps;
+
+    struct StepPlace {
+        std::size_t offset;
+        std::uint32_t length;
+        std::optional<StepKind> kind;
+    };
+
+    /// Pixels without a color that were plotted one after the other, from left to right.
+    struct PixelRun {
+        std::size_t first;  ///< the number of the first step
+        std::size_t before; ///< how many steps in front of it are in runs
+        std::uint32_t count;
+        int x; ///< of the first pixel
+        int y;
+        bool has(std::size_t n) const { return n - first < count; }
+    };
+
+    /// The run that step n is in, or else how many steps in front of it are in runs.
+    struct RunsBefore {
+        const PixelRun* run = nullptr;
+        std::size_t steps = 0;
+    };
+    RunsBefore runs_before(std::size_t n) const {
+        if (runs_.empty() || n < runs_.front().first)
+            return {};
+        const auto is_last_before = [&](std::size_t i) {
+            return runs_[i].first <= n && (i + 1 == runs_.size() || n < runs_[i + 1].first);
+        };
+        // Who asks of one step mostly asks of the next.
+        if (!is_last_before(run_asked_of_)) {
+            if (run_asked_of_ + 1 < runs_.size() && is_last_before(run_asked_of_ + 1))
+                ++run_asked_of_;
+            else
+                find_run_before(n);
+        }
+        const PixelRun& run = runs_[run_asked_of_];
+        return {run.has(n) ? &run : nullptr, run.before + run.count};
+    }
+    void find_run_before(std::size_t n) const;
+    std::string_view text_of(const StepPlace& place) const {
+        return mapped_ ? std::string_view(mapped_.get() + place.offset, place.length)
+                       : std::string_view(source_.text).substr(place.offset, place.length);
+    }
+
+    Source source_;
+    std::shared_ptr<const char> mapped_; ///< the file, if it is not in `source_`
+    std::vector<StepPlace> steps_;       ///< those in no run
+    std::vector<PixelRun> runs_;         ///< of a trace that was drawn
+    std::size_t steps_in_runs_ = 0;
+    mutable std::size_t run_asked_of_ = 0;
+    std::vector<std::size_t> numbers_; ///< of an excerpt: those of its steps in the whole trace
+};
+
+/// Reads a trace in either layout, found by its content. A problem comes back only if nothing can
+/// be shown: no header, a newer version, a line that is no step, or more steps than `most_steps`.
+Result<Trace> read_trace(Source source,
+                         std::size_t most_steps = std::numeric_limits<std::size_t>::max());
+
+/// The most steps of a trace, or of a block of one, that are told to be of no use before the reading ends.
+inline constexpr std::size_t most_useless_steps = 100;
+
+/// The same for who wants to know all that is wrong: a step that cannot be used is damage, has no kind, and the rest is
+/// read.
+Result<Trace> read_trace_to_tell(Source source);
+
+/// Reads what write_trace has written to a string. It is not looked through for damage.
+Result<Trace> read_written_trace(Source source);
+
+/// Draws a scene and holds its steps; pixels of a row that are plotted one after the other are held as one. Throws a
+/// Problem that names `--max-steps` if there are more steps to hold than `most_steps`.
+Trace drawn_trace(const Scene& scene, const Plan& plan, const std::string& name,
+                  std::size_t most_steps);
+
+} // namespace rastertrace

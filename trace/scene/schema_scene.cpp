@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+// The schema of scene files.
+
+#include "schema_scene.h"
+
+#include "scene_keys.h"
+#include "vary.h"
+
+#include <rastertrace/trace/text/method_names.h>
+#include <rastertrace/trace/text/pipeline_names.h>
+#include <rastertrace/trace/text/stage_name.h>
+
+#include <fmt/core.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace rastertrace {
+
+namespace {
+
+/// A list of so many numbers.
+Json numbers(std::size_t least, std::size_t most) {
+    Json schema = list_of("number", least);
+    schema["maxItems"] = most;
+    return schema;
+}
+
+/// An object that has exactly one of these keys.
+Json one_key_of(std::span<const JsonKey> keys) {
+    Json schema = object_with(keys);
+    schema["minProperties"] = 1;
+    schema["maxProperties"] = 1;
+    return schema;
+}
+
+/// "ABC" or ["P1", "P2", "P3"], of so many names; `most` 0: or more.
+Json corners(std::size_t least, std::size_t most) {
+    Json letters{{"type", "string"}, {"minLength", least}};
+    Json names = list_of("text", least);
+    if (most > 0) {
+        letters["maxLength"] = most;
+        names["maxItems"] = most;
+    }
+    return {{"anyOf", Json::array({std::move(letters), std::move(names)})}};
+}
+
+/// A list of primitives of so many vertices, which `list` is the name of.
+void define_primitives(Json& definitions, const std::string& list, std::size_t count) {
+    const std::string of_one = "vertices-of-" + list;
+    definitions[of_one] = corners(count, count);
+    Json written_out = object_with(primitive_keys);
+    written_out["properties"][std::string(primitive_vertices.name)] =
+        reference_to(of_one, primitive_vertices.meaning);
+    definitions["one-of-" + list] = {
+        {"anyOf", Json::array({reference_to(of_one), std::move(written_out)})}};
+    definitions[list] = list_of("one-of-" + list);
+}
+
+/// A mesh is a file, or vertices and faces.
+Json mesh() {
+    Json schema = object_with(mesh_keys);
+    schema["if"] = {{"required", {"obj"}}};
+    schema["then"] = {{"properties", {{"vertices", false}, {"faces", false}}}};
+    schema["else"] = {{"required", {"vertices", "faces"}}};
+    return schema;
+}
+
+/// Which of the keys of a projection go together, beside those that must be there.
+Json conditions_of(ProjectionType type) {
+    if (type == ProjectionType::orthographic)
+        return {{"dependencies", {{"near", {"far"}}, {"far", {"near"}}}}};
+    if (type != ProjectionType::frustum)
+        return Json::object();
+    const Json bounds{"left", "right", "bottom", "top"};
+    Json without_bounds = Json::object();
+    for (const auto& bound : bounds)
+        without_bounds[bound.get<std::string>()] = false;
+    return {{"if", {{"required", {"fov_y"}}}},
+            {"then", {{"properties", without_bounds}}},
+            {"else", {{"required", bounds}}}};
+}
+
+/// The type says which keys there are.
+Json projection() {
+    const std::string type_key(projection_type.name);
+    Json cases = Json::array();
+    for (const std::string_view name : projection_names()) {
+        const ProjectionType type = *projection_named(name);
+        Json keys = object_with(keys_of(type));
+        keys.update(conditions_of(type));
+        const Json is_type{{"properties", {{type_key, {{"const", name}}}}},
+                           {"required", {type_key}}};
+        cases.push_back({{"if", is_type}, {"then", std::move(keys)}});
+    }
+    Json schema = open_object_with(no_projection_keys);
+    schema["allOf"] = std::move(cases);
+    return schema;
+}
+
+Json method() {
+    Json schema{{"type", "object"}, {"properties", Json::object()}};
+    for (const MethodKey& key : method_keys()) {
+        Json value = one_of(key.values);
+        // A number may stand in quotes, or without.
+        if (key.is_number())
+            for (const std::string_view number : key.values)
+                value["enum"].push_back(std::stoi(std::string(number)));
+        value["description"] = key.meaning;
+        schema["properties"][std::string(key.name)] = std::move(value);
+    }
+    schema["additionalProperties"] = false;
+    return schema;
+}
+
+/// Pointers to numbers, and their values.
+Json vary() {
+    Json values = list_of("number", 1);
+    values["maxItems"] = most_frames;
+    return {{"type", "object"},
+            {"propertyNames", {{"pattern", "^/"}}},
+            {"additionalProperties", {{"anyOf", Json::array({object_with(range_keys), values})}}}};
+}
+
+/// A number above 0.
+Json positive() {
+    Json schema = number_schema();
+    schema.erase("minimum");
+    schema["exclusiveMinimum"] = 0;
+    schema["allOf"] = Json::array({{{"pattern", "^[0-9.]*[1-9]"}}});
+    return schema;
+}
+
+/// At least one list has a primitive.
+Json has_primitives() {
+    Json cases = Json::array();
+    for (const char* const list : {"triangles", "outlines", "lines", "points", "meshes"})
+        cases.push_back({{"required", {list}}, {"properties", {{list, {{"minItems", 1}}}}}});
+    return cases;
+}
+
+} // namespace
+
+Json scene_schema() {
+    Json schema =
+        schema_titled("A scene of rastertrace", "What is drawn, on which canvas, by which method");
+    schema.update(object_with(scene_keys));
+    schema["anyOf"] = has_primitives();
+
+    Json definitions;
+    definitions["text"] = text_schema();
+    definitions["number"] = number_schema();
+    definitions["positive"] = positive();
+    definitions["numbers3"] = numbers(3, 3);
+    definitions["color"] = color_schema(visible_alpha);
+    define_canvas(definitions);
+
+    definitions["place"] = numbers(2, 3);
+    definitions["vertices"] = map_to("place");
+    definitions["vertices"]["propertyNames"] = {{"minLength", 1}};
+    definitions["colors"] = map_to("color");
+    define_primitives(definitions, "triangles", 3);
+    define_primitives(definitions, "outlines", 3);
+    define_primitives(definitions, "lines", 2);
+    define_primitives(definitions, "points", 1);
+
+    definitions["meshes"] = list_of("mesh");
+    definitions["mesh"] = mesh();
+    definitions["faces"] = list_of("face", 1);
+    definitions["face"] = corners(3, 0);
+    definitions["draw"] = one_of(draw_words);
+
+    definitions["model"] = list_of("model-step");
+    definitions["model"]["maxItems"] = most_model_steps;
+    definitions["model-step"] = one_key_of(model_keys);
+    definitions["rotate"] = object_with(rotate_keys);
+    definitions["axis"] = {{"anyOf", Json::array({one_of(axis_words), reference_to("numbers3")})}};
+    definitions["shear"] = object_with(shear_keys);
+
+    const Json fits{{"const", fit_word}};
+    definitions["camera"] = {{"anyOf", Json::array({fits, object_with(camera_keys)})}};
+    definitions["projection"] = projection();
+    definitions["projection-type"] = one_of(projection_names());
+    definitions["far"] = {
+        {"anyOf", Json::array({{{"const", infinity_word}}, reference_to("positive")})}};
+    definitions["viewport"] = {{"anyOf", Json::array({fits, object_with(viewport_keys)})}};
+    definitions["light"] = one_key_of(light_keys);
+
+    definitions["method"] = method();
+    definitions["stages"] = list_of("stage");
+    definitions["stage"] = one_of(stage_names());
+    definitions["vary"] = vary();
+    const Json whole{{"type", "integer"}, {"minimum", 1}, {"maximum", most_frames}};
+    const Json in_quotes{{"type", "string"}, {"pattern", number_pattern()}};
+    definitions["frames"] = {{"anyOf", Json::array({whole, in_quotes})}};
+    schema["definitions"] = std::move(definitions);
+    return schema;
+}
+
+} // namespace rastertrace

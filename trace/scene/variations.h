@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The numbers of a scene that vary from frame to frame: its "vary", and those of a command line.
+//
+//     const Variations variations(json, document.root(), {{"/canvas/width", "17,25"}});
+//     variations.count();                // 2 frames
+//     variations.label(2);               // "2 of 2: width 25"
+//     variations.put_into(document, 2);  // which reads as if 25 were typed there
+
+#include "vary.h"
+
+#include <rastertrace/trace/text/json_document.h>
+#include <rastertrace/trace/text/json_reader.h>
+
+#include <gmpxx.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace rastertrace {
+
+class Variations {
+public:
+    /// What is wrong with one is thrown as a Problem.
+    Variations(const JsonReader& json, const JsonValue& root, const std::vector<Variation>& given);
+
+    /// How many frames there are; 1 if nothing varies.
+    std::size_t count() const { return varying_.empty() ? 1 : varying_.front().values.size(); }
+
+    bool empty() const { return varying_.empty(); }
+
+    /// `3 of 24: degrees 30`, for a frame from 1 to count().
+    std::string label(std::size_t frame) const;
+
+    /// Puts the numbers of a frame into the document, or into another one of the same source.
+    void put_into(JsonDocument& document, std::size_t frame) const;
+
+    /// The values of one number, in order.
+    class Values {
+    public:
+        /// Evenly spaced, both ends included; one value is `from`.
+        Values(mpq_class from, mpq_class to, std::size_t steps)
+            : held_(Range{std::move(from), std::move(to), steps}) {}
+        explicit Values(std::vector<mpq_class> list) : held_(std::move(list)) {}
+
+        std::size_t size() const;
+        mpq_class operator[](std::size_t i) const;
+
+    private:
+        struct Range {
+            mpq_class from;
+            mpq_class to;
+            std::size_t steps;
+        };
+        std::variant<Range, std::vector<mpq_class>> held_;
+    };
+
+private:
+    struct Varying {
+        std::string pointer;
+        std::uint32_t node; ///< of the number
+        Values values;
+    };
+    std::vector<Varying> varying_;
+};
+
+} // namespace rastertrace

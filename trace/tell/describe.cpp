@@ -1,0 +1,732 @@
+// SPDX-License-Identifier: MIT
+#include "describe.h"
+
+#include "step_text.h"
+
+#include <rastertrace/trace/record/step_kind.h>
+#include <rastertrace/trace/text/color_text.h>
+#include <rastertrace/trace/text/text.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace rastertrace {
+
+namespace {
+
+/// What the parts of a sentence are worked out from.
+struct Context {
+    const Replay& replay;
+    StepView step;
+    PrimitiveText primitive;
+};
+
+/// What the step's primitive is called. A trace from before these steps had names, without its primitives, does
+/// not say: the number of the step.
+std::string name_of_primitive(const Context& context) {
+    const std::string name = context.step.text("name");
+    if (!name.empty())
+        return name;
+    return context.replay.primitive() == 0
+               ? said({"of step {}", "do passo {}"},
+                      context.replay.trace().number_of(context.replay.step()))
+               : context.primitive.name;
+}
+
+/// True if the primitive of the current step is cut: steps of kind `clip` follow it. Where the next step is not at hand,
+/// the stages tell.
+bool is_clipped(const Replay& replay) {
+    const Trace& trace = replay.trace();
+    const std::size_t n = replay.step();
+    const bool has_next = n < trace.size() && !trace.lacks(StepKind::clip) &&
+                          trace.number_of(n + 1) == trace.number_of(n) + 1;
+    if (has_next)
+        return trace.kind_of(n + 1) == StepKind::clip;
+    return std::find(trace.stages.begin(), trace.stages.end(), "clip") != trace.stages.end();
+}
+
+std::string corners(const Context& context) {
+    const auto& [replay, step, primitive] = context;
+    const auto colors = step.texts("colors");
+    std::string text;
+    for (std::size_t i = 0; i < primitive.vertices.size() && i < primitive.positions.size(); ++i) {
+        text += fmt::format("   {} {}", primitive.vertices[i], point(primitive.positions[i]));
+        if (i < colors.size())
+            text += fmt::format(" {}", colors[i]);
+    }
+    if (primitive.positions.empty())
+        text +=
+            is_clipped(replay)
+                ? said({": not all of it can be seen, it is clipped",
+                        ": nem tudo se pode ver, é recortado"})
+                : said({": the trace does not tell where it is", ": o rastro não diz onde está"});
+    return text;
+}
+
+/// The space that a vertex goes on to comes of the one before: by a matrix, or by dividing by w.
+std::string place(const Context& context) {
+    const auto& [replay, step, primitive] = context;
+    const std::string at = point(step.texts("at"));
+    if (replay.vertex_before() == 0)
+        return at;
+    const StepView before = replay.trace().step(replay.vertex_before());
+    const std::string space_before = before.text("space");
+    if (before.text("name") != step.text("name") || space_before.empty())
+        return at;
+    const auto from = before.texts("at");
+    if (step.text("space") == "canonical" && from.size() == 4)
+        return fmt::format("{} = {}",
+                           quotient(point({from[0], from[1], from[2]}), in_sentence(from[3])), at);
+    return said({"{}, from {} {}", "{}, a partir do espaço {} {}"}, at,
+                in_language_of_steps(space_before), point(from));
+}
+
+std::string farthest_first(const Context& context) {
+    const auto names = context.step.texts("names");
+    const auto distances = context.step.texts("distances");
+    std::string text;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        text += said({"{} {} at {}", "{} {} a {}"}, i == 0 ? "" : ",", names[i],
+                     i < distances.size() ? in_sentence(distances[i]) : "?");
+    return text;
+}
+
+/// A double that is a short fraction with it: `-0.25 = -1/4`.
+std::string with_fraction(const std::string& number) {
+    constexpr int largest_denominator = 64;
+    const auto exact = number.find('.') == std::string::npos ? std::nullopt : number_in(number);
+    const bool is_dyadic = exact && exact->get_den() <= largest_denominator &&
+                           Rational(nearest_double(*exact)) == *exact;
+    return is_dyadic ? fmt::format("{} = {}", number, exact->get_str()) : in_sentence(number);
+}
+
+std::string edge_function(const StepView& step, const std::optional<EdgeEnds>& ends) {
+    const bool is_top_left = step.text("top_left") == "true";
+    const std::string x = ends ? minus(in_formula(ends->from[0])) : "- x1";
+    const std::string y = ends ? minus(in_formula(ends->from[1])) : "- y1";
+    const std::string rule =
+        is_top_left ? said({"top or left: samples where E = 0 belong to the triangle",
+                            "superior ou esquerda: as amostras onde E = 0 são do triângulo"})
+                    : said({"samples where E = 0 do not belong to the triangle",
+                            "as amostras onde E = 0 não são do triângulo"});
+    return said({"edge {}: E(x, y) = {} (x {}) {} (y {}), {}",
+                 "aresta {}: E(x, y) = {} (x {}) {} (y {}), {}"},
+                step.text("edge"), in_formula(step.text("a")), x, plus(in_formula(step.text("b"))),
+                y, rule);
+}
+
+/// The other form of a line that is not vertical: `; y = 4/3 x + 7/3`.
+std::string line_form(const EdgeEnds& ends) {
+    const auto from = vec2_in(ends.from);
+    const auto to = vec2_in(ends.to);
+    if (!from || !to || from->x == to->x)
+        return {};
+    const Rational slope = (to->y - from->y) / (to->x - from->x);
+    return fmt::format("; y = {} x {}", text(slope), plus(text(from->y - slope * from->x)));
+}
+
+std::string edge(const Context& context) {
+    const StepView& step = context.step;
+    const std::string name = step.text("edge");
+    if (step.field("octant"))
+        return said({"side {}: octant {}", "lado {}: octante {}"}, name, step.text("octant"));
+    const auto ends = ends_of_edge(context.primitive, name);
+    if (step.field("a"))
+        return edge_function(step, ends);
+    const std::string slope = step.text("dx_dy");
+    if (slope == "null")
+        return said(
+            {"edge {}: horizontal, it has no dx/dy", "aresta {}: horizontal, não tem dx/dy"}, name);
+    if (!ends)
+        return said({"edge {}: dx/dy = {}", "aresta {}: dx/dy = {}"}, name, with_fraction(slope));
+    const std::string x1 = in_formula(ends->from[0]);
+    const std::string y1 = in_formula(ends->from[1]);
+    return said({"edge {}: dx/dy = ({} {}) / ({} {}) = {}; x = {} {} (y {}){}",
+                 "aresta {}: dx/dy = ({} {}) / ({} {}) = {}; x = {} {} (y {}){}"},
+                name, in_formula(ends->to[0]), minus(x1), in_formula(ends->to[1]), minus(y1),
+                with_fraction(slope), x1, plus(in_formula(slope)), minus(y1), line_form(*ends));
+}
+
+std::string rows_of_half(const Context& context) {
+    const Canvas& canvas = context.replay.trace().canvas;
+    const Index from = context.step.whole("from_y").value_or(0);
+    const Index to = context.step.whole("to_y").value_or(0);
+    // A half is filled upward: its rows end where they began, or above.
+    return canvas.row_of(from) < canvas.row_of(to)
+               ? said({"no row", "nenhuma linha"})
+               : said({"rows y={} to {}", "linhas y={} a {}"}, from, to);
+}
+
+std::string weights(const Context& context) {
+    const auto& vertices = context.primitive.vertices;
+    const auto weights = context.step.texts("weights");
+    std::string text;
+    const auto corners = corners_of(context.primitive);
+    const auto p = sample_of(context.replay.trace(), context.step);
+    if (const auto cross = corners && p ? cross_of_point(*corners, *p) : std::nullopt)
+        text = fmt::format(" {} / {}:", rastertrace::text(cross->weights),
+                           rastertrace::text(cross->weights.z));
+    for (std::size_t i = 0; i < weights.size(); ++i)
+        text += fmt::format(" {} {}", i < vertices.size() ? vertices[i] : "?",
+                            with_fraction(weights[i]));
+    return text;
+}
+
+/// What a depth is compared with, and whose it is.
+std::string against(const Context& context) {
+    const auto& [replay, step, primitive] = context;
+    const std::string stored = step.text("stored");
+    if (stored == "null")
+        return said({"nothing", "nada"});
+    const std::size_t owner = replay.primitive_of(replay.stored_before());
+    return owner == 0 ? in_sentence(stored)
+                      : said({"{} of {}", "{} de {}"}, in_sentence(stored),
+                             replay.trace().step(owner).text("name"));
+}
+
+/// 1 over a number, as the trace would write it: 5 of 1/5, 3/2 of 2/3.
+std::string inverse_of(const std::string& number) {
+    const auto value = nearest_double_in(number);
+    if (!value || *value == 0)
+        return "?";
+    const std::size_t bar = number.find('/');
+    if (bar == std::string::npos)
+        return fmt::format("{:.7g}", 1 / *value);
+    const bool is_negative = number.starts_with('-');
+    const std::string above = number.substr(is_negative ? 1 : 0, bar - (is_negative ? 1 : 0));
+    const std::string below = number.substr(bar + 1);
+    return in_sentence((is_negative ? "-" : "") + (above == "1" ? below : below + "/" + above));
+}
+
+/// What the depths are, and which of them is nearer: (1/z, larger is nearer; z = 5 against 3).
+std::string depth_rule(const Context& context) {
+    const auto& [replay, step, primitive] = context;
+    const std::string kind = replay.trace().method_value("depth");
+    const std::string asked = replay.trace().method_value("depth_compare");
+    const auto depth = nearest_double_in(step.text("depth"));
+    const auto stored = nearest_double_in(step.text("stored"));
+    const auto larger = larger_depth_passes(replay.trace(), replay.step());
+    const std::string what = kind == "inverse-z" ? "1/z" : kind == "linear-z" ? "z" : kind;
+    if (what.empty() || !larger)
+        return {};
+    const bool is_usual = asked.empty() || asked == "auto";
+    std::string text =
+        *larger ? is_usual ? said({" ({}, larger is nearer", " ({}, o maior está mais perto"}, what)
+                           : said({" ({}, larger passes", " ({}, o maior passa"}, what)
+        : is_usual ? said({" ({}, smaller is nearer", " ({}, o menor está mais perto"}, what)
+                   : said({" ({}, smaller passes", " ({}, o menor passa"}, what);
+    if (kind == "inverse-z" && depth && *depth != 0)
+        text += "; z = " + inverse_of(step.text("depth")) +
+                (stored && *stored != 0
+                     ? said({" against {}", " contra {}"}, inverse_of(step.text("stored")))
+                     : "");
+    if (step.text("depth") == step.text("stored") && step.text("depth") != "NaN" &&
+        !step.field("behind"))
+        text +=
+            replay.stored_before() == 0
+                ? said({"; equal to the empty buffer", "; igual ao buffer vazio"})
+            : step.text("pass") == "true"
+                ? said({"; of equals the thinner one passes", "; entre iguais passa o mais fino"})
+                : said({"; of equals the first stays", "; entre iguais fica o primeiro"});
+    const bool is_point = primitive.kind == "point";
+    const std::string part = is_point ? said({"corner", "vértice"}) : said({"side", "lado"});
+    const std::string own = is_point ? said({"the point", "o ponto"})
+                                     : said({"the line's own point", "o ponto do segmento"});
+    if (step.field("side_of"))
+        text += said({"; {} does not hide its own {}", "; {} não esconde seu próprio {}"},
+                     step.text("side_of"), part);
+    if (step.field("beside"))
+        text += said({"; {} does not cover {}, or is not nearer there",
+                      "; {} não cobre {}, ou não está mais perto ali"},
+                     step.text("beside"), own);
+    if (step.field("behind"))
+        text += said({"; {} covers {} and is nearer there", "; {} cobre {} e está mais perto ali"},
+                     step.text("behind"), own);
+    return text + ")";
+}
+
+std::string drawn_over(const Context& context) {
+    const auto& [replay, step, primitive] = context;
+    if (!replay.trace().canvas.contains(*step.whole("x"), *step.whole("y")))
+        return said({"   not on the canvas, not drawn", "   fora da tela, não desenhado"});
+    return replay.drew_over() != 0 ? said({"   over step {}", "   sobre o passo {}"},
+                                          replay.trace().number_of(replay.drew_over()))
+                                   : std::string();
+}
+
+std::string dropped(const Context& context) {
+    const StepView& step = context.step;
+    const std::string x = step.text("x");
+    const std::string y = step.text("y");
+    const std::string to_x = step.field("to_x") ? step.text("to_x") : x;
+    const std::string to_y = step.field("to_y") ? step.text("to_y") : y;
+    if (x.empty())
+        return said({"rows y={} to {}", "linhas y={} a {}"}, y, to_y);
+    if (x == to_x && y == to_y)
+        return fmt::format("pixel ({}, {})", x, y);
+    return said({"pixels ({}, {}) to ({}, {})", "pixels ({}, {}) a ({}, {})"}, x, y, to_x, to_y);
+}
+
+/// dx/dy of an edge of the current primitive as it was set up; nothing if it is horizontal.
+std::optional<std::string> slope_of(const Replay& replay, const std::string& edge) {
+    for (const std::size_t n : replay.edges()) {
+        const StepView step = replay.trace().step(n);
+        if (step.text("edge") == edge && step.field("dx_dy") && step.text("dx_dy") != "null")
+            return step.text("dx_dy");
+    }
+    return std::nullopt;
+}
+
+/// A method names one rule for the rows of triangles and one for lines, as in `floor+nearest`, if it needs
+/// both.
+std::string rule_of_rows(const Trace& trace, std::string_view key) {
+    const std::string rules = trace.method_value(key);
+    return rules.substr(0, rules.find('+'));
+}
+std::string rule_of_lines(const Trace& trace, std::string_view key) {
+    const std::string rules = trace.method_value(key);
+    return rules.substr(rules.find('+') + 1);
+}
+
+/// ` -> floor`; of a number halfway between two pixels, ` -> nearest, ties up`.
+std::string rounded_by(const std::string& rule, const std::string& ties,
+                       const std::optional<Rational>& number) {
+    if (rule.empty())
+        return {};
+    const bool is_tie = number && rule == "nearest" && number->get_den() == 2;
+    return is_tie
+               ? said({" -> {}, ties {}", " -> {}, empates {}"}, rule, ties.empty() ? "up" : ties)
+               : " -> " + rule;
+}
+
+} // namespace
+
+std::string rule_of_end(const Trace& trace, const StepView& step, const std::string& side,
+                        const std::string& pixel) {
+    const bool is_left = side == "left";
+    const std::string rounding = rule_of_rows(trace, "rounding");
+    const auto x = number_in(step, side);
+    if (rounding == "inside")
+        return is_left ? " -> ceil" : " -> floor";
+    if (rounding == "half-open")
+        return is_left ? " -> ceil" : " -> ceil - 1";
+    if (!rounding.empty())
+        return rounded_by(rounding, rule_of_rows(trace, "ties"), x);
+    const auto column = number_in(pixel);
+    if (!x || !column || trace.method_value("fill") != "top-left")
+        return {};
+    const Rational offset = sample_offset(trace);
+    const Rational sample = *column + offset;
+    if (is_left ? *x > sample : *x <= sample)
+        return {};
+    return said({" {} sample {}{}", " {} amostra {}{}"}, is_left ? "<=" : ">", pixel,
+                sgn(offset) != 0 ? " + 1/2" : "");
+}
+
+namespace {
+
+/// One end of a row: `left AB: x = 2 + 3/4 (2 - 5) = -1/4 -> floor -> -1`.
+std::string end_of_row(const Context& context, const std::string& side, const std::string& pixel) {
+    const auto& [replay, step, primitive] = context;
+    const std::string edge = step.text(side + "_edge");
+    const std::string x = step.text(side);
+    const std::string y = step.text("y");
+    std::string text = name_of_side(side) + (edge.empty() ? "" : " " + edge) + ": x = ";
+
+    const auto slope = slope_of(replay, edge);
+    const auto ends = ends_of_edge(primitive, edge);
+    const bool adds = replay.trace().method_value("lerp") == "incremental";
+    std::string x_before;
+    bool goes_up = false;
+    if (adds && replay.scanline_before() != 0) {
+        const StepView before = replay.trace().step(replay.scanline_before());
+        goes_up = before.whole("y") < step.whole("y");
+        for (const std::string other_side : {"left", "right"})
+            if (before.text(other_side + "_edge") == edge)
+                x_before = before.text(other_side);
+    }
+    if (slope && !x_before.empty())
+        text += fmt::format("{} {} = ", in_formula(x_before),
+                            goes_up ? plus(in_formula(*slope)) : minus(in_formula(*slope)));
+    else if (slope && ends)
+        text += fmt::format("{} {} ({} {}) = ", in_formula(ends->from[0]), plus(in_formula(*slope)),
+                            y, minus(in_formula(ends->from[1])));
+    return text + fmt::format("{}{} -> {}", with_fraction(x),
+                              rule_of_end(replay.trace(), step, side, pixel), pixel);
+}
+
+/// Depths at the ends of a row: `   depth 1/3 to 1/5`.
+std::string depths_of_row(const Context& context) {
+    const std::string left = context.step.text("left_depth");
+    const std::string right = context.step.text("right_depth");
+    return left.empty() || right.empty() ? std::string()
+                                         : said({"   depth {} to {}", "   profundidade {} a {}"},
+                                                in_sentence(left), in_sentence(right));
+}
+
+/// What a line goes by: `1/2 x + 0 = `, or the number before and m, for `dda`: `3/7 + 3/7 = `.
+std::string slope_form(const Context& context) {
+    const auto& [replay, step, primitive] = context;
+    const auto ends = ends_of_line(replay, primitive);
+    const auto value = number_in(step, "value");
+    const bool is_x_major = step.field("x").has_value();
+    const auto at = number_in(step, is_x_major ? "x" : "y");
+    const auto form = ends ? slope_form_of(*ends, is_x_major) : std::nullopt;
+    if (!form || !value || !at)
+        return {};
+    const std::size_t before =
+        replay.trace().method_value("line") == "dda" ? along_before(replay, replay.step()) : 0;
+    if (before != 0) {
+        const StepView last = replay.trace().step(before);
+        const auto last_value = number_in(last, "value");
+        const auto last_at = number_in(last, is_x_major ? "x" : "y");
+        if (!last_value || !last_at)
+            return {};
+        const Rational moved = (*at - *last_at) * form->m;
+        return agrees(*last_value + moved, *value, replay.trace())
+                   ? fmt::format("{} {} = ", in_formula(last.text("value")), plus(text(moved)))
+                   : std::string();
+    }
+    return agrees(form->m * *at + form->b, *value, replay.trace())
+               ? fmt::format("{} {} {} = ", text(form->m), is_x_major ? "x" : "y",
+                             plus(text(form->b)))
+               : std::string();
+}
+
+/// What Bresenham's d becomes: `; d - 6 = -3`.
+std::string next_d(const Context& context) {
+    const auto d = number_in(context.step, "d");
+    const auto ends = ends_of_line(context.replay, context.primitive);
+    const auto increment =
+        d && ends ? increment_of(context.replay.trace(), *ends, *d) : std::nullopt;
+    return increment ? fmt::format("; d {} = {}", plus(text(*increment)), text(*d + *increment))
+                     : std::string();
+}
+
+/// How much of the light that is a level of 255 is on an sRGB screen (IEC 61966-2-1), in percent.
+double share_of_light(int level) {
+    const double signal = level / 255.0;
+    return 100 * (signal <= 0.04045 ? signal / 12.92 : std::pow((signal + 0.055) / 1.055, 2.4));
+}
+
+/// The brightest level of a color, and what it is on a screen: ` (level 128: 21.6 % of the light)`.
+std::string level(const Context& context) {
+    const auto color = parse_color(context.step.text("color"));
+    if (!color)
+        return {};
+    const int brightest = std::max({int{color->red()}, int{color->green()}, int{color->blue()}});
+    return said({" (level {}: {:.1f} % of the light on an sRGB screen)",
+                 " (nível {}: {:.1f} % da luz numa tela sRGB)"},
+                brightest, share_of_light(brightest));
+}
+
+/// Which side of 0 Bresenham's d lies on, and where it goes for that.
+std::string sign_of_d(const Trace& trace, const StepView& step) {
+    const std::string d = step.text("d");
+    if (d == "NaN")
+        return said({"(neither above 0 nor below)", "(nem acima de 0 nem abaixo)"});
+    const bool is_diagonal =
+        steps_at_ties(trace) ? !d.starts_with('-') : !d.starts_with('-') && d != "0";
+    const std::string_view compared = steps_at_ties(trace) ? is_diagonal ? ">= 0" : "< 0"
+                                      : is_diagonal        ? "> 0"
+                                                           : "<= 0";
+    return is_diagonal ? said({"{}, diagonally", "{}, na diagonal"}, compared)
+                       : said({"{}, straight on", "{}, em frente"}, compared);
+}
+
+/// The color of a pixel that has its own; on a line, how far it has come from one end's to the other's.
+std::string color(const Context& context) {
+    if (!context.step.field("color"))
+        return {};
+    const std::string told = " " + context.step.text("color");
+    const auto on_line = color_on_line(context.replay, context.primitive);
+    if (!on_line)
+        return told;
+    return on_line->is_by_distance ? said({"{} ({} of the distance)", "{} ({} da distância)"}, told,
+                                          six_places(on_line->share()))
+                                   : said({"{} (step {} of {})", "{} (passo {} de {})"}, told,
+                                          text(on_line->step), text(on_line->steps));
+}
+
+/// Why a pixel is drawn, once more: its row, its decision or its sample.
+std::string reason(const Context& context) {
+    const std::size_t n = reason_of_pixel(context.replay);
+    if (n == 0)
+        return {};
+    const StepView step = context.replay.trace().step(n);
+    switch (*context.replay.trace().kind_of(n)) {
+    case StepKind::scanline:
+        return said({"   row y={}: {} to {}", "   linha y={}: {} a {}"}, step.text("y"),
+                    step.text("from"), step.text("to"));
+    case StepKind::along:
+        return fmt::format("   {} = {}", step.field("x") ? "y" : "x",
+                           in_sentence(step.text("value")));
+    case StepKind::decide:
+        return fmt::format("   d = {} {}", step.text("d"), sign_of_d(context.replay.trace(), step));
+    case StepKind::sample:
+        return said({"   no weight is negative", "   nenhum peso é negativo"});
+    default:
+        return {};
+    }
+}
+
+/// How much of a long list or name is shown.
+constexpr std::size_t most_ears_shown = 12;
+constexpr std::size_t shown_of_name = 60;
+
+/// The ears of a face in the order in which they were cut; the last triangle is what they leave.
+std::string ears(const Context& context) {
+    auto names = context.step.texts("ears");
+    const std::size_t count = names.size();
+    if (count < 2)
+        return joined(names, ", ");
+    const std::string rest = shortened(names.back(), shown_of_name);
+    names.resize(std::min(count - 1, most_ears_shown));
+    std::string text = joined(names, ", ");
+    if (names.size() < count - 1)
+        text += said({", ... ({} in all)", ", ... ({} ao todo)"}, count - 1);
+    return said({"{}; what is left is {}", "{}; o que resta é {}"}, text, rest);
+}
+
+/// A part of a sentence that is more than a field.
+struct Part {
+    std::string_view name;
+    std::string (*text)(const Context& context);
+};
+
+/// In the order of the sentences in step_kind.cpp.
+constexpr Part parts[] = {
+    {"face",
+     [](const Context& context) {
+         return said({"face {}", "face {}"}, shortened(context.step.text("name"), shown_of_name));
+     }},
+    {"ears", ears},
+    {"of_object",
+     [](const Context& context) {
+         const std::string object = context.step.text("object");
+         return object.empty() ? object : said({" of {}", " de {}"}, object);
+     }},
+    {"factors",
+     [](const Context& context) {
+         const auto factors = context.step.texts("factors");
+         return factors.empty() ? std::string() : " = " + joined(factors, " x ");
+     }},
+    {"rows",
+     [](const Context& context) {
+         std::string text;
+         for (auto row : context.step.text_rows("rows")) {
+             std::transform(row.begin(), row.end(), row.begin(), in_formula);
+             text += fmt::format("  [{}]", joined(row, " "));
+         }
+         return text;
+     }},
+    {"place", place},
+    {"snapped",
+     [](const Context& context) {
+         return context.step.field("snapped") ? " -> " + point(context.step.texts("snapped"))
+                                              : std::string();
+     }},
+    {"farthest_first", farthest_first},
+    {"corners", corners},
+    {"octant",
+     [](const Context& context) {
+         return context.step.field("octant")
+                    ? said({"   octant {}", "   octante {}"}, context.step.text("octant"))
+                    : std::string();
+     }},
+    {"painted",
+     [](const Context& context) {
+         return context.step.text("painted") == "false"
+                    ? said({"   only hides, not painted", "   só esconde, não é pintado"})
+                    : std::string();
+     }},
+    {"kind",
+     [](const Context& context) {
+         const std::string& kind = context.primitive.kind;
+         return std::string(in_language_of_steps(kind.empty() ? "primitive" : kind));
+     }},
+    {"primitive", name_of_primitive},
+    {"toward",
+     [](const Context& context) {
+         return context.step.text("by") == "light" ? said({"to light", "para a luz"})
+                                                   : said({"to eye", "para o olho"});
+     }},
+    {"cosine",
+     [](const Context& context) {
+         const std::string cosine = context.step.text("cosine");
+         const auto value = nearest_double_in(cosine);
+         return value ? said({", cosine {} ({:.2f} degrees)", ", cosseno {} ({:.2f} graus)"},
+                             six_places(*value), degrees_of_cosine(*value))
+                      : std::string();
+     }},
+    {"intensity",
+     [](const Context& context) {
+         const std::string intensity = context.step.text("intensity");
+         const auto value = nearest_double_in(intensity);
+         return value ? six_places(*value) : intensity;
+     }},
+    {"level", level},
+    {"inside",
+     [](const Context& context) {
+         const auto inside = context.step.texts("inside");
+         return said({"{} of {}", "{} de {}"}, std::count(inside.begin(), inside.end(), "true"),
+                     inside.size());
+     }},
+    {"edge", edge},
+    {"rows_of_half", rows_of_half},
+    {"line_to",
+     [](const Context& context) {
+         const auto ends = ends_of_line(context.replay, context.primitive);
+         return ends ? said({", to {}", ", até {}"}, text(ends->to)) : std::string();
+     }},
+    {"samples",
+     [](const Context& context) {
+         return sgn(sample_offset(context.replay.trace())) != 0
+                    ? said({", samples at y = {} + 1/2", ", amostras em y = {} + 1/2"},
+                           context.step.text("y"))
+                    : std::string();
+     }},
+    {"left_end",
+     [](const Context& context) { return end_of_row(context, "left", context.step.text("from")); }},
+    {"right_end",
+     [](const Context& context) { return end_of_row(context, "right", context.step.text("to")); }},
+    {"depths_of_row", depths_of_row},
+    {"empty",
+     [](const Context& context) {
+         const bool is_empty = *context.step.whole("to") < *context.step.whole("from");
+         return is_empty ? said({"   no pixel between", "   nenhum pixel entre elas"})
+                         : std::string();
+     }},
+    {"along",
+     [](const Context& context) {
+         const bool is_x_major = context.step.field("x").has_value();
+         return is_x_major ? fmt::format("x = {}: y", context.step.text("x"))
+                           : fmt::format("y = {}: x", context.step.text("y"));
+     }},
+    {"slope_form", slope_form},
+    {"rule_of_line",
+     [](const Context& context) {
+         const Trace& trace = context.replay.trace();
+         return rounded_by(rule_of_lines(trace, "rounding"), rule_of_lines(trace, "ties"),
+                           number_in(context.step, "value"));
+     }},
+    {"sign_of_d",
+     [](const Context& context) { return sign_of_d(context.replay.trace(), context.step); }},
+    {"next_d", next_d},
+    {"weights", weights},
+    {"against", against},
+    {"depth_rule", depth_rule},
+    {"color", color},
+    {"reason", reason},
+    {"drawn_over", drawn_over},
+    {"dropped", dropped},
+    {"what_is_open",
+     [](const Context& context) {
+         const StepView& step = context.step;
+         return step.text("error").empty()
+                    ? said({"a number has left the doubles", "um número saiu dos doubles"})
+                    : said({"doubles leave it open: a difference of {}, off by up to {}",
+                            "os doubles não decidem: uma diferença de {}, com erro de até {}"},
+                           step.text("difference"), step.text("error"));
+     }},
+};
+
+/// What stands for a placeholder of a sentence.
+std::string filled_in(std::string_view placeholder, const Context& context) {
+    if (placeholder.starts_with('@'))
+        for (const Part& part : parts)
+            if (part.name == placeholder.substr(1))
+                return part.text(context);
+    if (placeholder.starts_with('#'))
+        return std::string(in_language_of_steps(context.step.text(placeholder.substr(1))));
+    if (const std::size_t choice = placeholder.find('?'); choice != std::string_view::npos) {
+        const std::size_t colon = placeholder.find(':');
+        return std::string(context.step.text(placeholder.substr(0, choice)) == "true"
+                               ? placeholder.substr(choice + 1, colon - choice - 1)
+                               : placeholder.substr(colon + 1));
+    }
+    const std::string_view json = context.step.field(placeholder).value_or("");
+    return json.starts_with('[') ? point(context.step.texts(placeholder))
+                                 : in_sentence(context.step.text(placeholder));
+}
+
+/// A placeholder of a pattern: from its opening bracket on, to behind the closing one.
+struct Placeholder {
+    std::size_t begin;
+    std::size_t end;
+};
+
+std::vector<Placeholder> placeholders_in(std::string_view pattern) {
+    std::vector<Placeholder> places;
+    for (std::size_t open = pattern.find('{'); open != std::string_view::npos;
+         open = pattern.find('{', open + 1))
+        places.push_back({open, pattern.find('}', open) + 1});
+    return places;
+}
+
+} // namespace
+
+std::optional<bool> larger_depth_passes(const Trace& trace, std::size_t n) {
+    const std::string asked = trace.method_value("depth_compare");
+    if (asked == "greater" || asked == "less")
+        return asked == "greater";
+    const StepView step = trace.step(n);
+    const auto depth = nearest_double_in(step.text("depth"));
+    const auto stored = nearest_double_in(step.text("stored"));
+    const bool is_decided_by_them =
+        !step.field("side_of") && !step.field("beside") && !step.field("behind");
+    if (is_decided_by_them && depth && stored && *depth != *stored)
+        return (step.text("pass") == "true") == (*depth > *stored);
+    const std::string kind = trace.method_value("depth");
+    return kind == "inverse-z"  ? std::optional(true)
+           : kind == "linear-z" ? std::optional(false)
+                                : std::nullopt;
+}
+
+Sentence sentence_of_step(const Replay& replay) {
+    if (replay.step() == 0)
+        return {.pattern =
+                    Words("nothing drawn yet", "nada desenhado ainda").in(language_of_steps()),
+                .fills = {}};
+    const StepView step = replay.trace().step(replay.step());
+    const auto kind = replay.trace().kind_of(replay.step());
+    if (!kind) {
+        constexpr std::size_t width = 100;
+        return {.pattern = "{step}", .fills = {printable(shortened(step.json(), width))}};
+    }
+    Sentence sentence{.pattern = row_of(*kind).sentence.in(language_of_steps()), .fills = {}};
+    const Context context{replay, step, primitive_of(replay)};
+    for (const auto& [begin, end] : placeholders_in(sentence.pattern))
+        sentence.fills.push_back(
+            printable(filled_in(sentence.pattern.substr(begin + 1, end - begin - 2), context)));
+    return sentence;
+}
+
+std::vector<std::string_view> pieces_of(std::string_view pattern) {
+    std::vector<std::string_view> pieces;
+    std::size_t begin = 0;
+    for (const Placeholder& place : placeholders_in(pattern)) {
+        pieces.push_back(pattern.substr(begin, place.begin - begin));
+        begin = place.end;
+    }
+    pieces.push_back(pattern.substr(begin));
+    return pieces;
+}
+
+std::string describe_step(const Replay& replay) {
+    const Sentence sentence = sentence_of_step(replay);
+    const auto pieces = pieces_of(sentence.pattern);
+    std::string text(pieces.front());
+    for (std::size_t i = 0; i < sentence.fills.size(); ++i)
+        text.append(sentence.fills[i]).append(pieces[i + 1]);
+    return text;
+}
+
+} // namespace rastertrace

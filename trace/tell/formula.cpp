@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include "formula.h"
+
+#include "step_text.h"
+
+#include <rastertrace/core/numbers/irrational.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace rastertrace {
+
+namespace {
+
+Values components(const Vec3& v) {
+    return {v.x, v.y, v.z};
+}
+
+Values truth(bool value) {
+    return {Rational(value ? 1 : 0)};
+}
+
+Values value(const TakenOver& number) {
+    return number.values;
+}
+
+Values value(const Slope& edge) {
+    const Rational dy = edge.to.y - edge.from.y;
+    return sgn(dy) == 0 ? Values{} : Values{(edge.to.x - edge.from.x) / dy};
+}
+
+Values value(const Lerp& lerp) {
+    const auto slope = lerp.slope();
+    return {slope ? lerp.d1 + *slope * (lerp.i - lerp.i1) : lerp.d1};
+}
+
+Values value(const RoundedEnd& end) {
+    return {end.by(end.rule)};
+}
+
+Values value(const RoundedPlace& place) {
+    return place.by(place.rule);
+}
+
+Values value(const InRow& row) {
+    return truth(row.from.by(row.from.rule) <= row.x && row.x <= row.to.by(row.to.rule));
+}
+
+Values value(const FaceNormal& face) {
+    const auto& [a, b, c] = face.corners;
+    return components(cross(b - a, c - a));
+}
+
+Values value(const Centroid& face) {
+    const auto& [a, b, c] = face.corners;
+    const Vec3 sum = a + b + c;
+    return {sum.x / 3, sum.y / 3, sum.z / 3};
+}
+
+Values value(const FacePlane& plane) {
+    Values of = components(plane.normal);
+    of.push_back(-dot(plane.normal, plane.corner));
+    return of;
+}
+
+Values value(const Toward& toward) {
+    return components(toward.to - toward.centroid);
+}
+
+Values value(const FaceDot& face) {
+    return {dot(face.normal, face.view)};
+}
+
+Values value(const FaceCosine& face) {
+    const Rational squares = dot(face.normal, face.normal) * dot(face.view, face.view);
+    if (!std::isnormal(nearest_double(squares)))
+        return {};
+    const Rational product = face.dot.value_or(dot(face.normal, face.view));
+    const Rational cosine = product / square_root(squares);
+    return {face.is_intensity ? std::max(cosine, Rational(0)) : cosine};
+}
+
+Values value(const IsCulled& face) {
+    return truth(face.hides_back ? sgn(face.dot) <= 0 : sgn(face.dot) >= 0);
+}
+
+Values value(const MatrixTimes& product) {
+    Values of;
+    for (const auto& row : product.rows)
+        of.push_back(
+            std::inner_product(row.begin(), row.end(), product.point.begin(), Rational(0)));
+    return of;
+}
+
+Values value(const DividedByW& division) {
+    const auto& [x, y, z, w] = division.point;
+    return sgn(w) == 0 ? Values{} : Values{x / w, y / w, z / w};
+}
+
+Values value(const BresenhamDecisions& line) {
+    Values of;
+    Rational d = line.factor_at_start * line.minor - line.major;
+    for (std::size_t i = 0; i < line.steps; ++i) {
+        of.push_back(d);
+        const bool is_diagonal = sgn(d) > 0 || (sgn(d) == 0 && line.steps_at_ties);
+        d += line.factor_in_steps * (is_diagonal ? Rational(line.minor - line.major) : line.minor);
+    }
+    return of;
+}
+
+Values value(const MixedDepth& mixed) {
+    const Rational depth = std::inner_product(mixed.weights.begin(), mixed.weights.end(),
+                                              mixed.depths.begin(), Rational(0));
+    if (!mixed.gives_inverse)
+        return {depth};
+    return sgn(depth) == 0 ? Values{} : Values{1 / depth};
+}
+
+Values value(const DepthComparison& test) {
+    return truth(test.larger_passes ? test.depth > test.stored : test.depth < test.stored);
+}
+
+Values value(const Weights& triangle) {
+    const auto cross = cross_of_point(triangle.corners, triangle.sample);
+    if (!cross)
+        return {};
+    const Rational u = cross->weights.x / cross->weights.z;
+    const Rational v = cross->weights.y / cross->weights.z;
+    return {1 - u - v, u, v};
+}
+
+} // namespace
+
+std::optional<Rational> Lerp::slope() const {
+    if (step)
+        return step;
+    return i1 == i2 ? std::nullopt : std::optional<Rational>((d2 - d1) / (i2 - i1));
+}
+
+Rational RoundedEnd::by(const SpanRounding& other) const {
+    return Rational(is_last ? last_pixel(x, other) : first_pixel(x, other));
+}
+
+Values RoundedPlace::by(const SpanRounding& other) const {
+    Values rounded;
+    for (const Rational& x : at)
+        rounded.emplace_back(first_pixel(x, other));
+    return rounded;
+}
+
+Values value_of(const Formula& formula) {
+    return std::visit([](const auto& of) { return value(of); }, formula.of);
+}
+
+} // namespace rastertrace

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What the workings of all kinds of steps are written on, and the numbers in them.
+
+#include "step_text.h"
+
+#include <rastertrace/core/numbers/conversion.h>
+#include <rastertrace/trace/record/frame.h>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace rastertrace {
+
+/// What a working is made of, and its lines so far.
+struct Sheet {
+    const Replay& replay;
+    std::size_t number; ///< of the step
+    StepView step;
+    PrimitiveText primitive;
+    std::vector<std::string> lines = {};
+
+    void put(std::string line) { lines.push_back(std::move(line)); }
+
+    const Trace& trace() const { return replay.trace(); }
+
+    /// True if a result is what the trace tells.
+    bool agrees(const Rational& worked_out, const Rational& told) const {
+        return rastertrace::agrees(worked_out, told, trace());
+    }
+};
+
+template <std::size_t size>
+std::optional<std::array<Rational, size>> numbers_in(const std::vector<std::string>& texts) {
+    std::array<Rational, size> numbers;
+    if (texts.size() < size)
+        return std::nullopt;
+    for (std::size_t i = 0; i < size; ++i) {
+        const auto number = number_in(texts[i]);
+        if (!number)
+            return std::nullopt;
+        numbers[i] = *number;
+    }
+    return numbers;
+}
+
+/// 2 (-3), (-2) (-3)
+std::string product(const Rational& a, const Rational& b);
+
+/// The function of an edge, E = a (x - x1) + b (y - y1) from its first end.
+struct EdgeFunctionText {
+    Rational a, b;
+    Vec2 from;
+    bool is_top_left;
+
+    Rational value_at(const Vec2& p) const { return a * (p.x - from.x) + b * (p.y - from.y); }
+
+    /// 8 (1/2) + (-8) (1/2) = 0: on a top or left edge, inside
+    std::string at(const Vec2& p) const;
+};
+
+/// That of an `edge` step, if it has one.
+std::optional<EdgeFunctionText> edge_function_in(const StepView& step,
+                                                 const PrimitiveText& primitive);
+
+// The workings of steps in space (working_in_space.cpp): matrices and vertices on their way to the screen,
+// faces and their light.
+void write_triangulation(Sheet& sheet);
+void write_matrix(Sheet& sheet);
+void write_vertex(Sheet& sheet);
+void write_face(Sheet& sheet);
+void write_light(Sheet& sheet);
+
+/// The levels of a pixel's color (working_of_color.cpp).
+void write_color(Sheet& sheet);
+
+/// How far the corners of a triangle are from the eye.
+struct CornerDistances {
+    std::array<Rational, 3> distances;
+
+    bool differ() const { return distances[0] != distances[1] || distances[0] != distances[2]; }
+};
+
+/// As depths of 1/z tell them, in a perspective. (The w of `vertex` steps would do as well, but who asks about one pixel
+/// of a long trace does not have those.)
+std::optional<CornerDistances> distances_of_corners(const Sheet& sheet);
+
+/// z of a pixel from the plane of its face in the camera's space, A x + B y + C z + D = 0, and from where
+/// it is seen on the view plane: z = -d D / (A x' + B y' + d C) (T0). `told` is the 1/z of the trace.
+void write_plane_in_camera_space(Sheet& sheet, const Vec2& sample, const Rational& told);
+
+} // namespace rastertrace

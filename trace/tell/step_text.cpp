@@ -1,0 +1,395 @@
+// SPDX-License-Identifier: MIT
+#include "step_text.h"
+
+#include <rastertrace/core/numbers/number.h>
+#include <rastertrace/core/raster/rounding.h>
+#include <rastertrace/trace/text/color_text.h>
+#include <rastertrace/trace/text/json_scanner.h>
+#include <rastertrace/trace/text/primitive_name.h>
+#include <rastertrace/trace/text/text.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string_view>
+
+namespace rastertrace {
+
+std::string in_sentence(const std::string& number) {
+    constexpr std::size_t longest = 20;
+    constexpr std::size_t digits = 8;
+    const std::size_t bar = number.find('/');
+    if (bar == std::string::npos || number.size() <= longest)
+        return number;
+    const auto first_digits = [](std::string part) {
+        return part.size() <= digits + 3 ? part : part.substr(0, digits) + "...";
+    };
+    const auto value = nearest_double_in(number);
+    if (!value)
+        return number; // a name with a slash
+    const std::string digits_of_value = fmt::format("{:.7g}", *value);
+    // What lies a hair beside a whole number or a half is rounded otherwise than that.
+    constexpr double hair = 1e-6;
+    const auto near = number_in(digits_of_value);
+    const auto exact = number_in(number);
+    const bool is_close = near && exact && *near != *exact && near->get_den() <= 2 &&
+                          std::abs(nearest_double(*exact - *near)) < hair;
+    return fmt::format("{}/{} {} {}", first_digits(number.substr(0, bar)),
+                       first_digits(number.substr(bar + 1)),
+                       !is_close        ? "="
+                       : *exact < *near ? "<"
+                                        : ">",
+                       digits_of_value);
+}
+
+std::string in_formula(const std::string& number) {
+    const auto value = in_sentence(number) == number ? std::nullopt : nearest_double_in(number);
+    return value ? fmt::format("{:.7g}", *value) : number;
+}
+
+std::optional<Rational> number_in(std::string_view text) {
+    const auto parsed = parse_number(text, NumberSize::any);
+    const auto* number = std::get_if<Number>(&parsed);
+    return number == nullptr ? std::nullopt : std::optional(number->exact());
+}
+
+std::optional<Rational> number_in(const StepView& step, std::string_view field) {
+    return number_in(step.text(field));
+}
+
+Rational as_stored(const Rational& number, std::string_view json, bool is_float) {
+    if (json.starts_with('"'))
+        return number;
+    const double stored =
+        is_float ? static_cast<double>(nearest_float(number)) : nearest_double(number);
+    return std::isfinite(stored) ? Rational(stored) : number;
+}
+
+std::optional<Rational> stored_number_in(std::string_view json, bool is_float) {
+    const auto number = number_in(plain_text(json));
+    return number ? std::optional(as_stored(*number, json, is_float)) : std::nullopt;
+}
+
+std::optional<Vec2> vec2_in(const std::vector<std::string>& texts) {
+    const auto x = texts.empty() ? std::nullopt : number_in(texts[0]);
+    const auto y = texts.size() < 2 ? std::nullopt : number_in(texts[1]);
+    return x && y ? std::optional(Vec2{*x, *y}) : std::nullopt;
+}
+
+std::optional<Vec3> vec3_in(const std::vector<std::string>& texts) {
+    const auto xy = vec2_in(texts);
+    const auto z = texts.size() < 3 ? std::nullopt : number_in(texts[2]);
+    return xy && z ? std::optional(Vec3{xy->x, xy->y, *z}) : std::nullopt;
+}
+
+std::string text(const Rational& number) {
+    constexpr std::size_t longest = 15;
+    constexpr int largest_denominator = 1000;
+    const std::string fraction = number.get_str();
+    if (fraction.size() <= longest && number.get_den() < largest_denominator)
+        return fraction;
+    const double near = nearest_double(number);
+    if (!std::isfinite(near))
+        return in_sentence(fraction);
+    const std::string decimal = fmt::format("{:.15g}", near);
+    return number_in(decimal) == number ? decimal : fmt::format("{:.7g}", near);
+}
+
+std::string text(const Vec2& v) {
+    return fmt::format("({}, {})", text(v.x), text(v.y));
+}
+
+std::string text(const Vec3& v) {
+    return fmt::format("({}, {}, {})", text(v.x), text(v.y), text(v.z));
+}
+
+std::string plus(const std::string& number) {
+    return number.starts_with('-') ? fmt::format("- {}", number.substr(1))
+                                   : fmt::format("+ {}", number);
+}
+
+std::string minus(const std::string& number) {
+    return number.starts_with('-') ? fmt::format("+ {}", number.substr(1))
+                                   : fmt::format("- {}", number);
+}
+
+bool agrees(const Rational& worked_out, const Rational& told, const Trace& trace) {
+    const bool is_float = trace.method_value("scalar") == "float";
+    const double tolerance = is_float ? 1e-4 : 1e-9;
+    const double nothing = is_float ? 1e-9 : 1e-12; // what is left of numbers that cancel
+    const double difference = std::abs(nearest_double(worked_out - told));
+    const double size =
+        std::max(std::abs(nearest_double(told)), std::abs(nearest_double(worked_out)));
+    return difference <= std::max(nothing, tolerance * size);
+}
+
+std::string quotient(const std::string& above, const std::string& below) {
+    const auto in_brackets = [](const std::string& number) {
+        const bool has_brackets = number.starts_with('(') || number.find('/') == std::string::npos;
+        return has_brackets ? number : fmt::format("({})", number);
+    };
+    return fmt::format("{} / {}", in_brackets(above), in_brackets(below));
+}
+
+double degrees_of_cosine(double cosine) {
+    return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi;
+}
+
+std::string six_places(double number) {
+    std::string text = fmt::format("{:.6f}", number);
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.')
+        text.pop_back();
+    return text == "-0" ? "0" : text;
+}
+
+std::string point(std::vector<std::string> coordinates) {
+    std::transform(coordinates.begin(), coordinates.end(), coordinates.begin(), in_sentence);
+    return fmt::format("({})", joined(coordinates, ", "));
+}
+
+PrimitiveText primitive_in(const StepView& step) {
+    return {step.text("kind"), step.text("name"), step.texts("vertices"), step.text_rows("at")};
+}
+
+std::string edge_name(const PrimitiveText& primitive, std::size_t from, std::size_t to) {
+    const std::vector<std::string_view> names(primitive.vertices.begin(), primitive.vertices.end());
+    return fmt::format("{}{}{}", names[from], name_separator(names), names[to]);
+}
+
+PrimitiveText primitive_of(const Replay& replay) {
+    return replay.primitive() == 0 ? PrimitiveText{}
+                                   : primitive_in(replay.trace().step(replay.primitive()));
+}
+
+std::optional<EdgeEnds> ends_of_edge(const PrimitiveText& primitive, const std::string& edge) {
+    const std::vector<std::string_view> names(primitive.vertices.begin(), primitive.vertices.end());
+    const std::string_view separator = name_separator(names);
+    for (std::size_t from = 0; from < names.size(); ++from)
+        for (std::size_t to = 0; to < names.size(); ++to) {
+            const bool have_places =
+                from < primitive.positions.size() && to < primitive.positions.size() &&
+                primitive.positions[from].size() >= 2 && primitive.positions[to].size() >= 2;
+            if (from != to && have_places &&
+                edge == fmt::format("{}{}{}", names[from], separator, names[to]))
+                return EdgeEnds{primitive.positions[from], primitive.positions[to]};
+        }
+    return std::nullopt;
+}
+
+std::optional<std::array<Vec2, 3>> corners_of(const PrimitiveText& primitive) {
+    if (primitive.kind != "triangle" || primitive.vertices.size() != 3 ||
+        primitive.positions.size() != 3)
+        return std::nullopt;
+    std::array<Vec2, 3> corners;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto corner = vec2_in(primitive.positions[i]);
+        if (!corner)
+            return std::nullopt;
+        corners[i] = *corner;
+    }
+    return corners;
+}
+
+namespace {
+
+std::optional<LineEnds> line_between(const std::vector<std::string>& from,
+                                     const std::vector<std::string>& to) {
+    const auto a = vec2_in(from);
+    const auto b = vec2_in(to);
+    return a && b ? std::optional(LineEnds{*a, *b}) : std::nullopt;
+}
+
+/// A line as it is drawn between pixels: each end is rounded, a half up.
+LineEnds between_nearest_pixels(const LineEnds& ends) {
+    const auto nearest = [](const Rational& x) { return Rational(nearest_index(x, Ties::up)); };
+    return {{nearest(ends.from.x), nearest(ends.from.y)}, {nearest(ends.to.x), nearest(ends.to.y)}};
+}
+
+} // namespace
+
+std::optional<LineEnds> ends_of_line(const Replay& replay, const PrimitiveText& primitive) {
+    const auto& positions = primitive.positions;
+    const bool is_bresenham = replay.trace().method_value("line") == "bresenham";
+    const auto as_drawn = [](const std::optional<LineEnds>& ends, bool between_pixels) {
+        return ends && between_pixels ? between_nearest_pixels(*ends) : ends;
+    };
+    if (primitive.kind == "line" && positions.size() == 2)
+        return as_drawn(line_between(positions[0], positions[1]), is_bresenham);
+    if (replay.edges().empty())
+        return std::nullopt;
+    const std::string edge = replay.trace().step(replay.edges().back()).text("edge");
+    const auto ends = ends_of_edge(primitive, edge);
+    if (!ends)
+        return std::nullopt;
+    if (primitive.kind == "outline")
+        return as_drawn(line_between(ends->from, ends->to), is_bresenham);
+    if (replay.ray() == 0)
+        return std::nullopt;
+    const StepView ray = replay.trace().step(replay.ray());
+    for (const auto& apex : positions)
+        if (apex != ends->from && apex != ends->to)
+            return as_drawn(line_between({ray.text("x"), ray.text("y")}, apex), true);
+    return std::nullopt;
+}
+
+double ColorOnLine::share() const {
+    if (is_by_distance)
+        return 1 - std::sqrt(nearest_double(to_end / length));
+    return nearest_double(step / steps);
+}
+
+std::optional<ColorOnLine> color_on_line(const Replay& replay, const PrimitiveText& primitive) {
+    if (primitive.kind != "line" || primitive.vertices.size() != 2)
+        return std::nullopt;
+    const auto exact_ends = ends_of_line(replay, primitive);
+    const auto colors = replay.trace().step(replay.primitive()).texts("colors");
+    const auto first = colors.size() == 2 ? parse_color(colors[0]) : std::nullopt;
+    const auto second = colors.size() == 2 ? parse_color(colors[1]) : std::nullopt;
+    const StepView pixel = replay.trace().step(replay.step());
+    const auto x = number_in(pixel, "x");
+    const auto y = number_in(pixel, "y");
+    if (!exact_ends || !first || !second || !x || !y)
+        return std::nullopt;
+    // Which direction is the longer one, the step that led to the pixel says: doubles may not tell.
+    const auto& [from, to] = *exact_ends;
+    const std::size_t reason = reason_of_pixel(replay);
+    const bool along_x = reason != 0 && replay.trace().kind_of(reason) == StepKind::along
+                             ? replay.trace().step(reason).field("x").has_value()
+                             : abs(to.x - from.x) >= abs(to.y - from.y);
+    // Colors are mixed between the pixels of the ends, from the one that is drawn first.
+    auto [start, end] = between_nearest_pixels(*exact_ends);
+    const bool runs_down = along_x ? to.x < from.x : to.y < from.y;
+    const bool is_reversed = replay.trace().method_value("from") == "low" && runs_down;
+    if (is_reversed)
+        std::swap(start, end);
+    const auto square_of = [](const Rational& dx, const Rational& dy) {
+        return Rational(dx * dx + dy * dy);
+    };
+    ColorOnLine color{.from = is_reversed ? *second : *first,
+                      .to = is_reversed ? *first : *second,
+                      .from_name = primitive.vertices[is_reversed ? 1 : 0],
+                      .step = along_x ? abs(*x - start.x) : abs(*y - start.y),
+                      .steps = along_x ? abs(end.x - start.x) : abs(end.y - start.y),
+                      .to_end = square_of(end.x - *x, end.y - *y),
+                      .length = square_of(end.x - start.x, end.y - start.y),
+                      .is_by_distance = replay.trace().method_value("color_lerp") == "distance"};
+    // The first and the last pixel have the colors of the ends, wherever rounding has put them.
+    if (color.step == 0)
+        color.to_end = color.length;
+    if (color.step == color.steps)
+        color.to_end = 0;
+    if (sgn(color.steps) == 0)
+        return std::nullopt;
+    return color;
+}
+
+std::optional<bool> is_x_major_octant(const StepView& step) {
+    const auto octant = step.whole("octant");
+    if (!octant)
+        return std::nullopt;
+    return *octant == 1 || *octant == 4 || *octant == 5 || *octant == 8;
+}
+
+bool covers(const StepView& step, Pixel pixel) {
+    const auto lies_between = [&step](Index at, std::string_view from, std::string_view to) {
+        const auto first = step.whole(from);
+        const auto last = step.field(to) ? step.whole(to) : first;
+        return first && last && std::min(*first, *last) <= at && at <= std::max(*first, *last);
+    };
+    const bool is_whole_row = !step.field("x") && step.field("to_y");
+    if (step.field("to_x") && step.field("to_y"))
+        return false; // of a line, which leads off the canvas
+    return lies_between(pixel.y, "y", "to_y") &&
+           (is_whole_row || lies_between(pixel.x, "x", "to_x"));
+}
+
+std::optional<SlopeForm> slope_form_of(const LineEnds& ends, bool is_x_major) {
+    const Rational dx = ends.to.x - ends.from.x;
+    const Rational dy = ends.to.y - ends.from.y;
+    if (sgn(is_x_major ? dx : dy) == 0)
+        return std::nullopt;
+    const Rational m = is_x_major ? dy / dx : dx / dy;
+    return SlopeForm{m, is_x_major ? Rational(ends.from.y - m * ends.from.x)
+                                   : Rational(ends.from.x - m * ends.from.y)};
+}
+
+bool steps_at_ties(const Trace& trace) {
+    return trace.method_value("ties") == "step";
+}
+
+std::optional<Rational> increment_of(const Trace& trace, const LineEnds& ends, const Rational& d) {
+    const Rational dx = abs(ends.to.x - ends.from.x);
+    const Rational dy = abs(ends.to.y - ends.from.y);
+    if (dx.get_den() != 1 || dy.get_den() != 1)
+        return std::nullopt;
+    const Rational straight = 2 * std::min(dx, dy);
+    return sgn(d) >= (steps_at_ties(trace) ? 0 : 1) ? Rational(straight - 2 * std::max(dx, dy))
+                                                    : straight;
+}
+
+std::string_view matrix_into(std::string_view space) {
+    return space == "world"    ? "model"
+           : space == "camera" ? "view"
+           : space == "clip"   ? "projection"
+           : space == "screen" ? "viewport"
+                               : "";
+}
+
+Rational doubled_area(const Vec2& a, const Vec2& b, const Vec2& c) {
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+std::optional<CrossOfPoint> cross_of_point(const std::array<Vec2, 3>& corners, const Vec2& p) {
+    const auto& [a, b, c] = corners;
+    const Vec3 xs{b.x - a.x, c.x - a.x, a.x - p.x};
+    const Vec3 ys{b.y - a.y, c.y - a.y, a.y - p.y};
+    const Vec3 weights = cross(xs, ys);
+    if (sgn(weights.z) == 0)
+        return std::nullopt;
+    return CrossOfPoint{xs, ys, weights};
+}
+
+Rational sample_offset(const Trace& trace) {
+    return trace.samples_at_centers() ? Rational(1, 2) : Rational(0);
+}
+
+std::optional<Vec2> sample_of(const Trace& trace, const StepView& step) {
+    const auto x = number_in(step, "x");
+    const auto y = number_in(step, "y");
+    if (!x || !y)
+        return std::nullopt;
+    const Rational offset = sample_offset(trace);
+    return Vec2{*x + offset, *y + offset};
+}
+
+std::size_t along_before(const Replay& replay, std::size_t n) {
+    for (std::size_t before = n; before > replay.primitive() + 1;) {
+        --before;
+        const auto kind = replay.trace().kind_of(before);
+        if (kind == StepKind::along)
+            return before;
+        if (kind != StepKind::pixel && kind != StepKind::depth && kind != StepKind::reject)
+            break;
+    }
+    return 0;
+}
+
+std::size_t reason_of_pixel(const Replay& replay) {
+    if (replay.primitive() == 0)
+        return 0; // a trace of some steps only
+    for (std::size_t n = replay.step() - 1; n > replay.primitive(); --n) {
+        const auto kind = replay.trace().kind_of(n);
+        if (kind != StepKind::pixel && kind != StepKind::depth && kind != StepKind::reject)
+            return n;
+    }
+    return 0;
+}
+
+std::string name_of_side(const std::string& side) {
+    return side == "left" ? said({"left", "esquerda"}) : said({"right", "direita"});
+}
+
+} // namespace rastertrace

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What sentences and workings write alike: numbers as they stand in a formula, and the primitive that
+// the formulas are about.
+
+#include <rastertrace/core/numbers/conversion.h>
+#include <rastertrace/core/numbers/vec.h>
+#include <rastertrace/core/raster/image.h>
+#include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/text/language.h>
+
+#include <fmt/core.h>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rastertrace {
+
+/// Words in the language of steps, with values for their {}.
+template <typename... Values> std::string said(const Words& words, const Values&... values) {
+    return fmt::vformat(words.in(language_of_steps()), fmt::make_format_args(values...));
+}
+
+/// A long fraction as its first digits, and what it is: 49977918.../10141204... = 4.928204, or
+/// 79999999.../40000000... < 2 where it lies a hair beside.
+std::string in_sentence(const std::string& number);
+
+/// A long fraction as seven digits of it; any other number as it is.
+std::string in_formula(const std::string& number);
+
+/// A number of a trace, exactly as it is written there.
+std::optional<Rational> number_in(std::string_view text);
+std::optional<Rational> number_in(const StepView& step, std::string_view field);
+
+/// The number that a JSON value stands for: a number for the nearest double, or float, if there is
+/// one; a fraction in quotes for itself.
+Rational as_stored(const Rational& number, std::string_view json, bool is_float);
+std::optional<Rational> stored_number_in(std::string_view json, bool is_float);
+
+/// The same for the coordinates of a point.
+using Vec2 = Vec<Rational, 2>;
+using Vec3 = Vec<Rational, 3>;
+std::optional<Vec2> vec2_in(const std::vector<std::string>& texts);
+std::optional<Vec3> vec3_in(const std::vector<std::string>& texts);
+
+/// A fraction that a reader would write, a decimal of up to fifteen digits, or seven digits of it.
+std::string text(const Rational& number);
+std::string text(const Vec2& v);
+std::string text(const Vec3& v);
+
+/// `+ 3` for "3" and `- 3` for "-3": a number as the second term of a sum.
+std::string plus(const std::string& number);
+
+/// `- 3` for "3" and `+ 3` for "-3": a number that is taken away.
+std::string minus(const std::string& number);
+
+/// True if a number that was worked out is the one that a trace tells, as far as the trace's numbers go.
+bool agrees(const Rational& worked_out, const Rational& told, const Trace& trace);
+
+/// `1 / 3`, with brackets around fractions that have none.
+std::string quotient(const std::string& above, const std::string& below);
+
+/// A number to six places, without zeros at its end.
+std::string six_places(double number);
+
+/// The angle of a cosine, in degrees.
+double degrees_of_cosine(double cosine);
+
+/// (2, 5)
+std::string point(std::vector<std::string> coordinates);
+
+/// What the formulas need of the primitive that is being drawn.
+struct PrimitiveText {
+    std::string kind;
+    std::string name;
+    std::vector<std::string> vertices;
+    std::vector<std::vector<std::string>> positions;
+};
+
+/// What a `primitive` step says.
+PrimitiveText primitive_in(const StepView& step);
+
+/// AB, or A1-B1: the edge between two of its vertices.
+std::string edge_name(const PrimitiveText& primitive, std::size_t from, std::size_t to);
+
+/// The primitive that the current step of a replay belongs to.
+PrimitiveText primitive_of(const Replay& replay);
+
+/// Where the corners of a triangle are drawn.
+std::optional<std::array<Vec2, 3>> corners_of(const PrimitiveText& primitive);
+
+/// The ends of an edge, found by its name.
+struct EdgeEnds {
+    std::vector<std::string> from;
+    std::vector<std::string> to;
+};
+
+std::optional<EdgeEnds> ends_of_edge(const PrimitiveText& primitive, const std::string& edge);
+
+/// The ends of a line.
+struct LineEnds {
+    Vec2 from;
+    Vec2 to;
+};
+
+/// Those of the line that is being drawn: the primitive, a side of an outline, or a line of a `fan`, from its
+/// edge to the vertex beyond. Where lines are drawn between pixels, those.
+std::optional<LineEnds> ends_of_line(const Replay& replay, const PrimitiveText& primitive);
+
+/// What mixes the colors of a line's ends in the current step's pixel.
+struct ColorOnLine {
+    Color from;
+    Color to;
+    std::string from_name;
+    Rational step;        ///< along the longer direction ...
+    Rational steps;       ///< ... of so many
+    Rational to_end = {}; ///< squares of the distance to the far end, and of the line's length
+    Rational length = {};
+    bool is_by_distance = false;
+
+    /// What part of the color is that of the end `to`.
+    double share() const;
+};
+std::optional<ColorOnLine> color_on_line(const Replay& replay, const PrimitiveText& primitive);
+
+/// True for a line of octant 1, 4, 5 or 8, which goes from column to column; `nullopt` if the step tells none.
+std::optional<bool> is_x_major_octant(const StepView& step);
+
+/// True if a step is about a pixel, or about a run of pixels that it is one of.
+bool covers(const StepView& step, Pixel pixel);
+
+/// A line as y = m x + b, or, where y is the longer direction, as x = m y + b.
+struct SlopeForm {
+    Rational m;
+    Rational b;
+};
+std::optional<SlopeForm> slope_form_of(const LineEnds& ends, bool is_x_major);
+
+/// What Bresenham adds to d, if the ends are pixels.
+std::optional<Rational> increment_of(const Trace& trace, const LineEnds& ends, const Rational& d);
+
+/// True if Bresenham goes diagonally at d = 0.
+bool steps_at_ties(const Trace& trace);
+
+/// The name of the matrix that leads into a space; "" if none does.
+std::string_view matrix_into(std::string_view space);
+
+/// Twice the area of a triangle, above 0 if it is counter-clockwise where y points up.
+Rational doubled_area(const Vec2& a, const Vec2& b, const Vec2& c);
+
+/// T3's weights of a point: (ABx, ACx, PAx) x (ABy, ACy, PAy), its third part twice the area.
+struct CrossOfPoint {
+    Vec3 xs;
+    Vec3 ys;
+    Vec3 weights; ///< of B, of C, and of all three together
+};
+std::optional<CrossOfPoint> cross_of_point(const std::array<Vec2, 3>& corners, const Vec2& p);
+
+/// How far a pixel's sample lies from its coordinates, in x and in y.
+Rational sample_offset(const Trace& trace);
+
+/// The sample point of the pixel that a step is about.
+std::optional<Vec2> sample_of(const Trace& trace, const StepView& step);
+
+/// How an end of a row, `left` or `right`, becomes its pixel: ` -> floor`; or how it lies to the pixel's sample.
+std::string rule_of_end(const Trace& trace, const StepView& step, const std::string& side,
+                        const std::string& pixel);
+
+/// The `along` step before step n of the current primitive on the same line; 0 if there is none.
+std::size_t along_before(const Replay& replay, std::size_t n);
+
+/// The row, line or sample that the pixel of the current step belongs to: the last step before it in its
+/// primitive that is not about a pixel; 0 if there is none.
+std::size_t reason_of_pixel(const Replay& replay);
+
+/// An end of a row, "left" or "right", in the language of steps.
+std::string name_of_side(const std::string& side);
+
+} // namespace rastertrace

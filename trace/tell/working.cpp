@@ -1,0 +1,442 @@
+// SPDX-License-Identifier: MIT
+#include "working.h"
+
+#include "sheet.h"
+
+#include <rastertrace/core/draw/plan/stages.h>
+#include <rastertrace/core/numbers/conversion.h>
+#include <rastertrace/core/numbers/vec.h>
+#include <rastertrace/trace/text/text.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string_view>
+
+namespace rastertrace {
+
+std::string product(const Rational& a, const Rational& b) {
+    return sgn(a) < 0 ? fmt::format("({}) ({})", text(a), text(b))
+                      : fmt::format("{} ({})", text(a), text(b));
+}
+
+namespace {
+
+void order(Sheet& sheet) {
+    const auto names = sheet.step.texts("names");
+    const auto distances = sheet.step.texts("distances");
+    for (std::size_t i = 0; i < names.size() && i < distances.size(); ++i)
+        sheet.put(
+            said({"{}. {} at {}", "{}. {} a {}"}, i + 1, names[i], in_sentence(distances[i])));
+}
+
+/// Which way a triangle is turned: each vertex against the edge before it.
+void primitive(Sheet& sheet) {
+    const auto corners = corners_of(sheet.primitive);
+    if (!corners)
+        return;
+    const auto& names = sheet.primitive.vertices;
+    const bool is_y_up = sheet.trace().canvas.down() < 0;
+    const Rational area = doubled_area((*corners)[0], (*corners)[1], (*corners)[2]);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Vec2& a = (*corners)[i];
+        const Vec2& b = (*corners)[(i + 1) % 3];
+        const Vec2& p = (*corners)[(i + 2) % 3];
+        const Rational value = doubled_area(a, b, p);
+        const bool is_left = (sgn(value) > 0) == is_y_up;
+        const std::string where = sgn(value) == 0 ? said({"on it", "sobre ela"})
+                                  : is_left       ? said({"left of it", "à esquerda dela"})
+                                                  : said({"right of it", "à direita dela"});
+        sheet.put(said({"{0} x {1} = {2} - {3} = {4}: {5} lies {6}",
+                        "{0} x {1} = {2} - {3} = {4}: {5} está {6}"},
+                       edge_name(sheet.primitive, i, (i + 1) % 3),
+                       edge_name(sheet.primitive, i, (i + 2) % 3), product(b.x - a.x, p.y - a.y),
+                       product(b.y - a.y, p.x - a.x), text(value), names[(i + 2) % 3], where));
+    }
+    const std::string turn = sgn(area) == 0 ? said({"no area", "sem área"})
+                             : (sgn(area) > 0) == is_y_up
+                                 ? said({"counter-clockwise", "anti-horário"})
+                                 : said({"clockwise", "horário"});
+    sheet.put(said({"area = |{}| / 2 = {}, {}", "área = |{}| / 2 = {}, {}"}, text(area),
+                   text(abs(area) / 2), turn));
+}
+
+} // namespace
+
+std::string EdgeFunctionText::at(const Vec2& p) const {
+    const Rational value = value_at(p);
+    return fmt::format("{} + {} = {}: {}", product(a, p.x - from.x), product(b, p.y - from.y),
+                       text(value),
+                       sgn(value) > 0   ? said({"> 0, inside", "> 0, dentro"})
+                       : sgn(value) < 0 ? said({"< 0, outside", "< 0, fora"})
+                       : is_top_left    ? said({"on a top or left edge, inside",
+                                                "sobre uma aresta superior ou esquerda, dentro"})
+                                        : said({"on the edge, outside", "sobre a aresta, fora"}));
+}
+
+std::optional<EdgeFunctionText> edge_function_in(const StepView& step,
+                                                 const PrimitiveText& primitive) {
+    const auto a = number_in(step, "a");
+    const auto b = number_in(step, "b");
+    const auto ends = a && b ? ends_of_edge(primitive, step.text("edge")) : std::nullopt;
+    const auto from = ends ? vec2_in(ends->from) : std::nullopt;
+    if (!from)
+        return std::nullopt;
+    return EdgeFunctionText{*a, *b, *from, step.text("top_left") == "true"};
+}
+
+namespace {
+
+/// Both forms of the line, and on which side the third corner lies.
+void edge(Sheet& sheet) {
+    const std::string name = sheet.step.text("edge");
+    const auto ends = ends_of_edge(sheet.primitive, name);
+    const auto from = ends ? vec2_in(ends->from) : std::nullopt;
+    const auto to = ends ? vec2_in(ends->to) : std::nullopt;
+    if (!from || !to)
+        return;
+    const Rational dx = to->x - from->x;
+    const Rational dy = to->y - from->y;
+    sheet.put(fmt::format("dx = {} {} = {}, dy = {} {} = {}", text(to->x), minus(text(from->x)),
+                          text(dx), text(to->y), minus(text(from->y)), text(dy)));
+    if (sgn(dy) != 0) {
+        const Rational slope = dx / dy;
+        sheet.put(fmt::format("x = {} {} (y {})", text(from->x), plus(text(slope)),
+                              minus(text(from->y))));
+        sheet.put(fmt::format("  = {} y {}", text(slope), plus(text(from->x - slope * from->y))));
+    }
+    if (sgn(dx) != 0) {
+        const Rational slope = dy / dx;
+        sheet.put(fmt::format("y = {} x {}", text(slope), plus(text(from->y - slope * from->x))));
+    }
+    const auto corners = corners_of(sheet.primitive);
+    const auto function = edge_function_in(sheet.step, sheet.primitive);
+    if (!corners || !function)
+        return;
+    const auto is_at = [](const Vec2& a, const Vec2& b) { return a.x == b.x && a.y == b.y; };
+    for (std::size_t i = 0; i < 3; ++i)
+        if (const Vec2& p = (*corners)[i]; !is_at(p, *from) && !is_at(p, *to))
+            sheet.put(said({"E at {} = {}", "E em {} = {}"}, sheet.primitive.vertices[i],
+                           function->at(p)));
+}
+
+/// Where an edge crosses a row.
+void put_crossing(Sheet& sheet, const std::string& side) {
+    const auto ends = ends_of_edge(sheet.primitive, sheet.step.text(side + "_edge"));
+    const auto from = ends ? vec2_in(ends->from) : std::nullopt;
+    const auto to = ends ? vec2_in(ends->to) : std::nullopt;
+    const auto told = number_in(sheet.step, side);
+    const auto row = number_in(sheet.step, "y");
+    // A row that adds to the one before says so in its sentence.
+    const bool adds = sheet.trace().method_value("lerp") == "incremental";
+    if (adds || !from || !to || !told || !row || sgn(to->y - from->y) == 0)
+        return;
+    const Rational y = *row + sample_offset(sheet.trace());
+    const Rational slope = (to->x - from->x) / (to->y - from->y);
+    const Rational way = slope * (y - from->y);
+    if (!sheet.agrees(from->x + way, *told))
+        return;
+    const std::string pixel = sheet.step.text(side == "left" ? "from" : "to");
+    sheet.put(fmt::format(
+        "{} {}: x = (x2 - x1)/(y2 - y1) (y - y1) + x1 = ({} {})/({} {}) ({} {}) {} = {} {} = {}{} "
+        "-> {}",
+        name_of_side(side), sheet.step.text(side + "_edge"), text(to->x), minus(text(from->x)),
+        text(to->y), minus(text(from->y)), text(y), minus(text(from->y)), plus(text(from->x)),
+        product(slope, y - from->y), plus(text(from->x)), text(*told),
+        rule_of_end(sheet.trace(), sheet.step, side, pixel), pixel));
+
+    // The same LERP for the depth there.
+    const auto depth_of = [&](const std::vector<std::string>& end) -> std::optional<Rational> {
+        const auto& positions = sheet.primitive.positions;
+        const auto depths = sheet.trace().step(sheet.replay.primitive()).texts("depths");
+        const auto corner = std::find(positions.begin(), positions.end(), end);
+        const auto i = static_cast<std::size_t>(corner - positions.begin());
+        return i < depths.size() ? number_in(depths[i]) : std::nullopt;
+    };
+    const auto d1 = depth_of(ends->from);
+    const auto d2 = depth_of(ends->to);
+    const auto depth = number_in(sheet.step, side + "_depth");
+    if (!d1 || !d2 || !depth)
+        return;
+    const Rational depth_slope = (*d2 - *d1) / (to->y - from->y);
+    const Rational depth_way = depth_slope * (y - from->y);
+    if (sheet.agrees(*d1 + depth_way, *depth))
+        sheet.put(said(
+            {"  depth = {} {} ({} {}) = {} {} = {}", "  profundidade = {} {} ({} {}) = {} {} = {}"},
+            text(*d1), plus(text(depth_slope)), text(y), minus(text(from->y)), text(*d1),
+            plus(text(depth_way)), text(*depth)));
+}
+
+/// What the edge function of an end of a row says of the sample of its pixel, where there are such functions.
+void put_edge_function(Sheet& sheet, const std::string& side, std::string_view end) {
+    const std::string name = sheet.step.text(side + "_edge");
+    const auto x = number_in(sheet.step, end);
+    const auto y = number_in(sheet.step, "y");
+    if (!x || !y)
+        return;
+    const Rational offset = sample_offset(sheet.trace());
+    const Vec2 sample{*x + offset, *y + offset};
+    for (const std::size_t n : sheet.replay.edges()) {
+        const StepView edge = sheet.trace().step(n);
+        const auto function = edge_function_in(edge, sheet.primitive);
+        if (function && edge.text("edge") == name)
+            sheet.put(said({"E of {} at {} = {}", "E de {} em {} = {}"}, name, text(sample),
+                           function->at(sample)));
+    }
+}
+
+void scanline(Sheet& sheet) {
+    const StepView& step = sheet.step;
+    put_crossing(sheet, "left");
+    put_crossing(sheet, "right");
+    put_edge_function(sheet, "left", "from");
+    put_edge_function(sheet, "right", "to");
+    const auto left = number_in(step, "left");
+    const auto right = number_in(step, "right");
+    const std::string left_edge = step.text("left_edge");
+    if (left && right && !left_edge.empty() && *left != *right)
+        sheet.put(
+            said({"{} {} {}: {} is left, {} is right", "{} {} {}: {} à esquerda, {} à direita"},
+                 text(*left), *left < *right ? "<" : ">", text(*right), left_edge,
+                 step.text("right_edge")));
+    const auto left_depth = number_in(step, "left_depth");
+    const auto right_depth = number_in(step, "right_depth");
+    const auto from = step.whole("from").value_or(0);
+    const auto to = step.whole("to").value_or(0);
+    // Where the depths of the ends lie: on the edges, or in the first and the last pixel.
+    const bool has_rounded_ends = sheet.trace().method_value("depth_at") == "rounded-ends";
+    const auto first = has_rounded_ends ? std::optional(Rational(from)) : left;
+    const auto last = has_rounded_ends ? std::optional(Rational(to)) : right;
+    if (left_depth && right_depth && first && last && *first < *last)
+        sheet.put(said({"depth = {} + ({} {}) / ({} {}) (x {}) = {} {} (x {})",
+                        "profundidade = {} + ({} {}) / ({} {}) (x {}) = {} {} (x {})"},
+                       text(*left_depth), text(*right_depth), minus(text(*left_depth)), text(*last),
+                       minus(text(*first)), minus(text(*first)), text(*left_depth),
+                       plus(text((*right_depth - *left_depth) / (*last - *first))),
+                       minus(text(*first))));
+    else if (left_depth && has_rounded_ends && from == to)
+        sheet.put(
+            said({"one pixel: depth = {}", "um pixel: profundidade = {}"}, text(*left_depth)));
+    if (from <= to)
+        sheet.put(said({"x = {} to {}: {} - {} + 1 = {}", "x = {} a {}: {} - {} + 1 = {}"}, from,
+                       to, to, from < 0 ? fmt::format("({})", from) : std::to_string(from),
+                       counted(static_cast<std::uint64_t>(to - from + 1), "pixel")));
+}
+
+/// Twice the areas that a point makes with the edges of a triangle, by one cross product (T3).
+void sample(Sheet& sheet) {
+    const auto p = sample_of(sheet.trace(), sheet.step);
+    const auto corners = corners_of(sheet.primitive);
+    const auto cross = corners && p ? cross_of_point(*corners, *p) : std::nullopt;
+    if (!cross)
+        return;
+    const auto& names = sheet.primitive.vertices;
+    const auto& [xs, ys, weights] = *cross;
+    sheet.put(
+        said({"P = {}: {} = {}, {} = {}, P to {} = {}", "P = {}: {} = {}, {} = {}, P a {} = {}"},
+             text(*p), edge_name(sheet.primitive, 0, 1), text(Vec2{xs.x, ys.x}),
+             edge_name(sheet.primitive, 0, 2), text(Vec2{xs.y, ys.y}), names[0],
+             text(Vec2{xs.z, ys.z})));
+    sheet.put(fmt::format("{} x {} = {}", text(xs), text(ys), text(weights)));
+    const Rational u = weights.x / weights.z;
+    const Rational v = weights.y / weights.z;
+    sheet.put(said({"divided by {}: u = {} of {}, v = {} of {}, 1 - u - v = {} of {}",
+                    "dividido por {}: u = {} de {}, v = {} de {}, 1 - u - v = {} de {}"},
+                   text(weights.z), text(u), names[1], text(v), names[2], text(1 - u - v),
+                   names[0]));
+}
+
+/// The depth of a pixel on a line between its ends, along the major axis.
+void put_depth_on_line(Sheet& sheet) {
+    const auto ends = ends_of_line(sheet.replay, sheet.primitive);
+    const auto depths = sheet.trace().step(sheet.replay.primitive()).texts("depths");
+    const auto x = number_in(sheet.step, "x");
+    const auto y = number_in(sheet.step, "y");
+    const auto told = number_in(sheet.step, "depth");
+    if (!ends || depths.size() != 2 || !x || !y || !told)
+        return;
+    const auto d1 = number_in(depths[0]);
+    const auto d2 = number_in(depths[1]);
+    const bool is_x_major = abs(ends->to.x - ends->from.x) >= abs(ends->to.y - ends->from.y);
+    const Rational& from = is_x_major ? ends->from.x : ends->from.y;
+    const Rational& to = is_x_major ? ends->to.x : ends->to.y;
+    const Rational at = std::clamp(is_x_major ? *x : *y, std::min(from, to), std::max(from, to));
+    if (!d1 || !d2 || from == to)
+        return;
+    const Rational value = *d1 + (*d2 - *d1) * (at - from) / (to - from);
+    if (sheet.agrees(value, *told))
+        sheet.put(said({"depth = {} + ({} {}) ({} {}) / ({} {}) = {}",
+                        "profundidade = {} + ({} {}) ({} {}) / ({} {}) = {}"},
+                       text(*d1), text(*d2), minus(text(*d1)), text(at), minus(text(from)),
+                       text(to), minus(text(from)), text(*told)));
+}
+
+/// The depth of a pixel on the plane through the three corners, if that is what decided.
+void depth(Sheet& sheet) {
+    if (sheet.replay.primitive() == 0)
+        return;
+    if (sheet.primitive.kind == "line")
+        return put_depth_on_line(sheet);
+    const auto corners = corners_of(sheet.primitive);
+    const auto depths = numbers_in<3>(sheet.trace().step(sheet.replay.primitive()).texts("depths"));
+    const auto p = sample_of(sheet.trace(), sheet.step);
+    const auto told = number_in(sheet.step, "depth");
+    if (!corners || !depths || !p || !told)
+        return;
+    const auto cross = cross_of_point(*corners, *p);
+    if (!cross)
+        return;
+    const auto& [a, b, c] = *corners;
+    const Rational& area = cross->weights.z;
+    const Rational u = cross->weights.x / area;
+    const Rational v = cross->weights.y / area;
+    const Rational w = 1 - u - v;
+    const Rational value = w * (*depths)[0] + u * (*depths)[1] + v * (*depths)[2];
+    if (!sheet.agrees(value, *told))
+        return;
+    const Rational dx = ((*depths)[1] - (*depths)[0]) * (c.y - a.y) / area -
+                        ((*depths)[2] - (*depths)[0]) * (b.y - a.y) / area;
+    const Rational dy = ((*depths)[2] - (*depths)[0]) * (b.x - a.x) / area -
+                        ((*depths)[1] - (*depths)[0]) * (c.x - a.x) / area;
+    sheet.put(said({"plane through the corners: depth = {} x {} y {}",
+                    "plano pelos vértices: profundidade = {} x {} y {}"},
+                   text(dx), plus(text(dy)), plus(text((*depths)[0] - dx * a.x - dy * a.y))));
+    sheet.put(said({"depth = {} + {} + {} = {}", "profundidade = {} + {} + {} = {}"},
+                   product(w, (*depths)[0]), product(u, (*depths)[1]), product(v, (*depths)[2]),
+                   text(*told)));
+    write_plane_in_camera_space(sheet, *p, *told);
+}
+
+/// Bresenham's increments, if the ends are pixels.
+void decide(Sheet& sheet) {
+    const auto ends = ends_of_line(sheet.replay, sheet.primitive);
+    const auto d = number_in(sheet.step, "d");
+    const auto increment = d && ends ? increment_of(sheet.trace(), *ends, *d) : std::nullopt;
+    if (!increment)
+        return;
+    const Rational dx = abs(ends->to.x - ends->from.x);
+    const Rational dy = abs(ends->to.y - ends->from.y);
+    const std::string_view major = dx < dy ? "dy" : "dx";
+    const std::string_view minor = dx < dy ? "dx" : "dy";
+    const Rational longer = std::max(dx, dy);
+    const Rational shorter = std::min(dx, dy);
+    sheet.put(said({"dx = {}, dy = {}: d begins at 2 {} - {} = {}",
+                    "dx = {}, dy = {}: d começa em 2 {} - {} = {}"},
+                   text(dx), text(dy), minor, major, text(2 * shorter - longer)));
+    sheet.put(said({"straight on adds 2 {} = {}, diagonally 2 ({} - {}) = {}",
+                    "em frente soma 2 {} = {}, na diagonal 2 ({} - {}) = {}"},
+                   minor, text(2 * shorter), minor, major, text(2 * (shorter - longer))));
+    sheet.put(said({"next d = {} {} = {}", "próximo d = {} {} = {}"}, text(*d),
+                   plus(text(*increment)), text(*d + *increment)));
+}
+
+void along(Sheet& sheet) {
+    const auto ends = ends_of_line(sheet.replay, sheet.primitive);
+    const auto value = number_in(sheet.step, "value");
+    const bool is_x_major = sheet.step.field("x").has_value();
+    const auto at = number_in(sheet.step, is_x_major ? "x" : "y");
+    if (!ends || !value || !at)
+        return;
+    const Rational dx = ends->to.x - ends->from.x;
+    const Rational dy = ends->to.y - ends->from.y;
+    const auto form = slope_form_of(*ends, is_x_major);
+    if (!form || !sheet.agrees(form->m * *at + form->b, *value))
+        return;
+    const auto& [m, b] = *form;
+    const std::string_view major = is_x_major ? "x" : "y";
+    const std::string_view minor = is_x_major ? "y" : "x";
+    sheet.put(fmt::format("m = d{} / d{} = {} = {}, b = {} - {} = {}", minor, major,
+                          quotient(text(is_x_major ? dy : dx), text(is_x_major ? dx : dy)), text(m),
+                          text(is_x_major ? ends->from.y : ends->from.x),
+                          product(m, is_x_major ? ends->from.x : ends->from.y), text(b)));
+    const std::size_t before =
+        sheet.trace().method_value("line") == "dda" ? along_before(sheet.replay, sheet.number) : 0;
+    const std::string major_field = is_x_major ? "x" : "y";
+    const auto last = before == 0 ? std::nullopt : number_in(sheet.trace().step(before), "value");
+    const auto last_at =
+        before == 0 ? std::nullopt : number_in(sheet.trace().step(before), major_field);
+    if (last && last_at)
+        sheet.put(said({"{} = the last one {} = {} {} = {}", "{} = o último {} = {} {} = {}"},
+                       minor, *at > *last_at ? "+ m" : "- m", text(*last),
+                       plus(text(m * (*at - *last_at))), text(*value)));
+    else
+        sheet.put(fmt::format("{} = m {} + b = {} {} = {}", minor, major, product(m, *at),
+                              plus(text(b)), text(*value)));
+}
+
+void write_working(Sheet& sheet);
+
+/// Why the pixel is drawn, once more, and where it lies in memory: four bytes a pixel, row by row from
+/// the top left (T2).
+void pixel(Sheet& sheet) {
+    const Canvas& canvas = sheet.trace().canvas;
+    const auto x = sheet.step.whole("x");
+    const auto y = sheet.step.whole("y");
+    if (!x || !y || !canvas.contains(*x, *y))
+        return;
+    const std::size_t reason = reason_of_pixel(sheet.replay);
+    if (reason != 0) {
+        // The row or the sample is of the same primitive, with the same edges.
+        Sheet of_reason{sheet.replay, reason, sheet.trace().step(reason), sheet.primitive};
+        write_working(of_reason);
+        sheet.put(
+            said({"because of step {}", "por causa do passo {}"}, sheet.trace().number_of(reason)));
+        for (std::string& line : of_reason.lines)
+            sheet.put(std::move(line));
+    }
+    write_color(sheet);
+    const Index column = *x - canvas.left();
+    const Index row = canvas.row_of(*y);
+    sheet.put(said(
+        {"column {}, row {} from the top left: byte 4 ({} ({}) + {}) = {}",
+         "coluna {}, linha {} a partir do canto superior esquerdo: byte 4 ({} ({}) + {}) = {}"},
+        column, row, canvas.width, row, column, 4 * (canvas.width * row + column)));
+}
+
+/// A kind of step and what writes its working.
+struct Row {
+    StepKind kind;
+    void (*write)(Sheet& sheet);
+};
+constexpr Row rows[] = {
+    {StepKind::matrix, write_matrix}, {StepKind::vertex, write_vertex},
+    {StepKind::order, order},         {StepKind::primitive, primitive},
+    {StepKind::face, write_face},     {StepKind::light, write_light},
+    {StepKind::edge, edge},           {StepKind::scanline, scanline},
+    {StepKind::along, along},         {StepKind::decide, decide},
+    {StepKind::sample, sample},       {StepKind::depth, depth},
+    {StepKind::pixel, pixel},         {StepKind::triangulate, write_triangulation},
+};
+
+/// The working of the sheet's step.
+void write_working(Sheet& sheet) {
+    const auto kind = sheet.step.kind();
+    for (const Row& row : rows)
+        if (kind == row.kind)
+            row.write(sheet);
+}
+
+} // namespace
+
+std::vector<std::string> working_of(const Replay& replay) {
+    if (replay.step() == 0)
+        return {};
+    Sheet sheet{replay, replay.step(), replay.trace().step(replay.step()), primitive_of(replay)};
+    write_working(sheet);
+    for (std::string& line : sheet.lines)
+        line = printable(line);
+    return std::move(sheet.lines);
+}
+
+std::string as_in_working(std::string_view numbers) {
+    std::vector<std::string> parts;
+    for (const std::string& part : split_at(numbers, ',')) {
+        const std::size_t first = std::min(part.find_first_not_of(' '), part.size());
+        parts.push_back(part.substr(0, first) + in_sentence(part.substr(first)));
+    }
+    return joined(parts, ",");
+}
+
+} // namespace rastertrace

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+// The working of a pixel's color: along a line, or mixed of those of the corners.
+
+#include "sheet.h"
+
+#include <rastertrace/core/numbers/conversion.h>
+#include <rastertrace/core/numbers/vec.h>
+#include <rastertrace/trace/text/color_text.h>
+#include <rastertrace/trace/text/text.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rastertrace {
+
+namespace {
+
+/// A channel of a color.
+struct Channel {
+    Words name;
+    std::uint8_t (Color::*of)() const;
+};
+constexpr Channel channels[] = {{{"red", "vermelho"}, &Color::red},
+                                {{"green", "verde"}, &Color::green},
+                                {{"blue", "azul"}, &Color::blue}};
+
+/// True if a level rounds to the one that the trace tells, as its header says that levels are rounded.
+bool rounds_to(const Trace& trace, double level, int told) {
+    const double of_told = std::clamp(level, 0.0, 255.0) - told;
+    const bool is_cut = trace.method_value("color_rounding") == "truncate";
+    return std::abs(is_cut ? of_told - 0.5 : of_told) <= 0.5 + 1e-6;
+}
+
+/// The levels of a pixel on a line with a color at each end: step by step (T2), or by its distance.
+void put_color_on_line(Sheet& sheet, const ColorOnLine& line, Color told) {
+    std::vector<std::string> lines;
+    for (const Channel& channel : channels) {
+        const int from = (line.from.*channel.of)();
+        const int to = (line.to.*channel.of)();
+        const int level = (told.*channel.of)();
+        const double worked_out = from + line.share() * (to - from);
+        if (!rounds_to(sheet.trace(), worked_out, level))
+            return;
+        if (from != to)
+            lines.push_back(
+                line.is_by_distance
+                    ? fmt::format("{} = {} ({}) + {} ({}) = {} -> {}",
+                                  channel.name.in(language_of_steps()),
+                                  six_places(1 - line.share()), from, six_places(line.share()), to,
+                                  six_places(worked_out), level)
+                    : fmt::format("{} = {} + {} ({} - {}) / {} = {} -> {}",
+                                  channel.name.in(language_of_steps()), from, text(line.step), to,
+                                  from, text(line.steps), six_places(worked_out), level));
+    }
+    if (line.is_by_distance && !lines.empty())
+        sheet.put(said(
+            {"to the far end sqrt({}), the whole line sqrt({}): {} of the color of {}",
+             "até o outro extremo sqrt({}), o segmento inteiro sqrt({}): {} da cor de {}"},
+            text(line.to_end), text(line.length), six_places(1 - line.share()), line.from_name));
+    for (std::string& one : lines)
+        sheet.put(std::move(one));
+}
+
+/// What the corners of a triangle weigh in a pixel, and how that is found out.
+struct Mix {
+    std::array<Rational, 3> weights;
+    std::vector<std::string> lines = {};
+};
+
+/// From their weights on the screen those in space: each is divided by the z of its corner, and all by their sum.
+Mix in_space(const Sheet& sheet, const Mix& on_screen, const CornerDistances& corners) {
+    std::array<Rational, 3> shares;
+    Rational sum;
+    for (std::size_t i = 0; i < 3; ++i) {
+        shares[i] = on_screen.weights[i] / corners.distances[i];
+        sum += shares[i];
+    }
+    if (sgn(sum) <= 0)
+        return on_screen; // so far outside the triangle, a point has none in space
+    const auto listed = [](const std::array<Rational, 3>& of) {
+        return fmt::format("{}, {}, {}", text(of[0]), text(of[1]), text(of[2]));
+    };
+    const auto& names = sheet.primitive.vertices;
+    const std::array<Rational, 3> weights{shares[0] / sum, shares[1] / sum, shares[2] / sum};
+    return {weights,
+            {said({"weights of {}, {}, {}: {}, divided by z = {}: {}, together {}",
+                   "pesos de {}, {}, {}: {}, divididos por z = {}: {}, ao todo {}"},
+                  names[0], names[1], names[2], listed(on_screen.weights),
+                  listed(corners.distances), listed(shares), text(sum)),
+             said({"divided by {}: {} of {}, {} of {}, {} of {}",
+                   "dividido por {}: {} de {}, {} de {}, {} de {}"},
+                  text(sum), text(weights[0]), names[0], text(weights[1]), names[1],
+                  text(weights[2]), names[2])}};
+}
+
+/// The level of each channel, mixed by these weights; nothing if the trace tells others.
+std::vector<std::string> levels_mixed(const Sheet& sheet, const std::array<Rational, 3>& weights,
+                                      Color told) {
+    const auto names = sheet.trace().step(sheet.replay.primitive()).texts("colors");
+    std::vector<std::string> lines;
+    for (const Channel& channel : channels) {
+        const int level = (told.*channel.of)();
+        std::vector<std::string> terms;
+        double worked_out = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto corner = i < names.size() ? parse_color(names[i]) : std::nullopt;
+            if (!corner)
+                return {};
+            const double weight = nearest_double(weights[i]);
+            worked_out += weight * ((*corner).*channel.of)();
+            terms.push_back(fmt::format("{} ({})", six_places(weight), ((*corner).*channel.of)()));
+        }
+        if (!rounds_to(sheet.trace(), worked_out, level))
+            return {};
+        lines.push_back(fmt::format("{} = {} = {} -> {}", channel.name.in(language_of_steps()),
+                                    joined(terms, " + "), six_places(worked_out), level));
+    }
+    return lines;
+}
+
+/// The levels of a pixel in a triangle, mixed by the weights that its corners have there: on the screen, or in space
+/// where they are not equally far away.
+void put_mixed_color(Sheet& sheet, Color told) {
+    const auto corners = corners_of(sheet.primitive);
+    const auto p = sample_of(sheet.trace(), sheet.step);
+    const auto cross = corners && p ? cross_of_point(*corners, *p) : std::nullopt;
+    if (!cross)
+        return;
+    const Rational u = cross->weights.x / cross->weights.z;
+    const Rational v = cross->weights.y / cross->weights.z;
+    Mix mix{{Rational(1 - u - v), u, v}};
+    const bool is_affine = sheet.trace().method_value("shade") == "affine";
+    const auto distances = is_affine ? std::nullopt : distances_of_corners(sheet);
+    if (distances && distances->differ())
+        mix = in_space(sheet, mix, *distances);
+    std::vector<std::string> levels = levels_mixed(sheet, mix.weights, told);
+    if (levels.empty())
+        return;
+    for (auto* const lines : {&mix.lines, &levels})
+        for (std::string& line : *lines)
+            sheet.put(std::move(line));
+}
+
+} // namespace
+
+void write_color(Sheet& sheet) {
+    const auto told = parse_color(sheet.step.text("color"));
+    if (!told)
+        return;
+    if (const auto line = color_on_line(sheet.replay, sheet.primitive))
+        put_color_on_line(sheet, *line, *told);
+    else if (sheet.primitive.kind == "triangle" && sheet.replay.ray() == 0)
+        put_mixed_color(sheet, *told);
+}
+
+} // namespace rastertrace

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "canvas_json.h"
+
+#include "json_reader.h"
+#include "text.h"
+
+#include <rastertrace/core/numbers/number.h>
+
+#include <fmt/core.h>
+
+#include <cstdint>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace rastertrace {
+
+namespace {
+
+constexpr std::array<std::pair<Origin, std::string_view>, 3> origins{
+    {{Origin::center, "center"},
+     {Origin::bottom_left, "bottom-left"},
+     {Origin::top_left, "top-left"}}};
+
+/// The whole number from 1 to the largest side that a value is, if it is one.
+std::optional<int> side_in(const JsonValue& value) {
+    if (value.kind != JsonValue::Kind::number)
+        return std::nullopt;
+    const auto parsed = parse_number(value.text);
+    const auto* number = std::get_if<Number>(&parsed);
+    const auto side = number != nullptr ? number->numerator_over(1) : std::nullopt;
+    if (!side || *side < 1 || *side > largest_canvas_side)
+        return std::nullopt;
+    return static_cast<int>(*side);
+}
+
+} // namespace
+
+std::string_view name_of(Origin origin) {
+    for (const auto& [value, name] : origins)
+        if (value == origin)
+            return name;
+    return {};
+}
+
+std::vector<std::string_view> origin_names() {
+    std::vector<std::string_view> names;
+    for (const auto& [origin, name] : origins)
+        names.push_back(name);
+    return names;
+}
+
+std::optional<std::string> fault_of_size(const Canvas& canvas) {
+    if (std::int64_t{canvas.width} * canvas.height <= largest_canvas_area)
+        return std::nullopt;
+    return fmt::format("expected a canvas of at most {} pixels, found {} x {}", largest_canvas_area,
+                       canvas.width, canvas.height);
+}
+
+Result<CanvasJson> read_canvas_json(const Source& source, const JsonValue& value) {
+    const auto expecting = [&source](const JsonValue& found, std::string_view expected) {
+        return problem_at(source, found.begin,
+                          fmt::format("expected {}, found {}", expected, described(found)));
+    };
+    if (value.kind != JsonValue::Kind::object)
+        return expecting(value, R"(a canvas, like {"width": 17, "height": 14})");
+
+    CanvasJson canvas;
+    for (const auto& [key, item] : value.members()) {
+        if (key.text == "width" || key.text == "height") {
+            const auto side = side_in(item);
+            if (!side)
+                return expecting(item, fmt::format("a whole number of pixels from 1 to {}",
+                                                   largest_canvas_side));
+            (key.text == "width" ? canvas.width : canvas.height) = *side;
+            (key.text == "width" ? canvas.has_width : canvas.has_height) = true;
+        } else if (key.text == "origin") {
+            bool known = false;
+            for (const auto& [origin, name] : origins)
+                if (item.kind == JsonValue::Kind::string && item.text == name) {
+                    canvas.origin = origin;
+                    known = true;
+                }
+            if (!known)
+                return expecting(item, fmt::format("one of {}", joined(origin_names(), ", ")));
+        } else {
+            const auto known = names_of(canvas_keys);
+            Problem problem = expecting(key, fmt::format("a key out of {}", joined(known, ", ")));
+            problem.hint = hint_for_key(key.text, known);
+            return problem;
+        }
+    }
+    return canvas;
+}
+
+} // namespace rastertrace

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The "canvas" of scenes and of trace headers.
+
+#include "json_document.h"
+#include "json_key.h"
+#include "problem.h"
+
+#include <rastertrace/core/raster/canvas.h>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rastertrace {
+
+inline constexpr std::array canvas_keys{
+    JsonKey{"width", "side", "Columns of pixels"},
+    JsonKey{"height", "side", "Rows of pixels"},
+    JsonKey{"origin", "origin",
+            "Where (0, 0) is, and which way y points: up, but down for top-left"},
+};
+
+/// A canvas as it was written: a size may be missing.
+struct CanvasJson {
+    int width = 0;
+    int height = 0;
+    Origin origin = Origin::center;
+    bool has_width = false;
+    bool has_height = false;
+};
+
+/// Reads {"width", "height", "origin"}; every key may be left out, no other is allowed.
+Result<CanvasJson> read_canvas_json(const Source& source, const JsonValue& value);
+
+/// Why a canvas of this size is refused, if it is.
+std::optional<std::string> fault_of_size(const Canvas& canvas);
+
+/// The word of a scene's canvas for it: center, bottom-left or top-left.
+std::string_view name_of(Origin origin);
+
+/// All three words.
+std::vector<std::string_view> origin_names();
+
+} // namespace rastertrace

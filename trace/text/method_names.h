@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The words of a scene's "method": which keys there are, which values each takes. The scene reader,
+// the trace's header and the program's options all read this one table.
+
+#include "problem.h"
+
+#include <rastertrace/core/draw/scene/method.h>
+#include <rastertrace/core/draw/scene/scene.h>
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace rastertrace {
+
+/// One choice that a method makes.
+struct MethodKey {
+    std::string_view name;                  ///< as in a scene, and as an option: `--name`
+    std::string_view meaning;               ///< one line for people
+    std::vector<std::string_view> values;   ///< the default is the one that Method{} has
+    std::string_view (*get)(const Method&); ///< what was said; "" where nothing was
+    bool (*set)(Method&, std::string_view); ///< false if there is no such value
+    std::string (*otherwise)(const Scene&); ///< what holds where nothing was said
+    bool (*in_force)(const Scene&);         ///< false if the picture cannot depend on it
+
+    /// True if the values are numbers, which JSON writes without quotes.
+    bool is_number() const { return !values.empty() && values.front() == "1"; }
+};
+
+/// Every key, in the order in which a trace's header writes them.
+std::span<const MethodKey> method_keys();
+
+/// What a key says, or what holds where it says nothing. Two values joined by "+" are that of spans
+/// and that of lines.
+std::string value_in_force(const MethodKey& key, const Scene& scene);
+
+/// The key of that name, or nullptr.
+const MethodKey* find_method_key(std::string_view name);
+
+/// Choices made on the command line instead of in the scene: key and value.
+using MethodOverrides = std::vector<std::pair<std::string, std::string>>;
+
+/// Reads METHOD, choices in one word: `rounding=truncate` or `fill=top-left,sample=center`. The problem of a text
+/// that is none points into it.
+Result<MethodOverrides> parse_method(const Source& source);
+
+} // namespace rastertrace

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "trace_layout.h"
+
+#include "json_scanner.h"
+
+#include <algorithm>
+#include <string>
+
+namespace rastertrace {
+
+namespace {
+
+/// True for an object that has the trace's version, and whose last key is `last_key`; for one without steps if
+/// that is "".
+bool is_header(std::string_view line, std::string_view last_key) {
+    JsonScanner fields(line);
+    bool has_version = false;
+    bool has_steps = false;
+    while (fields.next_field()) {
+        has_version = has_version || fields.key() == "rastertrace";
+        has_steps = has_steps || fields.key() == "steps";
+    }
+    return !fields.failed() && has_version &&
+           (last_key.empty() ? !has_steps : fields.key() == last_key);
+}
+
+} // namespace
+
+LineLayout layout_of(std::string_view first_line) {
+    // A document's first line ends where its steps begin; that of JSON Lines is an object by itself.
+    if (first_line.ends_with('[') && is_header(std::string(first_line) + "]}", "steps"))
+        return LineLayout::document;
+    return is_header(first_line, "") ? LineLayout::lines : LineLayout::other;
+}
+
+bool is_end_line(std::string_view line) {
+    JsonScanner fields(line);
+    return fields.next_field() && fields.key() == "end";
+}
+
+bool is_trace(const Source& source) {
+    // The key is in the header's first line, whole or cut short; else anywhere in the document.
+    constexpr std::string_view blanks = "\xEF\xBB\xBF \t\r\n";
+    std::string_view document = source.text;
+    document.remove_prefix(std::min(document.find_first_not_of(blanks), document.size()));
+    if (!document.starts_with('{'))
+        return false;
+    if (document.substr(1).starts_with("\"rastertrace\""))
+        return true;
+    JsonScanner fields(document);
+    while (fields.next_field())
+        if (fields.key() == "rastertrace")
+            return true;
+    return false;
+}
+
+} // namespace rastertrace
