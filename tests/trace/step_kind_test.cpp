@@ -77,6 +77,21 @@ TEST(StepKinds, AreWrittenAndDescribedAsTheTableSays) {
     EXPECT_EQ(met.size(), step_kinds);
 }
 
+TEST(StepKinds, EveryPlaceholderOfTheirSentencesIsKnown) {
+    for (std::size_t i = 0; i < step_kinds; ++i) {
+        const StepRow& row = row_of(static_cast<StepKind>(i));
+        for (const Language language : {Language::english, Language::portuguese})
+            EXPECT_EQ(unknown_placeholder(row.sentence.in(language), row), "") << row.name;
+    }
+    const StepRow& face = row_of(StepKind::face);
+    EXPECT_EQ(unknown_placeholder("{normal} {@cosine} {#name} {culled?no:yes}", face), "");
+    EXPECT_EQ(unknown_placeholder("{normal} {@cosin} {view}", face), "@cosin");
+    EXPECT_EQ(unknown_placeholder("{normal} {views}", face), "views");
+    EXPECT_EQ(unknown_placeholder("{#nam}", face), "#nam");
+    EXPECT_EQ(unknown_placeholder("{cull?no:yes}", face), "cull?no:yes");
+    EXPECT_EQ(unknown_placeholder("{culled?no}", face), "culled?no");
+}
+
 TEST(StepKinds, HaveTheirRowsAndNames) {
     const auto names = step_kind_names();
     ASSERT_EQ(names.size(), step_kinds);

@@ -720,6 +720,30 @@ std::vector<std::string_view> pieces_of(std::string_view pattern) {
     return pieces;
 }
 
+std::string_view unknown_placeholder(std::string_view pattern, const StepRow& row) {
+    const auto is_field = [&row](std::string_view name) {
+        return std::any_of(row.fields.begin(), row.fields.end(),
+                           [name](const StepField& field) { return field.name == name; });
+    };
+    const auto is_part = [](std::string_view name) {
+        return std::any_of(std::begin(parts), std::end(parts),
+                           [name](const Part& part) { return part.name == name; });
+    };
+    for (const auto& [begin, end] : placeholders_in(pattern)) {
+        const std::string_view placeholder = pattern.substr(begin + 1, end - begin - 2);
+        const std::size_t choice = placeholder.find('?');
+        const bool is_known = placeholder.starts_with('@')   ? is_part(placeholder.substr(1))
+                              : placeholder.starts_with('#') ? is_field(placeholder.substr(1))
+                              : choice == std::string_view::npos
+                                  ? is_field(placeholder)
+                                  : is_field(placeholder.substr(0, choice)) &&
+                                        placeholder.find(':', choice) != std::string_view::npos;
+        if (!is_known)
+            return placeholder;
+    }
+    return {};
+}
+
 std::string describe_step(const Replay& replay) {
     const Sentence sentence = sentence_of_step(replay);
     const auto pieces = pieces_of(sentence.pattern);

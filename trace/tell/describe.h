@@ -35,4 +35,8 @@ Sentence sentence_of_step(const Replay& replay);
 /// The parts of a pattern between its placeholders, one more than there are of these.
 std::vector<std::string_view> pieces_of(std::string_view pattern);
 
+/// The first placeholder of a pattern that nothing can stand for in steps of this kind, such as one that is misspelt;
+/// "" if each of them is known.
+std::string_view unknown_placeholder(std::string_view pattern, const StepRow& row);
+
 } // namespace rastertrace

@@ -12,6 +12,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -21,9 +22,26 @@
 
 namespace rastertrace {
 
+/// How many values a pattern has a {} for.
+constexpr std::size_t places_in(std::string_view pattern) {
+    return static_cast<std::size_t>(std::count(pattern.begin(), pattern.end(), '{'));
+}
+
+/// Words with a {} for each of so many values, in every language. Any others do not compile.
+template <std::size_t values> struct WordsFor {
+    consteval WordsFor(std::string_view english, std::string_view portuguese)
+        : words(english, portuguese) {
+        if (places_in(english) != values || places_in(portuguese) != values)
+            throw "a {} for each value is needed";
+    }
+
+    Words words;
+};
+
 /// Words in the language of steps, with values for their {}.
-template <typename... Values> std::string said(const Words& words, const Values&... values) {
-    return fmt::vformat(words.in(language_of_steps()), fmt::make_format_args(values...));
+template <typename... Values>
+std::string said(const WordsFor<sizeof...(Values)>& pattern, const Values&... values) {
+    return fmt::vformat(pattern.words.in(language_of_steps()), fmt::make_format_args(values...));
 }
 
 /// A long fraction as its first digits, and what it is: 49977918.../10141204... = 4.928204, or
