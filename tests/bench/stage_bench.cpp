@@ -4,6 +4,7 @@
 // docs/performance.md from it.
 
 #include <rastertrace/core/draw/draw.h>
+#include <rastertrace/trace/record/step_writer.h>
 #include <rastertrace/trace/record/write_trace.h>
 #include <rastertrace/trace/text/output.h>
 #include <rastertrace/trace/text/stage_name.h>

@@ -3,6 +3,7 @@
 
 #include <rastertrace/figures/page.h>
 #include <rastertrace/trace/scene/scene_file.h>
+#include <rastertrace/trace/text/canvas_json.h>
 
 #include <nlohmann/json.hpp>
 
