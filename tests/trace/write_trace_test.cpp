@@ -5,6 +5,8 @@
 #include "scene_text.h"
 #include "traces.h"
 
+#include <rastertrace/trace/record/step_writer.h>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
