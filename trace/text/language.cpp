@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::array<std::string_view, language_count> codes{"en", "pt"};
 
-std::atomic<Language> told_in{Language::english};
+std::atomic<Language> language_in_use{Language::english};
 
 /// A word of traces, and how it is told: in English as it stands, where nothing else is said.
 struct TraceWord {
@@ -85,11 +85,11 @@ std::optional<Language> language_with_code(std::string_view code) {
 }
 
 Language language_of_steps() {
-    return told_in;
+    return language_in_use;
 }
 
 void tell_steps_in(Language language) {
-    told_in = language;
+    language_in_use = language;
 }
 
 std::string_view in_language_of_steps(std::string_view word) {

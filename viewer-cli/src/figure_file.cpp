@@ -160,8 +160,7 @@ std::string cast_of(const std::vector<TextFrame>& frames, const std::string& tit
     }
 
     // One line for the header, then an event a line: [seconds, code, text]. Times rise.
-    using Json = nlohmann::ordered_json;
-    Json header{{"version", 2}, {"width", columns}, {"height", lines}};
+    nlohmann::ordered_json header{{"version", 2}, {"width", columns}, {"height", lines}};
     if (!title.empty())
         header["title"] = printable(title);
     std::string text = header.dump() + "\n";
@@ -169,7 +168,7 @@ std::string cast_of(const std::vector<TextFrame>& frames, const std::string& tit
         // Hundredths, so that the number is the same everywhere.
         const auto hundredths = std::llround(static_cast<double>(frame) * seconds * 100);
         text += fmt::format("[{}.{:02}, \"{}\", {}]\n", hundredths / 100, hundredths % 100, code,
-                            Json(what).dump());
+                            nlohmann::ordered_json(what).dump());
     };
     std::string primitive;
     for (std::size_t i = 0; i < screens.size(); ++i) {
