@@ -265,8 +265,14 @@ double used_of_bound(const Pair& pair) {
                : mpq_class(off / mpq_class(pair.with_error.error())).get_d();
 }
 
-/// Applies random operations to random numbers, from seeds; sizes differ by up to 2^200.
-double worst_use_of_bound(std::uint64_t seed, int exponents) {
+/// What random operations came to.
+struct Use {
+    double worst = 0; ///< how much of a bound is used at most
+    int decided = 0;  ///< orders and floors
+};
+
+/// Applies random operations to random numbers, from seeds; sizes differ by up to 2^exponents.
+Use use_of_bounds(std::uint64_t seed, int exponents) {
     std::mt19937_64 random(seed);
     const auto leaf = [&] {
         const mpq_class exact(mpz_class(static_cast<long>(random() % 2000001) - 1000000),
@@ -279,7 +285,7 @@ double worst_use_of_bound(std::uint64_t seed, int exponents) {
         scaled = exponent < 0 ? mpq_class(scaled / power) : mpq_class(scaled * power);
         return Pair{with_error(scaled), scaled};
     };
-    double worst = 0;
+    Use use;
     Pair value = leaf();
     const auto is_finite = [](const Adaptive& number) {
         return std::isfinite(number.value()) && std::isfinite(number.error());
@@ -307,39 +313,43 @@ double worst_use_of_bound(std::uint64_t seed, int exponents) {
                 break;
             }
         } catch (const Undecided&) {
-            return worst; // a divisor that may be 0
+            return use; // a divisor that may be 0
         }
         if (!is_finite(value.with_error)) {
             EXPECT_FALSE(order_of(value.with_error, other.with_error)) << "beyond the doubles";
             EXPECT_THROW(floor_index(value.with_error), Undecided);
             EXPECT_THROW(require_finite(value.with_error), Undecided);
-            return worst;
+            return use;
         }
-        worst = std::max(worst, used_of_bound(value));
+        use.worst = std::max(use.worst, used_of_bound(value));
 
         // A comparison that is decided is right, and so is a floor.
         if (const auto order = order_of(value.with_error, other.with_error)) {
             EXPECT_EQ(*order, cmp(value.exact, other.exact) <=> 0);
+            ++use.decided;
         }
         try {
             EXPECT_EQ(floor_index(value.with_error), floor_index(Rational(value.exact)));
+            ++use.decided;
         } catch (const Undecided&) {
             continue;
         }
     }
-    return worst;
+    return use;
 }
 
 TEST(Adaptive, ErrorsStayBelowTheirBounds) {
     double worst = 0;
     for (unsigned seed = 0; seed < random_cases(20000U); ++seed)
-        worst = std::max(worst, worst_use_of_bound(seed, seed % 2 == 0 ? 3 : 200));
+        worst = std::max(worst, use_of_bounds(seed, seed % 2 == 0 ? 3 : 200).worst);
     EXPECT_GT(worst, 0.5) << "the bound should not be far larger than it has to be";
 }
 
 TEST(Adaptive, SubnormalAndHugeNumbersDecideNothingWrong) {
+    int decided = 0;
     for (unsigned seed = 0; seed < random_cases(5000U); ++seed)
-        worst_use_of_bound(seed, 1020);
+        decided += use_of_bounds(seed, 1020).decided;
+    EXPECT_GT(decided, random_cases(20000));
 }
 
 TEST(Adaptive, QuotientsOfTheSmallestNumbersStayWithinTheirBounds) {

@@ -713,7 +713,9 @@ RC_GTEST_PROP(Shade, MixesWhatTheRayMeets, ()) {
     const V c = exact(face.corners[2]);
     for (int y = -8; y <= 8; ++y)
         for (int x = -8; x <= 8; ++x) {
-            if (image.at({x, y}) == no_color)
+            const bool is_drawn = image.at({x, y}) != no_color;
+            RC_ASSERT(is_drawn == (nearest_along_ray({face}, x, y) != '.'));
+            if (!is_drawn)
                 continue;
             const V ray{Rational(x), Rational(y), Rational(1)};
             const std::array<Rational, 3> shares{dot(ray, cross(b, c)), dot(ray, cross(c, a)),

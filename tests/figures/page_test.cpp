@@ -5,7 +5,6 @@
 #include "traces.h"
 
 #include <rastertrace/figures/page.h>
-#include <rastertrace/figures/player_keys.h>
 #include <rastertrace/trace/explain/explain.h>
 #include <rastertrace/trace/tell/describe.h>
 #include <rastertrace/trace/tell/working.h>
@@ -336,13 +335,6 @@ TEST(Page, WhatIsTooLargeIsRefusedWithWhatToDoInstead) {
     EXPECT_TRUE(PageReader(trace).data()["answers"].is_null());
     trace.canvas = {.width = 128, .height = 1};
     EXPECT_FALSE(PageReader(trace).data()["answers"].is_null());
-}
-
-TEST(Page, EveryKeyOfTheTableDoesSomething) {
-    for (const PlayerKey& row : player_keys())
-        if (row.is_on_pages) {
-            EXPECT_THAT(page_js(), HasSubstr("\n  \"" + std::string(row.name) + "\": "));
-        }
 }
 
 TEST(Page, ItsFilesAreAscii) {

@@ -17,6 +17,7 @@
 #include <cstdlib>
 #include <map>
 #include <random>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -67,16 +68,19 @@ TEST(StressCases, AreThoseOfTheCatalogue) {
 // Every scene can be read and drawn, and every scalar is put through most cases: one that the method
 // gains comes in by itself.
 TEST(StressCases, TakeEveryScalarOfTheMethod) {
-    for (const StressCase& one : stress_cases())
+    std::map<std::string, std::size_t> taken; // cases, by their scalars
+    for (const StressCase& one : stress_cases()) {
         for (const StressScene& scene : one.scenes())
             EXPECT_TRUE(read_scene({"scene", scene.json}, {{"scalar", "exact"}}))
                 << one.id << " " << scene.name;
-    for (const std::string_view scalar : find_method_key("scalar")->values) {
-        const auto rows = rows_of(*find_stress_case("S1"));
-        EXPECT_TRUE(std::any_of(rows.begin(), rows.end(), [scalar](const StressRow& row) {
-            return row.scalar == scalar;
-        })) << scalar;
+        std::set<std::string> scalars;
+        for (const StressRow& row : rows_of(one, {.quick = true}))
+            scalars.emplace(row.scalar);
+        for (const std::string& scalar : scalars)
+            ++taken[scalar];
     }
+    for (const std::string_view scalar : find_method_key("scalar")->values)
+        EXPECT_GT(taken[std::string(scalar)], stress_cases().size() / 2) << scalar;
 }
 
 // What is said of a row.

@@ -490,11 +490,13 @@ TEST(SceneFile, NestingIsRefusedByDepth) {
 
 // What a test prints of a random scene that fails is that scene.
 TEST(SceneFile, OfASceneIsReadBackAsThatScene) {
-    const auto expect_same = [](const Scene& scene) {
+    int compared = 0;
+    const auto expect_same = [&compared](const Scene& scene) {
         // Hidden lines are said of a whole mesh, which is not written.
         if (std::any_of(scene.primitives.begin(), scene.primitives.end(),
                         [](const ScenePrimitive& one) { return !one.is_painted; }))
             return;
+        ++compared;
         const Scene back = scene_in(scene_text(scene));
         EXPECT_EQ(scene_text(back), scene_text(scene));
         EXPECT_TRUE(draw_as_planned(back).colors() == draw_as_planned(scene).colors())
@@ -510,9 +512,12 @@ TEST(SceneFile, OfASceneIsReadBackAsThatScene) {
             expect_same(scene);
             ++drawn;
         }
+    EXPECT_GT(compared, 150);
+    compared = 0;
     for (std::uint64_t seed = 1; seed <= 300; ++seed)
         if (const auto read = read_scene({"scene.json", RandomScene(seed).text()}))
             expect_same(read.value().scene);
+    EXPECT_GT(compared, 150);
 }
 
 using ::testing::ElementsAre;
