@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+// What all commands say to the words that they are given, and where; and their exit status.
+
+#include "program.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace rastertrace {
+namespace {
+
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+TEST_F(ProgramTest, CommandsThatNeedASceneSayThatATraceIsDrawnAlready) {
+    ASSERT_EQ(
+        shell("$rastertrace trace $examples/t0-fill/first-triangle.json -o drawn.json").status, 0);
+    for (const char* const command : {"plan", "report", "stress"}) {
+        const Outcome outcome = shell(std::string("$rastertrace ") + command + " drawn.json");
+        EXPECT_EQ(outcome.status, 2) << command;
+        EXPECT_EQ(outcome.err, "rastertrace: drawn.json: expected a scene, found a trace\n"
+                               "hint: a trace is drawn already; `show` and `stats` read it\n")
+            << command;
+    }
+}
+
+// A script whose variable is empty must not get the standard output, or the whole catalogue.
+TEST_F(ProgramTest, AnEmptyWordIsRefused) {
+    for (const std::string words :
+         {"stress ''", "trace ''", "show ''", "stats ''", "plan ''", "report ''", "help ''",
+          "trace $examples/t0-fill/first-triangle.json -o ''",
+          "trace $examples/t0-fill/first-triangle.json --output=",
+          "show $examples/t0-fill/first-triangle.json --every ''", "stress --case ''"}) {
+        const Outcome refused = shell("$rastertrace " + words);
+        EXPECT_EQ(refused.status, 2) << words;
+        EXPECT_EQ(refused.out, "") << words;
+        EXPECT_THAT(refused.err, EndsWith(", found \"\"\n")) << words;
+    }
+    EXPECT_EQ(shell("$rastertrace stress ''").err,
+              "rastertrace: stress: expected a word behind it, found \"\"\n");
+}
+
+TEST_F(ProgramTest, TheExitStatusStandsWhereStandardErrorCannotBeWritten) {
+    write("cut.json",
+          shell("$rastertrace trace $examples/t0-fill/first-triangle.json").out.substr(0, 2000));
+    for (const std::string no_stderr : {" 2>&-", " 2>/dev/full"}) {
+        EXPECT_EQ(shell("$rastertrace show nothing.json" + no_stderr).status, 2);
+        EXPECT_EQ(shell("$rastertrace show cut.json" + no_stderr).status, 2);
+        EXPECT_EQ(shell("$rastertrace shw" + no_stderr).status, 2);
+        EXPECT_EQ(shell("$rastertrace show --evry" + no_stderr).status, 2);
+        EXPECT_EQ(shell("$rastertrace" + no_stderr).status, 2);
+        EXPECT_EQ(shell("$rastertrace --version >/dev/full" + no_stderr).status, 3);
+    }
+    EXPECT_EQ(
+        shell("mkfifo pipe; exec 3<>pipe 4>pipe; exec 3<&-; $rastertrace show nothing.json 2>&4")
+            .status,
+        2)
+        << "a pipe that nobody reads";
+    // No file gets the number of a closed descriptor, and so no message or picture.
+    EXPECT_EQ(shell("$rastertrace trace $examples/t0-fill/first-triangle.json -o t.json "
+                    "<&- >&- 2>&-")
+                  .status,
+              0);
+    EXPECT_EQ(content("t.json"),
+              shell("$rastertrace trace $examples/t0-fill/first-triangle.json").out);
+}
+
+TEST_F(ProgramTest, HelpThatCannotBeWrittenIsAFailure) {
+    for (const std::string arguments :
+         {"--help", "help", "help show", "show --help", "--version"}) {
+        const Outcome full = shell("$rastertrace " + arguments + " >/dev/full");
+        EXPECT_EQ(full.status, 3) << arguments;
+        EXPECT_EQ(full.err, "rastertrace: standard output: could not be written: "
+                            "No space left on device\n");
+        const Outcome closed = shell("$rastertrace " + arguments + " >&-");
+        EXPECT_EQ(closed.status, 3) << arguments;
+        EXPECT_EQ(closed.err,
+                  "rastertrace: standard output: could not be written: Bad file descriptor\n");
+    }
+}
+
+TEST_F(ProgramTest, UsageErrorsNameTheWordAndANearOne) {
+    EXPECT_EQ(shell("$rastertrace").status, 2);
+    EXPECT_THAT(shell("$rastertrace").err, HasSubstr("rastertrace show examples/"));
+    EXPECT_EQ(shell("$rastertrace shw x").err, "rastertrace: expected a command out of trace, "
+                                               "show, play, figure, explain, stats, check, diff, "
+                                               "validate, plan, stress, report, renew, help, found "
+                                               "\"shw\"\n"
+                                               "hint: did you mean show?\n");
+    EXPECT_EQ(shell("$rastertrace show x --evry pixel").err,
+              "rastertrace show: --evry: no such option\nhint: did you mean --every?\n"
+              "see rastertrace show --help\n");
+    EXPECT_EQ(shell("$rastertrace show x --evry pixel").status, 2);
+    EXPECT_EQ(shell("$rastertrace show x --step scanline y=2").err,
+              "rastertrace show: The following argument was not expected: y=2\n"
+              "hint: a step of several words goes in quotes: \"scanline y=2\"\n"
+              "see rastertrace show --help\n");
+    EXPECT_EQ(shell("$rastertrace trace x --only pixle").err,
+              "rastertrace: --only: expected kinds of step out of "
+              "triangulate,matrix,vertex,order,primitive,face,light,clip,edge,half,ray,scanline,"
+              "along,decide,"
+              "sample,depth,pixel,"
+              "reject,skip,undecided, found \"pixle\"\n"
+              "hint: did you mean pixel?\n");
+    EXPECT_EQ(shell("$rastertrace trace x --region 1,2,3").err,
+              "rastertrace: --region: expected two corners as x0,y0,x1,y1, like -4,-3,2,5, found "
+              "\"1,2,3\"\n");
+}
+
+TEST_F(ProgramTest, HelpOfEveryCommandHasAnExampleThatWorks) {
+    EXPECT_THAT(shell("$rastertrace --version").out, StartsWith("rastertrace "));
+    EXPECT_EQ(shell("$rastertrace --help").status, 0);
+    for (const std::string command :
+         {"trace", "show", "stats", "plan", "stress", "report", "renew"}) {
+        const Outcome help = shell("$rastertrace " + command + " --help");
+        EXPECT_EQ(help.status, 0);
+        EXPECT_EQ(help.err, "");
+        EXPECT_EQ(shell("$rastertrace help " + command).out, help.out);
+        const auto example = help.out.find("Example: rastertrace ");
+        ASSERT_NE(example, std::string::npos) << command;
+        std::string line = help.out.substr(example + 21);
+        line = line.substr(0, line.find('\n'));
+        EXPECT_EQ(shell("[ -e docs ] || cp -r $examples $examples/../docs .; "
+                        "$rastertrace " +
+                        line)
+                      .status,
+                  0)
+            << line;
+    }
+}
+
+TEST_F(ProgramTest, NothingFromAFileReachesTheTerminalRaw) {
+    write("evil.json", "{\"title\": \"a\\u001b]0;x\\u0007\\u009b\\u202e\\n\", \"vertices\": "
+                       "{\"\\u001b[2J\": [1, 1]}, \"triangles\": [[\"\\u001b[2J\", \"\\u001b[2J\", "
+                       "\"\\u001b[2J\"]]}");
+    for (const std::string command : {"trace", "show --all", "stats", "stats --json"}) {
+        const Outcome outcome = shell("$rastertrace " + command + " evil.json");
+        EXPECT_EQ(outcome.status, 0) << outcome.err;
+        EXPECT_EQ(outcome.out.find('\x1b'), std::string::npos) << command;
+        EXPECT_EQ(outcome.out.find('\a'), std::string::npos) << command;
+        EXPECT_EQ(outcome.out.find("\xC2\x9B"), std::string::npos) << command;
+        EXPECT_EQ(outcome.out.find("\xE2\x80\xAE"), std::string::npos) << command;
+    }
+}
+
+} // namespace
+} // namespace rastertrace

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: MIT
+// `rastertrace stress` as a user calls it: the catalogue, and what it finds in a scene.
+
+#include "program.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <sstream>
+#include <string>
+
+namespace rastertrace {
+namespace {
+
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+TEST_F(ProgramTest, StressListsEveryCaseInOneLine) {
+    const Outcome table = shell("$rastertrace stress --quick");
+    EXPECT_EQ(table.status, 0) << table.out;
+    EXPECT_EQ(table.err, "");
+    EXPECT_THAT(table.out,
+                StartsWith("case what                                     result         "
+                           "rows: one scalar and one method each\n"
+                           "\n"
+                           "lines\n"
+                           "L1   one tie                                  as documented  "
+                           "right "));
+    EXPECT_THAT(table.out, HasSubstr("\nX9   the trace without stages left out"));
+    EXPECT_THAT(table.out, HasSubstr("\n80 cases, "));
+    EXPECT_THAT(table.out, HasSubstr("\nEvery row is as documented: "));
+    std::istringstream lines(table.out);
+    for (std::string line; std::getline(lines, line);)
+        EXPECT_LE(line.size(), 100u) << line;
+}
+
+TEST_F(ProgramTest, StressWritesTheEntriesOfTheDocumentation) {
+    EXPECT_EQ(
+        shell("$rastertrace stress --case L2,L6,P7 --markdown").out,
+        "3 cases.\n"
+        "\n"
+        "## Lines\n"
+        "\n"
+        "[L2](#l2-many-ties), [L6](#l6-control-long-but-not-stiff)\n"
+        "\n"
+        "### L2: many ties\n"
+        "\n"
+        "Input: (0,0)-(60,10).\n"
+        "Why: The gcd is 10: ten pixels lie halfway between two rows.\n"
+        "What holds: 61 pixels. Naive with half away from zero and Bresenham differ at the 10 "
+        "ties, "
+        "first (3,1) against (3,0); with the same tie rule they are one line, unless rounded sums "
+        "miss the ties (dda).\n"
+        "\n"
+        "What goes wrong:\n"
+        "\n"
+        "- dda: 2 pixels wrong (float); 8 pixels wrong (double)\n"
+        "- naive, away, taken for bresenham: 10 pixels wrong (exact)\n"
+        "\n"
+        "```\n"
+        "rastertrace stress --case L2 --scene > l2.json\n"
+        "rastertrace show l2.json\n"
+        "```\n"
+        "\n"
+        "### L6: control: long, but not stiff\n"
+        "\n"
+        "Input: (0,0)-(4095,4094).\n"
+        "Why: A pixel in 1/8190 of a tie, and sums that may lose 2 px in float; but the roundings "
+        "of a "
+        "slope this near to 1 do not add up.\n"
+        "What holds: Every pixel right, with every method.\n"
+        "\n"
+        "Nothing is wrong.\n"
+        "\n"
+        "```\n"
+        "rastertrace stress --case L6 --scene > l6.json\n"
+        "rastertrace show l6.json\n"
+        "```\n"
+        "\n"
+        "## Pipeline\n"
+        "\n"
+        "[P7](#p7-no-normal-no-view)\n"
+        "\n"
+        "### P7: no normal, no view\n"
+        "\n"
+        "Input: B = C; the eye on a vertex; the eye in the plane.\n"
+        "Why: A vector of length 0 has no cosine: 0/0.\n"
+        "What holds: Not drawn, and nothing is normalized to decide it. A textbook's N.E/|N.E| is "
+        "0/0.\n"
+        "\n"
+        "Nothing is wrong.\n"
+        "\n"
+        "```\n"
+        "rastertrace stress --case P7 --scene > p7.json\n"
+        "rastertrace show p7.json\n"
+        "```\n");
+}
+
+TEST_F(ProgramTest, StressWritesEntriesThatMarkdownReadsAsTheyAre) {
+    const auto entry = [this](const std::string& id) {
+        return shell("$rastertrace stress --quick --markdown --case " + id).out;
+    };
+    EXPECT_THAT(entry("X2"), StartsWith("1 case.\n"));
+    EXPECT_THAT(entry("X2"), HasSubstr("[X2](#x2-division-by-w--1)\n"));
+    EXPECT_THAT(entry("Z3"), HasSubstr("[Z3](#z3-1z-falling-from-1-to-1r)\n"));
+    EXPECT_THAT(entry("Z7"), HasSubstr("(With &lt;= all would pass; ours is strict.)\n"));
+    EXPECT_THAT(entry("P9"), HasSubstr("eye = look\\_at"));
+    // What is code already stays, and what is a number's name.
+    EXPECT_THAT(entry("L11"), HasSubstr("a loop `while (x < x1)` draws none"));
+    EXPECT_THAT(entry("L11"), HasSubstr("\nWhy: dx = 0, and dx &lt; 0.\n"));
+    EXPECT_THAT(entry("P6"), HasSubstr("\nWhat holds: normal . view = -1: a back face. "));
+    EXPECT_THAT(entry("X9"), HasSubstr("\nWhy: The pictures are the same; are the steps?\n"));
+    EXPECT_THAT(entry("Z14"),
+                HasSubstr("\n- scanline, rounded ends: 17 pixels wrong (float, double, "
+                          "adaptive, exact); 16 pixels wrong (fixed)\n"));
+    EXPECT_THAT(entry("S2"), HasSubstr("4 pixels wrong (every scalar)\n"));
+    EXPECT_THAT(entry("C11"), EndsWith("\n\nAll of it is refused, with every scalar.\n"));
+}
+
+TEST_F(ProgramTest, StressShowsACaseInFull) {
+    const Outcome outcome = shell("$rastertrace stress --case s6");
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_THAT(
+        outcome.out,
+        StartsWith("S6  a step that is absorbed  (scanline fill)\n"
+                   "\n"
+                   "  input   edge (16777216,0)-(16777218,2000), floored\n"
+                   "  why     1/1000 added to 2^24 is nothing: float's next number is 2 away\n"
+                   "  holds   16777216 + floor(y/1000). "));
+    EXPECT_THAT(
+        outcome.out,
+        HasSubstr("\n  incremental, x += dx/dy\n"
+                  "    float                           wrong     1001 rows wrong, at most 2 "
+                  "px; of 2001, first at\n"
+                  "                                              y=1000\n"));
+    EXPECT_THAT(outcome.out, HasSubstr("\n    double                          within    off by at "
+                                       "most 1.8e-09 px\n"));
+    EXPECT_THAT(outcome.out, EndsWith("\n  see     there is no scene to look at: this is a "
+                                      "computation, or is refused\n"
+                                      "\n"
+                                      "as documented\n"));
+    // Two cases by one list or by two options, each once.
+    const std::string two = shell("$rastertrace stress --case S1,C15").out;
+    EXPECT_EQ(shell("$rastertrace stress --case S1 --case c15 --case S1").out, two);
+    EXPECT_THAT(two, HasSubstr("\nas documented\n\nC15  a T-junction  (edge functions)\n"));
+    EXPECT_THAT(two,
+                HasSubstr("          rastertrace stress --case C15 --scene 2 | rastertrace show "
+                          "-   # an overlap\n"));
+}
+
+TEST_F(ProgramTest, StressPrintsTheSceneOfACaseToDraw) {
+    const Outcome shown =
+        shell("$rastertrace stress --case S1 --scene | $rastertrace show - --last --bare");
+    EXPECT_EQ(shown.status, 0) << shown.err;
+    EXPECT_EQ(shown.out,
+              shell("$rastertrace show $examples/t0-fill/first-triangle.json --last --bare").out);
+    EXPECT_NE(shell("$rastertrace stress --case C15 --scene 2").out,
+              shell("$rastertrace stress --case C15 --scene").out);
+    // A case that asks to be looked at can be.
+    EXPECT_EQ(shell("$rastertrace stress --case P2 --scene | $rastertrace stats - --json").status,
+              0);
+}
+
+TEST_F(ProgramTest, StressWritesJson) {
+    const Outcome outcome = shell("$rastertrace stress --case S3,C10 --json");
+    EXPECT_EQ(outcome.status, 0);
+    const auto json = nlohmann::json::parse(outcome.out);
+    EXPECT_EQ(json["failed"], nlohmann::json::array());
+    ASSERT_EQ(json["cases"].size(), 2u);
+    const auto& s3 = json["cases"][0];
+    EXPECT_EQ(s3["id"], "S3");
+    EXPECT_EQ(s3["family"], "scanline fill");
+    EXPECT_EQ(s3["as_documented"], true);
+    EXPECT_EQ(s3["scenes"], nlohmann::json::array({""}));
+    const auto row = std::find_if(s3["rows"].begin(), s3["rows"].end(), [](const auto& one) {
+        return one["scalar"] == "double" && one["method"] == "scanline, incremental";
+    });
+    ASSERT_NE(row, s3["rows"].end());
+    EXPECT_EQ(*row, nlohmann::json::parse(R"({"scalar": "double", "method": "scanline, incremental",
+        "verdict": "wrong", "as_documented": true, "wrong": 1, "unit": "pixel",
+        "note": "36 pixels", "documented": {"verdict": "wrong", "wrong": 1}})"));
+    const auto& refused = json["cases"][1]["rows"][1];
+    EXPECT_EQ(refused["verdict"], "refused");
+    EXPECT_THAT(refused["message"].get<std::string>(), HasSubstr("vertex A at (-1e+30, -1e+30)"));
+}
+
+TEST_F(ProgramTest, StressLooksForCliffsInAScene) {
+    const std::string scene = "$examples/t0-fill/first-triangle.json";
+    EXPECT_EQ(shell("$rastertrace stress --fill top-left " + scene).out.substr(0, 15),
+              "First triangle\n");
+    write("s3.json", R"({"title": "\u001b[2J", "canvas": {"width": 8, "height": 12,
+        "origin": "top-left"}, "vertices": {"A": [0, 0], "B": [1, 10], "C": [5, 10]},
+        "triangles": ["ABC"]})");
+    const Outcome outcome = shell("$rastertrace stress s3.json --lerp incremental");
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_THAT(
+        outcome.out,
+        StartsWith("<U+001B>[2J\n"
+                   "\n"
+                   "edges on samples, or within 2^-20 px of them: the tie rule or the rounding "
+                   "decides\n"
+                   "  edge CA of triangle ABC                 passes exactly through 6 row ends, "
+                   "one at pixel (0, 0)\n"
+                   "  edge AB of triangle ABC                 passes exactly through 2 row ends, "
+                   "one at pixel (0, 0)\n"
+                   "  edge BC of triangle ABC                 lies on row 10\n"
+                   "\n"
+                   "drawn with pixels that differ from `exact`\n"
+                   "float      0 of 35\n"
+                   "double     1 of 36, first (0, 10)\n"));
+    const auto json =
+        nlohmann::json::parse(shell("$rastertrace stress s3.json --lerp incremental --json").out);
+    EXPECT_EQ(json["cliffs"][0]["cliff"], "sample-on-edge");
+    EXPECT_EQ(json["cliffs"][0]["worst"].size(), 3u);
+    EXPECT_EQ(json["pictures"][1], nlohmann::json::parse(R"({"scalar": "double", "pixels": 36,
+        "differing": 1, "first": [0, 10]})"));
+    write("calm.json", R"({"canvas": {"width": 16, "height": 16, "origin": "top-left"},
+        "vertices": {"A": [1.25, 1.75], "B": [13.5, 3.25], "C": [4.75, 12.5]},
+        "triangles": ["ABC"], "method": {"fill": "top-left"}})");
+    EXPECT_THAT(
+        shell("$rastertrace stress calm.json").out,
+        StartsWith("calm.json\n"
+                   "\n"
+                   "Near no cliff: no sample within 2^-20 px of an edge, no sliver, nothing "
+                   "steep, deep, far out\n"
+                   "or edge-on.\n"));
+}
+
+TEST_F(ProgramTest, StressTellsOfTJunctionsInAScene) {
+    const auto cliffs = [this](const std::string& scene, const std::string& options = "") {
+        return shell("$rastertrace stress --case C15 --scene " + scene +
+                     " | $rastertrace stress - " + options)
+            .out;
+    };
+    EXPECT_THAT(cliffs("1"), HasSubstr("T-junctions, vertices on an edge that has no vertex there: "
+                                       "every scalar may fall, `exact` too\n"
+                                       "  edge PQ of triangle PQT                 M lies 0.025 px "
+                                       "from it; 0 pixels in two triangles; 1\n"
+                                       "                                          pixel in none: "
+                                       "(8, 21)\n"));
+    EXPECT_THAT(cliffs("2", "--json"),
+                HasSubstr(R"("how_near":"M lies 0.025 px from it; 1 pixel in two triangles: )"
+                          R"((31, 25); 0 pixels in none")"));
+}
+
+TEST_F(ProgramTest, StressRefusesWhatItCannotRun) {
+    const auto refusal = [this](const std::string& arguments) {
+        const Outcome outcome = shell("$rastertrace stress " + arguments);
+        EXPECT_EQ(outcome.status, 2) << arguments;
+        EXPECT_EQ(outcome.out, "") << arguments;
+        return outcome.err;
+    };
+    EXPECT_EQ(refusal("--case S19"),
+              "rastertrace: --case: expected a case of the catalogue, L1 to L13, S1 to S14, C1 to "
+              "C18, Z1 to Z14, P1 to P12 or X1 to X9, found \"S19\"\nhint: did you mean S1?\n");
+    EXPECT_THAT(
+        refusal("--markdown --json"),
+        HasSubstr("--markdown: expected cases to print as entries of a page, found \"--json\""));
+    EXPECT_EQ(
+        refusal("--case Z5 --scene"),
+        "rastertrace: --scene: expected a case with a scene, found Z5, which is a computation, "
+        "or is refused\n");
+    EXPECT_EQ(refusal("--case C15 --scene 3"),
+              "rastertrace: --scene: expected a scene from 1 to 2 of C15, found 3\n");
+    EXPECT_THAT(refusal("--scene"), HasSubstr("hint: say --case S1 --scene\n"));
+    EXPECT_THAT(refusal("--case S1,S2 --scene"), HasSubstr("found \"S1,S2\"\n"));
+    EXPECT_EQ(refusal("x.json --case S1"),
+              "rastertrace: --case: expected cases, or a scene, not both, found \"x.json\"\n");
+    EXPECT_EQ(refusal("--case L1,L2 L4"),
+              "rastertrace: --case: expected cases, or a scene, not both, found \"L4\"\n"
+              "hint: several cases are one word: --case L1,L2,L4\n");
+    EXPECT_THAT(
+        refusal("--fan-passes 2"),
+        StartsWith("rastertrace: --fan-passes: expected a scene to draw by another method"));
+    EXPECT_THAT(refusal("$examples/t0-fill/first-triangle.json --scalar double"),
+                StartsWith("rastertrace: --scalar: expected no scalar"));
+    EXPECT_THAT(refusal("no-such-file.json"), StartsWith("rastertrace: no-such-file.json: "));
+    // Nothing to look at.
+    write("empty.json", R"({"vertices": {"A": [1, 2]}})");
+    EXPECT_THAT(refusal("empty.json"), HasSubstr("expected at least one primitive, found none"));
+    write("nan.json", R"({"vertices": {"A": [NaN, 2]}, "triangles": ["AAA"]})");
+    EXPECT_THAT(refusal("nan.json"), StartsWith("rastertrace: nan.json:1:21: "));
+}
+
+} // namespace
+} // namespace rastertrace

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+// `rastertrace trace` as a user calls it: the same bytes everywhere, and traces that are cut down.
+
+#include "program.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace rastertrace {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+TEST_F(ProgramTest, TraceOfASceneIsReadBackTheSame) {
+    EXPECT_EQ(shell("$rastertrace trace $examples/t0-fill/first-triangle.json -o t.json").status,
+              0);
+    EXPECT_EQ(shell("$rastertrace trace $examples/t0-fill/first-triangle.json -o t.jsonl").status,
+              0);
+    EXPECT_EQ(
+        shell("$rastertrace trace - <$examples/t0-fill/first-triangle.json >piped.json").status, 0);
+    EXPECT_EQ(content("piped.json"), content("t.json"));
+    EXPECT_EQ(visible_files(), 3u);
+    const std::string stats = shell("$rastertrace stats t.json").out;
+    EXPECT_EQ(shell("$rastertrace stats - <t.jsonl").out, stats);
+    EXPECT_EQ(shell("$rastertrace stats $examples/t0-fill/first-triangle.json").out, stats);
+    EXPECT_THAT(stats, HasSubstr("steps       62\n"));
+    EXPECT_THAT(stats, HasSubstr("pixels      49 of 238 on the canvas\n"));
+    EXPECT_THAT(
+        shell("$rastertrace stats --json t.json").out,
+        StartsWith(R"({"title":"First triangle","steps":62,"count":{"primitive":1,"edge":3,)"));
+}
+
+TEST_F(ProgramTest, ATraceIsCutDownAsIfItWereDrawnSo) {
+    shell("$rastertrace trace $examples/t0-hidden/cube-culled.json -o whole.json; "
+          "$rastertrace trace whole.json -o whole.jsonl");
+    EXPECT_EQ(content("whole.jsonl"),
+              shell("$rastertrace trace $examples/t0-hidden/cube-culled.json --format jsonl").out);
+    for (const std::string options :
+         {"--only face,vertex --format jsonl", "--only face,vertex", "--only light", ""}) {
+        const std::string drawn =
+            shell("$rastertrace trace $examples/t0-hidden/cube-culled.json " + options).out;
+        EXPECT_THAT(drawn, HasSubstr("\"end\"")) << options;
+        EXPECT_EQ(shell("$rastertrace trace whole.json " + options).out, drawn) << options;
+        EXPECT_EQ(shell("$rastertrace trace whole.jsonl " + options).out, drawn) << options;
+        EXPECT_EQ(shell("$rastertrace trace - <whole.jsonl " + options).out, drawn) << options;
+    }
+    // A part of a part, and what it does not have.
+    shell("$rastertrace trace whole.json --only face,vertex -o part.json");
+    EXPECT_EQ(shell("$rastertrace trace part.json --only face").out,
+              shell("$rastertrace trace whole.json --only face").out);
+    const auto refusal = [this](const std::string& arguments) {
+        const Outcome outcome = shell("$rastertrace trace " + arguments);
+        EXPECT_EQ(outcome.status, 2) << arguments;
+        EXPECT_EQ(outcome.out, "") << arguments;
+        return outcome.err;
+    };
+    EXPECT_EQ(refusal("part.json --only pixel"),
+              "rastertrace: pixel steps were left out of the trace\n");
+    EXPECT_EQ(refusal("whole.json --region 0,0,1,1"),
+              "rastertrace: whole.json: expected a scene for --region, found a trace\n"
+              "hint: of a trace, --only writes the steps of some kinds\n");
+    EXPECT_EQ(refusal("whole.json --primitive ABC --only face"),
+              "rastertrace: whole.json: expected a scene for --primitive, found a trace\n"
+              "hint: of a trace, --only writes the steps of some kinds\n");
+    EXPECT_EQ(refusal("whole.json --fill fan"),
+              "rastertrace: whole.json: expected a scene to draw with --fill fan, found a trace, "
+              "which is drawn already\n");
+    // What a terminal would obey is escaped, wherever it stands; what is above ASCII otherwise stays.
+    write("foreign.jsonl",
+          "{\"rastertrace\":1,\"title\":\"\\u202e\",\"canvas\":{\"width\":3,\"height\":3}}\n"
+          "{\"step\":\"\\u009b\\u007f\\u202e\\u00e9\"}\n{\"step\":\"\xC2\x9B\"}\n{\"end\":{}}\n");
+    EXPECT_EQ(shell("$rastertrace trace foreign.jsonl --format jsonl").out,
+              "{\"rastertrace\":1,\"title\":\"\\u202e\",\"canvas\":{\"width\":3,\"height\":3}}\n"
+              "{\"step\":\"\\u009b\\u007f\\u202e\\u00e9\"}\n"
+              "{\"step\":\"\\u009b\"}\n"
+              "{\"end\":{\"steps\":2,\"count\":{\"\\u009b\":1,"
+              "\"\\u009b\\u007f\\u202e\xC3\xA9\":1}}}\n");
+    // Neither a trace that breaks off nor itself is written.
+    shell("head -n 20 whole.jsonl >cut.jsonl; cp whole.json older.json");
+    EXPECT_THAT(refusal("cut.jsonl --only vertex -o older.json"), HasSubstr("truncated"));
+    EXPECT_THAT(refusal("whole.json --only face -o whole.json"), HasSubstr("whole.json"));
+    EXPECT_EQ(shell("cmp whole.json older.json").status, 0);
+}
+
+TEST_F(ProgramTest, SameSceneSameBytesInEveryLocaleAndTimeZone) {
+    shell("$rastertrace trace $examples/t0-fill/first-triangle.json --scalar double -o a.json");
+    shell("LC_ALL=de_DE.UTF-8 TZ=Asia/Tokyo $rastertrace trace "
+          "$examples/t0-fill/first-triangle.json --scalar double -o b.json");
+    EXPECT_FALSE(content("a.json").empty());
+    EXPECT_EQ(content("a.json"), content("b.json"));
+}
+
+TEST_F(ProgramTest, AFileNameIsShownAndNotStored) {
+    const std::string scene = R"({"vertices":{"A":[0,0]},"points":["A"]})";
+    write("one.json", scene);
+    write("other.json", scene);
+    const std::string trace = shell("$rastertrace trace one.json").out;
+    EXPECT_THAT(trace, StartsWith(R"({"rastertrace":1,"canvas":{)"));
+    EXPECT_EQ(shell("$rastertrace trace other.json").out, trace);
+    EXPECT_EQ(shell("$rastertrace trace - <one.json").out, trace);
+    shell("$rastertrace trace one.json -o kept.trace.json");
+    for (const std::string command : {"show", "stats", "plan", "stress"})
+        EXPECT_THAT(shell("$rastertrace " + command + " ./one.json").out, StartsWith("one.json"))
+            << command;
+    EXPECT_THAT(shell("$rastertrace show kept.trace.json").out, StartsWith("kept.trace.json "));
+    EXPECT_THAT(shell("$rastertrace show - <one.json").out, StartsWith("standard input "));
+}
+
+TEST_F(ProgramTest, MethodIsOverriddenOnTheCommandLine) {
+    const Outcome outcome =
+        shell("$rastertrace stats $examples/t0-fill/first-triangle.json --rounding truncate");
+    EXPECT_THAT(outcome.out, HasSubstr("pixels      45 of 238"));
+    const Outcome refused =
+        shell("$rastertrace trace $examples/t0-fill/first-triangle.json -o t.json; "
+              "$rastertrace show t.json --rounding truncate");
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_EQ(refused.err,
+              "rastertrace: t.json: expected a scene to draw with --rounding truncate, "
+              "found a trace, which is drawn already\n");
+    EXPECT_EQ(shell("$rastertrace show x --rounding trunkate").err,
+              "rastertrace: --rounding: expected one of floor, nearest, truncate, inside, "
+              "half-open, found "
+              "\"trunkate\"\nhint: did you mean truncate?\n");
+}
+
+TEST_F(ProgramTest, RegionMayBeginWithANegativeNumber) {
+    const Outcome outcome = shell("$rastertrace trace $examples/t0-fill/first-triangle.json "
+                                  "--region -4,-3,-3,-3 --only pixel");
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("\"count\":{\"pixel\":2}"));
+}
+
+} // namespace
+} // namespace rastertrace
