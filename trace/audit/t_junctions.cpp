@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "t_junctions.h"
 
-#include <rastertrace/core/numbers/scalar.h>
+#include <rastertrace/core/numbers/rational.h>
 
 #include <algorithm>
 #include <cmath>
