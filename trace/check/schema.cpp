@@ -35,16 +35,15 @@ std::vector<std::string_view> schema_kind_names() {
 }
 
 std::string schema_of(SchemaKind kind) {
-    constexpr int indent = 2;
     switch (kind) {
     case SchemaKind::scene:
-        return scene_schema().dump(indent) + "\n";
+        return scene_schema();
     case SchemaKind::trace:
-        return trace_schema().dump(indent) + "\n";
+        return trace_schema();
     case SchemaKind::claims:
         break;
     }
-    return claims_schema().dump(indent) + "\n";
+    return claims_schema();
 }
 
 } // namespace rastertrace

@@ -8,6 +8,7 @@
 #include "claims_keys.h"
 
 #include <rastertrace/core/numbers/number.h>
+#include <rastertrace/trace/text/schema_parts.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -129,7 +130,7 @@ void define_values(Json& definitions, const std::string& form, Json value) {
 
 } // namespace
 
-Json claims_schema() {
+std::string claims_schema() {
     Json schema = schema_titled("Claims about a scene of rastertrace",
                                 "What somebody worked out by hand, for `rastertrace check`");
     schema.update(object_with(claims_keys));
@@ -151,7 +152,7 @@ Json claims_schema() {
     define_values(definitions, "name",
                   {{"type", {"string", "number", "boolean"}}, {"minLength", 1}});
     schema["definitions"] = std::move(definitions);
-    return schema;
+    return text_of(schema);
 }
 
 } // namespace rastertrace

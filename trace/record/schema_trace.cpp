@@ -10,6 +10,7 @@
 
 #include <rastertrace/core/raster/canvas.h>
 #include <rastertrace/trace/text/method_names.h>
+#include <rastertrace/trace/text/schema_parts.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -181,7 +182,7 @@ Json by_key(std::string_view key, Json then, Json otherwise) {
 
 } // namespace
 
-Json trace_schema() {
+std::string trace_schema() {
     Json schema = schema_titled(
         "A trace of rastertrace",
         "What a rasterizer decided, step by step: a whole document, or one line of JSON Lines");
@@ -195,7 +196,7 @@ Json trace_schema() {
     define_header(definitions);
     define_steps(definitions);
     schema["definitions"] = std::move(definitions);
-    return schema;
+    return text_of(schema);
 }
 
 } // namespace rastertrace

@@ -8,6 +8,7 @@
 
 #include <rastertrace/trace/text/method_names.h>
 #include <rastertrace/trace/text/pipeline_names.h>
+#include <rastertrace/trace/text/schema_parts.h>
 #include <rastertrace/trace/text/stage_name.h>
 
 #include <fmt/core.h>
@@ -142,7 +143,7 @@ Json has_primitives() {
 
 } // namespace
 
-Json scene_schema() {
+std::string scene_schema() {
     Json schema =
         schema_titled("A scene of rastertrace", "What is drawn, on which canvas, by which method");
     schema.update(object_with(scene_keys));
@@ -195,7 +196,7 @@ Json scene_schema() {
     const Json in_quotes{{"type", "string"}, {"pattern", number_pattern()}};
     definitions["frames"] = {{"anyOf", Json::array({whole, in_quotes})}};
     schema["definitions"] = std::move(definitions);
-    return schema;
+    return text_of(schema);
 }
 
 } // namespace rastertrace

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <rastertrace/trace/text/schema_parts.h>
+#include <string>
 
 namespace rastertrace {
 
 /// The schema of a scene, made from the tables of its reader: scene_keys.h, method_names.h and stage_name.h.
-Json scene_schema();
+std::string scene_schema();
 
 } // namespace rastertrace

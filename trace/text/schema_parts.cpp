@@ -94,4 +94,9 @@ Json schema_titled(std::string_view title, std::string_view description) {
             {"description", description}};
 }
 
+std::string text_of(const Json& schema) {
+    constexpr int indent = 2;
+    return schema.dump(indent) + "\n";
+}
+
 } // namespace rastertrace

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace rastertrace {
@@ -54,5 +55,8 @@ void define_canvas(Json& definitions);
 
 /// The beginning of a schema: what it is for.
 Json schema_titled(std::string_view title, std::string_view description);
+
+/// A schema as indented text with a newline at its end.
+std::string text_of(const Json& schema);
 
 } // namespace rastertrace
