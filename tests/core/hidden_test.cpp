@@ -614,7 +614,7 @@ RC_GTEST_PROP(Depth, RowsAndWeightsAgree, ()) {
     RC_PRE(!by_weights.empty()); // without area there are no weights
     for (const Fill fill : {Fill::scanline, Fill::two_halves, Fill::top_left})
         for (const auto& [pixel, depth] : depths(fill)) {
-            RC_ASSERT(by_weights.contains(pixel)); // it has all of the closed triangle
+            RC_ASSERT(by_weights.contains(pixel)); // the closed triangle has them all
             RC_ASSERT(by_weights.at(pixel) == depth);
         }
 }

@@ -414,7 +414,7 @@ Outline star(int count) {
     return in_plane(places);
 }
 
-// What time that takes is looked at by scripts/check-growth.sh.
+// scripts/check-growth.sh measures the time that such faces take.
 TEST(Triangulate, FacesOfEightyThousandCornersAreCut) {
     constexpr int count = random_cases(80000);
     for (const Outline& outline : {comb(count), star(count)})

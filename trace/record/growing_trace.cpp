@@ -39,7 +39,7 @@ struct stat status_of(int descriptor, const std::string& name) {
 /// The bytes of a file, without taking memory. Room for what may be added is set aside: those bytes may be looked at
 /// once they are there.
 std::shared_ptr<const char> mapped(int descriptor, const std::string& name) {
-    // Of addresses of 64 bits, 2^40; of 32 bits, 2^20.
+    // 2^40 bytes with addresses of 64 bits, 2^20 with those of 32 bits.
     constexpr std::size_t most_room = std::size_t{1}
                                       << std::numeric_limits<std::size_t>::digits * 5 / 8;
     const auto size = static_cast<std::size_t>(status_of(descriptor, name).st_size);

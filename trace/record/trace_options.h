@@ -40,7 +40,7 @@ struct StepFilter {
     std::optional<std::string> primitive = {}; ///< those of this primitive and its parts
 };
 
-/// All of it.
+/// How the lines of a trace are laid out, and which steps it has.
 struct TraceOptions {
     TraceLayout layout = TraceLayout::json;
     StepFilter filter;

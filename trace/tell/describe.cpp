@@ -638,20 +638,39 @@ constexpr Part parts[] = {
      }},
 };
 
+/// The part of that name, or nullptr.
+const Part* part_named(std::string_view name) {
+    const auto* const found = std::find_if(std::begin(parts), std::end(parts),
+                                           [name](const Part& part) { return part.name == name; });
+    return found == std::end(parts) ? nullptr : found;
+}
+
+/// {pass?passes:fails}: the words for true and for false of a boolean field.
+struct Choice {
+    std::string_view field;
+    std::string_view if_true;
+    std::string_view if_false;
+};
+std::optional<Choice> choice_in(std::string_view placeholder) {
+    const std::size_t mark = placeholder.find('?');
+    const std::size_t colon = placeholder.find(':', std::min(mark, placeholder.size()));
+    if (colon == std::string_view::npos)
+        return std::nullopt;
+    return Choice{placeholder.substr(0, mark), placeholder.substr(mark + 1, colon - mark - 1),
+                  placeholder.substr(colon + 1)};
+}
+
 /// What stands for a placeholder of a sentence.
 std::string filled_in(std::string_view placeholder, const Context& context) {
-    if (placeholder.starts_with('@'))
-        for (const Part& part : parts)
-            if (part.name == placeholder.substr(1))
-                return part.text(context);
+    if (placeholder.starts_with('@')) {
+        const Part* const part = part_named(placeholder.substr(1));
+        return part != nullptr ? part->text(context) : std::string();
+    }
     if (placeholder.starts_with('#'))
         return std::string(in_language_of_steps(context.step.text(placeholder.substr(1))));
-    if (const std::size_t choice = placeholder.find('?'); choice != std::string_view::npos) {
-        const std::size_t colon = placeholder.find(':');
-        return std::string(context.step.text(placeholder.substr(0, choice)) == "true"
-                               ? placeholder.substr(choice + 1, colon - choice - 1)
-                               : placeholder.substr(colon + 1));
-    }
+    if (const auto choice = choice_in(placeholder))
+        return std::string(context.step.text(choice->field) == "true" ? choice->if_true
+                                                                      : choice->if_false);
     const std::string_view json = context.step.field(placeholder).value_or("");
     return json.starts_with('[') ? point(context.step.texts(placeholder))
                                  : in_sentence(context.step.text(placeholder));
@@ -725,20 +744,17 @@ std::string_view unknown_placeholder(std::string_view pattern, const StepRow& ro
         return std::any_of(row.fields.begin(), row.fields.end(),
                            [name](const StepField& field) { return field.name == name; });
     };
-    const auto is_part = [](std::string_view name) {
-        return std::any_of(std::begin(parts), std::end(parts),
-                           [name](const Part& part) { return part.name == name; });
+    const auto is_known = [&](std::string_view placeholder) {
+        if (placeholder.starts_with('@'))
+            return part_named(placeholder.substr(1)) != nullptr;
+        if (placeholder.starts_with('#'))
+            return is_field(placeholder.substr(1));
+        const auto choice = choice_in(placeholder);
+        return is_field(choice ? choice->field : placeholder);
     };
     for (const auto& [begin, end] : placeholders_in(pattern)) {
         const std::string_view placeholder = pattern.substr(begin + 1, end - begin - 2);
-        const std::size_t choice = placeholder.find('?');
-        const bool is_known = placeholder.starts_with('@')   ? is_part(placeholder.substr(1))
-                              : placeholder.starts_with('#') ? is_field(placeholder.substr(1))
-                              : choice == std::string_view::npos
-                                  ? is_field(placeholder)
-                                  : is_field(placeholder.substr(0, choice)) &&
-                                        placeholder.find(':', choice) != std::string_view::npos;
-        if (!is_known)
+        if (!is_known(placeholder))
             return placeholder;
     }
     return {};
