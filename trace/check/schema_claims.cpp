@@ -152,7 +152,7 @@ std::string claims_schema() {
     define_values(definitions, "name",
                   {{"type", {"string", "number", "boolean"}}, {"minLength", 1}});
     schema["definitions"] = std::move(definitions);
-    return text_of(schema);
+    return schema_text(schema);
 }
 
 } // namespace rastertrace

@@ -196,7 +196,7 @@ std::string trace_schema() {
     define_header(definitions);
     define_steps(definitions);
     schema["definitions"] = std::move(definitions);
-    return text_of(schema);
+    return schema_text(schema);
 }
 
 } // namespace rastertrace

@@ -196,7 +196,7 @@ std::string scene_schema() {
     const Json in_quotes{{"type", "string"}, {"pattern", number_pattern()}};
     definitions["frames"] = {{"anyOf", Json::array({whole, in_quotes})}};
     schema["definitions"] = std::move(definitions);
-    return text_of(schema);
+    return schema_text(schema);
 }
 
 } // namespace rastertrace

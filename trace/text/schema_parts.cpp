@@ -94,7 +94,7 @@ Json schema_titled(std::string_view title, std::string_view description) {
             {"description", description}};
 }
 
-std::string text_of(const Json& schema) {
+std::string schema_text(const Json& schema) {
     constexpr int indent = 2;
     return schema.dump(indent) + "\n";
 }

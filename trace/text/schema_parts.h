@@ -57,6 +57,6 @@ void define_canvas(Json& definitions);
 Json schema_titled(std::string_view title, std::string_view description);
 
 /// A schema as indented text with a newline at its end.
-std::string text_of(const Json& schema);
+std::string schema_text(const Json& schema);
 
 } // namespace rastertrace
