@@ -562,7 +562,7 @@ struct CopiedStep {
 
 CopiedStep copied(const StepView& step, const std::string& in) {
     CopiedStep copy{std::string(step.json()), step.kind_name()};
-    const auto& fields = row_of(*step.kind()).fields;
+    const auto& fields = fields_of(*step.kind());
     const bool has_name = std::any_of(fields.begin(), fields.end(),
                                       [](const auto& field) { return field.name == "name"; });
     if (!in.empty() && !has_name) {

@@ -26,7 +26,7 @@ using testing::HasSubstr;
 
 /// True of a field that says which step is meant.
 bool is_key(const std::string& kind, const std::string& field) {
-    const auto& fields = row_of(*step_kind_named(kind)).fields;
+    const auto& fields = fields_of(*step_kind_named(kind));
     return field == "in" ||
            std::any_of(fields.begin(), fields.end(), [&field](const StepField& one) {
                return one.name == field && one.role == FieldRole::key;

@@ -214,7 +214,7 @@ void change_every_field(const std::string& name, const std::string& trace) {
             EXPECT_EQ(found.first->kind, kind);
 
             // Either the field differs, or, if it is a key, one step is there instead of another.
-            const auto& fields = row_of(*step_kind_named(kind)).fields;
+            const auto& fields = fields_of(*step_kind_named(kind));
             const bool is_key =
                 std::any_of(fields.begin(), fields.end(), [&](const StepField& field) {
                     return field.name == key && field.role == FieldRole::key;
@@ -378,7 +378,7 @@ TEST(Diff, ExactAgainstDoubleTellsOnlyWhatDiffersInValue) {
             const Json of_a = Json::parse(a.steps[n]);
             const Json of_b = Json::parse(b.steps[n]);
             is_aligned = of_a["step"] == of_b["step"];
-            for (const auto& field : row_of(*step_kind_named(std::string(of_a["step"]))).fields) {
+            for (const auto& field : fields_of(*step_kind_named(std::string(of_a["step"])))) {
                 const std::string name(field.name);
                 is_aligned = is_aligned && (field.role != FieldRole::key || !of_a.contains(name) ||
                                             (of_b.contains(name) && of_a[name] == of_b[name]));

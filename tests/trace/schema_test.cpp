@@ -83,7 +83,7 @@ TEST(Schema, EveryKeyHasAMeaning) {
 TEST(Schema, HasEveryStepAndEveryChoiceOfTheMethod) {
     const Json steps = Json::parse(schema_of(SchemaKind::trace))["definitions"];
     for (const std::string_view name : step_kind_names())
-        for (const StepField& field : row_of(*step_kind_named(name)).fields)
+        for (const StepField& field : fields_of(*step_kind_named(name)))
             EXPECT_TRUE(steps["step-" + std::string(name)]["properties"].contains(field.name))
                 << name << " " << field.name;
     const Json method = Json::parse(schema_of(SchemaKind::scene))["definitions"]["method"];

@@ -52,9 +52,9 @@ std::string expected_of_number(std::string_view text, NumberFault fault,
 
 std::vector<ClaimField> claim_fields_of(StepKind kind) {
     std::vector<ClaimField> fields;
-    for (const StepField& field : row_of(kind).fields)
+    for (const StepField& field : fields_of(kind))
         fields.push_back({.name = field.name,
-                          .type = field.type == list ? element_type_of(field) : field.type,
+                          .type = field.element,
                           .is_list = field.type == list,
                           .is_key = field.role == FieldRole::key});
     for (const DerivedField& derived : derived_fields)

@@ -13,7 +13,7 @@
 namespace rastertrace {
 
 const StepField* field_of(StepKind kind, std::string_view name) {
-    const auto& fields = row_of(kind).fields;
+    const auto& fields = fields_of(kind);
     const auto found = std::find_if(fields.begin(), fields.end(),
                                     [&](const StepField& field) { return field.name == name; });
     return found == fields.end() ? nullptr : &*found;
@@ -105,10 +105,10 @@ private:
 
     /// Without its keys, nobody knows what a claim is about. All decisions of a line have no place.
     void check_keys(const StepIndex::Keys& keys) const {
-        for (const StepField& field : row_of(kind_).fields) {
+        for (const StepField& field : fields_of(kind_)) {
             const bool is_there = std::any_of(
                 keys.begin(), keys.end(), [&](const auto& key) { return key.first == field.name; });
-            if (field.role == FieldRole::key && field.is_required && !is_there && !is_whole_line())
+            if (field.role == FieldRole::key && field.is_required() && !is_there && !is_whole_line())
                 fail("", fmt::format("expected the `{}` that this claim is about, found none",
                                      field.name));
         }

@@ -62,7 +62,7 @@ namespace {
 
 /// A value as it is compared in a field: numbers by what they are, names as they stand.
 std::string compared(StepKind kind, std::string_view field, const std::string& value) {
-    const auto& fields = row_of(kind).fields;
+    const auto& fields = fields_of(kind);
     const bool is_number = std::any_of(fields.begin(), fields.end(), [&](const StepField& one) {
         return one.name == field &&
                (one.type == FieldType::whole || one.type == FieldType::quantity);

@@ -39,9 +39,9 @@ std::optional<std::string_view> value_in(const std::vector<Field>& fields, std::
 std::optional<FieldType> type_of(std::optional<StepKind> kind, std::string_view name) {
     if (!kind)
         return std::nullopt;
-    for (const StepField& field : row_of(*kind).fields)
+    for (const StepField& field : fields_of(*kind))
         if (field.name == name)
-            return field.type == FieldType::list ? element_type_of(field) : field.type;
+            return field.element;
     return std::nullopt;
 }
 

@@ -58,13 +58,13 @@ bool have_field(const TraceText& a, const TraceText& b, std::string_view field) 
 /// What is wrong with a field of a kind that we know, for an option: it is a key, which steps are found by, or no
 /// number; "" if nothing is.
 std::string_view fault_of_field(std::string_view option, StepKind kind, std::string_view name) {
-    for (const StepField& field : row_of(kind).fields) {
+    for (const StepField& field : fields_of(kind)) {
         if (field.name != name)
             continue;
-        const FieldType type = field.type == FieldType::list ? element_type_of(field) : field.type;
         if (field.role == FieldRole::key)
             return "steps are found by it";
-        if (option == "--tolerance" && type != FieldType::whole && type != FieldType::quantity)
+        if (option == "--tolerance" && field.element != FieldType::whole &&
+            field.element != FieldType::quantity)
             return "it is no number";
     }
     return "";
@@ -90,7 +90,7 @@ void check_name(std::string_view option, std::string_view kind, std::string_view
         return;
     std::vector<std::string_view> names;
     if (known)
-        for (const StepField& one : row_of(*known).fields)
+        for (const StepField& one : fields_of(*known))
             names.push_back(one.name);
     const bool is_known = std::find(names.begin(), names.end(), field) != names.end();
     if (!is_known && !have_field(a, b, field))

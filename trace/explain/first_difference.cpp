@@ -23,9 +23,9 @@ struct Decision {
     std::string decided; ///< "" where nothing is: that it is there is what was decided
 };
 
-std::string fields_of(const StepView& step, StepKind kind, FieldRole role) {
+std::string told_by(const StepView& step, StepKind kind, FieldRole role) {
     std::string text;
-    for (const StepField& field : row_of(kind).fields)
+    for (const StepField& field : fields_of(kind))
         if (field.role == role)
             text += std::string(field.name) + "=" +
                     std::string(step.field(field.name).value_or("")) + " ";
@@ -46,7 +46,7 @@ bool is_moved(const StepView& vertex) {
 
 std::string decided_by(const StepView& step, StepKind kind) {
     return kind == StepKind::vertex && !is_moved(step) ? std::string()
-                                                       : fields_of(step, kind, FieldRole::decision);
+                                                       : told_by(step, kind, FieldRole::decision);
 }
 
 /// True of a row that does not have the pixel that is asked about.
@@ -104,8 +104,7 @@ Decisions decisions_in(const Trace& trace) {
         if (kind == StepKind::primitive)
             primitive = step.text("name");
         // Where there are several of one key, the first is the first, and so on.
-        std::string key =
-            std::string(name_of(*kind)) + " " + fields_of(step, *kind, FieldRole::key);
+        std::string key = std::string(name_of(*kind)) + " " + told_by(step, *kind, FieldRole::key);
         key += std::to_string(++count[primitive + " " + key]);
         decisions.places.emplace(primitive + "\n" + key, decisions.all.size());
         decisions.all.push_back({n, *kind, primitive, key, decided_by(step, *kind)});

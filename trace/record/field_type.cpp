@@ -81,15 +81,15 @@ bool has_type(std::string_view json, FieldType type) {
 }
 
 bool has_type_of(std::string_view json, const StepField& field) {
-    if (field.may_be_null && json == "null")
+    if (field.may_be_null() && json == "null")
         return true;
     const bool is_list = field.type == FieldType::list;
     if (is_list != json.starts_with('['))
         return false;
-    if (holds_color(field.name))
+    if (field.is_color)
         return all_in(json, is_color);
-    const FieldType type = is_list ? element_type_of(field) : field.type;
-    return all_in(json, [type](std::string_view value) { return has_type(value, type); });
+    return all_in(json,
+                  [&field](std::string_view value) { return has_type(value, field.element); });
 }
 
 std::string_view expected_for(FieldType type) {
@@ -109,13 +109,13 @@ std::string_view expected_for(FieldType type) {
 }
 
 std::string_view expected_for(const StepField& field) {
-    if (holds_color(field.name))
+    if (field.is_color)
         return field.type == FieldType::list ? R"(an array of colors like "#ff8000")"
                                              : R"(a color like "#ff8000")";
     if (field.type != FieldType::list)
-        return field.may_be_null ? R"(a number, an exact one like "25/8", or null)"
-                                 : expected_for(field.type);
-    switch (element_type_of(field)) {
+        return field.may_be_null() ? R"(a number, an exact one like "25/8", or null)"
+                                   : expected_for(field.type);
+    switch (field.element) {
     case FieldType::string:
         return "an array of strings";
     case FieldType::boolean:

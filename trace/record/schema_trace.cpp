@@ -55,11 +55,9 @@ std::string_view meaning_of_role(FieldRole role) {
 
 Json schema_of_field(const StepField& field) {
     const bool is_list = field.type == FieldType::list;
-    const std::string_view value = holds_color(field.name) ? "color"
-                                   : is_list               ? form_of(element_type_of(field))
-                                                           : form_of(field.type);
+    const std::string_view value = field.is_color ? "color" : form_of(field.element);
     const std::string form = is_list ? fmt::format("list-of-{}", value) : std::string(value);
-    if (!field.may_be_null)
+    if (!field.may_be_null())
         return reference_to(form, meaning_of_role(field.role));
     const Json null{{"type", "null"}};
     return {{"description", fmt::format("{}; null if there is none", meaning_of_role(field.role))},
@@ -71,9 +69,9 @@ Json schema_of_step(const StepRow& row) {
     Json schema{{"description", fmt::format("Fires when {}", row.fires)},
                 {"properties", Json::object()}};
     Json required = Json::array();
-    for (const StepField& field : row.fields) {
+    for (const StepField& field : fields_of(row.kind)) {
         schema["properties"][std::string(field.name)] = schema_of_field(field);
-        if (field.is_required)
+        if (field.is_required())
             required.push_back(field.name);
     }
     if (!required.empty())

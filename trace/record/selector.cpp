@@ -150,7 +150,7 @@ private:
         }
         selector_.kind = word;
         if (const auto kind = step_kind_named(word))
-            fields_ = row_of(*kind).fields;
+            fields_ = fields_of(*kind);
     }
 
     /// field=value, or a word for the value of a boolean.
@@ -253,8 +253,8 @@ private:
 
     const Trace& trace_;
     Selector selector_;
-    std::vector<StepField> fields_; ///< of the kind; none of a kind that we do not know
-    std::size_t begin_ = 0;         ///< of the current word
+    std::span<const StepField> fields_; ///< of the kind; none of a kind that we do not know
+    std::size_t begin_ = 0;             ///< of the current word
     std::size_t end_ = 0;
 };
 

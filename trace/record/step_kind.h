@@ -2,15 +2,16 @@
 #pragma once
 
 // The kinds of step that a trace file knows by name: one row each in one table (step_kind.cpp), which says
-// what a step has and how its sentence reads. Who reads, describes or compares steps asks here.
+// how its sentence reads; what it has, the table beside its struct says (traced_steps.h).
 //
-//     row_of(StepKind::scanline).fields;  // y, left, right, from, ...
+//     fields_of(StepKind::scanline);  // y, left, right, from, ...
 
 #include <rastertrace/trace/text/language.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -59,18 +60,28 @@ enum class FieldRole : std::uint8_t {
     told,     ///< for who wants to know
 };
 
+/// Whether a step must have a field.
+enum class FieldNeed : std::uint8_t {
+    none,
+    required, ///< without it the step cannot be understood
+    or_null,  ///< it may be absent, or null where there is no such number
+};
+
 struct StepField {
     std::string_view name;
     FieldType type;
+    FieldType element; ///< of a list: what its values are, or those of the lists in it; else `type`
+    bool is_color;     ///< a string that is a color, or a list of them
     FieldRole role;
-    bool is_required = false; ///< without it the step cannot be understood
-    bool may_be_null = false; ///< null where there is no such number
+    FieldNeed need;
+    bool is_required() const { return need == FieldNeed::required; }
+    bool may_be_null() const { return need == FieldNeed::or_null; }
 };
 
-/// What the values of a list are, or those of the lists in it.
-FieldType element_type_of(const StepField& list);
+/// The fields of a kind, in the order in which they are written: the table beside its struct (traced_steps.h).
+std::span<const StepField> fields_of(StepKind kind);
 
-/// All about a kind of step.
+/// The rest about a kind of step.
 struct StepRow {
     StepKind kind;
     std::string_view name;  ///< the value of "step"
@@ -79,8 +90,6 @@ struct StepRow {
     /// Its sentence, in each language: {x} is the field x, a list as (1, 2); {#x} is one of the words that traces have
     /// (language.h); {pass?passes:fails} chooses by a boolean; {@name} is worked out by describe.cpp.
     Words sentence;
-
-    std::vector<StepField> fields; ///< in the order in which they are written
 };
 
 /// The row of a kind.

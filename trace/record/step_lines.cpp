@@ -35,7 +35,7 @@ std::string key_of(const StepLine& line) {
     std::string key = line.kind_name;
     const StepView step(line.json);
     if (line.kind) {
-        for (const StepField& field : row_of(*line.kind).fields)
+        for (const StepField& field : fields_of(*line.kind))
             if (field.role == FieldRole::key)
                 if (step.field(field.name))
                     add_key(key, field.name, step);

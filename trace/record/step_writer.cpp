@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "step_writer.h"
 
+#include "traced_value.h"
+
 #include <rastertrace/trace/text/color_text.h>
 #include <rastertrace/trace/text/primitive_name.h>
 #include <rastertrace/trace/text/text.h>
@@ -17,41 +19,6 @@ namespace {
 
 /// What the buffer holds before it is handed on.
 constexpr std::size_t buffer_size = 256 * 1024;
-
-std::string_view name_of(SkipReason reason) {
-    switch (reason) {
-    case SkipReason::off_canvas:
-        return "off canvas";
-    case SkipReason::zero_area:
-        return "zero area";
-    case SkipReason::culled:
-        return "culled";
-    case SkipReason::behind_eye:
-        return "behind the eye";
-    case SkipReason::too_near:
-        return "too near";
-    case SkipReason::too_far:
-        return "too far";
-    case SkipReason::outside_view:
-        return "outside the view";
-    case SkipReason::last_pixel_only:
-        return "its only pixel is its last, which is left out";
-    case SkipReason::between_rows:
-        break;
-    }
-    return "between rows";
-}
-
-std::string_view name_of(Space space) {
-    constexpr std::array<std::string_view, 6> names{"object", "world",     "camera",
-                                                    "clip",   "canonical", "screen"};
-    return names[static_cast<std::size_t>(space)];
-}
-
-std::string_view name_of(Move move) {
-    constexpr std::array<std::string_view, 8> names{"E", "NE", "N", "NW", "W", "SW", "S", "SE"};
-    return names[static_cast<std::size_t>(move)];
-}
 
 } // namespace
 
@@ -101,7 +68,7 @@ void StepWriter::write_labels() {
 void StepWriter::begin_primitive_line(PrimitiveKind kind, std::string_view name,
                                       std::span<const std::string_view> vertices) {
     begin_line(StepKind::primitive);
-    put(R"({"step":"primitive","kind":")", name_of(kind), R"(","name":)",
+    put(R"({"step":"primitive","kind":")", word_of(kind), R"(","name":)",
         std::string_view(json_quoted(name)), R"(,"vertices":[)");
     for (std::size_t i = 0; i < vertices.size(); ++i)
         put(std::string_view(i == 0 ? "" : ","), std::string_view(json_quoted(vertices[i])));
@@ -133,7 +100,7 @@ std::string_view StepWriter::field_of(DepthReason reason) {
 void StepWriter::begin_vertex_line(std::string_view name, Space space) {
     begin_line(StepKind::vertex);
     put(R"({"step":"vertex","name":)", std::string_view(json_quoted(name)), R"(,"space":")",
-        name_of(space), "\"");
+        word_of(space), "\"");
 }
 
 void StepWriter::put_names(std::string_view key, std::span<const std::string_view> names) {
@@ -210,7 +177,7 @@ void StepWriter::operator()(const LineDecided& step) {
         return;
     begin_line(StepKind::decide);
     put(R"({"step":"decide","x":)", step.pixel.x, R"(,"y":)", step.pixel.y, R"(,"d":)", step.d,
-        R"(,"move":")", name_of(step.move), "\"}");
+        R"(,"move":")", word_of(step.move), "\"}");
 }
 
 void StepWriter::operator()(const PixelsRejected& step) {
@@ -245,7 +212,7 @@ void StepWriter::operator()(const PrimitiveSkipped& step) {
         return;
     begin_line(StepKind::skip);
     put(R"({"step":"skip","name":)", std::string_view(json_quoted(name_)), R"(,"why":")",
-        name_of(step.why), "\"}");
+        word_of(step.why), "\"}");
 }
 
 void StepWriter::operator()(const BoundExceeded& step) {

@@ -137,7 +137,7 @@ std::vector<Problem> Trace::faults_in_step(std::size_t n) const {
         return {};
     const StepView view = step(n);
     const std::string_view json = view.json();
-    const auto& known = row_of(*kind).fields;
+    const auto& known = fields_of(*kind);
     std::vector<Problem> faults;
     JsonScanner fields(json);
     while (fields.next_field()) {
@@ -170,8 +170,8 @@ namespace {
 /// Throws a Problem if a step lacks a field that it cannot be understood without, or has a wrong one.
 void check_fields(StepKind kind, const Source& source, std::size_t begin, std::string_view json) {
     const StepView step(json);
-    for (const StepField& field : row_of(kind).fields) {
-        if (!field.is_required)
+    for (const StepField& field : fields_of(kind)) {
+        if (!field.is_required())
             continue;
         const auto value = step.field(field.name);
         if (!value)
@@ -188,8 +188,8 @@ void check_fields(StepKind kind, const Source& source, std::size_t begin, std::s
 /// Throws a Problem if a step has something else where a color belongs.
 void check_colors(StepKind kind, const Source& source, std::size_t begin, std::string_view json) {
     const StepView step(json);
-    for (const StepField& field : row_of(kind).fields) {
-        const auto value = holds_color(field.name) ? step.field(field.name) : std::nullopt;
+    for (const StepField& field : fields_of(kind)) {
+        const auto value = field.is_color ? step.field(field.name) : std::nullopt;
         if (value && !has_type_of(*value, field))
             throw problem_at(
                 source, begin + static_cast<std::size_t>(value->data() - json.data()),
@@ -246,9 +246,9 @@ void note_not_finite(NotFiniteSteps& noted, const Source& source, std::size_t be
     if (json.find(nan) == std::string_view::npos && json.find(infinity) == std::string_view::npos)
         return; // nearly always
     const StepView step(json);
-    for (const StepField& field : row_of(kind).fields) {
-        const FieldType type = field.type == FieldType::list ? element_type_of(field) : field.type;
-        const auto value = type == FieldType::quantity ? step.field(field.name) : std::nullopt;
+    for (const StepField& field : fields_of(kind)) {
+        const auto value =
+            field.element == FieldType::quantity ? step.field(field.name) : std::nullopt;
         const auto found = value ? not_finite_in(*value) : std::nullopt;
         if (!found)
             continue;

@@ -53,6 +53,9 @@ public:
     /// The pixel of a `pixel` step of which only that is held; nullptr else.
     const Pixel* plain_pixel() const { return is_pixel_ ? &pixel_ : nullptr; }
 
+    /// The step as its kind has it (traced_steps.h); Step is that of its kind. A view, as this one is.
+    template <typename Step> Step as() const;
+
     /// The JSON of a field, or nothing if the step has no such field; valid as long as this view.
     std::optional<std::string_view> field(std::string_view name) const&;
     std::optional<std::string> field(std::string_view name) const&& {

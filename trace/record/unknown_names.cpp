@@ -41,14 +41,14 @@ void UnknownNames::add(const StepView& step, std::optional<StepKind> kind) {
             ++kinds_[step.kind_name()];
         return;
     }
-    const StepRow& row = row_of(*kind);
+    const auto known = fields_of(*kind);
     JsonScanner fields(step.json());
     while (fields.next_field()) {
         const auto is_field = [&fields](const StepField& field) {
             return field.name == fields.key();
         };
-        if (fields.key() != "step" && std::none_of(row.fields.begin(), row.fields.end(), is_field))
-            ++fields_[fmt::format("{}.{}", row.name, fields.key())];
+        if (fields.key() != "step" && std::none_of(known.begin(), known.end(), is_field))
+            ++fields_[fmt::format("{}.{}", name_of(*kind), fields.key())];
     }
 }
 

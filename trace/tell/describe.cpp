@@ -740,8 +740,8 @@ std::vector<std::string_view> pieces_of(std::string_view pattern) {
 }
 
 std::string_view unknown_placeholder(std::string_view pattern, const StepRow& row) {
-    const auto is_field = [&row](std::string_view name) {
-        return std::any_of(row.fields.begin(), row.fields.end(),
+    const auto is_field = [fields = fields_of(row.kind)](std::string_view name) {
+        return std::any_of(fields.begin(), fields.end(),
                            [name](const StepField& field) { return field.name == name; });
     };
     const auto is_known = [&](std::string_view placeholder) {

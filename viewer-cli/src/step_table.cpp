@@ -72,7 +72,7 @@ bool is_told_as_table(StepKind kind) {
 
 std::string StepTable::head() const {
     std::vector<std::string> columns{"step"};
-    for (const StepField& field : row_.fields)
+    for (const StepField& field : fields_of(row_.kind))
         columns.emplace_back(field.name);
     switch (format_) {
     case TableFormat::markdown: {
@@ -94,7 +94,7 @@ std::string StepTable::head() const {
 std::string StepTable::line(const Replay& replay) {
     const StepView step = replay.trace().step(replay.step());
     std::vector<std::string> cells{std::to_string(replay.step())};
-    for (const StepField& field : row_.fields)
+    for (const StepField& field : fields_of(row_.kind))
         cells.push_back(text_of(step, field.name));
     const bool is_first = is_first_;
     is_first_ = false;
