@@ -281,7 +281,7 @@ private:
         };
         for (std::size_t i = 0; i < step_kinds; ++i) {
             const StepRow& row = row_of(static_cast<StepKind>(i));
-            add(row.name, row.sentence.in(language_of_steps()));
+            add(name_of(row.kind), row.sentence.in(language_of_steps()));
         }
         add("unknown", "{step}");
         return kinds.text();

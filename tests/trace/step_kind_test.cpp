@@ -81,7 +81,7 @@ TEST(StepKinds, EveryPlaceholderOfTheirSentencesIsKnown) {
     for (std::size_t i = 0; i < step_kinds; ++i) {
         const StepRow& row = row_of(static_cast<StepKind>(i));
         for (const Language language : {Language::english, Language::portuguese})
-            EXPECT_EQ(unknown_placeholder(row.sentence.in(language), row), "") << row.name;
+            EXPECT_EQ(unknown_placeholder(row.sentence.in(language), row), "") << name_of(row.kind);
     }
     const StepRow& face = row_of(StepKind::face);
     EXPECT_EQ(unknown_placeholder("{normal} {@cosine} {#name} {culled?no:yes}", face), "");

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "frame.h"
 
-#include "field_type.h"
-
-#include <rastertrace/trace/text/color_text.h>
-#include <rastertrace/trace/text/json_scanner.h>
+#include "traced_steps.h"
 
 #include <algorithm>
 #include <utility>
@@ -118,13 +115,13 @@ void Replay::plot(const StepView& step) {
 }
 
 void Replay::test_depth(const StepView& step) {
-    const DepthTest test = depth_test_in(step);
+    const auto test = step.as<DepthStep>();
     if (!trace_.canvas.contains(test.x, test.y))
         return;
     const std::size_t offset =
         trace_.canvas.offset_of({static_cast<int>(test.x), static_cast<int>(test.y)});
     place_.stored_before = frame_.stored_by[offset];
-    if (!test.is_stored)
+    if (!stores_depth(test))
         return;
     frame_.stored_by[offset] = place_.step;
     has_changed_[offset / tile_size] = 1;
@@ -140,7 +137,7 @@ const std::vector<std::size_t>& Replay::places_of(const std::string& vertex) con
     for (; steps_with_places_ < trace_.size(); ++steps_with_places_) {
         const std::size_t n = steps_with_places_ + 1;
         if (trace_.kind_of(n) == StepKind::vertex)
-            places_[trace_.step(n).text("name")].push_back(n);
+            places_[trace_.step(n).as<VertexStep>().name.text()].push_back(n);
     }
     static const std::vector<std::size_t> none;
     const auto found = places_.find(vertex);
@@ -149,48 +146,24 @@ const std::vector<std::size_t>& Replay::places_of(const std::string& vertex) con
 
 std::optional<PlottedPixel> plotted_by(const StepView& step, const Canvas& canvas,
                                        Color of_primitive) {
-    if (const Pixel* const pixel = step.plain_pixel())
-        return canvas.contains(pixel->x, pixel->y)
-                   ? std::optional(PlottedPixel{*pixel, of_primitive})
-                   : std::nullopt;
-    std::optional<Index> x;
-    std::optional<Index> y;
-    Color color = of_primitive;
-    // In one go: a player goes through some hundred thousand steps between two keys.
-    JsonScanner fields(step.json());
-    while (fields.next_field()) {
-        if (fields.key() == "x")
-            x = whole_in(fields.value());
-        else if (fields.key() == "y")
-            y = whole_in(fields.value());
-        else if (fields.key() == "color")
-            color = parse_color(plain_text(fields.value())).value_or(of_primitive);
-    }
-    if (!canvas.contains(*x, *y))
+    const auto pixel = step.as<PixelStep>();
+    if (!canvas.contains(pixel.x, pixel.y))
         return std::nullopt;
-    return PlottedPixel{{static_cast<int>(*x), static_cast<int>(*y)}, color};
+    return PlottedPixel{{static_cast<int>(pixel.x), static_cast<int>(pixel.y)},
+                        pixel.color ? pixel.color.color().value_or(of_primitive) : of_primitive};
+}
+
+bool stores_depth(const DepthStep& test) {
+    return test.pass.is_true() && !test.side_of && !test.beside;
 }
 
 DepthTest depth_test_in(const StepView& step) {
-    DepthTest test;
-    bool leaves_nearer = false;
-    JsonScanner fields(step.json()); // in one go, as above
-    while (fields.next_field()) {
-        if (fields.key() == "x")
-            test.x = *whole_in(fields.value());
-        else if (fields.key() == "y")
-            test.y = *whole_in(fields.value());
-        else if (fields.key() == "pass")
-            test.passes = fields.value() == "true";
-        else if (fields.key() == "side_of" || fields.key() == "beside")
-            leaves_nearer = true;
-    }
-    test.is_stored = test.passes && !leaves_nearer;
-    return test;
+    const auto test = step.as<DepthStep>();
+    return {test.x, test.y, test.pass.is_true(), stores_depth(test)};
 }
 
 Color color_of_primitive(const StepView& step) {
-    return parse_color(step.text("color")).value_or(Color{});
+    return step.as<PrimitiveStep>().color.color().value_or(Color{});
 }
 
 Frame frame_after(const Trace& trace, std::size_t n) {

@@ -154,6 +154,8 @@ private:
     mutable std::size_t steps_with_places_ = 0;
 };
 
+struct DepthStep;
+
 /// A pixel that a step plots.
 struct PlottedPixel {
     Pixel pixel;
@@ -163,6 +165,9 @@ struct PlottedPixel {
 /// What a `pixel` step plots, if it lies on the canvas. Without a color of its own it has that of its primitive.
 std::optional<PlottedPixel> plotted_by(const StepView& step, const Canvas& canvas,
                                        Color of_primitive);
+
+/// True if the depth of a test is in the buffer from then on: what passes a nearer depth leaves that there.
+bool stores_depth(const DepthStep& test);
 
 /// What a `depth` step says of its pixel.
 struct DepthTest {

@@ -10,83 +10,83 @@ namespace {
 
 // clang-format off
 const std::array<StepRow, step_kinds> table{{
-    {StepKind::triangulate, "triangulate", "a face that is not convex has been cut into triangles",
+    {StepKind::triangulate, "a face that is not convex has been cut into triangles",
      {"{@face} is not convex; its normal {normal} is largest in {drops}, which is dropped; ears: {@ears}",
       "{@face} não é convexa; sua normal {normal} é maior em {drops}, que é descartada; orelhas: {@ears}"}},
 
-    {StepKind::matrix, "matrix", "a transform is set up",
+    {StepKind::matrix, "a transform is set up",
      {"{#name} matrix{@of_object}{@factors}:{@rows}",
       "matriz de {#name}{@of_object}{@factors}:{@rows}"}},
 
-    {StepKind::vertex, "vertex", "a vertex enters a space",
+    {StepKind::vertex, "a vertex enters a space",
      {"vertex {name} in {#space} space: {@place}{@snapped}",
       "vértice {name} no espaço {#space}: {@place}{@snapped}"}},
 
-    {StepKind::order, "order", "the painter has sorted the triangles",
+    {StepKind::order, "the painter has sorted the triangles",
      {"the painter draws, farthest first:{@farthest_first}",
       "o pintor desenha, do mais distante ao mais próximo:{@farthest_first}"}},
 
-    {StepKind::primitive, "primitive", "a primitive begins",
+    {StepKind::primitive, "a primitive begins",
      {"{#kind} {name}{@corners}{@octant}{@painted}",
       "{#kind} {name}{@corners}{@octant}{@painted}"}},
 
-    {StepKind::face, "face", "a face is tested",
+    {StepKind::face, "a face is tested",
      {"face {@primitive}: normal {normal} . {@toward} {view} = {dot}{@cosine}: {culled?culled:drawn}",
       "face {@primitive}: normal {normal} . {@toward} {view} = {dot}{@cosine}: {culled?eliminada:desenhada}"}},
 
-    {StepKind::light, "light", "a face is lit",
+    {StepKind::light, "a face is lit",
      {"light on {@primitive}: normal {normal} . light {light} = {dot}, intensity {@intensity}, color {color}{@level}",
       "luz em {@primitive}: normal {normal} . luz {light} = {dot}, intensidade {@intensity}, cor {color}{@level}"}},
 
-    {StepKind::clip, "clip", "a primitive meets a plane with a vertex outside it",
+    {StepKind::clip, "a primitive meets a plane with a vertex outside it",
      {"{name} clipped at the {#plane} plane: {@inside} vertices inside, {out} left",
       "{name} recortado no plano {#plane}: {@inside} vértices dentro, restam {out}"}},
 
-    {StepKind::edge, "edge", "an edge is set up, or a side is about to be drawn",
+    {StepKind::edge, "an edge is set up, or a side is about to be drawn",
      {"{@edge}",
       "{@edge}"}},
 
-    {StepKind::half, "half", "a half of a `two-halves` fill begins",
+    {StepKind::half, "a half of a `two-halves` fill begins",
      {"{#half} half: {@rows_of_half}",
       "metade {#half}: {@rows_of_half}"}},
 
-    {StepKind::ray, "ray", "a line of the fan begins",
+    {StepKind::ray, "a line of the fan begins",
      {"a line begins at ({x}, {y}){@line_to}",
       "um segmento começa em ({x}, {y}){@line_to}"}},
 
-    {StepKind::scanline, "scanline", "the two ends of a row are known",
+    {StepKind::scanline, "the two ends of a row are known",
      {"scanline y={y}{@samples}   {@left_end}   {@right_end}{@depths_of_row}{@empty}",
       "linha y={y}{@samples}   {@left_end}   {@right_end}{@depths_of_row}{@empty}"}},
 
-    {StepKind::along, "along", "a `naive` or `dda` line is at a step of its major axis",
+    {StepKind::along, "a `naive` or `dda` line is at a step of its major axis",
      {"{@along} = {@slope_form}{value}{@rule_of_line} -> {pixel}",
       "{@along} = {@slope_form}{value}{@rule_of_line} -> {pixel}"}},
 
-    {StepKind::decide, "decide", "Bresenham chooses",
+    {StepKind::decide, "Bresenham chooses",
      {"at ({x}, {y}): d = {d} {@sign_of_d} to {move}{@next_d}",
       "em ({x}, {y}): d = {d} {@sign_of_d} para {move}{@next_d}"}},
 
-    {StepKind::sample, "sample", "`barycentric` tests a pixel",
+    {StepKind::sample, "`barycentric` tests a pixel",
      {"sample of ({x}, {y}):{@weights}: {inside?none is negative, inside:one is negative, outside}",
       "amostra de ({x}, {y}):{@weights}: {inside?nenhum é negativo, dentro:um é negativo, fora}"}},
 
-    {StepKind::depth, "depth", "a pixel meets the depth buffer",
+    {StepKind::depth, "a pixel meets the depth buffer",
      {"depth at ({x}, {y}): {depth} against {@against}: {pass?passes:fails}{@depth_rule}",
       "profundidade em ({x}, {y}): {depth} contra {@against}: {pass?passa:falha}{@depth_rule}"}},
 
-    {StepKind::pixel, "pixel", "a pixel is plotted",
+    {StepKind::pixel, "a pixel is plotted",
      {"pixel ({x}, {y}){@color}{@reason}{@drawn_over}",
       "pixel ({x}, {y}){@color}{@reason}{@drawn_over}"}},
 
-    {StepKind::reject, "reject", "pixels are dropped",
+    {StepKind::reject, "pixels are dropped",
      {"{@dropped}: dropped, {#why}",
       "{@dropped}: não se desenha, {#why}"}},
 
-    {StepKind::skip, "skip", "a primitive draws nothing",
+    {StepKind::skip, "a primitive draws nothing",
      {"{@kind} {@primitive}: skipped, {#why}",
       "{@kind} {@primitive}: omitido, {#why}"}},
 
-    {StepKind::undecided, "undecided", "with `adaptive`: doubles leave a decision about the primitive open",
+    {StepKind::undecided, "with `adaptive`: doubles leave a decision about the primitive open",
      {"{@what_is_open}; drawn in exact numbers",
       "{@what_is_open}; desenhado com números exatos"}},
 }};
@@ -99,21 +99,18 @@ const StepRow& row_of(StepKind kind) {
 }
 
 std::string_view name_of(StepKind kind) {
-    return row_of(kind).name;
+    return step_names[static_cast<std::size_t>(kind)];
 }
 
 std::optional<StepKind> step_kind_named(std::string_view name) {
-    for (const StepRow& row : table)
-        if (row.name == name)
-            return row.kind;
-    return std::nullopt;
+    const auto* const found = std::find(step_names.begin(), step_names.end(), name);
+    return found == step_names.end()
+               ? std::nullopt
+               : std::optional(static_cast<StepKind>(found - step_names.begin()));
 }
 
 std::vector<std::string_view> step_kind_names() {
-    std::vector<std::string_view> names;
-    for (const StepRow& row : table)
-        names.push_back(row.name);
-    return names;
+    return {step_names.begin(), step_names.end()};
 }
 
 } // namespace rastertrace

@@ -8,6 +8,7 @@
 
 #include <rastertrace/trace/text/language.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -41,7 +42,13 @@ enum class StepKind {
     undecided,
 };
 
-inline constexpr std::size_t step_kinds = 20;
+/// The value of "step" of each.
+inline constexpr std::array<std::string_view, 20> step_names{
+    "triangulate", "matrix", "vertex", "order",  "primitive", "face",     "light",
+    "clip",        "edge",   "half",   "ray",    "scanline",  "along",    "decide",
+    "sample",      "depth",  "pixel",  "reject", "skip",      "undecided"};
+
+inline constexpr std::size_t step_kinds = step_names.size();
 
 /// What a field of a step holds.
 enum class FieldType : std::uint8_t {
@@ -84,7 +91,6 @@ std::span<const StepField> fields_of(StepKind kind);
 /// The rest about a kind of step.
 struct StepRow {
     StepKind kind;
-    std::string_view name;  ///< the value of "step"
     std::string_view fires; ///< "the two ends of a row are known"
 
     /// Its sentence, in each language: {x} is the field x, a list as (1, 2); {#x} is one of the words that traces have

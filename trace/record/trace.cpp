@@ -4,6 +4,7 @@
 #include "field_type.h"
 #include "frame.h"
 #include "header_check.h"
+#include "step_decoder.h"
 #include "trace_keys.h"
 #include "trace_lines.h"
 #include "write_trace.h"
@@ -379,6 +380,8 @@ private:
         std::size_t offset = text().find('\n');
         while (offset < text().size()) {
             ++offset;
+            if (take_plain_line(offset, end_mark != '\0'))
+                continue;
             std::string_view line = line_at(offset);
             const std::size_t begin = offset + std::min(line.find_first_not_of(" \t"), line.size());
             const std::size_t next = text().find('\n', offset);
@@ -586,9 +589,33 @@ private:
                (!fields.needs_full_check() || parse_json(source(), begin, size));
     }
 
-    void add_step(std::size_t begin, std::size_t size) {
+    /// Takes a line that holds a step as this program writes it; goes to the newline at its end. In a document a comma
+    /// may stand before that.
+    bool take_plain_line(std::size_t& offset, bool is_document) {
+        std::string_view rest = text().substr(offset);
+        if (!take_step(rest, step_))
+            return false;
+        const std::size_t size = text().size() - rest.size() - offset;
+        if (is_document && rest.starts_with(','))
+            rest.remove_prefix(1);
+        if (!rest.starts_with('\n') || size > std::numeric_limits<std::uint32_t>::max())
+            return false;
+        check_count();
+        if (const auto* const pixel = std::get_if<PixelStep>(&step_); pixel && care_ != Care::none)
+            check_pixel(offset, *pixel);
+        trace_.steps_.push_back(
+            {offset, static_cast<std::uint32_t>(size), static_cast<StepKind>(step_.index())});
+        offset = text().size() - rest.size();
+        return true;
+    }
+
+    void check_count() const {
         if (trace_.size() >= most_steps_)
             throw too_many_steps(source().name, most_steps_);
+    }
+
+    void add_step(std::size_t begin, std::size_t size) {
+        check_count();
         if (care_ != Care::to_tell || useless_steps_ == most_useless_steps)
             return add_usable_step(begin, size);
         try {
@@ -614,23 +641,23 @@ private:
             fail(begin, "expected a step shorter than 4 GiB, found a longer one");
         const auto kind = checked_kind(source(), begin, size);
         if (kind == StepKind::pixel)
-            check_pixel(begin, StepView(json));
+            check_pixel(begin, StepView(json).as<PixelStep>());
         if (kind)
             note_not_finite(trace_.not_finite, source(), begin, json, *kind);
         trace_.steps_.push_back({begin, static_cast<std::uint32_t>(size), kind});
     }
 
     /// The first pixel that is off the canvas is told.
-    void check_pixel(std::size_t begin, const StepView& step) {
-        if (!trace_.canvas.contains(*step.whole("x"), *step.whole("y")) && !has_stray_pixel_) {
-            has_stray_pixel_ = true;
-            trace_.damage.push_back(problem_at(
-                source(), begin,
-                fmt::format("expected pixels on the canvas (x {}..{}, y {}..{}), found ({}, {})",
-                            trace_.canvas.left(), trace_.canvas.right(), trace_.canvas.top(),
-                            trace_.canvas.bottom(), *step.whole("x"), *step.whole("y")),
-                "such pixels are not drawn"));
-        }
+    void check_pixel(std::size_t begin, const PixelStep& step) {
+        if (has_stray_pixel_ || trace_.canvas.contains(step.x, step.y))
+            return;
+        has_stray_pixel_ = true;
+        trace_.damage.push_back(problem_at(
+            source(), begin,
+            fmt::format("expected pixels on the canvas (x {}..{}, y {}..{}), found ({}, {})",
+                        trace_.canvas.left(), trace_.canvas.right(), trace_.canvas.top(),
+                        trace_.canvas.bottom(), step.x, step.y),
+            "such pixels are not drawn"));
     }
 
     void read_end(const JsonValue& value) {
@@ -722,6 +749,7 @@ private:
     std::size_t end_offset_ = 0;
     std::size_t useless_steps_ = 0; ///< that are damage
     std::vector<WrongForm> wrong_forms_;
+    AnyStep step_; ///< that was taken last
 };
 
 Result<Trace> read_written_trace(Source source) {

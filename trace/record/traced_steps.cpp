@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "traced_steps.h"
 
-#include "field_type.h"
 #include "trace.h"
 
 #include <rastertrace/core/numbers/number.h>
@@ -60,32 +59,6 @@ template <typename Step, typename... Rows> constexpr auto fields_in(FieldTable<R
 }
 
 template <typename Step> constexpr auto fields_of_step = fields_in<Step>(typename Step::Fields{});
-
-void set(Index& value, std::string_view json) {
-    value = whole_in(json).value_or(0);
-}
-void set(std::optional<Index>& value, std::string_view json) {
-    value = whole_in(json);
-}
-template <typename Value> void set(Value& value, std::string_view json) {
-    value = Value(json);
-}
-
-template <typename Step, typename... Rows>
-Step step_in(std::string_view json, FieldTable<Rows...> /*table*/) {
-    Step step;
-    JsonScanner fields(json);
-    while (fields.next_field()) {
-        const auto set_if_named = [&](auto row) {
-            const bool is_it = fields.key() == row.name;
-            if (is_it)
-                set(row.in(step), fields.value());
-            return is_it;
-        };
-        (set_if_named(Rows{}) || ...);
-    }
-    return step;
-}
 
 template <std::size_t... kind>
 std::span<const StepField> fields_of(StepKind asked, std::index_sequence<kind...> /*all*/) {
@@ -148,35 +121,5 @@ std::optional<Index> x_in(const StepView& step) {
 std::optional<Index> y_in(const StepView& step) {
     return step.whole("y");
 }
-
-template <typename Step> Step StepView::as() const {
-    return step_in<Step>(json(), typename Step::Fields{});
-}
-
-template <> PixelStep StepView::as() const {
-    if (is_pixel_)
-        return {.x = pixel_.x, .y = pixel_.y, .color = {}};
-    return step_in<PixelStep>(json_, PixelStep::Fields{});
-}
-
-template TriangulateStep StepView::as() const;
-template MatrixStep StepView::as() const;
-template VertexStep StepView::as() const;
-template OrderStep StepView::as() const;
-template PrimitiveStep StepView::as() const;
-template FaceStep StepView::as() const;
-template LightStep StepView::as() const;
-template ClipStep StepView::as() const;
-template EdgeStep StepView::as() const;
-template HalfStep StepView::as() const;
-template RayStep StepView::as() const;
-template ScanlineStep StepView::as() const;
-template AlongStep StepView::as() const;
-template DecideStep StepView::as() const;
-template SampleStep StepView::as() const;
-template DepthStep StepView::as() const;
-template RejectStep StepView::as() const;
-template SkipStep StepView::as() const;
-template UndecidedStep StepView::as() const;
 
 } // namespace rastertrace

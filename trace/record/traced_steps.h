@@ -34,8 +34,9 @@ template <std::size_t size> struct FixedString {
 };
 
 /// A row of a step's table.
-template <FixedString key, auto member, FieldRole role_of_field, FieldNeed need_of_field>
+template <FixedString key_of_field, auto member, FieldRole role_of_field, FieldNeed need_of_field>
 struct Field {
+    static constexpr FixedString key = key_of_field;
     static constexpr std::string_view name = key.view();
     static constexpr FieldRole role = role_of_field;
     static constexpr FieldNeed need = need_of_field;
