@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "step_decoder.h"
 #include "trace.h"
 #include "write_trace.h"
 
@@ -39,13 +40,6 @@ std::optional<Pixel> pixel_in(std::string_view line) {
     return std::nullopt;
 }
 
-/// The kind of a step that our writer has written.
-std::optional<StepKind> kind_in(std::string_view line) {
-    constexpr std::string_view front = R"({"step":")";
-    line.remove_prefix(front.size());
-    return step_kind_named(line.substr(0, line.find('"')));
-}
-
 } // namespace
 
 /// Takes the lines of a trace as they are written, and keeps what is held of them.
@@ -66,6 +60,7 @@ public:
     }
 
     Trace trace() && {
+        end_run();
         Source around{name_, header_ + "\n" + end_ + "\n", {}};
         auto read = read_written_trace(std::move(around));
         if (!read)
@@ -73,8 +68,6 @@ public:
         Trace trace = std::move(read.value());
         trace.source_.text = std::move(held_.source_.text);
         trace.steps_ = std::move(held_.steps_);
-        trace.runs_ = std::move(held_.runs_);
-        trace.steps_in_runs_ = held_.steps_in_runs_;
         return trace;
     }
 
@@ -91,34 +84,36 @@ private:
     }
 
     void add(const Pixel& pixel) {
-        auto& runs = held_.runs_;
-        const std::size_t number = held_.size() + 1;
-        const bool goes_on = !runs.empty() && number - runs.back().first == runs.back().count &&
-                             pixel.y == runs.back().y &&
-                             pixel.x - runs.back().x == static_cast<int>(runs.back().count);
-        if (goes_on) {
-            ++runs.back().count;
-        } else {
-            make_room();
-            runs.push_back({.first = number,
-                            .before = held_.steps_in_runs_,
-                            .count = 1,
-                            .x = pixel.x,
-                            .y = pixel.y});
+        const bool goes_on = pixels_in_run_ > 0 && pixel.y == run_.y &&
+                             pixel.x - run_.x == static_cast<int>(pixels_in_run_);
+        if (!goes_on) {
+            end_run();
+            count_line();
+            run_ = pixel;
         }
-        ++held_.steps_in_runs_;
+        ++pixels_in_run_;
     }
 
     void add(std::string_view line) {
-        make_room();
+        end_run();
+        count_line();
         std::string& text = held_.source_.text;
-        held_.steps_.push_back(
-            {text.size(), static_cast<std::uint32_t>(line.size()), kind_in(line)});
-        text += line;
+        held_.steps_.add({.offset = text.size(),
+                          .length = static_cast<std::uint32_t>(line.size()),
+                          .kind = kind_of_plain_step(line),
+                          .is_plain = true});
+        text.append(line) += '\n';
     }
 
-    void make_room() const {
-        if (held_.steps_.size() + held_.runs_.size() >= most_)
+    void end_run() {
+        if (pixels_in_run_ == 0)
+            return;
+        held_.steps_.add_run(held_.source_.text, run_, pixels_in_run_);
+        pixels_in_run_ = 0;
+    }
+
+    void count_line() {
+        if (lines_++ >= most_)
             throw too_many_steps(name_, most_);
     }
 
@@ -128,6 +123,9 @@ private:
     std::string header_;
     std::string end_;
     Trace held_;
+    std::size_t lines_ = 0; ///< of its text
+    Pixel run_;             ///< the first of the pixels that are not in it yet
+    std::size_t pixels_in_run_ = 0;
 };
 
 Trace drawn_trace(const Scene& scene, const Plan& plan, const std::string& name,

@@ -5,11 +5,11 @@
 
 #include <rastertrace/trace/text/first_line.h>
 #include <rastertrace/trace/text/input_file.h>
+#include <rastertrace/trace/text/mapped_file.h>
 #include <rastertrace/trace/text/nameless_file.h>
 #include <rastertrace/trace/text/output.h>
 
 #include <poll.h>
-#include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -34,24 +34,6 @@ struct stat status_of(int descriptor, const std::string& name) {
     if (::fstat(descriptor, &status) != 0)
         throw problem_of_system(name, "could not be read", errno);
     return status;
-}
-
-/// The bytes of a file, without taking memory. Room for what may be added is set aside: those bytes may be looked at
-/// once they are there.
-std::shared_ptr<const char> mapped(int descriptor, const std::string& name) {
-    // 2^40 bytes with addresses of 64 bits, 2^20 with those of 32 bits.
-    constexpr std::size_t most_room = std::size_t{1}
-                                      << std::numeric_limits<std::size_t>::digits * 5 / 8;
-    const auto size = static_cast<std::size_t>(status_of(descriptor, name).st_size);
-    for (std::size_t room = std::max(most_room, size);; room = std::max(room / 2, size)) {
-        void* const begin =
-            ::mmap(nullptr, std::max<std::size_t>(room, 1), PROT_READ, MAP_SHARED, descriptor, 0);
-        if (begin != MAP_FAILED)
-            return {static_cast<const char*>(begin),
-                    [room](const char* bytes) { ::munmap(const_cast<char*>(bytes), room); }};
-        if (room == size)
-            throw problem_of_system(name, "could not be read", errno);
-    }
 }
 
 } // namespace
@@ -152,7 +134,11 @@ bool GrowingTrace::State::read_on() {
     const std::size_t before = trace.size();
     while (trace.size() < before + steps_in_piece && steps->next()) {
         const auto length = static_cast<std::uint32_t>(steps->step().json().size());
-        trace.steps_.push_back({steps->offset(), length, steps->kind()});
+        trace.steps_.add({.offset = steps->offset(),
+                          .length = length,
+                          .kind = steps->kind(),
+                          .is_plain = steps->is_plain()});
+        trace.text_of_file_ = trace.source_.mapped->first(steps->offset() + length);
     }
     if (trace.size() > most_steps)
         throw problem_of(name, "expected a trace of at most 4,294,967,295 steps, found more");
@@ -217,7 +203,7 @@ std::variant<GrowingTrace, Source> GrowingTrace::open(const std::string& path,
     state->status = status_of(state->descriptor, state->name);
     state->trace = state->steps->header().without_steps();
     state->trace.passed_over = state->steps->passed_over();
-    state->trace.mapped_ = mapped(state->descriptor, state->name);
+    state->trace.source_.mapped = MappedFile::of(state->descriptor, state->name, true);
     return GrowingTrace(std::move(state));
 }
 

@@ -276,6 +276,7 @@ Step step_in(std::string_view json, FieldTable<Rows...> /*table*/) {
 
 /// A kind of step, found by two letters of its name.
 struct KindOfStep {
+    StepKind kind{};
     std::string_view name;
     bool (*take)(Cursor& text, AnyStep& step) = nullptr;
 };
@@ -294,9 +295,13 @@ template <std::size_t... kind> constexpr auto kinds_by_place(std::index_sequence
             throw "two kinds have one place";
         place = one;
     };
-    (add({step_names[kind], take_rest_of<std::variant_alternative_t<kind, AnyStep>>}), ...);
+    (add({static_cast<StepKind>(kind), step_names[kind],
+          take_rest_of<std::variant_alternative_t<kind, AnyStep>>}),
+     ...);
     return kinds;
 }
+
+constexpr auto kinds = kinds_by_place(std::make_index_sequence<step_kinds>{});
 
 } // namespace
 
@@ -318,9 +323,13 @@ std::size_t count_digits(std::string_view text) {
     return count + count_digits_one_by_one(text.substr(count));
 }
 
+StepKind kind_of_plain_step(std::string_view step) {
+    const char* const name = step.data() + front_of_step.size();
+    return kinds[place_of(name[0], name[2])].kind;
+}
+
 bool take_step(std::string_view& text, AnyStep& step) {
     constexpr std::size_t shortest_name = 3;
-    static constexpr auto kinds = kinds_by_place(std::make_index_sequence<step_kinds>{});
     if (text.size() < front_of_step.size() + shortest_name || !text.starts_with(front_of_step))
         return false;
     const std::string_view name = text.substr(front_of_step.size());

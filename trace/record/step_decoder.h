@@ -21,6 +21,9 @@ namespace rastertrace {
 /// each number is finite. The step is a view of the text.
 bool take_step(std::string_view& text, AnyStep& step);
 
+/// The kind of a step that take_step takes.
+StepKind kind_of_plain_step(std::string_view step);
+
 /// So many digits stand at the beginning of a text; `count_digits` looks at eight at once.
 std::size_t count_digits(std::string_view text);
 std::size_t count_digits_one_by_one(std::string_view text);

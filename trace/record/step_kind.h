@@ -19,7 +19,7 @@
 namespace rastertrace {
 
 /// In the order in which a picture meets them; the end record counts them in this order.
-enum class StepKind {
+enum class StepKind : std::uint8_t {
     triangulate,
     matrix,
     vertex,

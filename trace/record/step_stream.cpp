@@ -321,6 +321,10 @@ std::optional<StepKind> StepStream::kind() const {
     return state_->block.kind_of(state_->place);
 }
 
+bool StepStream::is_plain() const {
+    return state_->block.is_plain(state_->place);
+}
+
 std::size_t StepStream::number() const {
     return state_->before + state_->place;
 }

@@ -52,6 +52,7 @@ public:
     StepView step() const;
     std::optional<StepKind> kind() const;
     std::size_t number() const; ///< from 1
+    bool is_plain() const;      ///< see Trace::is_plain
 
     /// Where the step begins in the file, in bytes.
     std::size_t offset() const;

@@ -92,13 +92,6 @@ std::vector<std::vector<std::string>> StepView::text_rows(std::string_view name)
     return result;
 }
 
-void Trace::find_run_before(std::size_t n) const {
-    const auto behind =
-        std::upper_bound(runs_.begin(), runs_.end(), n,
-                         [](std::size_t step, const PixelRun& run) { return step < run.first; });
-    run_asked_of_ = static_cast<std::size_t>(behind - runs_.begin()) - 1;
-}
-
 Trace Trace::without_steps() const {
     Trace excerpt;
     excerpt.version = version;
@@ -115,7 +108,9 @@ Trace Trace::without_steps() const {
 
 void Trace::add_to_excerpt(const StepView& step, std::optional<StepKind> kind, std::size_t number) {
     const std::string_view json = step.json();
-    steps_.push_back({source_.text.size(), static_cast<std::uint32_t>(json.size()), kind});
+    steps_.add({.offset = source_.text.size(),
+                .length = static_cast<std::uint32_t>(json.size()),
+                .kind = kind});
     numbers_.push_back(number);
     source_.text += json;
 }
@@ -134,7 +129,7 @@ std::string Trace::method_value(std::string_view key) const {
 
 std::vector<Problem> Trace::faults_in_step(std::size_t n) const {
     const auto kind = kind_of(n);
-    if (!kind)
+    if (!kind || is_plain(n))
         return {};
     const StepView view = step(n);
     const std::string_view json = view.json();
@@ -203,7 +198,7 @@ void check_colors(StepKind kind, const Source& source, std::size_t begin, std::s
 
 std::optional<StepKind> checked_kind(const Source& source, std::size_t begin, std::size_t size) {
     // Valid JSON, each key once. Where the quick look finds fault, the thorough one says which.
-    const std::string_view json = std::string_view(source.text).substr(begin, size);
+    const std::string_view json = source.view().substr(begin, size);
     constexpr std::size_t most_keys = 16;
     std::array<std::string_view, most_keys> keys;
     std::size_t key_count = 0;
@@ -307,6 +302,8 @@ public:
     TraceReader(Source source, Care care, std::size_t most_steps)
         : care_(care), most_steps_(most_steps) {
         trace_.source_ = std::move(source);
+        if (trace_.source_.mapped)
+            trace_.text_of_file_ = trace_.source_.view();
     }
 
     /// Reads what may be a trace.
@@ -337,7 +334,7 @@ public:
 
 private:
     const Source& source() const { return trace_.source_; }
-    std::string_view text() const { return source().text; }
+    std::string_view text() const { return trace_.text(); }
 
     [[noreturn]] void fail(std::size_t offset, std::string message, std::string hint = {}) const {
         throw problem_at(source(), offset, std::move(message), std::move(hint));
@@ -426,48 +423,49 @@ private:
         const std::size_t comma = text().find_first_not_of(" \t\r\n", bracket + 1);
         if (comma == std::string_view::npos)
             return cut_short(text().size());
-        std::string& all = trace_.source_.text;
-        if (all[comma] == '}') {
+        if (text()[comma] == '}') {
             // A document without an end record; compare_with_end says so.
             const std::size_t more = text().find_first_not_of(" \t\r\n", comma + 1);
             if (more != std::string_view::npos)
                 fail(more, "expected the end of the file, found more");
             return;
         }
-        if (all[comma] != ',')
+        if (text()[comma] != ',')
             fail(comma, "expected ',' or '}' behind the steps, found something else");
 
-        all[comma] = '{';
-        const std::optional<Problem> problem = read_end_in_object(comma);
-        all[comma] = ',';
-        if (problem) {
+        // The lines in front of it are left out, and the comma is the object's bracket.
+        const std::size_t line = text().rfind('\n', comma) + 1;
+        Source end{source().name, std::string(text().substr(line)), {}};
+        end.text[comma - line] = '{';
+        if (const auto problem = read_end_in_object(end, comma - line)) {
             if (ends_at_end_of_file(comma))
                 return cut_short(comma + 1);
-            // Said again, so that the line is quoted with its comma.
-            fail(offset_of(*problem), problem->message, problem->hint);
+            throw *problem;
         }
     }
 
     /// Reads the end record of the object that begins at `begin` and ends the file.
-    std::optional<Problem> read_end_in_object(std::size_t begin) {
-        const auto object = parse_json(source(), begin);
+    std::optional<Problem> read_end_in_object(const Source& end, std::size_t begin) {
+        const std::size_t before = text().size() - end.text.size();
+        const auto object = parse_json(end, begin);
         if (!object)
-            return object.problem();
+            return problem_at(source(), before + offset_of(object.problem(), end.text),
+                              object.problem().message, object.problem().hint);
         try {
-            if (const auto end = object.value().root().find("end"))
-                read_end(*end);
+            if (const auto record = object.value().root().find("end"))
+                read_end(*record, before);
         } catch (const Problem& problem) {
             return problem;
         }
         return std::nullopt;
     }
 
-    /// The place in the source that a problem points at.
-    std::size_t offset_of(const Problem& problem) const {
+    /// The place in a text that a problem points at.
+    static std::size_t offset_of(const Problem& problem, std::string_view text) {
         std::size_t offset = 0;
         for (std::size_t line = 1; line < problem.line; ++line)
-            offset = text().find('\n', offset) + 1;
-        return offset + first_characters(text().substr(offset), problem.column - 1).size();
+            offset = text.find('\n', offset) + 1;
+        return offset + first_characters(text.substr(offset), problem.column - 1).size();
     }
 
     /// True if what follows `begin` lacks only its end: brackets are open, or a string is.
@@ -543,11 +541,14 @@ private:
     }
 
     /// What nobody reads because it is not as the format says.
-    void note_wrong_forms(const JsonValue& object, std::span<const JsonKey> keys) {
+    void note_wrong_forms(const JsonValue& object, std::span<const JsonKey> keys,
+                          std::size_t before = 0) {
         if (care_ == Care::none)
             return;
-        for (WrongForm& wrong : wrong_forms(object, keys))
+        for (WrongForm& wrong : wrong_forms(object, keys)) {
+            wrong.offset += before;
             wrong_forms_.push_back(std::move(wrong));
+        }
     }
 
     /// Which steps were left out.
@@ -603,8 +604,7 @@ private:
         check_count();
         if (const auto* const pixel = std::get_if<PixelStep>(&step_); pixel && care_ != Care::none)
             check_pixel(offset, *pixel);
-        trace_.steps_.push_back(
-            {offset, static_cast<std::uint32_t>(size), static_cast<StepKind>(step_.index())});
+        add_place(offset, size, static_cast<StepKind>(step_.index()), true);
         offset = text().size() - rest.size();
         return true;
     }
@@ -623,17 +623,14 @@ private:
         } catch (Problem& problem) {
             ++useless_steps_;
             trace_.damage.push_back(std::move(problem));
-            trace_.steps_.push_back({begin, static_cast<std::uint32_t>(size), std::nullopt});
+            add_place(begin, size, std::nullopt);
         }
     }
 
     void add_usable_step(std::size_t begin, std::size_t size) {
         const std::string_view json = text().substr(begin, size);
         if (care_ == Care::none) {
-            constexpr std::string_view front = R"({"step":")";
-            const std::string_view name = json.substr(front.size());
-            trace_.steps_.push_back({begin, static_cast<std::uint32_t>(size),
-                                     step_kind_named(name.substr(0, name.find('"')))});
+            add_place(begin, size, kind_of_plain_step(json), true);
             return;
         }
 
@@ -644,7 +641,15 @@ private:
             check_pixel(begin, StepView(json).as<PixelStep>());
         if (kind)
             note_not_finite(trace_.not_finite, source(), begin, json, *kind);
-        trace_.steps_.push_back({begin, static_cast<std::uint32_t>(size), kind});
+        add_place(begin, size, kind);
+    }
+
+    void add_place(std::size_t begin, std::size_t size, std::optional<StepKind> kind,
+                   bool is_plain = false) {
+        trace_.steps_.add({.offset = begin,
+                           .length = static_cast<std::uint32_t>(size),
+                           .kind = kind,
+                           .is_plain = is_plain});
     }
 
     /// The first pixel that is off the canvas is told.
@@ -660,15 +665,18 @@ private:
             "such pixels are not drawn"));
     }
 
-    void read_end(const JsonValue& value) {
-        const auto count_in = [this](const JsonValue& number) {
+    /// `before`: so many bytes of the text stand in front of the source that the record was read from.
+    void read_end(const JsonValue& value, std::size_t before = 0) {
+        const auto count_in = [this, before](const JsonValue& number) {
             const auto count = whole_in(number.text);
             if (number.kind != JsonValue::Kind::number || !count || *count < 0)
-                fail(number.begin, fmt::format("expected a count, found {}", described(number)));
+                fail(before + number.begin,
+                     fmt::format("expected a count, found {}", described(number)));
             return static_cast<std::uint64_t>(*count);
         };
         if (value.kind != JsonValue::Kind::object)
-            fail(value.begin, fmt::format("expected the end record, found {}", described(value)));
+            fail(before + value.begin,
+                 fmt::format("expected the end record, found {}", described(value)));
         EndRecord end;
         if (const auto steps = value.find("steps"))
             end.steps = count_in(*steps);
@@ -680,8 +688,8 @@ private:
             for (const auto& [kind, number] : count->members())
                 end.count[kind.text] = count_in(number);
         trace_.end = std::move(end);
-        end_offset_ = value.begin;
-        note_wrong_forms(value, end_keys);
+        end_offset_ = before + value.begin;
+        note_wrong_forms(value, end_keys, before);
     }
 
     /// Says what is missing at the end, or does not agree with it.

@@ -11,6 +11,7 @@
 // unknown names are kept.
 
 #include "step_kind.h"
+#include "step_places.h"
 
 #include <rastertrace/core/raster/canvas.h>
 #include <rastertrace/core/raster/image.h>
@@ -139,29 +140,22 @@ public:
     std::vector<Problem> faults_in_step(std::size_t n) const;
 
     /// How many steps there are.
-    std::size_t size() const { return steps_.size() + steps_in_runs_; }
+    std::size_t size() const { return steps_.size(); }
 
     /// Step n, from 1 to size().
     StepView step(std::size_t n) const {
-        assert(n > 0 && n <= size());
-        const RunsBefore before = runs_before(n);
-        if (before.run != nullptr)
-            return StepView(
-                Pixel{before.run->x + static_cast<int>(n - before.run->first), before.run->y});
-        return StepView(text_of(steps_[n - 1 - before.steps]));
+        const StepPlace& place = place_of(n);
+        return place.pixel ? StepView(*place.pixel) : StepView(text_of(place));
     }
 
     /// Where step n begins in the text that it was read from, in bytes. Not of a trace that was drawn.
-    std::size_t offset_of(std::size_t n) const {
-        assert(runs_.empty());
-        return steps_[n - 1].offset;
-    }
+    std::size_t offset_of(std::size_t n) const { return place_of(n).offset; }
 
     /// The kind of step n, if we know it.
-    std::optional<StepKind> kind_of(std::size_t n) const {
-        const RunsBefore before = runs_before(n);
-        return before.run != nullptr ? StepKind::pixel : steps_[n - 1 - before.steps].kind;
-    }
+    std::optional<StepKind> kind_of(std::size_t n) const { return place_of(n).kind; }
+
+    /// True if step n is a line as this program writes it: then nothing is wrong with it.
+    bool is_plain(std::size_t n) const { return place_of(n).is_plain; }
 
     /// The number of step n in the trace that this is an excerpt of; n, if it is none.
     std::size_t number_of(std::size_t n) const {
@@ -188,55 +182,21 @@ private:
     friend class GrowingTrace;
     friend class DrawnSteps;
 
-    struct StepPlace {
-        std::size_t offset;
-        std::uint32_t length;
-        std::optional<StepKind> kind;
-    };
-
-    /// Pixels without a color that were plotted one after the other, from left to right.
-    struct PixelRun {
-        std::size_t first;  ///< the number of the first step
-        std::size_t before; ///< how many steps in front of it are in runs
-        std::uint32_t count;
-        int x; ///< of the first pixel
-        int y;
-        bool has(std::size_t n) const { return n - first < count; }
-    };
-
-    /// The run that step n is in, or else how many steps in front of it are in runs.
-    struct RunsBefore {
-        const PixelRun* run = nullptr;
-        std::size_t steps = 0;
-    };
-    RunsBefore runs_before(std::size_t n) const {
-        if (runs_.empty() || n < runs_.front().first)
-            return {};
-        const auto is_last_before = [&](std::size_t i) {
-            return runs_[i].first <= n && (i + 1 == runs_.size() || n < runs_[i + 1].first);
-        };
-        // Who asks of one step mostly asks of the next.
-        if (!is_last_before(run_asked_of_)) {
-            if (run_asked_of_ + 1 < runs_.size() && is_last_before(run_asked_of_ + 1))
-                ++run_asked_of_;
-            else
-                find_run_before(n);
-        }
-        const PixelRun& run = runs_[run_asked_of_];
-        return {run.has(n) ? &run : nullptr, run.before + run.count};
+    std::string_view text() const {
+        return text_of_file_.data() != nullptr ? text_of_file_ : std::string_view(source_.text);
     }
-    void find_run_before(std::size_t n) const;
+    const StepPlace& place_of(std::size_t n) const {
+        assert(n > 0 && n <= size());
+        return steps_.at(n, text());
+    }
     std::string_view text_of(const StepPlace& place) const {
-        return mapped_ ? std::string_view(mapped_.get() + place.offset, place.length)
-                       : std::string_view(source_.text).substr(place.offset, place.length);
+        return text().substr(place.offset, place.length);
     }
 
     Source source_;
-    std::shared_ptr<const char> mapped_; ///< the file, if it is not in `source_`
-    std::vector<StepPlace> steps_;       ///< those in no run
-    std::vector<PixelRun> runs_;         ///< of a trace that was drawn
-    std::size_t steps_in_runs_ = 0;
-    mutable std::size_t run_asked_of_ = 0;
+    std::string_view
+        text_of_file_; ///< of `source_`, if its file is mapped: as far as it has been read
+    StepPlaces steps_;
     std::vector<std::size_t> numbers_; ///< of an excerpt: those of its steps in the whole trace
 };
 

@@ -102,17 +102,17 @@ TraceText::~TraceText() = default;
 TraceText::TraceText(Source source) : state_(std::make_unique<State>()) {
     state_->name = source.name;
     state_->file = source.file;
-    const auto first_line_of = [](const std::string& text) {
-        return std::string(without_blanks(std::string_view(text).substr(0, text.find('\n'))));
+    const auto first_line_of = [](std::string_view text) {
+        return std::string(without_blanks(text.substr(0, text.find('\n'))));
     };
-    state_->layout = layout_of(first_line_of(source.text));
+    state_->layout = layout_of(first_line_of(source.view()));
     if (state_->layout == LineLayout::other) {
         const Trace checked = value_of(read_trace(source));
         const std::size_t brace = source.text.find('{');
         state_->text = one_step_a_line(std::string_view(source.text).substr(brace));
         state_->layout = LineLayout::lines;
     } else {
-        state_->text = std::move(source.text);
+        state_->text = source.mapped ? std::string(source.view()) : std::move(source.text);
     }
     state_->read_header(first_line_of(state_->text));
     state_->begin = std::min(state_->text.find('\n'), state_->text.size() - 1) + 1;

@@ -51,7 +51,7 @@ bool InputCheck::holds_trace(const Source& source) {
 }
 
 std::optional<Problem> InputCheck::operator()(const Source& source, std::size_t block) {
-    const std::string_view text = source.text;
+    const std::string_view text = source.view();
     const std::string_view added = text.substr(block);
     if (added.find('\0') != std::string_view::npos) {
         // A file that another one names, and that is no text, is not quoted.

@@ -130,7 +130,7 @@ public:
     DocumentBuilder(const Source& source, std::size_t begin, std::size_t end)
         : source_(source), document_(source, end), position_(begin), begin_(begin), end_(end) {
         constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-        if (std::string_view(source.text).substr(begin).starts_with(byte_order_mark))
+        if (source.view().substr(begin).starts_with(byte_order_mark))
             position_ += byte_order_mark.size();
     }
 
@@ -215,7 +215,7 @@ private:
                                               deepest_json));
             return false;
         }
-        open_.push_back({node, source_.text[begin] == '{', {}});
+        open_.push_back({node, source_.view()[begin] == '{', {}});
         return true;
     }
 
@@ -229,7 +229,7 @@ private:
 
     /// What the parser stumbled over, in our words.
     Problem explain(std::size_t bytes_read, const json::exception& error) const {
-        const std::string_view text = std::string_view(source_.text).substr(0, end_);
+        const std::string_view text = source_.view().substr(0, end_);
         const std::size_t last_read = begin_ + (bytes_read == 0 ? 0 : bytes_read - 1);
 
         // Where the token begins that does not fit: behind the last good one, the blanks, and the
@@ -267,7 +267,7 @@ private:
 
     /// What JSON has instead of what was found, if that is how another notation says it.
     std::string_view hint_at(std::size_t place) const {
-        const std::string_view text = std::string_view(source_.text).substr(0, end_);
+        const std::string_view text = source_.view().substr(0, end_);
         const std::string_view rest = text.substr(place);
         const char previous = last_before(place);
         if (rest.starts_with("//") || rest.starts_with("/*") || rest.starts_with('#'))
@@ -285,8 +285,7 @@ private:
 
     /// The last character before a place that is no blank; 0 if there is none.
     char last_before(std::size_t place) const {
-        const std::string_view before =
-            std::string_view(source_.text).substr(begin_, place - begin_);
+        const std::string_view before = source_.view().substr(begin_, place - begin_);
         const std::size_t last = before.find_last_not_of(" \t\r\n");
         return last == std::string_view::npos ? '\0' : before[last];
     }
@@ -308,7 +307,7 @@ private:
     }
 
     std::string found_at(std::size_t place) const {
-        const std::string_view text = std::string_view(source_.text).substr(0, end_);
+        const std::string_view text = source_.view().substr(0, end_);
         if (place >= text.size())
             return "the end of the file";
         const std::string_view rest = text.substr(place);
@@ -342,7 +341,7 @@ Result<JsonDocument> parse_json(const Source& source, std::size_t begin, std::si
     if (begin == 0)
         if (auto problem = zero_byte_in(source))
             return *std::move(problem);
-    const std::string_view text = std::string_view(source.text).substr(begin, size);
+    const std::string_view text = source.view().substr(begin, size);
     constexpr std::size_t largest = std::numeric_limits<std::uint32_t>::max();
     if (begin + text.size() > largest)
         return problem_of(source.name, fmt::format("expected JSON of at most {} bytes in one "

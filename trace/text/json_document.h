@@ -83,7 +83,7 @@ private:
     };
 
     JsonDocument(const Source& source, std::size_t end) : source_(&source), end_(end) {}
-    std::string_view text() const { return std::string_view(source_->text).substr(0, end_); }
+    std::string_view text() const { return source_->view().substr(0, end_); }
 
     /// What is read as this value: it stands in front.
     std::string_view text_from(std::uint32_t node) const {

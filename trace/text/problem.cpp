@@ -4,10 +4,14 @@
 #include "input.h"
 #include "input_check.h"
 #include "input_file.h"
+#include "mapped_file.h"
 #include "text.h"
+#include "trace_layout.h"
 #include "zero_byte.h"
 
 #include <fmt/core.h>
+
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -53,12 +57,16 @@ Problem problem_of_system(std::string file, std::string_view what, int error) {
     return problem;
 }
 
+std::string_view Source::view() const {
+    return mapped ? mapped->text() : std::string_view(text);
+}
+
 Problem problem_at(const Source& source, std::size_t offset, std::string message,
                    std::string hint) {
     Problem problem = problem_of(source.name, std::move(message), std::move(hint));
 
     // The line that holds the place, and what of it stands before and after.
-    const std::string_view text = source.text;
+    const std::string_view text = source.view();
     offset = std::min(offset, text.size());
     const std::string_view before_place = text.substr(0, offset);
     const std::size_t newline = before_place.rfind('\n');
@@ -83,7 +91,7 @@ Problem problem_at(const Source& source, std::size_t offset, std::string message
 }
 
 std::optional<Problem> zero_byte_in(const Source& source) {
-    const std::size_t at = source.text.find('\0');
+    const std::size_t at = source.view().find('\0');
     if (at == std::string::npos)
         return std::nullopt;
     return problem_at(source, at, "expected text, found a zero byte");
@@ -114,14 +122,38 @@ Problem::Cause cause_of_open_error(int error) {
 
 namespace {
 
-Result<Source> read_path(const std::string& path, InputFile::Kind kind, InputCheck fault_of) {
+/// A trace with a step a line, from its first byte on, whose lines are not too long; null for what is read instead: any
+/// other file, and a small one, which nobody has to look at where it is.
+std::shared_ptr<const MappedFile> mapped_trace(const InputFile& file) {
+    constexpr std::size_t smallest = 1'000'000;
+    if (!file.id() || ::lseek(file.descriptor(), 0, SEEK_CUR) != 0)
+        return nullptr;
+    auto mapped = MappedFile::of(file.descriptor(), file.name());
+    const std::string_view text = mapped->text();
+    if (text.size() < smallest ||
+        layout_of(without_blanks(text.substr(0, text.find('\n')))) == LineLayout::other)
+        return nullptr;
+    for (std::size_t rest = text.size(), begin = 0; rest > longest_line;
+         rest = text.size() - begin) {
+        const std::size_t newline = text.rfind('\n', begin + longest_line);
+        if (newline == std::string_view::npos || newline < begin)
+            return nullptr; // who reads it says so
+        begin = newline + 1;
+    }
+    return mapped;
+}
+
+Result<Source> read_path(const std::string& path, InputFile::Kind kind, InputCheck fault_of,
+                         bool can_be_mapped = true) {
     auto file = InputFile::open(path, kind);
     if (!file)
         return file.problem();
     Source source{.name = file.value().name(), .text = {}, .file = file.value().id()};
     try {
         std::size_t block = 0;
-        while (file.value().read_into(source.text)) {
+        if (can_be_mapped)
+            source.mapped = mapped_trace(file.value());
+        while (!source.mapped && file.value().read_into(source.text)) {
             if (auto fault = fault_of(source, block))
                 return *std::move(fault);
             block = source.text.size();
@@ -149,7 +181,7 @@ Result<Source> read_source_or_claims(const std::string& path, const InputLimits&
 Result<Source> read_named_file(const std::string& path, const InputLimits& limits) {
     if (path.find('\0') != std::string::npos)
         return problem_of(path, "expected the name of a file, found one with a zero byte");
-    return read_path(path, InputFile::Kind::regular_file, {InputCheck::Kind::other, limits});
+    return read_path(path, InputFile::Kind::regular_file, {InputCheck::Kind::other, limits}, false);
 }
 
 } // namespace rastertrace

@@ -11,6 +11,7 @@
 #include "descriptor.h"
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,11 +20,17 @@
 
 namespace rastertrace {
 
+class MappedFile;
+
 /// A file as it was read, with the name that messages call it by.
 struct Source {
     std::string name;
     std::string text;
-    std::optional<FileId> file = {}; ///< which one it was, if it was a regular file
+    std::optional<FileId> file = {};               ///< which one it was, if it was a regular file
+    std::shared_ptr<const MappedFile> mapped = {}; ///< of a large trace: in the place of `text`
+
+    /// All that it says.
+    std::string_view view() const;
 };
 
 /// Why something could not be done.

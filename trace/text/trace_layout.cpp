@@ -41,7 +41,7 @@ bool is_end_line(std::string_view line) {
 bool is_trace(const Source& source) {
     // The key is in the header's first line, whole or cut short; else anywhere in the document.
     constexpr std::string_view blanks = "\xEF\xBB\xBF \t\r\n";
-    std::string_view document = source.text;
+    std::string_view document = source.view();
     document.remove_prefix(std::min(document.find_first_not_of(blanks), document.size()));
     if (!document.starts_with('{'))
         return false;

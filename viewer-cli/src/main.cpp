@@ -61,11 +61,20 @@ extern "C" void end_by_signal(int signal) {
     ::raise(signal);
 }
 
+/// Somebody has cut a trace short whose file is looked at where it is (mapped_file.h).
+extern "C" void end_without_file(int /*signal*/) {
+    rastertrace::remove_unfinished_files();
+    rastertrace::give_back_terminal();
+    rastertrace::print_error("rastertrace: a trace was cut short while it was read\n");
+    ::_exit(rastertrace::exit_system);
+}
+
 void prepare_for_signals() {
     // A reader that has seen enough, as in `| head`, ends us quietly.
     std::signal(SIGPIPE, SIG_DFL);
     // A file that may grow no more is a failed write, with a message.
     std::signal(SIGXFSZ, SIG_IGN);
+    std::signal(SIGBUS, end_without_file);
 
     struct sigaction action {};
     action.sa_handler = end_by_signal;

@@ -93,9 +93,10 @@ void validate_scene(const Source& source, const InputLimits& limits, ValidatedFi
 struct StepsSeen {
     explicit StepsSeen(const Trace& header) : needs(header) {}
 
-    void add(const StepView& step, std::optional<StepKind> kind) {
+    void add(const StepView& step, std::optional<StepKind> kind, bool is_plain) {
         ++count;
-        unknown.add(step, kind);
+        if (!is_plain)
+            unknown.add(step, kind);
         needs.add(step, kind, count);
     }
 
@@ -144,7 +145,7 @@ void validate_steps(StepStream& steps, ValidatedFile& file) {
         while (steps.next()) {
             if (file.all_told())
                 file.add(steps.faults_in_step());
-            seen.add(steps.step(), steps.kind());
+            seen.add(steps.step(), steps.kind(), steps.is_plain());
         }
     } catch (const Problem&) {
         file.add(steps.damage());
@@ -161,7 +162,7 @@ void validate_trace(Source source, ValidatedFile& file) {
     for (std::size_t n = 1; n <= trace.size(); ++n) {
         if (file.all_told())
             file.add(trace.faults_in_step(n));
-        seen.add(trace.step(n), trace.kind_of(n));
+        seen.add(trace.step(n), trace.kind_of(n), trace.is_plain(n));
     }
     finish_trace(trace, trace.passed_over, trace.damage, trace.not_finite, seen, file);
 }

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The bytes of a file, looked at where they are: no memory is taken for them.
+//
+//     const auto bytes = MappedFile::of(descriptor, "trace.jsonl");  // throws a Problem
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace rastertrace {
+
+/// Somebody may cut the file short meanwhile: who looks at a byte that is gone is sent SIGBUS.
+class MappedFile {
+public:
+    /// Maps a regular file. Room for what may be added is set aside, if `may_grow`: those bytes may be looked at once
+    /// they are there. Throws a Problem that calls it by its name.
+    static std::shared_ptr<const MappedFile> of(int descriptor, const std::string& name,
+                                                bool may_grow = false);
+
+    MappedFile(const MappedFile&) = delete;
+    MappedFile& operator=(const MappedFile&) = delete;
+    ~MappedFile();
+
+    /// What was there when it was mapped.
+    std::string_view text() const { return {begin_, size_}; }
+
+    /// The first of its bytes, with what has been added since.
+    std::string_view first(std::size_t size) const { return {begin_, size}; }
+
+private:
+    MappedFile(const char* begin, std::size_t size, std::size_t room)
+        : begin_(begin), size_(size), room_(room) {}
+
+    const char* begin_;
+    std::size_t size_;
+    std::size_t room_;
+};
+
+} // namespace rastertrace
