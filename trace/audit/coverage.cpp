@@ -243,7 +243,7 @@ std::optional<Position> position_in(std::string_view json, bool is_float) {
 }
 
 /// The corners that a primitive's step gives, numbered.
-std::optional<Cornered> corners_of(const StepView& step, const Trace& trace,
+std::optional<Cornered> corners_of(const PrimitiveStep& step, const Trace& trace,
                                    PositionNumbers& numbers) {
     const auto at = positions_in(step, trace);
     if (!at)
@@ -293,15 +293,15 @@ std::string cause_of(const Trace& trace, std::size_t step, int x, const Grid& gr
     if (kind != StepKind::scanline)
         return "no step says why";
 
-    const auto end = [&](std::string_view name) {
-        return stored_number_in(trace.step(step).field(name).value_or(""), has_floats(trace));
-    };
+    const auto row = trace.step(step).as<ScanlineStep>();
+    const auto left = stored_number_in(row.left.json(), has_floats(trace));
+    const auto right = stored_number_in(row.right.json(), has_floats(trace));
     const mpq_class sample = x + grid.sample_offset;
     const std::string all = trace.method_value("rounding");
     const std::string rounding = all.empty() ? "rounding" : all.substr(0, all.find('+'));
-    if (const auto left = end("left"); left && sample < *left)
+    if (left && sample < *left)
         return rounding + " takes the pixel left of the edge";
-    if (const auto right = end("right"); right && sample > *right)
+    if (right && sample > *right)
         return rounding + " takes the pixel right of the edge";
     return "the ends of the row, as calculated, lie outside";
 }
@@ -322,8 +322,8 @@ std::vector<PixelCause> causes_of(const std::vector<std::uint32_t>& outside,
             decisive = n;
         if (kind != StepKind::pixel && kind != StepKind::depth)
             continue;
-        const Index x = *trace.step(n).whole("x");
-        const Index y = *trace.step(n).whole("y");
+        const Index x = *x_in(trace.step(n));
+        const Index y = *y_in(trace.step(n));
         if (!grid.canvas.contains(x, y))
             continue;
         const Pixel pixel{static_cast<int>(x), static_cast<int>(y)};
@@ -420,13 +420,13 @@ std::vector<EdgeUse> shared_edges(const std::vector<Cornered>& triangles) {
 }
 
 /// An edge's name in a trace: "AC", or "P1-P3"; its ends where the step names no vertices.
-std::string edge_name(const StepView& step, std::size_t from, std::size_t to) {
-    const std::vector<std::string> names = step.texts("vertices");
+std::string edge_name(const PrimitiveStep& step, std::size_t from, std::size_t to) {
+    const std::vector<std::string> names = step.vertices.texts();
     if (names.size() == 3) {
         const std::array<std::string_view, 3> all{names[0], names[1], names[2]};
         return names[from] + std::string(name_separator(all)) + names[to];
     }
-    const auto at = step.text_rows("at");
+    const auto at = text_rows(step.at);
     return fmt::format("({}, {})-({}, {})", at[from][0], at[from][1], at[to][0], at[to][1]);
 }
 
@@ -526,7 +526,8 @@ PixelList drawn_by_both(const DrawnPrimitive& one, const DrawnPrimitive& other,
 /// Every pair of the triangles at an edge.
 void compare_at_edge(const EdgeUse& edge, const Trace& trace, const Grid& grid, Stats& stats) {
     const Cornered& first = *edge.triangles.front();
-    const std::string name = edge_name(trace.step(first.drawn->step), edge.from, edge.to);
+    const std::string name =
+        edge_name(trace.step(first.drawn->step).as<PrimitiveStep>(), edge.from, edge.to);
     for (auto one = edge.triangles.begin(); one != edge.triangles.end(); ++one)
         for (auto other = one + 1; other != edge.triangles.end(); ++other) {
             const bool is_fold = lie_on_one_side(edge, **one, **other);
@@ -543,11 +544,11 @@ void compare_at_edge(const EdgeUse& edge, const Trace& trace, const Grid& grid, 
 // Vertices on edges that have no vertex there.
 
 /// A vertex's name in a trace, or its place where the step names no vertices.
-std::string vertex_name(const StepView& step, std::size_t corner) {
-    const std::vector<std::string> names = step.texts("vertices");
+std::string vertex_name(const PrimitiveStep& step, std::size_t corner) {
+    const std::vector<std::string> names = step.vertices.texts();
     if (names.size() == 3)
         return names[corner];
-    const auto at = step.text_rows("at");
+    const auto at = text_rows(step.at);
     return fmt::format("({}, {})", at[corner][0], at[corner][1]);
 }
 
@@ -585,7 +586,7 @@ void find_junctions(const std::vector<Cornered>& drawn, const std::vector<Corner
         mesh.push_back({.at = triangle.at, .corners = triangle.corners, .is_drawn = false});
 
     const auto step_of = [&](std::size_t triangle) {
-        return trace.step(drawn[triangle].drawn->step);
+        return trace.step(drawn[triangle].drawn->step).as<PrimitiveStep>();
     };
     const auto name_of_triangle = [&](std::size_t triangle) {
         return stats.primitives[drawn[triangle].place].name;
@@ -719,13 +720,13 @@ void keep_each_once(DrawnPrimitive& primitive) {
     put_in_order(primitive.covered);
 }
 
-std::optional<std::array<Position, 3>> positions_in(const StepView& step, const Trace& header) {
-    if (step.field("within"))
+std::optional<std::array<Position, 3>> positions_in(const PrimitiveStep& step,
+                                                    const Trace& header) {
+    if (step.within)
         return std::nullopt;
     std::vector<ScreenPoint> found;
-    JsonScanner places(step.field("at").value_or("[]"));
-    while (places.next_element())
-        if (const auto position = position_in(places.value(), has_floats(header)))
+    for (const auto& place : step.at.values())
+        if (const auto position = position_in(place.json(), has_floats(header)))
             found.push_back(*position);
         else
             return std::nullopt;
@@ -744,8 +745,8 @@ void compare_with_corners(const Trace& trace, std::span<const DrawnPrimitive> dr
         const bool is_culled = stats.primitives[place].skipped == "culled";
         if (kind != "triangle" && (kind != "outline" || is_culled))
             continue;
-        const StepView step = trace.step(drawn[place].step);
-        if (step.text("painted") == "false")
+        const auto step = trace.step(drawn[place].step).as<PrimitiveStep>();
+        if (step.painted.is_false())
             continue; // it only hides
         if (auto cornered = corners_of(step, trace, numbers)) {
             cornered->drawn = &drawn[place];

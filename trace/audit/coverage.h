@@ -11,6 +11,7 @@
 #include "t_junctions.h"
 
 #include <rastertrace/trace/record/trace.h>
+#include <rastertrace/trace/record/traced_steps.h>
 
 #include <array>
 #include <cstddef>
@@ -41,7 +42,8 @@ void add_hidden_pixel(DrawnPrimitive& primitive, std::size_t offset);
 void keep_each_once(DrawnPrimitive& primitive);
 
 /// The corners that a primitive's step gives, if they are three pairs of numbers and given exactly.
-std::optional<std::array<ScreenPoint, 3>> positions_in(const StepView& step, const Trace& header);
+std::optional<std::array<ScreenPoint, 3>> positions_in(const PrimitiveStep& step,
+                                                       const Trace& header);
 
 /// Fills in the coverage of stats.primitives, stats.edges, stats.t_junctions, stats.outlines and
 /// stats.sample.

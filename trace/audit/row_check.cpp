@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "row_check.h"
 
+#include <rastertrace/trace/record/traced_steps.h>
+
 #include <algorithm>
 #include <cstdint>
 
@@ -12,25 +14,24 @@ void RowCheck::add(const Trace& trace, std::size_t n, const std::string& primiti
     if (row_ && belongs(step, kind))
         return;
     close();
-    if (kind == StepKind::scanline)
-        row_ = WrongRow{.step = n,
-                        .primitive = primitive,
-                        .y = *step.whole("y"),
-                        .from = *step.whole("from"),
-                        .to = *step.whole("to")};
+    if (kind != StepKind::scanline)
+        return;
+    const auto row = step.as<ScanlineStep>();
+    row_ = {.step = n, .primitive = primitive, .y = row.y, .from = row.from, .to = row.to};
 }
 
 bool RowCheck::belongs(const StepView& step, std::optional<StepKind> kind) {
     // A depth test that is passed is followed by its pixel.
-    if (kind == StepKind::depth && step.text("pass") == "true")
+    if (kind == StepKind::depth && step.as<DepthStep>().pass.is_true())
         return true;
     if (kind != StepKind::depth && kind != StepKind::pixel && kind != StepKind::reject)
         return false;
-    const auto x = step.whole("x");
-    const auto y = step.whole("y");
-    if (!x || !y || step.field("to_y"))
+    const auto x = x_in(step);
+    const auto y = y_in(step);
+    const auto dropped = kind == StepKind::reject ? step.as<RejectStep>() : RejectStep{};
+    if (!x || !y || dropped.to_y)
         return false; // whole rows, or a part of a line
-    const Index to_x = step.whole("to_x").value_or(*x);
+    const Index to_x = dropped.to_x.value_or(*x);
     if (*y == row_->y && *x <= to_x)
         spans_.emplace_back(*x, to_x);
     else

@@ -6,6 +6,7 @@
 #include "stats_needs.h"
 
 #include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/record/write_trace.h>
 #include <rastertrace/trace/text/text.h>
 
@@ -49,16 +50,14 @@ private:
 };
 
 /// The pixel that a step is about, if the canvas has it.
-std::optional<Pixel> pixel_of(const StepView& step, const Canvas& canvas) {
-    const Index x = *step.whole("x");
-    const Index y = *step.whole("y");
-    if (!canvas.contains(x, y))
+std::optional<Pixel> pixel_of(const auto& step, const Canvas& canvas) {
+    if (!canvas.contains(step.x, step.y))
         return std::nullopt;
-    return Pixel{static_cast<int>(x), static_cast<int>(y)};
+    return Pixel{static_cast<int>(step.x), static_cast<int>(step.y)};
 }
 
 /// Counts a pixel step, and notes its pixel as drawn by the current primitive.
-void count_pixel(Stats& stats, std::vector<DrawnPrimitive>& drawn, const StepView& step,
+void count_pixel(Stats& stats, std::vector<DrawnPrimitive>& drawn, const PixelStep& step,
                  const Replay& replay) {
     const Canvas& canvas = replay.trace().canvas;
     const auto pixel = pixel_of(step, canvas);
@@ -73,9 +72,9 @@ void count_pixel(Stats& stats, std::vector<DrawnPrimitive>& drawn, const StepVie
 }
 
 /// Notes a pixel of the current primitive that failed the depth test.
-void note_hidden_pixel(std::vector<DrawnPrimitive>& drawn, const StepView& step,
+void note_hidden_pixel(std::vector<DrawnPrimitive>& drawn, const DepthStep& test,
                        const Canvas& canvas) {
-    const auto pixel = pixel_of(step, canvas);
+    const auto pixel = pixel_of(test, canvas);
     if (!drawn.empty() && pixel)
         add_hidden_pixel(drawn.back(), canvas.offset_of(*pixel));
 }
@@ -88,14 +87,14 @@ public:
                                     static_cast<std::size_t>(canvas.height)) {}
 
     /// Takes a depth step and the color of its primitive.
-    void add(const StepView& step, Color color, const Frame& frame) {
-        const auto pixel = pixel_of(step, canvas_);
+    void add(const DepthStep& test, Color color, const Frame& frame) {
+        const auto pixel = pixel_of(test, canvas_);
         if (!pixel)
             return;
         const std::size_t place = canvas_.offset_of(*pixel);
-        if (step.text("pass") == "true")
+        if (test.pass.is_true())
             is_tied_[place] = false;
-        else if (frame.drawn_by[place] != 0 && step.text("depth") == step.text("stored") &&
+        else if (frame.drawn_by[place] != 0 && test.depth.text() == test.stored.text() &&
                  frame.image.at(*pixel) != color)
             is_tied_[place] = true;
     }
@@ -159,22 +158,24 @@ Stats stats_of(const Trace& trace) {
         needs.add(step, kind, n);
         kinds.add(kind, step);
         if (kind == StepKind::primitive) {
+            const auto begun = step.as<PrimitiveStep>();
             PrimitiveStats& primitive = stats.primitives.emplace_back();
-            primitive.kind = step.text("kind");
-            primitive.name = step.text("name");
-            is_painted = step.text("painted") != "false";
+            primitive.kind = begun.kind.text();
+            primitive.name = begun.name.text();
+            is_painted = !begun.painted.is_false();
             drawn.push_back({.step = n, .pixels = {}, .covered = {}});
         }
         if (kind == StepKind::skip && !stats.primitives.empty())
-            stats.primitives.back().skipped = step.text("why");
+            stats.primitives.back().skipped = step.as<SkipStep>().why.text();
         if (!trace.is_partial && (is_painted || kind == StepKind::primitive))
             rows.add(trace, n, stats.primitives.empty() ? "" : stats.primitives.back().name);
         if (kind == StepKind::pixel)
-            count_pixel(stats, drawn, step, replay);
+            count_pixel(stats, drawn, step.as<PixelStep>(), replay);
         if (kind == StepKind::depth) {
-            ties.add(step, replay.color(), replay.frame());
-            if (step.text("pass") != "true")
-                note_hidden_pixel(drawn, step, trace.canvas);
+            const auto test = step.as<DepthStep>();
+            ties.add(test, replay.color(), replay.frame());
+            if (!test.pass.is_true())
+                note_hidden_pixel(drawn, test, trace.canvas);
         }
     }
 

@@ -11,29 +11,28 @@
 
 namespace rastertrace {
 
-void StatsNeeds::begin(const StepView& step, std::size_t number) {
+void StatsNeeds::begin(const PrimitiveStep& step, std::size_t number) {
     close();
-    const std::string kind = step.text("kind");
-    primitive_ = {.called = fmt::format("{} {} (step {})", printable(kind),
-                                        printable(step.text("name")), number)};
-    primitive_.is_judged =
-        kind != "line" && kind != "point" && kind != "outline" && step.text("painted") != "false";
-    if (kind != "triangle")
+    primitive_ = {.called = fmt::format("{} {} (step {})", printable(step.kind.text()),
+                                        printable(step.name.text()), number)};
+    primitive_.is_judged = step.kind != PrimitiveKind::line && step.kind != PrimitiveKind::point &&
+                           step.kind != PrimitiveKind::outline && !step.painted.is_false();
+    if (step.kind != PrimitiveKind::triangle)
         primitive_.lacks =
             "expected a triangle, outline, line or point, found " + primitive_.called;
-    else if (step.field("within"))
+    else if (step.within)
         primitive_.lacks =
             R"(expected an exact "at" of )" + primitive_.called + R"(, found one with "within")";
     else if (!positions_in(step, header_))
         primitive_.lacks = fmt::format(R"(expected "at", three pairs of numbers, of {}, found {})",
                                        primitive_.called,
-                                       shortened(printable(step.field("at").value_or("none")), 40));
+                                       shortened(printable(step.at ? step.at.json() : "none"), 40));
 }
 
 void StatsNeeds::add(const StepView& step, std::optional<StepKind> kind, std::size_t number) {
     switch (kind.value_or(StepKind::vertex)) {
     case StepKind::primitive:
-        begin(step, number);
+        begin(step.as<PrimitiveStep>(), number);
         break;
     case StepKind::skip:
     case StepKind::clip:

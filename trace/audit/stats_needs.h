@@ -15,6 +15,7 @@
 #include "stats.h"
 
 #include <rastertrace/trace/record/trace.h>
+#include <rastertrace/trace/record/traced_steps.h>
 
 #include <cstddef>
 #include <optional>
@@ -47,7 +48,7 @@ private:
         std::size_t first_pixel = 0;   ///< the step of it
         bool tells_its_pixels = false; ///< by rows, samples or rays
     };
-    void begin(const StepView& step, std::size_t number);
+    void begin(const PrimitiveStep& step, std::size_t number);
 
     const Trace& header_;
     Primitive primitive_;

@@ -6,6 +6,7 @@
 #include "picture_claim.h"
 #include "wrong_explainer.h"
 
+#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/describe.h>
 #include <rastertrace/trace/tell/working.h>
 #include <rastertrace/trace/text/text.h>
@@ -106,7 +107,7 @@ private:
             std::any_of(subject.fields.begin(), subject.fields.end(),
                         [](const ClaimedField* field) { return field->name == "snapped"; });
         if (subject.kind != StepKind::vertex || subject.step == 0 || names_pixel ||
-            !subject.exact->trace().step(subject.step).field("snapped"))
+            !subject.exact->trace().step(subject.step).as<VertexStep>().snapped)
             return;
         for (const ClaimedField*& field : subject.fields) {
             const auto is_whole = [](const std::string& value) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "claim_subject.h"
 
+#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/text/color_text.h>
 #include <rastertrace/trace/text/text.h>
@@ -108,7 +109,8 @@ private:
         for (const StepField& field : fields_of(kind_)) {
             const bool is_there = std::any_of(
                 keys.begin(), keys.end(), [&](const auto& key) { return key.first == field.name; });
-            if (field.role == FieldRole::key && field.is_required() && !is_there && !is_whole_line())
+            if (field.role == FieldRole::key && field.is_required() && !is_there &&
+                !is_whole_line())
                 fail("", fmt::format("expected the `{}` that this claim is about, found none",
                                      field.name));
         }
@@ -151,7 +153,8 @@ private:
                 names.push_back(std::move(around));
         if (kind_ == StepKind::vertex && names.empty())
             for (const std::size_t n : index_.find(StepKind::primitive, {}))
-                for (std::string& corner : index_.trace().step(n).texts("vertices"))
+                for (std::string& corner :
+                     index_.trace().step(n).as<PrimitiveStep>().vertices.texts())
                     names.push_back(std::move(corner));
         std::sort(names.begin(), names.end());
         names.erase(std::unique(names.begin(), names.end()), names.end());
@@ -228,7 +231,7 @@ private:
         for (const std::size_t n : steps)
             if (const std::size_t owner = index.primitive_of(n);
                 owner != 0 &&
-                index.trace().step(owner).text("name") == claim_.find("in")->values.front())
+                name_in(index.trace().step(owner)) == claim_.find("in")->values.front())
                 return n;
         return steps.empty() ? 0 : steps.front();
     }
@@ -239,7 +242,7 @@ private:
         if (space == nullptr || space->values.front() != "screen")
             return 0;
         for (const std::size_t n : index.find(StepKind::primitive, {})) {
-            const auto names = index.trace().step(n).texts("vertices");
+            const auto names = index.trace().step(n).as<PrimitiveStep>().vertices.texts();
             if (std::find(names.begin(), names.end(), claim_.find("name")->values.front()) !=
                 names.end())
                 return n;
@@ -262,7 +265,7 @@ private:
         std::vector<std::string> owners;
         for (const std::size_t n : steps) {
             const std::size_t owner = index.primitive_of(n);
-            const std::string name = owner == 0 ? "" : index.trace().step(owner).text("name");
+            const std::string name = owner == 0 ? "" : name_in(index.trace().step(owner)).text();
             if (std::find(owners.begin(), owners.end(), name) == owners.end())
                 owners.push_back(name);
         }
@@ -282,21 +285,20 @@ private:
                 std::vector<std::string> spaces;
                 for (const std::size_t n :
                      index_.find(StepKind::vertex, {{"name", claim_.find("name")->values.front()}}))
-                    spaces.push_back(index_.trace().step(n).text("space"));
+                    spaces.push_back(index_.trace().step(n).as<VertexStep>().space.text());
                 fail("space", fmt::format("expected a space that {} is in ({}), found {}",
                                           printable(claim_.find("name")->values.front()),
                                           listed(spaces), printable(value)));
             }
         if (kind_ == StepKind::scanline) {
-            std::vector<Rational> rows;
+            std::vector<Index> rows;
             StepIndex::Keys others = keys;
             std::erase_if(others, [](const auto& key) { return key.first == "y"; });
             for (const std::size_t n : index_.find(kind_, others))
-                rows.push_back(number_in(index_.trace().step(n), "y").value_or(0));
+                rows.push_back(index_.trace().step(n).as<ScanlineStep>().y);
             if (!rows.empty()) {
                 const auto [low, high] = std::minmax_element(rows.begin(), rows.end());
-                return fmt::format("there is no such row: rows are y={} to {}", low->get_str(),
-                                   high->get_str());
+                return fmt::format("there is no such row: rows are y={} to {}", *low, *high);
             }
         }
         return fmt::format("the trace has no such step `{}`", name_of(kind_));

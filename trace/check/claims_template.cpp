@@ -5,6 +5,7 @@
 #include "claims.h"
 #include "claims_table.h"
 
+#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -31,16 +32,21 @@ std::string open_values(std::size_t count, std::string_view separator) {
     return joined(std::vector<std::string>(count, std::string(open_value)), separator);
 }
 
+template <typename Value> std::string open_list(const TracedList<Value>& list) {
+    return open_values(list.values().size(), ", ");
+}
+
 /// Writes the lines of a trace step by step.
 class TemplateWriter {
 public:
     explicit TemplateWriter(const Trace& trace) : trace_(trace) {
         for (std::size_t n = 1; n <= trace.size(); ++n) {
             const auto kind = trace.kind_of(n);
-            const StepView step = trace.step(n);
             primitives_ += kind == StepKind::primitive ? 1 : 0;
-            if (kind == StepKind::depth)
-                ++tests_[{step.whole("x").value_or(0), step.whole("y").value_or(0)}];
+            if (kind != StepKind::depth)
+                continue;
+            const auto test = trace.step(n).as<DepthStep>();
+            ++tests_[{test.x, test.y}];
         }
     }
 
@@ -61,66 +67,66 @@ private:
             end_line_of_d();
         switch (kind) {
         case StepKind::vertex:
-            return add_vertex(step);
+            return add_vertex(step.as<VertexStep>());
         case StepKind::order:
-            return add_line(kind, "order: " + open_values(step.texts("names").size(), ", "));
-        case StepKind::primitive:
-            primitive_ = step.text("name");
-            is_line_ = step.text("kind") == "line";
+            return add_line(kind, "order: " + open_list(step.as<OrderStep>().names));
+        case StepKind::primitive: {
+            const auto primitive = step.as<PrimitiveStep>();
+            primitive_ = primitive.name.text();
+            is_line_ = primitive.kind == PrimitiveKind::line;
             return;
+        }
         case StepKind::face:
-            return add_face(step);
+            return add_face(name_in_table(name_in(step).text()));
         case StepKind::light:
-            return add_line(kind, fmt::format("intensity {}: ?", name_in_table(step.text("name"))));
-        case StepKind::edge:
-            if (step.field("dx_dy").value_or("null") != "null")
+            return add_line(kind,
+                            fmt::format("intensity {}: ?", name_in_table(name_in(step).text())));
+        case StepKind::edge: {
+            const auto edge = step.as<EdgeStep>();
+            if (edge.dx_dy.has_number())
                 add_line(kind, fmt::format("{}edge {}: ?", of_primitive(),
-                                           name_in_table(step.text("edge"))));
+                                           name_in_table(edge.edge.text())));
             return;
+        }
         case StepKind::scanline:
-            return add_row(step);
+            return add_row(step.as<ScanlineStep>());
         case StepKind::decide:
             decisions_ += is_line_ ? 1 : 0;
             return;
         case StepKind::depth:
-            return add_depth(step);
+            return add_depth(step.as<DepthStep>());
         default:
             return;
         }
     }
 
     /// What the scene's author typed needs no working out.
-    void add_vertex(const StepView& step) {
-        const std::string space = step.text("space");
-        const auto open = [&step](std::string_view field) {
-            return open_values(step.texts(field).size(), ", ");
-        };
-        if (space != "object")
+    void add_vertex(const VertexStep& vertex) {
+        if (vertex.space != Space::object)
             add_line(StepKind::vertex,
-                     fmt::format("{} {}: {}{}", name_in_table(step.text("name")), space, open("at"),
-                                 step.field("snapped") ? " -> " + open("snapped") : ""));
+                     fmt::format("{} {}: {}{}", name_in_table(vertex.name.text()),
+                                 vertex.space.text(), open_list(vertex.at),
+                                 vertex.snapped ? " -> " + open_list(vertex.snapped) : ""));
     }
 
-    void add_face(const StepView& step) {
-        const std::string name = name_in_table(step.text("name"));
+    void add_face(const std::string& name) {
         for (const std::string_view what : {"normal", "centroid", "view"})
             add_line(StepKind::face, fmt::format("{} {}: ?, ?, ?", what, name));
         add_line(StepKind::face, fmt::format("dot {}: ? ?", name));
     }
 
-    void add_row(const StepView& step) {
-        const std::string row = fmt::format("{}y={}", of_primitive(), step.text("y"));
-        add_line(StepKind::scanline, row + ": ?, ? -> ?..?");
-        if (step.field("left_depth"))
-            add_line(StepKind::scanline, row + " depth: ?, ?");
+    void add_row(const ScanlineStep& row) {
+        const std::string name = fmt::format("{}y={}", of_primitive(), row.y);
+        add_line(StepKind::scanline, name + ": ?, ? -> ?..?");
+        if (row.left_depth)
+            add_line(StepKind::scanline, name + " depth: ?, ?");
     }
 
-    void add_depth(const StepView& step) {
-        const Index x = step.whole("x").value_or(0);
-        const Index y = step.whole("y").value_or(0);
-        if (tests_[{x, y}] > 1)
-            add_line(StepKind::scanline, // it stands below its row
-                     fmt::format("depth {} ({},{}): ? ?", name_in_table(primitive_), x, y));
+    void add_depth(const DepthStep& test) {
+        if (tests_[{test.x, test.y}] > 1)
+            add_line(
+                StepKind::scanline, // it stands below its row
+                fmt::format("depth {} ({},{}): ? ?", name_in_table(primitive_), test.x, test.y));
     }
 
     /// Bresenham's d, all of a line at once.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "derivation.h"
 
+#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/describe.h>
 #include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/text/method_names.h>
@@ -84,7 +85,7 @@ private:
         return 0;
     }
 
-    Rational sample_y() const { return *number_in(view_, "y") + sample_offset(numbers_.trace()); }
+    Rational sample_y(Index row) const { return row + sample_offset(numbers_.trace()); }
 
     std::optional<std::array<Vec3, 3>> world_corners(std::size_t primitive) const;
     std::optional<Vec3> vector_in(std::string_view field) const {
@@ -104,19 +105,25 @@ private:
 };
 
 Formulas Deriver::of_edge() const {
-    const auto edge = edge_named(view_.text("edge"));
+    const auto edge = edge_named(view_.as<EdgeStep>().edge.text());
     if (!edge)
         return {};
     return {{Slope{edge->from, edge->to, edge->other}}};
 }
 
+/// The name of the edge that an end of a row, "left" or "right", lies on.
+std::string edge_of_end(const ScanlineStep& row, const std::string& side) {
+    return (side == "left" ? row.left_edge : row.right_edge).text();
+}
+
 /// On the edge; or one slope on from the row before or behind, which may be what somebody did.
 Formulas Deriver::of_row_end(const std::string& side) const {
-    const std::string name = view_.text(side + "_edge");
+    const auto row = view_.as<ScanlineStep>();
+    const std::string name = edge_of_end(row, side);
     const auto edge = edge_named(name);
     if (!edge)
         return {};
-    const Rational y = sample_y();
+    const Rational y = sample_y(row.y);
     Lerp lerp{.d1 = edge->from.x, .i1 = edge->from.y, .d2 = edge->to.x, .i2 = edge->to.y, .i = y};
     if (edge->other)
         lerp.other = {edge->other->x, edge->other->y};
@@ -130,12 +137,11 @@ Formulas Deriver::of_row_end(const std::string& side) const {
     if (!numbers_.takes_only_claims())
         return formulas;
     for (const int rows : {1, -1}) {
-        const Rational beside = *number_in(view_, "y") + rows;
-        for (const std::size_t n :
-             numbers_.index().find(StepKind::scanline, {{"y", beside.get_str()}}))
+        const std::string beside = std::to_string(row.y + rows);
+        for (const std::size_t n : numbers_.index().find(StepKind::scanline, {{"y", beside}}))
             for (const std::string one : {"left", "right"})
                 if (numbers_.index().primitive_of(n) == primitive_ &&
-                    numbers_.step(n).text(one + "_edge") == name)
+                    edge_of_end(numbers_.step(n).as<ScanlineStep>(), one) == name)
                     if (const auto x = numbers_.one(n, one))
                         formulas.push_back({Lerp{.d1 = *x,
                                                  .i1 = y + rows,
@@ -148,7 +154,8 @@ Formulas Deriver::of_row_end(const std::string& side) const {
 }
 
 Formulas Deriver::of_row_depth(const std::string& side) const {
-    const auto edge = edge_named(view_.text(side + "_edge"));
+    const auto row = view_.as<ScanlineStep>();
+    const auto edge = edge_named(edge_of_end(row, side));
     const Values depths = numbers_.of(primitive_, "depths");
     if (!edge || depths.size() != 3)
         return {};
@@ -156,7 +163,7 @@ Formulas Deriver::of_row_depth(const std::string& side) const {
               .i1 = edge->from.y,
               .d2 = depths[edge->corners[1]],
               .i2 = edge->to.y,
-              .i = sample_y(),
+              .i = sample_y(row.y),
               .is_inverse_z = has_inverse_z()};
     if (edge->other)
         lerp.other = {depths[3 - edge->corners[0] - edge->corners[1]], edge->other->y};
@@ -180,13 +187,13 @@ Formulas Deriver::of_row_pixel(const std::string& field) const {
 }
 
 Formulas Deriver::of_place() const {
-    const std::string space = view_.text("space");
+    const auto space = view_.as<VertexStep>().space;
     const Values right = Numbers(numbers_.index()).of(step_, "at");
     const std::size_t before = numbers_.index().place_before(step_);
     Values from = numbers_.of(before, "at");
-    if (space == "canonical" && from.size() == 4)
+    if (space == Space::canonical && from.size() == 4)
         return {{DividedByW{{from[0], from[1], from[2], from[3]}}}};
-    const std::string matrix(matrix_into(space));
+    const std::string matrix(matrix_into(space.text()));
     if (from.empty())
         return {{TakenOver{right}}};
     if (numbers_.index().find(StepKind::matrix, {{"name", matrix}}).empty()) {
@@ -202,10 +209,11 @@ Formulas Deriver::of_place() const {
     const Values told_from = Numbers(numbers_.index()).of(before, "at");
     for (const std::size_t n : numbers_.index().find(StepKind::matrix, {{"name", matrix}})) {
         MatrixTimes product{.rows = {}, .point = {from[0], from[1], from[2], from[3]}};
-        for (const auto& texts : numbers_.step(n).text_rows("rows")) {
+        for (const auto& list : numbers_.step(n).as<MatrixStep>().rows.values()) {
+            const auto factors = list.values();
             std::array<Rational, 4> row;
-            for (std::size_t i = 0; i < 4 && i < texts.size(); ++i)
-                row[i] = number_in(texts[i]).value_or(0);
+            for (std::size_t i = 0; i < 4 && i < factors.size(); ++i)
+                row[i] = factors[i].exact().value_or(0);
             if (product.rows.size() < right.size())
                 product.rows.push_back(row);
         }
@@ -232,7 +240,7 @@ Formulas Deriver::of_snapped() const {
 std::optional<std::array<Vec3, 3>> Deriver::world_corners(std::size_t primitive) const {
     if (primitive == 0)
         return std::nullopt;
-    const auto names = numbers_.step(primitive).texts("vertices");
+    const auto names = numbers_.step(primitive).as<PrimitiveStep>().vertices.texts();
     std::array<Vec3, 3> corners;
     for (std::size_t i = 0; i < 3; ++i) {
         const auto corner = i < names.size() ? numbers_.in_world(names[i]) : std::nullopt;
@@ -303,14 +311,15 @@ Formulas Deriver::of_decisions() const {
 
 /// A line's other coordinate where it is at x or y.
 Formulas Deriver::of_along() const {
-    const bool is_x_major = view_.field("x").has_value();
+    const auto along = view_.as<AlongStep>();
+    const auto at = along.x ? along.x : along.y;
     const auto from = numbers_.corner(primitive_, 0);
     const auto to = numbers_.corner(primitive_, 1);
-    const auto at = number_in(view_, is_x_major ? "x" : "y");
-    if (primitive_ == 0 || !from || !to || !at || numbers_.step(primitive_).text("kind") != "line")
+    if (!from || !to || !at ||
+        numbers_.step(primitive_).as<PrimitiveStep>().kind != PrimitiveKind::line)
         return {};
     Lerp lerp{.d1 = from->y, .i1 = from->x, .d2 = to->y, .i2 = to->x, .i = *at};
-    if (!is_x_major)
+    if (!along.x)
         lerp = {.d1 = from->x, .i1 = from->y, .d2 = to->x, .i2 = to->y, .i = *at};
     return {{lerp}};
 }
@@ -346,18 +355,18 @@ MixedDepth between(const Rational& first, const Rational& last, const Rational& 
 
 /// From the ends of the row that a depth test lies in, as fills along the edges do.
 std::optional<MixedDepth> Deriver::depth_in_row() const {
-    const auto x = number_in(view_, "x");
+    const auto test = view_.as<DepthStep>();
     for (const std::size_t row :
-         numbers_.index().find(StepKind::scanline, {{"y", view_.text("y")}})) {
+         numbers_.index().find(StepKind::scanline, {{"y", std::to_string(test.y)}})) {
         const auto left_depth = numbers_.one(row, "left_depth");
         const auto right_depth = numbers_.one(row, "right_depth");
-        if (numbers_.index().primitive_of(row) != primitive_ || !left_depth || !right_depth || !x)
+        if (numbers_.index().primitive_of(row) != primitive_ || !left_depth || !right_depth)
             continue;
         const bool is_rounded = numbers_.trace().method_value("depth_at") == "rounded-ends";
         const auto first = numbers_.one(row, is_rounded ? "from" : "left");
         const auto last = numbers_.one(row, is_rounded ? "to" : "right");
         if (first && last)
-            return between(*first, *last, *x, *left_depth, *right_depth);
+            return between(*first, *last, test.x, *left_depth, *right_depth);
     }
     return std::nullopt;
 }

@@ -3,6 +3,7 @@
 
 #include "derivation.h"
 
+#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/step_text.h>
 
 #include <fmt/core.h>
@@ -12,12 +13,14 @@ namespace rastertrace {
 std::string name_of_number(const StepIndex& index, std::size_t step, std::string_view field) {
     const StepView view = index.trace().step(step);
     switch (view.kind().value_or(StepKind::primitive)) {
-    case StepKind::vertex:
-        return fmt::format("vertex {} {}", view.text("name"),
-                           field == "snapped" ? field : view.text("space"));
+    case StepKind::vertex: {
+        const auto vertex = view.as<VertexStep>();
+        return fmt::format("vertex {} {}", vertex.name.text(),
+                           field == "snapped" ? field : vertex.space.text());
+    }
     case StepKind::face:
     case StepKind::light:
-        return fmt::format("{} {} {}", view.kind_name(), view.text("name"), field);
+        return fmt::format("{} {} {}", view.kind_name(), name_in(view).text(), field);
     default:
         return fmt::format("{} of step {}", field, step);
     }
@@ -71,17 +74,17 @@ std::optional<Rational> Numbers::one(std::size_t step, std::string_view field) c
 std::optional<Vec<Rational, 2>> Numbers::corner(std::size_t primitive, std::size_t i) const {
     if (primitive == 0)
         return std::nullopt; // the trace leaves its primitives out
-    const StepView view = trace().step(primitive);
-    const auto names = view.texts("vertices");
-    const auto places = view.text_rows("at");
+    const auto drawn = step(primitive).as<PrimitiveStep>();
+    const auto names = drawn.vertices.texts();
+    const auto places = drawn.at.values();
     if (i >= names.size() || i >= places.size())
         return std::nullopt;
     const std::size_t screen = index_->place(names[i], "screen");
-    const bool is_snapped = screen != 0 && step(screen).field("snapped");
+    const bool is_snapped = screen != 0 && step(screen).as<VertexStep>().snapped;
     const Values at = of(screen, is_snapped ? "snapped" : "at");
     if (at.size() == 2)
         return Vec<Rational, 2>{at[0], at[1]};
-    return vec2_in(places[i]);
+    return vec2_in(places[i].texts());
 }
 
 std::optional<Vec<Rational, 3>> Numbers::in_world(const std::string& vertex) const {

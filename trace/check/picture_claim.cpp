@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "picture_claim.h"
 
+#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -62,9 +63,8 @@ std::string row_text(const StepIndex& index, int y) {
     const auto& rows = index.find(StepKind::scanline, {{"y", std::to_string(y)}});
     if (rows.size() != 1)
         return {};
-    const StepView row = index.trace().step(rows.front());
-    return fmt::format("  {}, {} -> {}..{}", row.text("left"), row.text("right"), row.text("from"),
-                       row.text("to"));
+    const auto row = index.trace().step(rows.front()).as<ScanlineStep>();
+    return fmt::format("  {}, {} -> {}..{}", row.left.text(), row.right.text(), row.from, row.to);
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "step_index.h"
 
+#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/step_text.h>
 
 #include <algorithm>
@@ -28,7 +29,7 @@ StepIndex::StepIndex(const Trace& trace) : trace_(&trace) {
         if (kind == StepKind::primitive)
             primitives_.push_back(n);
         // The edges of a fill come before its rows; a side before its own pixels.
-        if (kind == StepKind::edge && trace.step(n).field("octant"))
+        if (kind == StepKind::edge && trace.step(n).as<EdgeStep>().octant)
             sides_.push_back(n);
     }
 }
@@ -47,18 +48,23 @@ std::vector<std::string> StepIndex::names_around(std::size_t n) const {
     std::vector<std::string> names;
     if (primitive_of(n) == 0)
         return names;
-    std::string name = trace_->step(primitive_of(n)).text("name");
+    std::string name = name_in(trace_->step(primitive_of(n))).text();
     names.push_back(name);
     for (std::size_t slash; (slash = name.find_last_of('/')) != std::string::npos;) {
         name.resize(slash); // what ABC/1 is a part of
         names.push_back(name);
     }
     if (const std::size_t side = side_of(n); side != 0)
-        names.push_back(trace_->step(side).text("edge"));
+        names.push_back(trace_->step(side).as<EdgeStep>().edge.text());
     return names;
 }
 
 namespace {
+
+/// What a step says in a field; "" if it has none of that name.
+std::string text_in(const StepView& step, std::string_view field) {
+    return plain_text(step.field(field).value_or(""));
+}
 
 /// A value as it is compared in a field: numbers by what they are, names as they stand.
 std::string compared(StepKind kind, std::string_view field, const std::string& value) {
@@ -79,7 +85,7 @@ bool StepIndex::has_all(std::size_t n, StepKind kind, const Keys& wanted) const 
         if (const Pixel* const pixel = step.plain_pixel(); pixel && (field == "x" || field == "y"))
             return value == std::to_string(field == "x" ? pixel->x : pixel->y);
         if (field != "in")
-            return compared(kind, field, step.text(field)) == value;
+            return compared(kind, field, text_in(step, field)) == value;
         const auto names = names_around(n);
         return std::find(names.begin(), names.end(), value) != names.end();
     });
@@ -112,7 +118,7 @@ const std::vector<std::size_t>& StepIndex::find(StepKind kind, const Keys& keys)
         for (const auto& [field, value] : keys) {
             const std::vector<std::string> values =
                 field == "in" ? names_around(n)
-                              : std::vector{compared(kind, field, trace_->step(n).text(field))};
+                              : std::vector{compared(kind, field, text_in(trace_->step(n), field))};
             std::vector<std::string> longer;
             for (const std::string& text : texts)
                 for (const std::string& one : values)
@@ -142,7 +148,7 @@ std::size_t StepIndex::place(const std::string& vertex, std::string_view space) 
 }
 
 std::size_t StepIndex::place_before(std::size_t n) const {
-    const auto& places = find(StepKind::vertex, {{"name", trace_->step(n).text("name")}});
+    const auto& places = find(StepKind::vertex, {{"name", name_in(trace_->step(n)).text()}});
     const auto here = std::lower_bound(places.begin(), places.end(), n);
     return here == places.begin() ? 0 : *(here - 1);
 }
@@ -153,9 +159,11 @@ const Values& StepIndex::numbers(std::size_t step, std::string_view field) const
     if (!is_new)
         return values;
     const StepView view = trace_->step(step);
-    const bool is_list = view.field(field).value_or("").starts_with('[');
-    for (const std::string& text : is_list ? view.texts(field) : std::vector{view.text(field)}) {
-        const auto number = number_in(text);
+    const auto json = view.field(field).value_or("");
+    const TracedList<TracedNumber> list(json);
+    for (const auto& one :
+         json.starts_with('[') ? list.values() : std::vector{TracedNumber(json)}) {
+        const auto number = one.exact();
         if (!number) {
             values.clear();
             break;

@@ -5,6 +5,7 @@
 
 #include <rastertrace/core/numbers/irrational.h>
 #include <rastertrace/core/numbers/number.h>
+#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/text/color_text.h>
 
@@ -25,7 +26,7 @@ std::vector<std::string> decisions_from(const StepIndex& index, std::size_t firs
         if (kind == StepKind::edge || kind == StepKind::primitive || kind == StepKind::ray)
             break;
         if (kind == StepKind::decide)
-            decisions.push_back(index.trace().step(n).text("d"));
+            decisions.push_back(index.trace().step(n).as<DecideStep>().d.text());
     }
     return decisions;
 }
@@ -45,7 +46,7 @@ std::vector<std::string> told_decisions(const StepIndex& index, std::size_t firs
 
 /// z, or 1/z, by a depth test.
 ToldValues told_z(const StepIndex& index, std::size_t test, bool is_inverse) {
-    const auto depth = number_in(index.trace().step(test), "depth");
+    const auto depth = index.trace().step(test).as<DepthStep>().depth.exact();
     const bool holds_inverse = index.trace().method_value("depth") == "inverse-z";
     if (!depth || (is_inverse != holds_inverse && sgn(*depth) == 0))
         return std::nullopt;
@@ -57,10 +58,9 @@ bool is_fraction(const FaceCosine& face) {
     return has_rational_root(dot(face.normal, face.normal) * dot(face.view, face.view));
 }
 
-/// One value as the trace tells it; a cosine that a double is told of, as the fraction that it is, if it is one.
-std::string told_value(const StepIndex& index, std::size_t step, const std::string& field) {
-    const StepView view = index.trace().step(step);
-    std::string told = view.text(field);
+/// One value that the trace tells; a cosine that a double is told of, as the fraction that it is, if it is one.
+std::string told_value(const StepIndex& index, std::size_t step, const std::string& field,
+                       const std::string& told) {
     const auto number = number_in(told);
     if (!number || (field != "cosine" && field != "intensity"))
         return told;
@@ -86,13 +86,14 @@ ToldValues told_in(const StepIndex& index, std::size_t step, const ClaimedField&
     const auto json = view.field(field.name);
     if (json && json->starts_with("[[")) {
         std::vector<std::string> values;
-        for (const auto& row : view.text_rows(field.name))
+        for (const auto& row : text_rows(TracedList<TracedList<TracedValue>>(*json)))
             values.insert(values.end(), row.begin(), row.end());
         return values;
     }
     if (json)
-        return json->starts_with('[') ? view.texts(field.name)
-                                      : std::vector{told_value(index, step, field.name)};
+        return json->starts_with('[')
+                   ? TracedList<TracedValue>(*json).texts()
+                   : std::vector{told_value(index, step, field.name, plain_text(*json))};
     const auto formulas = formulas_of(Numbers(index), step, field.name);
     if (formulas.empty())
         return std::nullopt;
@@ -170,11 +171,12 @@ std::size_t row_of_pixel(const StepIndex& index, const Subject& subject) {
 
 /// Where a vertex is on the screen, of a trace that tells it in its primitives only.
 ToldValues told_in_primitive(const StepIndex& index, std::size_t step, const std::string& vertex) {
-    const auto names = index.trace().step(step).texts("vertices");
-    const auto places = index.trace().step(step).text_rows("at");
+    const auto primitive = index.trace().step(step).as<PrimitiveStep>();
+    const auto names = primitive.vertices.texts();
+    const auto places = primitive.at.values();
     const auto at =
         static_cast<std::size_t>(std::find(names.begin(), names.end(), vertex) - names.begin());
-    return at < places.size() ? ToldValues(places[at]) : std::nullopt;
+    return at < places.size() ? ToldValues(places[at].texts()) : std::nullopt;
 }
 
 ToldValues told(const StepIndex& index, std::size_t step, const Subject& subject,

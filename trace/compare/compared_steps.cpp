@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "compared_steps.h"
 
+#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -39,24 +40,28 @@ bool is_told(const StepLine& step, const std::optional<Region>& region) {
     if (!region || !step.kind)
         return true;
     const StepView view(step.json);
-    const auto x = view.whole("x");
-    const auto y = view.whole("y");
     switch (*step.kind) {
-    case StepKind::scanline:
-        return region->has_row(*y) && region->meets(*view.whole("from"), *view.whole("to"));
+    case StepKind::scanline: {
+        const auto row = view.as<ScanlineStep>();
+        return region->has_row(row.y) && region->meets(row.from, row.to);
+    }
     case StepKind::along: {
-        const Index other = *view.whole("pixel");
+        const auto [x, y, value, other] = view.as<AlongStep>();
         return region->has_row(y.value_or(other)) &&
                region->meets(x.value_or(other), x.value_or(other));
     }
-    case StepKind::reject:
-        return (!y || meet(*y, view.whole("to_y").value_or(*y), region->y0, region->y1)) &&
-               (!x || meet(*x, view.whole("to_x").value_or(*x), region->x0, region->x1));
+    case StepKind::reject: {
+        const auto [x, to_x, y, to_y, why] = view.as<RejectStep>();
+        return (!y || meet(*y, to_y.value_or(*y), region->y0, region->y1)) &&
+               (!x || meet(*x, to_x.value_or(*x), region->x0, region->x1));
+    }
     case StepKind::decide:
     case StepKind::sample:
     case StepKind::depth:
-    case StepKind::pixel:
-        return region->has_row(*y) && region->meets(*x, *x);
+    case StepKind::pixel: {
+        const Index x = *x_in(view);
+        return region->has_row(*y_in(view)) && region->meets(x, x);
+    }
     default:
         return true;
     }

@@ -2,6 +2,7 @@
 #include "diff_context.h"
 
 #include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/describe.h>
 
 #include <cstddef>
@@ -150,7 +151,7 @@ void tell_first(TraceDiff& found, const TraceComparison& comparison, const Trace
     StepDifference difference{
         .kind = step.kind_name, .fields = first->fields, .is_moved = first->is_moved};
     const std::string& json = first->a ? first->section.json_a : first->section.json_b;
-    difference.primitive = StepView(json).text("name");
+    difference.primitive = name_in(StepView(json)).text();
     if (const auto spot = spot_of(first->a, is_here ? std::optional(gap->a) : std::nullopt)) {
         Around around_a = around(a, first->section.begin_a, *spot);
         found.before_a = std::move(around_a.before);

@@ -4,7 +4,6 @@
 #include "value_difference.h"
 
 #include <rastertrace/trace/record/field_type.h>
-#include <rastertrace/trace/record/trace.h>
 #include <rastertrace/trace/text/json_scanner.h>
 
 #include <map>
@@ -26,10 +25,9 @@ void flatten(std::map<std::string, std::string>& keys, std::vector<std::string>&
     if (name == "stages" && value.starts_with('[')) {
         JsonScanner stages(value);
         while (stages.next_element()) {
-            const StepView stage(stages.value());
-            const std::string plane = stage.text("plane");
-            const std::string key =
-                name + "." + stage.text("stage") + (plane.empty() ? "" : "." + plane);
+            const std::string plane = value_of_stage(stages.value(), "plane").text();
+            const std::string key = name + "." + value_of_stage(stages.value(), "stage").text() +
+                                    (plane.empty() ? "" : "." + plane);
             if (keys.emplace(key, stages.value()).second)
                 order.push_back(key);
         }
@@ -70,10 +68,8 @@ std::vector<FieldDifference> differing_keys(std::string_view header_a, std::stri
             return in_a == in_b;
         if (!in_a.starts_with('{') || !in_b.starts_with('{'))
             return !differ(in_a, in_b, {.type = {}, .is_color = holds_color(key)});
-        const StepView stage_a(in_a);
-        const StepView stage_b(in_b);
-        return stage_a.text("kept") == stage_b.text("kept") &&
-               stage_a.text("why") == stage_b.text("why");
+        return value_of_stage(in_a, "kept") == value_of_stage(in_b, "kept") &&
+               value_of_stage(in_a, "why") == value_of_stage(in_b, "why").text();
     };
     std::vector<FieldDifference> differences;
     for (const std::string& key : a.order)
@@ -83,6 +79,14 @@ std::vector<FieldDifference> differing_keys(std::string_view header_a, std::stri
         if (a.value(key).empty())
             differences.push_back({.name = key, .b = b.value(key)});
     return differences;
+}
+
+TracedText value_of_stage(std::string_view stage, std::string_view key) {
+    JsonScanner fields(stage);
+    while (fields.next_field())
+        if (fields.key() == key)
+            return TracedText(fields.value());
+    return {};
 }
 
 } // namespace rastertrace

@@ -7,6 +7,8 @@
 
 #include "diff.h"
 
+#include <rastertrace/trace/record/traced_value.h>
+
 #include <string_view>
 #include <vector>
 
@@ -15,5 +17,8 @@ namespace rastertrace {
 /// The keys of two headers that are not alike; an object's as `canvas.width`, a stage's as `stages.clip`. Which steps
 /// were left out (`only`, `region`, `primitive`) is none of them.
 std::vector<FieldDifference> differing_keys(std::string_view header_a, std::string_view header_b);
+
+/// What a header says of a stage, by the key: `stage`, `plane`, `kept` or `why`. Valid as long as the stage's JSON.
+TracedText value_of_stage(std::string_view stage, std::string_view key);
 
 } // namespace rastertrace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "diff_picture.h"
 
-#include <rastertrace/trace/text/color_text.h>
+#include <rastertrace/trace/record/traced_steps.h>
 
 #include <algorithm>
 #include <charconv>
@@ -33,14 +33,16 @@ bool take(std::string_view& text, Index& number) {
 
 SeenStep seen_thoroughly(const StepView& step) {
     const auto kind = step.kind();
-    SeenStep seen;
-    if (kind == StepKind::pixel && step.whole("x") && step.whole("y"))
-        seen = {.what = SeenStep::What::pixel, .x = *step.whole("x"), .y = *step.whole("y")};
-    else if (kind == StepKind::primitive)
-        seen.what = SeenStep::What::primitive;
-    if (seen.what != SeenStep::What::other && step.field("color"))
-        seen.color = parse_color(step.text("color"));
-    return seen;
+    if (kind == StepKind::pixel && x_in(step) && y_in(step)) {
+        const auto pixel = step.as<PixelStep>();
+        return {.what = SeenStep::What::pixel,
+                .x = pixel.x,
+                .y = pixel.y,
+                .color = pixel.color.color()};
+    }
+    if (kind == StepKind::primitive)
+        return {.what = SeenStep::What::primitive, .color = step.as<PrimitiveStep>().color.color()};
+    return {};
 }
 
 /// Both canvases: every pixel that one of them has.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "diff_reach.h"
 
+#include <rastertrace/trace/record/traced_steps.h>
+
 #include <algorithm>
 
 namespace rastertrace {
@@ -14,11 +16,11 @@ bool has_name(const std::vector<std::string>& names, const std::string& name) {
 } // namespace
 
 OwnerOfPixels owner_in(const std::string& primitive_json) {
-    const StepView step(primitive_json);
-    OwnerOfPixels owner{.name = step.text("name"), .vertices = step.texts("vertices")};
-    owner.face =
-        step.text("part") == "true" ? owner.name.substr(0, owner.name.rfind('/')) : owner.name;
-    return owner;
+    const auto primitive = StepView(primitive_json).as<PrimitiveStep>();
+    const std::string name = primitive.name.text();
+    return {.name = name,
+            .face = primitive.part.is_true() ? name.substr(0, name.rfind('/')) : name,
+            .vertices = primitive.vertices.texts()};
 }
 
 DiffReach::DiffReach(const FirstDifference& first) : first_(first) {
@@ -42,13 +44,13 @@ bool DiffReach::reaches(const StepLine& line, Pixel pixel, const OwnerOfPixels& 
     case StepKind::triangulate:
         return true;
     case StepKind::vertex:
-        return has_name(owner.vertices, step.text("name"));
+        return has_name(owner.vertices, name_in(step).text());
     case StepKind::scanline:
-        return is_of_face && step.whole("y") == pixel.y;
+        return is_of_face && y_in(step) == pixel.y;
     case StepKind::sample:
     case StepKind::depth:
     case StepKind::pixel:
-        return is_of_face && step.whole("x") == pixel.x && step.whole("y") == pixel.y;
+        return is_of_face && x_in(step) == pixel.x && y_in(step) == pixel.y;
     default:
         return is_of_face;
     }

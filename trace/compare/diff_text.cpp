@@ -3,8 +3,8 @@
 // the pictures.
 
 #include "diff.h"
+#include "diff_header.h"
 
-#include <rastertrace/trace/record/trace.h>
 #include <rastertrace/trace/text/color_text.h>
 #include <rastertrace/trace/text/json_scanner.h>
 #include <rastertrace/trace/text/text.h>
@@ -26,11 +26,9 @@ constexpr std::size_t longest_value = 60;
 
 /// A value as a sentence has it: a string without its quotes, a stage as what became of it.
 std::string value_text(const std::string& json) {
-    if (json.starts_with("{\"stage\"")) {
-        const StepView stage(json);
-        return fmt::format("{} ({})", stage.text("kept") == "true" ? "kept" : "left out",
-                           printable(stage.text("why")));
-    }
+    if (json.starts_with("{\"stage\""))
+        return fmt::format("{} ({})", value_of_stage(json, "kept") == "true" ? "kept" : "left out",
+                           printable(value_of_stage(json, "why").text()));
     return json.empty() ? "none" : shortened(printable(plain_text(json)), longest_value);
 }
 

@@ -2,6 +2,7 @@
 #include "trace_comparison.h"
 
 #include <rastertrace/trace/record/trace_lines.h>
+#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <algorithm>
@@ -70,7 +71,7 @@ std::vector<PrimitivePlace> primitives_from_here(DiffSide& side) {
     const auto begin = [&](const std::string_view step, LinePlace place) {
         if (!primitives.empty())
             primitives.back().end = place;
-        primitives.push_back({.name = StepView(step).text("name"), .begin = place});
+        primitives.push_back({.name = name_in(StepView(step)).text(), .begin = place});
     };
     while (const StepLine* const ahead = side.lines.front()) {
         if (ahead->kind == StepKind::primitive)
@@ -191,7 +192,7 @@ bool TraceComparison::compare_in_order() {
         if (a == nullptr && b == nullptr)
             return true;
         if (a == nullptr || b == nullptr ||
-            StepView(a->json).text("name") != StepView(b->json).text("name")) {
+            name_in(StepView(a->json)).text() != name_in(StepView(b->json)).text()) {
             common_primitives_ = static_cast<std::uint32_t>(a_.primitives.size());
             return false;
         }
@@ -212,7 +213,7 @@ void TraceComparison::begin_primitive(DiffSide& a, DiffSide& b) {
 void TraceComparison::begin_section() {
     tally_.begin_section(
         {.json_a = a_.json, .json_b = b_.json, .begin_a = a_.begin, .begin_b = b_.begin});
-    is_compared_ = compared_.has_primitive(StepView(a_.json).text("name"));
+    is_compared_ = compared_.has_primitive(name_in(StepView(a_.json)).text());
 }
 
 void TraceComparison::compare(const StepLine& a, const StepLine& b) {

@@ -51,7 +51,7 @@ Explanation explain_step(const Trace& trace, const std::string& selector) {
     explanation.answer = fmt::format("step {} of {}", step.value(), trace.size());
     if (replay.primitive() != 0)
         explanation.answer +=
-            fmt::format(", of {}", printable(trace.step(replay.primitive()).text("name")));
+            fmt::format(", of {}", printable(name_in(trace.step(replay.primitive())).text()));
     return explanation;
 }
 
@@ -118,7 +118,7 @@ std::string shown_at(const Replay& replay, Pixel pixel) {
     const std::string color = to_text(frame.image.at(pixel));
     return primitive == 0
                ? color
-               : fmt::format("{} {}", printable(trace.step(primitive).text("name")), color);
+               : fmt::format("{} {}", printable(name_in(trace.step(primitive)).text()), color);
 }
 
 std::vector<Try> tries_of(const Trace& trace, const std::vector<std::size_t>& steps) {
@@ -127,8 +127,8 @@ std::vector<Try> tries_of(const Trace& trace, const std::vector<std::size_t>& st
     for (const std::size_t n : steps) {
         replay.go_to(n == 0 ? 0 : n - 1);
         const StepView step = n == 0 ? StepView("{}") : trace.step(n);
-        const auto x = step.whole("x");
-        const auto y = step.whole("y");
+        const auto x = x_in(step);
+        const auto y = y_in(step);
         const bool is_pixel = n != 0 && x && y && trace.canvas.contains(*x, *y);
         const Pixel pixel{static_cast<int>(x.value_or(0)), static_cast<int>(y.value_or(0))};
         const std::string before = is_pixel ? shown_at(replay, pixel) : std::string();
@@ -140,9 +140,9 @@ std::vector<Try> tries_of(const Trace& trace, const std::vector<std::size_t>& st
     return tries;
 }
 
-bool is_part_of(const StepView& primitive, std::string_view whole) {
-    const std::string name = primitive.text("name");
-    return primitive.text("part") == "true" && name.substr(0, name.rfind('/')) == whole;
+bool is_part_of(const PrimitiveStep& primitive, std::string_view whole) {
+    const std::string name = primitive.name.text();
+    return primitive.part.is_true() && name.substr(0, name.rfind('/')) == whole;
 }
 
 Result<Explanation> explain(const Trace& trace, const Question& question) {

@@ -38,9 +38,9 @@ void for_each_step(const Trace& trace, const std::function<void(const StepOf&)>&
             continue;
         const StepView step = trace.step(n);
         if (kind == StepKind::primitive) {
-            primitive = step.text("name");
-            const std::string before = primitive.substr(0, primitive.rfind('/'));
-            whole = is_part_of(step, before) ? before : primitive;
+            const auto begun = step.as<PrimitiveStep>();
+            primitive = begun.name.text();
+            whole = begun.part.is_true() ? primitive.substr(0, primitive.rfind('/')) : primitive;
         }
         take({n, *kind, step, primitive, whole});
     }
@@ -88,18 +88,18 @@ struct Fate {
 };
 
 void take_step(Fate& fate, const StepOf& one, const Replay& at_end) {
-    if (one.kind == StepKind::primitive && one.step.text("painted") == "false")
+    if (one.kind == StepKind::primitive && one.step.as<PrimitiveStep>().painted.is_false())
         fate.is_painted = false;
     if (one.kind == StepKind::skip)
-        fate.skipped = one.step.text("why");
+        fate.skipped = one.step.as<SkipStep>().why.text();
     const Canvas& canvas = at_end.trace().canvas;
-    const auto x = one.step.whole("x");
-    const auto y = one.step.whole("y");
+    const auto x = x_in(one.step);
+    const auto y = y_in(one.step);
     if (!x || !y || !canvas.contains(*x, *y))
         return;
     const auto offset = canvas.offset_of({static_cast<int>(*x), static_cast<int>(*y)});
     if (one.kind == StepKind::depth)
-        (one.step.text("pass") == "false" ? fate.hidden : fate.passed).insert(offset);
+        (one.step.as<DepthStep>().pass.is_false() ? fate.hidden : fate.passed).insert(offset);
     if (one.kind == StepKind::pixel)
         fate.plotted.insert(offset);
     if (one.kind == StepKind::pixel && at_end.frame().drawn_by[offset] == one.number)
@@ -146,9 +146,11 @@ std::set<std::string> passing_through(const Trace& trace, int y) {
     std::set<std::string> names;
     bool is_line = false;
     for_each_step(trace, [&](const StepOf& one) {
-        if (one.kind == StepKind::primitive)
-            is_line = one.step.text("kind") == "line" || one.step.text("kind") == "outline";
-        if (is_line && one.kind == StepKind::pixel && one.step.whole("y") == y)
+        if (one.kind == StepKind::primitive) {
+            const auto kind = one.step.as<PrimitiveStep>().kind;
+            is_line = kind == PrimitiveKind::line || kind == PrimitiveKind::outline;
+        }
+        if (is_line && one.kind == StepKind::pixel && y_in(one.step) == y)
             names.insert(one.whole);
     });
     return names;
@@ -174,7 +176,7 @@ Explanation explain_scanline(const Trace& trace, int y) {
     std::vector<std::string> owners;
     explanation.tries = tries_of(trace, numbers_of(trace, [&](const StepOf& one) {
                                      const bool is_row =
-                                         one.kind == StepKind::scanline && one.step.whole("y") == y;
+                                         one.kind == StepKind::scanline && y_in(one.step) == y;
                                      if (is_row)
                                          owners.push_back(one.primitive);
                                      return is_row;
@@ -194,13 +196,18 @@ std::vector<std::string> triangles_of_face(const Trace& trace, const std::string
     std::set<std::string> known;
     std::vector<std::string> triangles{name};
     for_each_step(trace, [&](const StepOf& one) {
-        const std::string kind = one.step.text("kind");
-        const bool is_face = one.kind == StepKind::triangulate ||
-                             (one.kind == StepKind::primitive && kind != "line" && kind != "point");
-        if (is_face || (one.kind == StepKind::primitive && one.primitive != one.whole))
-            known.insert(one.step.text("name"));
-        if (one.kind == StepKind::triangulate && one.step.text("name") == name)
-            triangles = one.step.texts("ears");
+        if (one.kind == StepKind::triangulate) {
+            const auto face = one.step.as<TriangulateStep>();
+            known.insert(face.name.text());
+            if (face.name == name)
+                triangles = face.ears.texts();
+        }
+        if (one.kind == StepKind::primitive) {
+            const auto kind = one.step.as<PrimitiveStep>().kind;
+            const bool is_face = kind != PrimitiveKind::line && kind != PrimitiveKind::point;
+            if (is_face || one.primitive != one.whole)
+                known.insert(one.primitive);
+        }
     });
     if (!trace.lacks(StepKind::primitive) && !known.contains(name))
         refuse("--face", "the name of a face", name, known);
@@ -229,7 +236,7 @@ Explanation explain_face(const Trace& trace, const std::string& name) {
     explanation.tries =
         tries_of(trace, numbers_of(trace, [&](const StepOf& one) {
                      if (one.kind == StepKind::triangulate)
-                         return one.step.text("name") == name;
+                         return name_in(one.step) == name;
                      has_test = has_test || (one.kind == StepKind::face && is_of_face(one));
                      return is_about_face(one.kind) && is_of_face(one);
                  }));
@@ -251,16 +258,16 @@ Explanation explain_vertex(const Trace& trace, const std::string& name) {
     std::set<std::string> known;
     std::string place;
     Explanation explanation;
-    explanation.tries =
-        tries_of(trace, numbers_of(trace, [&](const StepOf& one) {
-                     if (one.kind == StepKind::vertex)
-                         known.insert(one.step.text("name"));
-                     return one.kind == StepKind::vertex && one.step.text("name") == name;
-                 }));
+    explanation.tries = tries_of(trace, numbers_of(trace, [&](const StepOf& one) {
+                                     if (one.kind != StepKind::vertex)
+                                         return false;
+                                     known.insert(name_in(one.step).text());
+                                     return name_in(one.step) == name;
+                                 }));
     const bool has_places = !explanation.tries.empty();
     if (has_places) {
-        const StepView last(explanation.tries.back().step);
-        place = fmt::format("{} space: {}", last.text("space"), point(last.texts("at")));
+        const auto last = StepView(explanation.tries.back().step).as<VertexStep>();
+        place = fmt::format("{} space: {}", last.space.text(), point(last.at.texts()));
     }
 
     // Where no matrix moves a vertex, the primitives say where it is.
@@ -301,12 +308,14 @@ std::string why_not_set_up(const Trace& trace, const std::set<std::string>& spel
                     if (spellings.contains(edge_name(primitive, i, j)))
                         owners.insert(one.primitive);
         }
-        const std::string name =
-            one.step.text("name").empty() ? one.primitive : one.step.text("name");
-        if (one.kind == StepKind::skip && owners.contains(name))
+        if (one.kind != StepKind::skip)
+            return;
+        const auto skip = one.step.as<SkipStep>();
+        const std::string name = skip.name ? skip.name.text() : one.primitive;
+        if (owners.contains(name))
             why = fmt::format("no edge is set up: {} is {}{}", printable(name),
-                              one.step.text("why") == "culled" ? "" : "skipped, ",
-                              printable(in_language_of_steps(one.step.text("why"))));
+                              skip.why == SkipReason::culled ? "" : "skipped, ",
+                              printable(in_language_of_steps(skip.why.text())));
     });
     return why;
 }
@@ -318,7 +327,7 @@ Explanation explain_edge(const Trace& trace, const std::string& name) {
     std::set<std::string> known, spellings;
     for_each_step(trace, [&](const StepOf& one) {
         if (one.kind == StepKind::edge)
-            known.insert(one.step.text("edge"));
+            known.insert(one.step.as<EdgeStep>().edge.text());
         if (one.kind != StepKind::primitive)
             return;
         const PrimitiveText primitive = primitive_in(one.step);
@@ -344,17 +353,19 @@ Explanation explain_edge(const Trace& trace, const std::string& name) {
         tries_of(trace, numbers_of(trace, [&](const StepOf& one) {
                      switch (one.kind) {
                      case StepKind::primitive:
-                         is_in_line = one.step.text("kind") == "line" &&
+                         is_in_line = one.step.as<PrimitiveStep>().kind == PrimitiveKind::line &&
                                       spellings.contains(edge_name(primitive_in(one.step), 0, 1));
                          return is_in_line;
                      case StepKind::edge: {
-                         const bool is_meant = spellings.contains(one.step.text("edge"));
-                         is_in_line = is_meant && one.step.field("octant");
+                         const auto side = one.step.as<EdgeStep>();
+                         const bool is_meant = spellings.contains(side.edge.text());
+                         is_in_line = is_meant && side.octant;
                          return is_meant;
                      }
                      case StepKind::scanline: {
-                         const bool is_end = spellings.contains(one.step.text("left_edge")) ||
-                                             spellings.contains(one.step.text("right_edge"));
+                         const auto row = one.step.as<ScanlineStep>();
+                         const bool is_end = spellings.contains(row.left_edge.text()) ||
+                                             spellings.contains(row.right_edge.text());
                          rows += is_end ? 1 : 0;
                          return is_end;
                      }

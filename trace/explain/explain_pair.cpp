@@ -47,7 +47,7 @@ PrimitiveText triangle_named(const Trace& trace, const std::string& name) {
             return primitive;
         if (corners_of(primitive))
             known.push_back(primitive.name);
-        if (is_part_of(trace.step(n), name))
+        if (is_part_of(trace.step(n).as<PrimitiveStep>(), name))
             parts.push_back(primitive.name);
     }
     if (!parts.empty())
@@ -62,7 +62,7 @@ std::vector<std::string> names_in(const Trace& trace, const std::string& text) {
     std::set<std::string> known;
     for (std::size_t n = 1; n <= trace.size(); ++n)
         if (trace.kind_of(n) == StepKind::primitive)
-            known.insert(trace.step(n).text("name"));
+            known.insert(name_in(trace.step(n)).text());
     for (std::size_t comma = text.find(','); comma != std::string::npos;
          comma = text.find(',', comma + 1))
         if (known.contains(text.substr(0, comma)) && known.contains(text.substr(comma + 1)))
@@ -178,7 +178,7 @@ public:
             const bool ends_pair = is_of_pair && kind == StepKind::primitive;
             if (kind == StepKind::primitive)
                 is_of_pair = std::find(pair.names.begin(), pair.names.end(),
-                                       trace.step(n).text("name")) != pair.names.end();
+                                       name_in(trace.step(n)).text()) != pair.names.end();
             if ((is_of_pair || ends_pair) && kind)
                 take(n, *kind, near);
         }
@@ -205,7 +205,7 @@ private:
         const StepView step = trace_.step(n);
         switch (kind) {
         case StepKind::scanline:
-            rows_[step.whole("y").value_or(0)].push_back(n);
+            rows_[step.as<ScanlineStep>().y].push_back(n);
             if (last_row_ == 0)
                 always_.push_back(n);
             last_row_ = n;
@@ -213,8 +213,8 @@ private:
         case StepKind::pixel:
         case StepKind::depth:
         case StepKind::sample: {
-            const auto x = step.whole("x");
-            const auto y = step.whole("y");
+            const auto x = x_in(step);
+            const auto y = y_in(step);
             if (x && y && near.has(*x, *y))
                 rows_[*y].push_back(n);
             return;

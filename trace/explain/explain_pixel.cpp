@@ -58,7 +58,8 @@ private:
     /// Parts that clipping has made come between the steps of the primitive that they are parts of.
     void begin(std::size_t n) {
         close_part();
-        if (primitive_ && is_part_of(trace_.step(n), trace_.step(primitive_->first).text("name"))) {
+        if (primitive_ && is_part_of(trace_.step(n).as<PrimitiveStep>(),
+                                     name_in(trace_.step(primitive_->first)).text())) {
             primitive_->is_whole = true;
             part_ = PrimitiveSteps{.first = n};
             return;
@@ -115,10 +116,10 @@ private:
         switch (*trace_.kind_of(n)) {
         case StepKind::pixel:
             if (!std::exchange(current.has_drawn, true))
-                painters_.push_back(trace_.step(current.first).text("name"));
+                painters_.push_back(name_in(trace_.step(current.first)).text());
             break;
         case StepKind::depth:
-            if (step.text("pass") == "false")
+            if (step.as<DepthStep>().pass.is_false())
                 current.hidden = sentence;
             else
                 current.has_passed = true;
@@ -134,29 +135,35 @@ private:
         PrimitiveSteps& current = *drawing();
         if (kind == StepKind::face)
             current.face = sentence_of(n);
-        if (kind == StepKind::face && step.text("culled") == "true")
+        if (kind == StepKind::face && step.as<FaceStep>().culled.is_true())
             culled_faces_.push_back({current.first, n});
         if (kind == StepKind::clip)
             named_by(step).clips.push_back(sentence_of(n));
-        if (kind == StepKind::skip)
-            named_by(step).skip = step.text("why");
-        if (kind == StepKind::skip && step.text("why") == "culled" && current.face.empty())
-            current.face = culled_with(trace_.step(current.first).texts("vertices"));
+        if (kind == StepKind::skip) {
+            const auto why = step.as<SkipStep>().why;
+            named_by(step).skip = why.text();
+            if (why == SkipReason::culled && current.face.empty())
+                current.face = culled_with(vertices_of(current.first));
+        }
         const bool is_of_pixel =
-            kind == StepKind::scanline ? step.whole("y") == pixel_.y : kind == StepKind::sample;
+            kind == StepKind::scanline ? y_in(step) == pixel_.y : kind == StepKind::sample;
         if (is_of_pixel && sentences_ == nullptr)
             current.working = working_of(replay_to(n));
+    }
+
+    std::vector<std::string> vertices_of(std::size_t primitive) const {
+        return trace_.step(primitive).as<PrimitiveStep>().vertices.texts();
     }
 
     /// A line that is a side of faces is culled with them: which, and what their tests say. "" if no face is
     /// known to have it.
     std::string culled_with(std::vector<std::string> ends) {
         for (const auto& [primitive, face] : std::exchange(culled_faces_, {})) {
-            std::vector<std::string> corners = trace_.step(primitive).texts("vertices");
+            std::vector<std::string> corners = vertices_of(primitive);
             std::sort(corners.begin(), corners.end());
-            const StepView test = trace_.step(face);
+            const auto test = trace_.step(face).as<FaceStep>();
             const std::string text =
-                fmt::format("{} (normal . view = {})", test.text("name"), test.text("dot"));
+                fmt::format("{} (normal . view = {})", test.name.text(), test.dot.text());
             for (std::size_t from = 0; from < corners.size(); ++from)
                 for (std::size_t to = from + 1; to < corners.size(); ++to) {
                     std::string& faces = faces_of_side_[{corners[from], corners[to]}];
@@ -171,7 +178,8 @@ private:
 
     /// The primitive that a clip or skip step is about: that of an outline may come after its first part.
     PrimitiveSteps& named_by(const StepView& step) {
-        const bool is_of_whole = step.text("name") == trace_.step(primitive_->first).text("name");
+        const bool is_of_whole =
+            name_in(step).text() == name_in(trace_.step(primitive_->first)).text();
         return is_of_whole ? *primitive_ : *drawing();
     }
 
@@ -189,7 +197,7 @@ private:
     void close_primitive() {
         if (!primitive_)
             return;
-        const bool has_place = trace_.step(primitive_->first).field("at").has_value();
+        const bool has_place{trace_.step(primitive_->first).as<PrimitiveStep>().at};
         primitive_->is_whole = primitive_->is_whole || (!has_place && !primitive_->clips.empty());
         if (!primitive_->has_drawn && !part_has_drawn_)
             explanation_.why_not.insert(explanation_.why_not.begin() +
@@ -299,10 +307,10 @@ Trace steps_about_row(const Trace& trace, int y) {
         const StepView step = trace.step(n);
         const auto kind = trace.kind_of(n);
         if (kind == StepKind::primitive)
-            is_triangle = step.text("kind") == "triangle";
+            is_triangle = step.as<PrimitiveStep>().kind == PrimitiveKind::triangle;
         const bool is_of_pixel =
             kind == StepKind::pixel || kind == StepKind::depth || kind == StepKind::sample;
-        if (!is_triangle || !is_of_pixel || step.whole("y") == y)
+        if (!is_triangle || !is_of_pixel || y_in(step) == y)
             excerpt.add_to_excerpt(step, kind, trace.number_of(n));
     }
     return excerpt;

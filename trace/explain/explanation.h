@@ -6,6 +6,7 @@
 #include "explain.h"
 
 #include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/traced_steps.h>
 
 #include <cstddef>
 #include <initializer_list>
@@ -26,7 +27,7 @@ std::string shown_at(const Replay& replay, Pixel pixel);
 std::vector<Try> tries_of(const Trace& trace, const std::vector<std::size_t>& steps);
 
 /// True of a primitive that clipping has made of the one of that name: ABC/1 of ABC.
-bool is_part_of(const StepView& primitive, std::string_view whole);
+bool is_part_of(const PrimitiveStep& primitive, std::string_view whole);
 
 /// The triangles that a face was cut into, or the one primitive that it is. A name that no face has is thrown as a
 /// Problem.

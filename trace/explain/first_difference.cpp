@@ -40,19 +40,19 @@ bool only_sets_up(StepKind kind) {
 }
 
 /// True if a vertex is somewhere else once it has been snapped.
-bool is_moved(const StepView& vertex) {
-    return vertex.field("snapped") && vertex.field("snapped") != vertex.field("at");
+bool is_moved(const VertexStep& vertex) {
+    return vertex.snapped && vertex.snapped != vertex.at;
 }
 
 std::string decided_by(const StepView& step, StepKind kind) {
-    return kind == StepKind::vertex && !is_moved(step) ? std::string()
-                                                       : told_by(step, kind, FieldRole::decision);
+    return kind == StepKind::vertex && !is_moved(step.as<VertexStep>())
+               ? std::string()
+               : told_by(step, kind, FieldRole::decision);
 }
 
 /// True of a row that does not have the pixel that is asked about.
-bool leaves_out(const StepView& row, const Question& question) {
-    const bool has_pixel = row.whole("from").value_or(question.pixel.x) <= question.pixel.x &&
-                           question.pixel.x <= row.whole("to").value_or(question.pixel.x);
+bool leaves_out(const ScanlineStep& row, const Question& question) {
+    const bool has_pixel = row.from <= question.pixel.x && question.pixel.x <= row.to;
     return question.about == Topic::pixel && !has_pixel;
 }
 
@@ -63,16 +63,16 @@ bool decides_alone(const StepView& step, StepKind kind, const Question& question
                                  question.about == Topic::pair;
     switch (kind) {
     case StepKind::face:
-        return step.text("culled") == "true";
+        return step.as<FaceStep>().culled.is_true();
     case StepKind::depth:
-        return step.text("pass") == "false";
+        return step.as<DepthStep>().pass.is_false();
     case StepKind::vertex:
-        return is_moved(step);
+        return is_moved(step.as<VertexStep>());
     case StepKind::scanline:
-        return !is_about_pixels || leaves_out(step, question);
+        return !is_about_pixels || leaves_out(step.as<ScanlineStep>(), question);
     case StepKind::sample:
         return !is_about_pixels ||
-               (question.about == Topic::pixel && step.text("inside") == "false");
+               (question.about == Topic::pixel && step.as<SampleStep>().inside.is_false());
     case StepKind::along:
     case StepKind::decide:
         return !is_about_pixels;
@@ -102,7 +102,7 @@ Decisions decisions_in(const Trace& trace) {
             continue;
         const StepView step = trace.step(n);
         if (kind == StepKind::primitive)
-            primitive = step.text("name");
+            primitive = name_in(step).text();
         // Where there are several of one key, the first is the first, and so on.
         std::string key = std::string(name_of(*kind)) + " " + told_by(step, *kind, FieldRole::key);
         key += std::to_string(++count[primitive + " " + key]);
@@ -118,10 +118,12 @@ Trace steps_of(const Trace& trace, const std::vector<std::string>& names) {
     bool is_meant = false;
     for (std::size_t n = 1; n <= trace.size(); ++n) {
         const StepView step = trace.step(n);
-        if (trace.kind_of(n) == StepKind::primitive)
-            is_meant = std::any_of(names.begin(), names.end(), [&step](const std::string& name) {
-                return step.text("name") == name || is_part_of(step, name);
+        if (trace.kind_of(n) == StepKind::primitive) {
+            const auto primitive = step.as<PrimitiveStep>();
+            is_meant = std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+                return primitive.name == name || is_part_of(primitive, name);
             });
+        }
         if (is_meant)
             excerpt.add_to_excerpt(step, trace.kind_of(n), n);
     }
@@ -132,7 +134,7 @@ Trace steps_of(const Trace& trace, const std::vector<std::string>& names) {
 Trace steps_of(const Trace& trace, Pixel pixel) {
     StepsOfPixel chosen(trace, pixel);
     for (std::size_t n = 1; n <= trace.size(); ++n)
-        if (trace.kind_of(n) != StepKind::scanline || trace.step(n).whole("y") == pixel.y)
+        if (trace.kind_of(n) != StepKind::scanline || y_in(trace.step(n)) == pixel.y)
             chosen.take(trace.step(n), trace.kind_of(n), n);
     return std::move(chosen).finish();
 }

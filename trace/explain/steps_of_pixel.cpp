@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "steps_of_pixel.h"
 
+#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/step_text.h>
 
 #include <utility>
@@ -16,8 +17,8 @@ void StepsOfPixel::take(const StepView& step, std::optional<StepKind> kind, std:
     switch (*kind) {
     case StepKind::vertex: {
         // A depth is worked out on the plane of the face, in the camera's space.
-        const std::string space = step.text("space");
-        if (space == "object" || space == "world" || space == "camera")
+        const auto space = step.as<VertexStep>().space;
+        if (space == Space::object || space == Space::world || space == Space::camera)
             keep(step, kind, number);
         return;
     }
@@ -53,8 +54,9 @@ void StepsOfPixel::take(const StepView& step, std::optional<StepKind> kind, std:
 }
 
 void StepsOfPixel::begin_primitive(const StepView& step) {
-    is_line_ = step.text("kind") != "triangle";
-    is_point_ = step.text("kind") == "point";
+    const auto kind = step.as<PrimitiveStep>().kind;
+    is_line_ = kind != PrimitiveKind::triangle;
+    is_point_ = kind == PrimitiveKind::point;
     is_x_major_ = is_x_major_octant(step);
     has_row_ = false;
     ray_ = reason_before_ = reason_ = {};
@@ -62,7 +64,7 @@ void StepsOfPixel::begin_primitive(const StepView& step) {
 
 /// The row of the pixel, the one before it, and the first and the last of the primitive.
 void StepsOfPixel::take_scanline(const StepView& step, std::size_t number) {
-    if (!has_row_ || step.whole("y") == pixel_.y)
+    if (!has_row_ || y_in(step) == pixel_.y)
         keep(step, StepKind::scanline, number);
     else
         row_ = {std::string(step.json()), StepKind::scanline, number};
@@ -76,7 +78,7 @@ void StepsOfPixel::take_reason(const StepView& step, StepKind kind, std::size_t 
 
 /// Of a line, also where it is in the pixel's column or row, and what of it the canvas does not have.
 void StepsOfPixel::take_fragment(const StepView& step, StepKind kind, std::size_t number) {
-    const bool is_of_pixel = is_line_                   ? shares_line(step)
+    const bool is_of_pixel = is_line_                   ? shares_line(step, kind)
                              : kind == StepKind::reject ? covers(step, pixel_)
                                                         : is_at_pixel(step);
     if (!is_of_pixel)
@@ -89,15 +91,18 @@ void StepsOfPixel::take_fragment(const StepView& step, StepKind kind, std::size_
 }
 
 bool StepsOfPixel::is_at_pixel(const StepView& step) const {
-    return step.whole("y") == pixel_.y && step.whole("x") == pixel_.x;
+    return y_in(step) == pixel_.y && x_in(step) == pixel_.x;
 }
 
-bool StepsOfPixel::shares_line(const StepView& step) const {
-    const bool is_run = step.field("to_x") || step.field("to_y");
-    if (is_point_ || is_run)
+bool StepsOfPixel::shares_line(const StepView& step, StepKind kind) const {
+    const auto is_run = [&step] {
+        const auto reject = step.as<RejectStep>();
+        return reject.to_x || reject.to_y;
+    };
+    if (is_point_ || (kind == StepKind::reject && is_run()))
         return true;
-    const bool is_in_column = step.whole("x") == pixel_.x;
-    const bool is_in_row = step.whole("y") == pixel_.y;
+    const bool is_in_column = x_in(step) == pixel_.x;
+    const bool is_in_row = y_in(step) == pixel_.y;
     return is_x_major_ ? (*is_x_major_ ? is_in_column : is_in_row) : is_in_column || is_in_row;
 }
 

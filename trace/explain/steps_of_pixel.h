@@ -45,7 +45,7 @@ private:
     void take_fragment(const StepView& step, StepKind kind, std::size_t number);
     void take_reason(const StepView& step, StepKind kind, std::size_t number);
     bool is_at_pixel(const StepView& step) const;
-    bool shares_line(const StepView& step) const;
+    bool shares_line(const StepView& step, StepKind kind) const;
     void keep(const StepView& step, std::optional<StepKind> kind, std::size_t number);
     void keep(Waiting& waiting);
 

@@ -4,6 +4,7 @@
 #include "why_not.h"
 
 #include <rastertrace/core/raster/rounding.h>
+#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/text/text.h>
 
@@ -62,9 +63,10 @@ std::vector<LineSteps> lines_of(const Trace& trace, const PrimitiveSteps& steps)
         if (!lines.empty())
             lines.back().last = n - 1;
         const StepView edge = trace.step(n);
-        const auto found = ends_of_edge(primitive, edge.text("edge"));
+        const std::string name = edge.as<EdgeStep>().edge.text();
+        const auto found = ends_of_edge(primitive, name);
         const auto ends = found ? ends_at(*found) : std::nullopt;
-        lines.push_back({edge.text("edge"), n, steps.last, ends, is_x_major_line(edge, ends)});
+        lines.push_back({name, n, steps.last, ends, is_x_major_line(edge, ends)});
     }
     return lines;
 }
@@ -105,14 +107,25 @@ PlaceOnLine beyond_ends(const Trace& trace, const LineSteps& line, Pixel pixel) 
 std::string place_in(const Trace& trace, const LineSteps& line, std::size_t n, Index at) {
     for (std::size_t before = n; before > line.first; --before)
         if (trace.kind_of(before) == StepKind::along)
-            return fmt::format("{} -> {}", in_sentence(trace.step(before).text("value")), at);
+            return fmt::format("{} -> {}",
+                               in_sentence(trace.step(before).as<AlongStep>().value.text()), at);
     return fmt::format("{}", at);
+}
+
+/// True if the pixels that are dropped reach a column, or a row.
+bool reaches(const RejectStep& dropped, bool is_column, Index wanted) {
+    const auto from = is_column ? dropped.x : dropped.y;
+    const auto to = is_column ? dropped.to_x : dropped.to_y;
+    return from && std::min(*from, to.value_or(*from)) <= wanted &&
+           wanted <= std::max(*from, to.value_or(*from));
 }
 
 /// Where the line is in the pixel's column, or row.
 PlaceOnLine place_of(const Trace& trace, const LineSteps& line, Pixel pixel) {
     const std::string_view major = line.is_x_major ? "x" : "y";
     const std::string_view minor = line.is_x_major ? "y" : "x";
+    const auto major_in = line.is_x_major ? x_in : y_in;
+    const auto minor_in = line.is_x_major ? y_in : x_in;
     const Index wanted = line.is_x_major ? pixel.x : pixel.y;
     const Index asked = line.is_x_major ? pixel.y : pixel.x;
     const std::string where =
@@ -121,20 +134,13 @@ PlaceOnLine place_of(const Trace& trace, const LineSteps& line, Pixel pixel) {
         const auto kind = trace.kind_of(n);
         const StepView step = trace.step(n);
         const bool is_fragment = kind == StepKind::pixel || kind == StepKind::depth;
-        if (is_fragment && step.whole(major) == wanted) {
-            const Index at = step.whole(minor).value_or(0);
+        if (is_fragment && major_in(step) == wanted) {
+            const Index at = minor_in(step).value_or(0);
             return {fmt::format("{} {} is at {} = {}, not {}", where, line.name, minor,
                                 place_in(trace, line, n, at), asked),
                     Rational(std::abs(at - asked))};
         }
-        const auto reaches = [&](std::string_view from, std::string_view to) {
-            const auto first = step.whole(from);
-            const auto last = step.field(to) ? step.whole(to) : first;
-            return first && last && std::min(*first, *last) <= wanted &&
-                   wanted <= std::max(*first, *last);
-        };
-        if (kind == StepKind::reject &&
-            (line.is_x_major ? reaches("x", "to_x") : reaches("y", "to_y")))
+        if (kind == StepKind::reject && reaches(step.as<RejectStep>(), line.is_x_major, wanted))
             return {fmt::format("{} {} is off the canvas", where, line.name)};
     }
     return beyond_ends(trace, line, pixel);
@@ -151,16 +157,17 @@ WhyNot of_point(const Trace& trace, const PrimitiveSteps& steps, Pixel pixel) {
     const auto drawn = find_step(trace, steps, StepKind::pixel);
     const std::string at = fmt::format("it is at ({}, {})", in_sentence(primitive.positions[0][0]),
                                        in_sentence(primitive.positions[0][1]));
-    return {.reason = "elsewhere",
-            .sentence =
-                drawn ? fmt::format("{}: pixel ({}, {})", at, drawn->text("x"), drawn->text("y"))
-                      : at};
+    if (!drawn)
+        return {.reason = "elsewhere", .sentence = at};
+    const auto [x, y, color] = drawn->as<PixelStep>();
+    return {.reason = "elsewhere", .sentence = fmt::format("{}: pixel ({}, {})", at, x, y)};
 }
 
 } // namespace
 
 WhyNot why_elsewhere(const Trace& trace, const PrimitiveSteps& steps, Pixel pixel) {
-    if (trace.step(steps.first).text("kind") == "point")
+    const auto kind = trace.step(steps.first).as<PrimitiveStep>().kind;
+    if (kind == PrimitiveKind::point)
         return of_point(trace, steps, pixel);
     if (trace.lacks(StepKind::pixel))
         return {.reason = "unknown",
@@ -178,8 +185,7 @@ WhyNot why_elsewhere(const Trace& trace, const PrimitiveSteps& steps, Pixel pixe
     }
     why.sentence = places.empty() ? "no step of the trace says where it is" : joined(places, "; ");
     // Of an outline, sides that the trace does not have may be in the pixel.
-    const bool may_lack_sides =
-        !steps.may_lack.empty() && trace.step(steps.first).text("kind") != "line";
+    const bool may_lack_sides = !steps.may_lack.empty() && kind != PrimitiveKind::line;
     if (is_known && !places.empty() && !may_lack_sides)
         return why;
     return steps.may_lack.empty() ? WhyNot{.reason = "unknown", .sentence = why.sentence}

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "why_not.h"
 
+#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/text/language.h>
 #include <rastertrace/trace/text/text.h>
@@ -74,7 +75,7 @@ std::optional<StepView> find_step(const Trace& trace, const PrimitiveSteps& step
 }
 
 WhyNot why_not(const Trace& trace, const PrimitiveSteps& steps, Pixel pixel) {
-    const StepView primitive = trace.step(steps.first);
+    const auto primitive = trace.step(steps.first).as<PrimitiveStep>();
     WhyNot why;
     if (!steps.skip.empty())
         why = why_skipped(trace, steps);
@@ -84,11 +85,11 @@ WhyNot why_not(const Trace& trace, const PrimitiveSteps& steps, Pixel pixel) {
         why = {.reason = "hidden", .sentence = steps.hidden};
     else if (!steps.rejected.empty())
         why = {.reason = "rejected", .sentence = steps.rejected};
-    else if (primitive.text("kind") == "triangle")
+    else if (primitive.kind == PrimitiveKind::triangle)
         why = why_outside(trace, steps, pixel);
     else
         why = why_elsewhere(trace, steps, pixel);
-    why.primitive = primitive.text("name");
+    why.primitive = primitive.name.text();
     why.sentence = printable(why.sentence);
     return why;
 }

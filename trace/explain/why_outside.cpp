@@ -4,6 +4,7 @@
 
 #include "why_not.h"
 
+#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/sheet.h>
 #include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/text/text.h>
@@ -68,7 +69,7 @@ std::optional<WhyNot> by_edge_function(const Case& c) {
         const double distance = distance_from_line(value, {0, 0}, {function->a, function->b});
         if (farthest && *farthest->distance >= distance)
             continue;
-        const std::string edge = step.text("edge");
+        const std::string edge = step.as<EdgeStep>().edge.text();
         farthest =
             WhyNot{.reason = "outside",
                    .sentence = sgn(value) == 0
@@ -83,11 +84,13 @@ std::optional<WhyNot> by_edge_function(const Case& c) {
 }
 
 /// The end of a row that a pixel lies beyond.
-WhyNot beyond_end(const Case& c, const StepView& row, bool is_left) {
+WhyNot beyond_end(const Case& c, const StepView& step, bool is_left) {
+    const auto row = step.as<ScanlineStep>();
     const std::string side = is_left ? "left" : "right";
-    const std::string pixel = row.text(is_left ? "from" : "to");
-    const std::string edge = row.text(side + "_edge");
-    const auto end = number_in(row, side);
+    const std::string pixel = fmt::format("{}", is_left ? row.from : row.to);
+    const std::string edge = (is_left ? row.left_edge : row.right_edge).text();
+    const TracedNumber& x = is_left ? row.left : row.right;
+    const auto end = x.exact();
     const Rational gap = !end      ? Rational(0)
                          : is_left ? Rational(*end - c.sample.x)
                                    : Rational(c.sample.x - *end);
@@ -97,12 +100,12 @@ WhyNot beyond_end(const Case& c, const StepView& row, bool is_left) {
         : sgn(gap) == 0
             ? std::string("lies on it, and the rule leaves it out")
             : fmt::format("lies {} within it, and the rule leaves it out", text(abs(gap)));
-    WhyNot why =
-        outside(fmt::format("{}{} {} row y={} at x = {}{} -> {}; x = {} {}",
-                            edge.empty() ? side + " end" : edge, made_by_clipping(edge),
-                            is_left ? "begins" : "ends", row.text("y"), in_sentence(row.text(side)),
-                            rule_of_end(c.trace, row, side, pixel), pixel, text(c.sample.x), where),
-                gap);
+    WhyNot why = outside(fmt::format("{}{} {} row y={} at x = {}{} -> {}; x = {} {}",
+                                     edge.empty() ? side + " end" : edge, made_by_clipping(edge),
+                                     is_left ? "begins" : "ends", row.y, in_sentence(x.text()),
+                                     rule_of_end(c.trace, step, side, pixel), pixel,
+                                     text(c.sample.x), where),
+                         gap);
     for (const std::string& line : c.steps.working)
         if (line.starts_with(name_of_side(side) + " "))
             why.working.push_back(line);
@@ -112,19 +115,18 @@ WhyNot beyond_end(const Case& c, const StepView& row, bool is_left) {
 /// The row of the pixel, if the triangle has one there.
 std::optional<WhyNot> by_row(const Case& c) {
     for (std::size_t n = c.steps.first; n <= c.steps.last; ++n) {
-        const StepView row = c.trace.step(n);
-        if (c.trace.kind_of(n) != StepKind::scanline || row.whole("y") != c.pixel.y)
+        if (c.trace.kind_of(n) != StepKind::scanline)
             continue;
-        const Index from = row.whole("from").value_or(0);
-        const Index to = row.whole("to").value_or(0);
-        if (c.pixel.x < from)
-            return beyond_end(c, row, true);
-        if (c.pixel.x > to)
-            return beyond_end(c, row, false);
+        const StepView step = c.trace.step(n);
+        const auto row = step.as<ScanlineStep>();
+        if (row.y != c.pixel.y)
+            continue;
+        if (c.pixel.x < row.from || c.pixel.x > row.to)
+            return beyond_end(c, step, c.pixel.x < row.from);
         return WhyNot{.reason = "unknown",
                       .sentence = fmt::format("row y={} has the pixels {} to {}, but no step of "
                                               "the trace says what became of this one",
-                                              c.pixel.y, from, to)};
+                                              c.pixel.y, row.from, row.to)};
     }
     return std::nullopt;
 }
@@ -147,7 +149,7 @@ std::optional<WhyNot> by_rows(const Case& c) {
     for (std::size_t n = c.steps.first; n <= c.steps.last; ++n) {
         if (c.trace.kind_of(n) != StepKind::scanline)
             continue;
-        const Index y = c.trace.step(n).whole("y").value_or(0);
+        const Index y = c.trace.step(n).as<ScanlineStep>().y;
         if (!top || canvas.row_of(y) < canvas.row_of(*top))
             top = y;
         if (!bottom || canvas.row_of(y) > canvas.row_of(*bottom))
@@ -187,15 +189,16 @@ std::string side_across(const PrimitiveText& primitive, std::size_t corner) {
 std::optional<WhyNot> by_weight(const Case& c) {
     const auto corners = corners_of(c.primitive);
     for (std::size_t n = c.steps.first; n <= c.steps.last; ++n) {
-        const StepView step = c.trace.step(n);
-        if (c.trace.kind_of(n) != StepKind::sample || !covers(step, c.pixel) ||
-            step.text("inside") == "true")
+        if (c.trace.kind_of(n) != StepKind::sample)
             continue;
-        const auto weights = step.texts("weights");
+        const auto tested = c.trace.step(n).as<SampleStep>();
+        if (tested.x != c.pixel.x || tested.y != c.pixel.y || tested.inside.is_true())
+            continue;
+        const auto weights = tested.weights.values();
         std::optional<std::size_t> worst;
         for (std::size_t i = 0; i < weights.size() && i < 3; ++i) {
-            const auto weight = number_in(weights[i]);
-            if (weight && sgn(*weight) < 0 && (!worst || *weight < *number_in(weights[*worst])))
+            const auto weight = weights[i].exact();
+            if (weight && sgn(*weight) < 0 && (!worst || *weight < *weights[*worst].exact()))
                 worst = i;
         }
         if (!worst || !corners)
@@ -206,7 +209,7 @@ std::optional<WhyNot> by_weight(const Case& c) {
         return WhyNot{.reason = "outside",
                       .sentence = fmt::format(
                           "at {} the weight of {} is {} < 0: beyond {}, by {} px", text(c.sample),
-                          c.primitive.vertices[*worst], in_sentence(weights[*worst]),
+                          c.primitive.vertices[*worst], in_sentence(weights[*worst].text()),
                           side_across(c.primitive, *worst), six_places(distance)),
                       .distance = distance,
                       .working = c.steps.working};
@@ -240,7 +243,7 @@ std::optional<WhyNot> by_box(const Case& c) {
 /// Lines from one side to the corner across: `fan`.
 bool is_fan(const Case& c) {
     const auto edge = find_step(c.trace, c.steps, StepKind::edge);
-    return c.trace.method_value("fill") == "fan" || (edge && edge->field("octant"));
+    return c.trace.method_value("fill") == "fan" || (edge && edge->as<EdgeStep>().octant);
 }
 
 /// No rule can be told: which steps would say more?
@@ -264,7 +267,7 @@ WhyNot why_outside(const Trace& trace, const PrimitiveSteps& steps, Pixel pixel)
     const StepView step = trace.step(steps.first);
     const Rational offset = sample_offset(trace);
     const Case c{trace, steps, pixel, primitive_in(step), {pixel.x + offset, pixel.y + offset}};
-    if (step.text("painted") == "false")
+    if (step.as<PrimitiveStep>().painted.is_false())
         return {.reason = "unpainted", .sentence = "it only hides what lies behind it"};
     for (const auto rule : {by_edge_function, by_row, by_weight, by_rows, by_box})
         if (auto why = rule(c))

@@ -162,8 +162,8 @@ std::vector<std::size_t> find_steps(const Trace& trace, StepKind kind,
     bool is_primitives = !primitive;
     for (std::size_t n = 1; n <= trace.size(); ++n) {
         if (primitive && trace.kind_of(n) == StepKind::primitive) {
-            const StepView begun = trace.step(n);
-            is_primitives = begun.text("name") == *primitive || is_part_of(begun, *primitive);
+            const auto begun = trace.step(n).as<PrimitiveStep>();
+            is_primitives = begun.name == *primitive || is_part_of(begun, *primitive);
         }
         if (is_primitives && trace.kind_of(n) == kind && is_meant(trace.step(n)))
             steps.push_back(n);
@@ -180,10 +180,10 @@ void expect_primitive(const Trace& trace, const std::string& name) {
     for (std::size_t n = 1; n <= trace.size(); ++n) {
         if (trace.kind_of(n) != StepKind::primitive)
             continue;
-        const StepView begun = trace.step(n);
-        if (begun.text("name") == name || is_part_of(begun, name))
+        const auto begun = trace.step(n).as<PrimitiveStep>();
+        if (begun.name == name || is_part_of(begun, name))
             return;
-        names.push_back(begun.text("name"));
+        names.push_back(begun.name.text());
     }
     constexpr std::size_t most_named = 12;
     const std::size_t named = std::min(names.size(), most_named);
