@@ -2,6 +2,7 @@
 #include "question.h"
 
 #include <rastertrace/trace/explain/explanation.h>
+#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/record/write_trace.h>
 #include <rastertrace/trace/scene/refusal.h>
 #include <rastertrace/trace/scene/scene_file.h>
@@ -163,7 +164,7 @@ std::vector<std::size_t> find_steps(const Trace& trace, StepKind kind,
     for (std::size_t n = 1; n <= trace.size(); ++n) {
         if (primitive && trace.kind_of(n) == StepKind::primitive) {
             const StepView begun = trace.step(n);
-            is_primitives = begun.text("name") == *primitive || is_part_of(begun, *primitive);
+            is_primitives = name_in(begun) == *primitive || is_part_of(begun, *primitive);
         }
         if (is_primitives && trace.kind_of(n) == kind && is_meant(trace.step(n)))
             steps.push_back(n);
@@ -181,9 +182,9 @@ void expect_primitive(const Trace& trace, const std::string& name) {
         if (trace.kind_of(n) != StepKind::primitive)
             continue;
         const StepView begun = trace.step(n);
-        if (begun.text("name") == name || is_part_of(begun, name))
+        if (name_in(begun) == name || is_part_of(begun, name))
             return;
-        names.push_back(begun.text("name"));
+        names.push_back(name_in(begun).text());
     }
     constexpr std::size_t most_named = 12;
     const std::size_t named = std::min(names.size(), most_named);
