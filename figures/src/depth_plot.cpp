@@ -2,7 +2,6 @@
 #include "depth_plot.h"
 
 #include <rastertrace/figures/corners.h>
-
 #include <rastertrace/trace/record/traced_steps.h>
 
 #include <fmt/core.h>

@@ -2,7 +2,6 @@
 #include "off_canvas.h"
 
 #include <rastertrace/figures/corners.h>
-
 #include <rastertrace/trace/record/traced_steps.h>
 
 #include <fmt/core.h>
