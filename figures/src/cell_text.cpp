@@ -3,6 +3,7 @@
 
 #include "panel.h"
 
+#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/text/color_text.h>
 #include <rastertrace/trace/text/text.h>
 
@@ -63,7 +64,7 @@ void add_weights(const Replay& replay, CellTexts& texts) {
         if (!pixel)
             continue;
         auto& lines = texts[trace.canvas.offset_of(*pixel)];
-        for (const std::string& weight : trace.step(n).texts("weights"))
+        for (const std::string& weight : trace.step(n).as<SampleStep>().weights.texts())
             lines.push_back(short_number(weight));
     }
 }

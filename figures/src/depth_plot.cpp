@@ -2,6 +2,7 @@
 #include "depth_plot.h"
 
 #include <rastertrace/figures/corners.h>
+#include <rastertrace/trace/record/traced_steps.h>
 
 #include <fmt/core.h>
 
@@ -48,11 +49,12 @@ std::optional<std::array<double, 3>> plane_of_inverse(const std::vector<Point>& 
 /// True if nothing gets smaller far away: z itself is linear on the screen.
 bool is_parallel(const Replay& replay) {
     for (const std::size_t n : replay.matrices()) {
-        const StepView step = replay.trace().step(n);
-        if (step.text("name") != "projection")
+        const auto matrix = replay.trace().step(n).as<MatrixStep>();
+        if (matrix.name != "projection")
             continue;
-        const auto rows = step.text_rows("rows");
-        return rows.size() == 4 && rows[3].size() == 4 && nearest_double_in(rows[3][2]) == 0.0;
+        const auto rows = matrix.rows.values();
+        const auto last = rows.size() == 4 ? rows[3].values() : std::vector<TracedNumber>();
+        return last.size() == 4 && last[2].nearest_double() == 0.0;
     }
     return false;
 }
@@ -63,10 +65,9 @@ std::vector<Sample> along_row(const Trace& trace, ShownSteps steps) {
     for (std::size_t n = steps.first; n <= steps.last; ++n) {
         if (trace.kind_of(n) != StepKind::depth)
             continue;
-        const auto x = trace.step(n).whole("x");
-        const auto depth = nearest_double_in(trace.step(n).text("depth"));
-        if (x && depth)
-            samples.push_back({static_cast<double>(*x), *depth});
+        const auto test = trace.step(n).as<DepthStep>();
+        if (const auto depth = test.depth.nearest_double())
+            samples.push_back({static_cast<double>(test.x), *depth});
     }
     return samples;
 }
@@ -85,17 +86,15 @@ Side along_side(const Replay& replay) {
     for (std::size_t n = replay.primitive() + 1; n <= replay.step(); ++n) {
         if (trace.kind_of(n) != StepKind::scanline)
             continue;
-        const StepView step = trace.step(n);
-        const auto y = step.whole("y");
+        const auto row = trace.step(n).as<ScanlineStep>();
         for (Side& side : sides) {
-            const auto depth =
-                nearest_double_in(step.text(side.is_left ? "left_depth" : "right_depth"));
-            const auto x = nearest_double_in(step.text(side.is_left ? "left" : "right"));
-            if (!y || !depth || !x)
+            const auto depth = (side.is_left ? row.left_depth : row.right_depth).nearest_double();
+            const auto x = (side.is_left ? row.left : row.right).nearest_double();
+            if (!depth || !x)
                 continue;
-            side.samples.push_back({static_cast<double>(*y), *depth});
+            side.samples.push_back({static_cast<double>(row.y), *depth});
             side.x.push_back(*x);
-            const std::string edge = step.text(side.is_left ? "left_edge" : "right_edge");
+            const std::string edge = (side.is_left ? row.left_edge : row.right_edge).text();
             if (side.name.find(edge) == std::string::npos)
                 side.name += (side.name.empty() ? "" : ", ") + edge;
         }
@@ -123,9 +122,11 @@ std::optional<Depths> depths_of(const Panel& panel) {
     Depths depths;
     const std::size_t scanline = replay.scanline();
     const bool is_row = panel.is_step() && scanline != 0 && scanline <= panel.frame.steps.first;
+    Index row = 0; // its y
     Side side;
     if (is_row) {
-        depths.along = fmt::format("x in the row y = {}", trace.step(scanline).text("y"));
+        row = trace.step(scanline).as<ScanlineStep>().y;
+        depths.along = fmt::format("x in the row y = {}", row);
         depths.drawn = along_row(trace, {scanline, end_of(trace, scanline)});
     } else {
         side = along_side(replay);
@@ -142,14 +143,14 @@ std::optional<Depths> depths_of(const Panel& panel) {
               [](const Sample& a, const Sample& b) { return a.along < b.along; });
 
     // The truth, from the triangle's corners.
-    const StepView step = trace.step(replay.primitive());
-    const std::vector<Point> at = corners_of(step);
-    const auto texts = step.texts("depths");
-    if (is_parallel(replay) || at.size() != 3 || texts.size() != 3)
+    const auto primitive = trace.step(replay.primitive()).as<PrimitiveStep>();
+    const std::vector<Point> at = corners_of(primitive);
+    const auto corner_depths = primitive.depths.values();
+    if (is_parallel(replay) || at.size() != 3 || corner_depths.size() != 3)
         return depths;
     std::array<double, 3> inverse{};
     for (std::size_t i = 0; i < 3; ++i) {
-        const double depth = nearest_double_in(texts[i]).value_or(0);
+        const double depth = corner_depths[i].nearest_double().value_or(0);
         inverse[i] = is_inverse ? depth : 1 / depth;
     }
     const auto plane = plane_of_inverse(at, inverse);
@@ -159,8 +160,7 @@ std::optional<Depths> depths_of(const Panel& panel) {
         return 1 / (plane[0] * x + plane[1] * y + plane[2]);
     };
     if (is_row) {
-        const double y = nearest_double_in(trace.step(scanline).text("y")).value_or(0);
-        depths.true_z = [true_at, y](double x) { return true_at(x, y); };
+        depths.true_z = [true_at, y = static_cast<double>(row)](double x) { return true_at(x, y); };
     } else {
         // Between two rows the side is straight.
         depths.true_z = [true_at, side](double y) {

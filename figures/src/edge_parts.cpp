@@ -6,6 +6,7 @@
 #include "panel.h"
 
 #include <rastertrace/figures/corners.h>
+#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -26,7 +27,7 @@ namespace {
 /// The corners of a primitive on the sheet; none if its step does not tell them.
 Path places_of(const Panel& panel, std::size_t primitive) {
     Path places;
-    for (const Point& corner : corners_of(panel.trace().step(primitive)))
+    for (const Point& corner : corners_of(panel.trace().step(primitive).as<PrimitiveStep>()))
         places.push_back(panel.lattice.place_of(corner.x, corner.y));
     return places;
 }
@@ -66,9 +67,9 @@ std::vector<NamedVertex> vertices_of(const Panel& panel) {
     std::vector<NamedVertex> vertices;
     std::set<std::pair<std::string, std::pair<double, double>>> known;
     for (const std::size_t primitive : primitives_with_edges(panel)) {
-        const StepView step = panel.trace().step(primitive);
-        const auto names = step.texts("vertices");
-        const auto positions = step.text_rows("at");
+        const auto step = panel.trace().step(primitive).as<PrimitiveStep>();
+        const auto names = step.vertices.texts();
+        const auto positions = text_rows(step.at);
         const Path corners = places_of(panel, primitive);
         for (std::size_t i = 0; i < std::min(names.size(), corners.size()); ++i) {
             if (!panel.lattice.frame().has(corners[i]) ||
@@ -151,7 +152,8 @@ void add_samples(const Panel& panel, std::vector<Shape>& shapes) {
 
 bool has_half_planes(const Panel& panel) {
     const std::size_t primitive = panel.replay.primitive();
-    return primitive != 0 && corners_of(panel.trace().step(primitive)).size() == 3;
+    return primitive != 0 &&
+           corners_of(panel.trace().step(primitive).as<PrimitiveStep>()).size() == 3;
 }
 
 void add_half_planes(const Panel& panel, std::vector<Shape>& shapes) {
@@ -159,7 +161,7 @@ void add_half_planes(const Panel& panel, std::vector<Shape>& shapes) {
         return;
     const std::size_t primitive = panel.replay.primitive();
     const Path corners = places_of(panel, primitive);
-    const auto names = panel.trace().step(primitive).texts("vertices");
+    const auto names = panel.trace().step(primitive).as<PrimitiveStep>().vertices.texts();
     std::vector<Shape> lines; // and their names: no half-plane covers them
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const Place a = corners[i];

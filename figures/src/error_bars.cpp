@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "error_bars.h"
 
+#include <rastertrace/trace/record/traced_steps.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,27 +14,28 @@ std::optional<Decisions> decisions_of(const Replay& replay) {
         return std::nullopt;
     // An outline has three lines: each begins with its edge.
     std::size_t first = replay.primitive();
+    auto octant = trace.step(first).as<PrimitiveStep>().octant;
     for (std::size_t n = first + 1; n <= replay.step(); ++n)
-        if (trace.kind_of(n) == StepKind::edge)
+        if (trace.kind_of(n) == StepKind::edge) {
             first = n;
+            octant = trace.step(n).as<EdgeStep>().octant;
+        }
     Decisions decisions;
     bool goes_straight_up = false;
     for (std::size_t n = first + 1; n <= replay.step(); ++n) {
         if (trace.kind_of(n) != StepKind::decide)
             continue;
-        const StepView step = trace.step(n);
+        const auto step = trace.step(n).as<DecideStep>();
         const auto pixel = pixel_of(trace, n);
-        const auto d = nearest_double_in(step.text("d"));
+        const auto d = step.d.nearest_double();
         if (!pixel || !d)
             continue;
-        const std::string move = step.text("move");
-        goes_straight_up = goes_straight_up || move == "N" || move == "S";
-        decisions.all.push_back({*pixel, *d, step.text("d")});
+        goes_straight_up = goes_straight_up || step.move == Move::n || step.move == Move::s;
+        decisions.all.push_back({*pixel, *d, step.d.text()});
     }
     if (decisions.all.empty())
         return std::nullopt;
     // A line that goes straight only up or down, or is told to by its octant, has a decision for each row.
-    const auto octant = trace.step(first).whole("octant");
     const auto is_steep_octant = [](Index number) {
         return number == 2 || number == 3 || number == 6 || number == 7;
     };

@@ -14,7 +14,7 @@ namespace rastertrace {
 namespace {
 
 /// The mesh of a face: "torus" of "torus.f12", and of "torus.f12.1", a triangle of a face.
-std::string mesh_of(const StepView& primitive) {
+std::string mesh_of(const PrimitiveStep& primitive) {
     std::string name = face_of(primitive);
     const auto is_face = [&name](std::size_t dot) {
         return dot + 1 < name.size() && name[dot + 1] == 'f' &&
@@ -26,14 +26,14 @@ std::string mesh_of(const StepView& primitive) {
     return name;
 }
 
-std::string color_of(const StepView& primitive) {
-    return primitive.text("color");
+std::string color_of(const PrimitiveStep& primitive) {
+    return primitive.color.text();
 }
 
 /// What faces are put together by.
 struct Grouping {
     std::string_view heading; ///< said before the letters; nothing for faces
-    std::string (*group_of)(const StepView& primitive);
+    std::string (*group_of)(const PrimitiveStep& primitive);
 };
 constexpr std::array<Grouping, 3> groupings{
     {{"", face_of}, {"meshes: ", mesh_of}, {"colors: ", color_of}}};
@@ -43,15 +43,15 @@ void sort_as_listed(std::vector<std::size_t>& primitives, const Trace& trace, st
     std::sort(primitives.begin(), primitives.end());
     if (order == 0)
         return;
-    const StepView step = trace.step(order);
-    const auto sorted = step.texts("names");
-    const auto listed = step.texts("listed");
+    const auto step = trace.step(order).as<OrderStep>();
+    const auto sorted = step.names.texts();
+    const auto listed = step.listed.values();
     std::unordered_map<std::string, double> place_of;
     for (std::size_t i = 0; i < std::min(sorted.size(), listed.size()); ++i)
-        place_of.emplace(sorted[i], nearest_double_in(listed[i]).value_or(0));
+        place_of.emplace(sorted[i], listed[i].nearest_double().value_or(0));
     // Only triangles are sorted; what is not in the list comes behind it.
     const auto place = [&](std::size_t primitive) {
-        const auto found = place_of.find(face_of(trace.step(primitive)));
+        const auto found = place_of.find(face_of(trace.step(primitive).as<PrimitiveStep>()));
         return found == place_of.end() ? std::numeric_limits<double>::infinity() : found->second;
     };
     std::stable_sort(primitives.begin(), primitives.end(),
@@ -64,7 +64,8 @@ std::vector<std::string> groups_of(const std::vector<std::size_t>& primitives,
     std::vector<std::string> groups;
     std::set<std::string> known;
     for (const std::size_t step : primitives)
-        if (auto group = grouping.group_of(trace.step(step)); known.insert(group).second)
+        if (auto group = grouping.group_of(trace.step(step).as<PrimitiveStep>());
+            known.insert(group).second)
             groups.push_back(std::move(group));
     return groups;
 }
@@ -76,7 +77,7 @@ void add_members(FaceGroups& groups, const std::vector<std::size_t>& primitives,
     for (const std::string& name : groups.names)
         places.emplace(name, places.size());
     for (const std::size_t primitive : primitives) {
-        std::string name = groups.name_of(trace.step(primitive));
+        std::string name = groups.name_of(trace.step(primitive).as<PrimitiveStep>());
         auto place = places.find(name);
         if (place == places.end() && groups.names.size() < most) {
             place = places.emplace(name, places.size()).first;
@@ -103,9 +104,9 @@ std::vector<std::size_t> plotting_primitives(const Replay& replay) {
 
 } // namespace
 
-std::string face_of(const StepView& primitive) {
-    const std::string name = primitive.text("name");
-    return primitive.text("part") == "true" ? name.substr(0, name.rfind('/')) : name;
+std::string face_of(const PrimitiveStep& primitive) {
+    const std::string name = primitive.name.text();
+    return primitive.part.is_true() ? name.substr(0, name.rfind('/')) : name;
 }
 
 std::vector<std::size_t> visible_primitives(const Replay& replay) {

@@ -8,6 +8,7 @@
 #include "words.h"
 
 #include <rastertrace/figures/corners.h>
+#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/describe.h>
 #include <rastertrace/trace/tell/working.h>
 
@@ -122,7 +123,7 @@ bool has_colors(const Trace& trace) {
         const auto kind = trace.kind_of(n);
         if (kind == StepKind::primitive && !(color_of_primitive(trace.step(n)) == Color{}))
             return true;
-        if (kind == StepKind::pixel && !trace.step(n).text("color").empty())
+        if (kind == StepKind::pixel && trace.step(n).as<PixelStep>().color)
             return true;
     }
     return false;
@@ -130,7 +131,8 @@ bool has_colors(const Trace& trace) {
 
 bool has_triangle(const Trace& trace) {
     for (std::size_t n = 1; n <= trace.size(); ++n)
-        if (trace.kind_of(n) == StepKind::primitive && corners_of(trace.step(n)).size() == 3)
+        if (trace.kind_of(n) == StepKind::primitive &&
+            corners_of(trace.step(n).as<PrimitiveStep>()).size() == 3)
             return true;
     return false;
 }
@@ -280,7 +282,7 @@ FigureMaker::FigureMaker(const Trace& trace, std::vector<FigureFrame> frames, Fi
         const auto kind = trace.kind_of(n);
         if (kind == StepKind::order)
             order = n;
-        if (kind == StepKind::primitive && trace.step(n).text("painted") != "false")
+        if (kind == StepKind::primitive && !trace.step(n).as<PrimitiveStep>().painted.is_false())
             painted.push_back(n);
     }
     groups_ = face_groups(trace, std::move(painted), order, most_groups);

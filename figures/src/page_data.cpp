@@ -30,6 +30,7 @@
 #include <rastertrace/figures/face_groups.h>
 #include <rastertrace/figures/shown_steps.h>
 #include <rastertrace/trace/explain/explain_pixels.h>
+#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/describe.h>
 #include <rastertrace/trace/tell/working.h>
 #include <rastertrace/trace/text/color_text.h>
@@ -118,7 +119,7 @@ public:
             has_tests_ = true;
             if (!larger_is_nearer_)
                 larger_is_nearer_ = larger_depth_passes(trace, n);
-            if (const auto depth = nearest_double_in(trace.step(n).text("depth"))) {
+            if (const auto depth = trace.step(n).as<DepthStep>().depth.nearest_double()) {
                 least_ = std::min(least_.value_or(*depth), *depth);
                 largest_ = std::max(largest_.value_or(*depth), *depth);
             }
@@ -128,8 +129,8 @@ public:
     bool has_tests() const { return has_tests_; }
 
     /// The level of a gray, 0 to 255. The nearest is the lightest.
-    int level_of(const std::string& text) const {
-        const auto depth = nearest_double_in(text);
+    int level_of(const TracedNumber& told) const {
+        const auto depth = told.nearest_double();
         const double range = least_ ? *largest_ - *least_ : 0;
         const double share = depth && range > 0 ? (*depth - *least_) / range : 1;
         return gray(larger_is_nearer_.value_or(false) ? share : 1 - share).red();
@@ -296,7 +297,7 @@ private:
             if (trace_.kind_of(n) != StepKind::primitive)
                 continue;
             ++primitive_count_;
-            if (trace_.step(n).text("painted") != "false")
+            if (!trace_.step(n).as<PrimitiveStep>().painted.is_false())
                 painted.push_back(n);
         }
         FaceGroups groups = face_groups(trace_, std::move(painted), order, most_groups);
@@ -335,51 +336,51 @@ private:
     std::optional<Pixel> place_of(const StepView& step, std::size_t n) const {
         if (trace_.kind_of(n) != StepKind::along)
             return pixel_of(trace_, n);
-        const auto rounded = step.whole("pixel");
-        const auto x = step.field("x") ? step.whole("x") : rounded;
-        const auto y = step.field("y") ? step.whole("y") : rounded;
-        if (!x || !y || !trace_.canvas.contains(*x, *y))
+        const auto along = step.as<AlongStep>();
+        const Index x = along.x.value_or(along.pixel);
+        const Index y = along.y.value_or(along.pixel);
+        if (!trace_.canvas.contains(x, y))
             return std::nullopt;
-        return Pixel{static_cast<int>(*x), static_cast<int>(*y)};
+        return Pixel{static_cast<int>(x), static_cast<int>(y)};
     }
 
     void add_what_is_drawn(const StepView& step, StepKind kind) {
         switch (kind) {
         case StepKind::primitive:
-            return add_primitive(step);
-        case StepKind::pixel: {
-            const auto own = step.field("color") ? parse_color(step.text("color")) : std::nullopt;
-            pixels_.add(word(to_text(own.value_or(replay_.color()))));
+            return add_primitive(step.as<PrimitiveStep>());
+        case StepKind::pixel:
+            pixels_.add(
+                word(to_text(step.as<PixelStep>().color.color().value_or(replay_.color()))));
             return;
-        }
         case StepKind::depth: {
             const DepthTest test = depth_test_in(step);
             depths_.add((test.passes ? 1 : 0) + (test.is_stored ? 2 : 0));
-            depths_.add(grays_.level_of(step.text("depth")));
-            depths_.add(printable_word(short_number(step.text("depth"))));
+            const TracedNumber depth = step.as<DepthStep>().depth;
+            depths_.add(grays_.level_of(depth));
+            depths_.add(printable_word(short_number(depth.text())));
             return;
         }
         case StepKind::sample:
-            samples_.add(step.text("inside") == "true" ? 1 : 0);
+            samples_.add(step.as<SampleStep>().inside.is_true() ? 1 : 0);
             return;
         case StepKind::scanline:
-            return add_row(step);
+            return add_row(step.as<ScanlineStep>());
         case StepKind::edge:
-            return add_edge(step.text("edge"));
+            return add_edge(step.as<EdgeStep>().edge.text());
         case StepKind::reject:
-            return add_reject(step);
+            return add_reject(step.as<RejectStep>());
         default:
             return;
         }
     }
 
-    void add_primitive(const StepView& step) {
-        names_ = step.texts("vertices");
+    void add_primitive(const PrimitiveStep& step) {
+        names_ = step.vertices.texts();
         const auto places = corners_of(step);
         const auto group = group_of_.find(replay_.step());
         primitives_.add(replay_.step());
-        primitives_.add(printable_word(step.text("name")));
-        primitives_.add(printable_word(step.text("kind")));
+        primitives_.add(printable_word(step.name.text()));
+        primitives_.add(printable_word(step.kind.text()));
         primitives_.add(word(to_text(replay_.color())));
         if (group == group_of_.end())
             primitives_.add(-1);
@@ -392,7 +393,7 @@ private:
         }
         primitives_.add(corners);
         JsonList names;
-        const auto at = step.text_rows("at");
+        const auto at = text_rows(step.at);
         for (std::size_t i = 0; i < names_.size(); ++i) {
             names.add(printable_word(names_[i]));
             names.add(i < at.size() && at[i].size() > 1
@@ -403,17 +404,16 @@ private:
         primitives_.add(names);
     }
 
-    void add_row(const StepView& step) {
+    void add_row(const ScanlineStep& row) {
         const Canvas& canvas = trace_.canvas;
-        const Index y = step.whole("y").value_or(farthest_index);
-        const bool is_on_canvas = canvas.contains(canvas.left(), y);
-        rows_.add(is_on_canvas ? canvas.row_of(y) : -1);
-        for (const std::string_view end : {"left", "right"})
-            rows_.add(held(nearest_double_in(step.text(end)).value_or(farthest)));
-        for (const std::string_view pixel : {"from", "to"})
-            rows_.add(step.whole(pixel).value_or(0) - canvas.left());
-        for (const std::string_view end : {"left", "right"})
-            rows_.add(printable_word(as_in_working(step.text(end))));
+        const bool is_on_canvas = canvas.contains(canvas.left(), row.y);
+        rows_.add(is_on_canvas ? canvas.row_of(row.y) : -1);
+        for (const TracedNumber& end : {row.left, row.right})
+            rows_.add(held(end.nearest_double().value_or(farthest)));
+        for (const Index pixel : {row.from, row.to})
+            rows_.add(pixel - canvas.left());
+        for (const TracedNumber& end : {row.left, row.right})
+            rows_.add(printable_word(as_in_working(end.text())));
     }
 
     /// Beyond any canvas: there an end lies that is not finite, which a page does not draw.
@@ -436,22 +436,20 @@ private:
     }
 
     /// Pixels, a run of a row, or whole rows. What leads off the canvas along a line is none of them.
-    void add_reject(const StepView& step) {
+    void add_reject(const RejectStep& reject) {
         const Canvas& canvas = trace_.canvas;
-        const bool is_of_line = step.field("to_x") && step.field("to_y");
-        const auto y = step.whole("y");
-        const auto to_y = step.field("to_y") ? step.whole("to_y") : y;
-        const auto x = step.field("x") ? step.whole("x") : std::optional<Index>(canvas.left());
-        const auto to_x = step.field("to_x") ? step.whole("to_x")
-                          : step.field("x")  ? x
-                                             : std::optional<Index>(canvas.right());
-        if (is_of_line || !x || !to_x || !y || !to_y) {
+        const bool is_of_line = reject.to_x && reject.to_y;
+        if (is_of_line || !reject.y) {
             for (const int none : {0, -1, 0, -1})
                 rejects_.add(none);
             return;
         }
-        const auto [left, right] = std::minmax({*x - canvas.left(), *to_x - canvas.left()});
-        const auto [top, bottom] = std::minmax({canvas.row_of(*y), canvas.row_of(*to_y)});
+        const Index y = *reject.y;
+        const Index x = reject.x.value_or(canvas.left());
+        const Index to_x = reject.to_x.value_or(reject.x.value_or(canvas.right()));
+        const auto [left, right] = std::minmax({x - canvas.left(), to_x - canvas.left()});
+        const auto [top, bottom] =
+            std::minmax({canvas.row_of(y), canvas.row_of(reject.to_y.value_or(y))});
         rejects_.add(std::max<Index>(left, 0));
         rejects_.add(std::min<Index>(right, canvas.width - 1));
         rejects_.add(std::max<Index>(top, 0));

@@ -3,6 +3,7 @@
 
 #include "panel.h"
 
+#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/working.h>
 
 #include <algorithm>
@@ -22,13 +23,12 @@ struct RowEnd {
     bool is_left;
 };
 
-std::optional<RowEnd> end_of_row(const StepView& scanline, bool is_left) {
-    const std::string text = scanline.text(is_left ? "left" : "right");
-    const auto at = nearest_double_in(text);
-    const auto pixel = scanline.whole(is_left ? "from" : "to");
-    if (!at || !pixel)
+std::optional<RowEnd> end_of_row(const ScanlineStep& row, bool is_left) {
+    const TracedNumber end = is_left ? row.left : row.right;
+    const auto at = end.nearest_double();
+    if (!at)
         return std::nullopt;
-    return RowEnd{*at, as_in_working(text), *pixel, is_left};
+    return RowEnd{*at, as_in_working(end.text()), is_left ? row.from : row.to, is_left};
 }
 
 } // namespace
@@ -39,13 +39,12 @@ void add_row(const Panel& panel, std::vector<Shape>& shapes) {
     // Of a step that has several rows, none is shown.
     if (n == 0 || n > panel.frame.steps.first || panel.trace().kind_of(n) != StepKind::scanline)
         return;
-    const StepView step = panel.trace().step(n);
-    const auto row = step.whole("y");
+    const auto row = panel.trace().step(n).as<ScanlineStep>();
     const Lattice& lattice = panel.lattice;
-    if (!row || !panel.lattice.canvas.contains(lattice.region.x0, *row) ||
-        !lattice.has({lattice.region.x0, static_cast<int>(*row)}))
+    if (!panel.lattice.canvas.contains(lattice.region.x0, row.y) ||
+        !lattice.has({lattice.region.x0, static_cast<int>(row.y)}))
         return;
-    const double y = lattice.place_of(0, static_cast<double>(*row)).y;
+    const double y = lattice.place_of(0, static_cast<double>(row.y)).y;
     const Rectangle frame = lattice.frame();
     const double right = frame.right();
     shapes.push_back(Lines{.role = Role::row, .paths = {{{frame.corner.x, y}, {right, y}}}});
@@ -57,7 +56,7 @@ void add_row(const Panel& panel, std::vector<Shape>& shapes) {
     constexpr double gap = 6;
     constexpr double head = 6;
     for (const bool is_left : {true, false}) {
-        const auto end = end_of_row(step, is_left);
+        const auto end = end_of_row(row, is_left);
         if (!end)
             continue;
         const double x = lattice.place_of(end->at, 0).x;
@@ -67,7 +66,7 @@ void add_row(const Panel& panel, std::vector<Shape>& shapes) {
 
         // The arrow runs a little below the row, from where the edge is to the pixel's own place.
         const bool is_rounded = static_cast<double>(end->pixel) != end->at;
-        if (is_rounded && lattice.canvas.contains(end->pixel, *row)) {
+        if (is_rounded && lattice.canvas.contains(end->pixel, row.y)) {
             const double below = y + 0.3 * lattice.cell;
             const double pixel_x = lattice.place_of(static_cast<double>(end->pixel), 0).x;
             if (frame.corner.x <= pixel_x && pixel_x <= right) {

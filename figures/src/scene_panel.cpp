@@ -3,6 +3,7 @@
 
 #include "label_places.h"
 
+#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -19,12 +20,13 @@ namespace {
 using Row = std::array<double, 4>;
 using Rows = std::array<Row, 4>;
 
-std::optional<Position> position_in(const std::vector<std::string>& numbers) {
+std::optional<Position> position_in(const TracedList<TracedNumber>& list) {
+    const auto numbers = list.values();
     if (numbers.size() < 3)
         return std::nullopt;
     Position position{};
     for (std::size_t i = 0; i < 3; ++i) {
-        const auto number = nearest_double_in(numbers[i]);
+        const auto number = numbers[i].nearest_double();
         if (!number || !std::isfinite(*number))
             return std::nullopt;
         position[i] = *number;
@@ -32,20 +34,20 @@ std::optional<Position> position_in(const std::vector<std::string>& numbers) {
     return position;
 }
 
-/// The rows of a `matrix` step.
-std::optional<Rows> rows_in(const StepView& matrix) {
-    const auto texts = matrix.text_rows("rows");
+std::optional<Rows> rows_in(const MatrixStep& matrix) {
+    const auto lists = matrix.rows.values();
     Rows rows{};
-    if (texts.size() != 4)
+    if (lists.size() != 4)
         return std::nullopt;
-    for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t i = 0; i < 4; ++i) {
+        const auto numbers = lists[i].values();
         for (std::size_t j = 0; j < 4; ++j) {
-            const auto number =
-                texts[i].size() == 4 ? nearest_double_in(texts[i][j]) : std::nullopt;
+            const auto number = numbers.size() == 4 ? numbers[j].nearest_double() : std::nullopt;
             if (!number)
                 return std::nullopt;
             rows[i][j] = *number;
         }
+    }
     return rows;
 }
 
@@ -262,30 +264,32 @@ std::optional<SpatialScene> space_of(const Trace& trace) {
         const auto kind = trace.kind_of(n);
         const StepView step = trace.step(n);
         if (kind == StepKind::matrix) {
-            const std::string name = step.text("name");
-            if (name == "view")
-                view = rows_in(step);
-            else if (name == "projection")
-                projection = rows_in(step);
-            else if (name == "viewport")
-                viewport = rows_in(step);
+            const auto matrix = step.as<MatrixStep>();
+            if (matrix.name == "view")
+                view = rows_in(matrix);
+            else if (matrix.name == "projection")
+                projection = rows_in(matrix);
+            else if (matrix.name == "viewport")
+                viewport = rows_in(matrix);
         } else if (kind == StepKind::vertex) {
             // Object space comes first, then the world, if anything moves there.
-            const std::string where = step.text("space");
-            if (where == "object" || where == "world")
-                if (const auto position = position_in(step.texts("at")))
-                    space.vertices[step.text("name")] = *position;
+            const auto vertex = step.as<VertexStep>();
+            if (vertex.space == Space::object || vertex.space == Space::world)
+                if (const auto position = position_in(vertex.at))
+                    space.vertices[vertex.name.text()] = *position;
         } else if (kind == StepKind::primitive) {
-            corners_of[step.text("name")] = step.texts("vertices");
+            const auto primitive = step.as<PrimitiveStep>();
+            corners_of[primitive.name.text()] = primitive.vertices.texts();
         } else if (kind == StepKind::face) {
-            if (const auto normal = position_in(step.texts("normal")))
-                faces.push_back({step.text("name"),
+            const auto face = step.as<FaceStep>();
+            if (const auto normal = position_in(face.normal))
+                faces.push_back({face.name.text(),
                                  {.middle = {},
                                   .normal = *normal,
-                                  .view = position_in(step.texts("view")),
-                                  .cosine = nearest_double_in(step.text("cosine"))}});
-            if (step.text("culled") == "true")
-                culled.insert(step.text("name"));
+                                  .view = position_in(face.view),
+                                  .cosine = face.cosine.nearest_double()}});
+            if (face.culled.is_true())
+                culled.insert(face.name.text());
         }
     }
     if (space.vertices.empty())

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/figures/shown_steps.h>
 
+#include <rastertrace/trace/record/traced_steps.h>
+
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace rastertrace {
 
@@ -52,12 +55,13 @@ std::size_t end_of(const Trace& trace, std::size_t n) {
 std::vector<ShownSteps> film_of(const Trace& trace, std::size_t most) {
     std::vector<ShownSteps> frames;
     bool is_fill = false; // the primitive is filled
-    std::string row;      // the y of the last frame, if it is a row of this primitive
+    constexpr Index no_row = std::numeric_limits<Index>::max();
+    Index row = no_row; // the y of the last frame, if it is a row of this primitive
     for (std::size_t n = 1; n <= trace.size() && frames.size() <= most; ++n) {
         const auto kind = trace.kind_of(n);
         if (kind == StepKind::primitive) {
-            is_fill = trace.step(n).text("kind") == "triangle";
-            row.clear();
+            is_fill = trace.step(n).as<PrimitiveStep>().kind == PrimitiveKind::triangle;
+            row = no_row;
         } else if (kind == StepKind::vertex || (kind == StepKind::pixel && !is_fill)) {
             frames.push_back({n, n});
         } else if (kind == StepKind::ray) {
@@ -65,8 +69,8 @@ std::vector<ShownSteps> film_of(const Trace& trace, std::size_t most) {
             n = frames.back().last;
         } else if (is_fill && (kind == StepKind::scanline || kind == StepKind::sample ||
                                kind == StepKind::depth || kind == StepKind::pixel)) {
-            const std::string y = trace.step(n).text("y");
-            if (row.empty() || row != y)
+            const Index y = y_in(trace.step(n)).value_or(0);
+            if (row != y)
                 frames.push_back({n, n});
             frames.back().last = n;
             row = y;
@@ -79,8 +83,8 @@ std::optional<Pixel> pixel_of(const Trace& trace, std::size_t n) {
     if (n == 0)
         return std::nullopt;
     const StepView step = trace.step(n);
-    const auto x = step.whole("x");
-    const auto y = step.whole("y");
+    const auto x = x_in(step);
+    const auto y = y_in(step);
     if (!x || !y || !trace.canvas.contains(*x, *y))
         return std::nullopt;
     return Pixel{static_cast<int>(*x), static_cast<int>(*y)};
@@ -90,12 +94,12 @@ std::set<std::size_t> pixels_not_drawn(const Trace& trace, ShownSteps steps) {
     std::set<std::size_t> offsets;
     for (std::size_t n = std::max<std::size_t>(steps.first, 1); n <= steps.last; ++n) {
         const auto kind = trace.kind_of(n);
-        const bool is_depth = kind == StepKind::depth;
-        if (!is_depth && kind != StepKind::sample)
-            continue;
         const StepView step = trace.step(n);
-        const auto pixel = pixel_of(trace, n);
-        if (pixel && step.text(is_depth ? "pass" : "inside") == "false")
+        const bool is_dropped =
+            (kind == StepKind::depth && step.as<DepthStep>().pass.is_false()) ||
+            (kind == StepKind::sample && step.as<SampleStep>().inside.is_false());
+        const auto pixel = is_dropped ? pixel_of(trace, n) : std::nullopt;
+        if (pixel)
             offsets.insert(trace.canvas.offset_of(*pixel));
     }
     return offsets;

@@ -2,6 +2,7 @@
 #include <rastertrace/figures/view.h>
 
 #include <rastertrace/figures/corners.h>
+#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/describe.h>
 #include <rastertrace/trace/text/color_text.h>
 #include <rastertrace/trace/text/named_value.h>
@@ -53,10 +54,10 @@ bool larger_is_nearer(const Trace& trace) {
 std::string cleared_depth(const Trace& trace) {
     for (std::size_t n = 1; n <= trace.size(); ++n)
         if (trace.kind_of(n) == StepKind::depth) {
-            const std::string stored = trace.step(n).text("stored");
-            if (stored == "null")
+            const TracedNumber stored = trace.step(n).as<DepthStep>().stored;
+            if (stored.json() == "null")
                 break;
-            return short_number(stored);
+            return short_number(stored.text());
         }
     return trace.method_value("depth") == "linear-z" &&
                    trace.method_value("depth_compare") != "greater"
@@ -111,14 +112,14 @@ View default_view(const Trace& trace) {
             return View::shade;
         if (kind != StepKind::primitive)
             continue;
-        const StepView step = trace.step(n);
-        if (step.field("colors"))
+        const auto primitive = trace.step(n).as<PrimitiveStep>();
+        if (primitive.colors)
             return View::shade;
-        if (step.text("kind") != "triangle" || step.text("painted") == "false")
+        if (primitive.kind != PrimitiveKind::triangle || primitive.painted.is_false())
             continue;
-        colors.insert(step.text("color"));
+        colors.insert(primitive.color.text());
         if (faces.size() <= face_letters.size())
-            faces.insert(face_of(step));
+            faces.insert(face_of(primitive));
     }
     if (faces.size() < 2)
         return View::plotted;
@@ -234,9 +235,10 @@ void FrameCells::set_up_depths(std::size_t room) {
     for (const std::size_t step : frame.stored_by) {
         if (step == 0)
             continue;
-        const std::string text = trace.step(step).text("depth");
-        width_ = std::max(width_, numbers.emplace(step, short_number(text)).first->second.size());
-        if (const auto depth = nearest_double_in(text)) {
+        const TracedNumber told = trace.step(step).as<DepthStep>().depth;
+        width_ =
+            std::max(width_, numbers.emplace(step, short_number(told.text())).first->second.size());
+        if (const auto depth = told.nearest_double()) {
             least = std::min(least.value_or(*depth), *depth);
             largest = std::max(largest.value_or(*depth), *depth);
         }
@@ -250,7 +252,7 @@ void FrameCells::set_up_depths(std::size_t room) {
     // The nearest is the brightest.
     const bool larger = larger_is_nearer(trace);
     const auto brightness = [&trace, larger, least, largest](std::size_t step) {
-        const auto depth = nearest_double_in(trace.step(step).text("depth"));
+        const auto depth = trace.step(step).as<DepthStep>().depth.nearest_double();
         if (!depth)
             return std::optional<double>(); // not finite
         const double range = *largest - *least;
@@ -290,7 +292,7 @@ void FrameCells::set_up_coverage() {
     const Trace& trace = replay_.trace();
     std::vector<Point> corners;
     if (replay_.primitive() != 0)
-        corners = corners_of(trace.step(replay_.primitive()));
+        corners = corners_of(trace.step(replay_.primitive()).as<PrimitiveStep>());
     legend_ = {corners.size() == 3 ? "0..9: tenths of a pixel from the sample to the nearest edge"
                                    : "coverage is that of a triangle"};
     const double offset = trace.samples_at_centers() ? 0.5 : 0.0;

@@ -3,6 +3,7 @@
 
 #include "clip.h"
 
+#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -127,7 +128,8 @@ std::vector<Entry> entries_of_half_planes(const Panel& panel) {
         one.layers.insert(one.layers.end(), negative, Role::outside);
         return one;
     };
-    const auto names = panel.trace().step(panel.replay.primitive()).texts("vertices");
+    const auto names =
+        panel.trace().step(panel.replay.primitive()).as<PrimitiveStep>().vertices.texts();
     const std::string all =
         names.size() == 3
             ? printable(fmt::format("{0}{1}, {1}{2}, {2}{0}", names[0], names[1], names[2]))

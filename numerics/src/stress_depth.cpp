@@ -6,6 +6,7 @@
 
 #include <rastertrace/core/draw/filtered/depths.h>
 #include <rastertrace/core/raster/depth_interpolation.h>
+#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -418,7 +419,7 @@ DepthTests depth_tests_of(std::string_view json, const MethodOverrides& method) 
         if (trace.value().kind_of(n) != StepKind::depth)
             continue;
         ++count.tests;
-        count.passes += trace.value().step(n).field("pass") == "true" ? 1 : 0;
+        count.passes += trace.value().step(n).as<DepthStep>().pass.is_true() ? 1 : 0;
     }
     return count;
 }

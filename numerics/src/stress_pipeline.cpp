@@ -6,6 +6,7 @@
 
 #include <rastertrace/core/raster/shading.h>
 #include <rastertrace/core/transform/matrix.h>
+#include <rastertrace/trace/record/traced_steps.h>
 
 #include <fmt/core.h>
 
@@ -144,11 +145,12 @@ FaceSeen face_seen(std::string_view json, std::string_view scalar) {
     for (std::size_t n = 1; trace && n <= trace.value().size(); ++n) {
         const StepView step = trace.value().step(n);
         if (trace.value().kind_of(n) == StepKind::face) {
-            face.dot = step.text("dot");
-            face.cosine = std::string(step.field("cosine").value_or(""));
+            const auto tested = step.as<FaceStep>();
+            face.dot = tested.dot.text();
+            face.cosine = tested.cosine.json();
         }
         if (trace.value().kind_of(n) == StepKind::skip)
-            face.skip = step.text("why");
+            face.skip = step.as<SkipStep>().why.text();
     }
     return face;
 }

@@ -7,6 +7,7 @@
 #include <rastertrace/core/draw/filtered/filtered.h>
 #include <rastertrace/core/raster/edge.h>
 #include <rastertrace/numerics/knobs.h>
+#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/record/write_trace.h>
 #include <rastertrace/trace/text/output.h>
 
@@ -239,12 +240,12 @@ void add_step_counts(StressRows& rows, std::string_view json, std::string_view l
 std::uint64_t pixels_named(const Trace& trace) {
     std::uint64_t pixels = 0;
     for (std::size_t n = 1; n <= trace.size(); ++n) {
-        const StepView step = trace.step(n);
         if (trace.kind_of(n) == StepKind::pixel)
             ++pixels;
-        if (trace.kind_of(n) == StepKind::reject)
-            pixels += static_cast<std::uint64_t>(step.whole("to_x").value_or(*step.whole("x")) -
-                                                 *step.whole("x") + 1);
+        if (trace.kind_of(n) == StepKind::reject) {
+            const auto reject = trace.step(n).as<RejectStep>();
+            pixels += static_cast<std::uint64_t>(reject.to_x.value_or(*reject.x) - *reject.x + 1);
+        }
     }
     return pixels;
 }

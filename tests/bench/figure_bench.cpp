@@ -11,6 +11,7 @@
 #include <rastertrace/figures/gif.h>
 #include <rastertrace/figures/png.h>
 #include <rastertrace/figures/svg.h>
+#include <rastertrace/trace/record/traced_steps.h>
 
 #include <benchmark/benchmark.h>
 
@@ -33,7 +34,7 @@ const Trace& first_triangle() {
 FigureFrame row_frame() {
     const Trace& trace = first_triangle();
     std::size_t n = 1;
-    while (trace.kind_of(n) != StepKind::scanline || trace.step(n).text("y") != "2")
+    while (trace.kind_of(n) != StepKind::scanline || y_in(trace.step(n)) != 2)
         ++n;
     return {.steps = {n, end_of(trace, n)}};
 }

@@ -9,7 +9,9 @@
 #include "effort.h"
 
 #include <rastertrace/trace/check/check.h>
+#include <rastertrace/trace/record/traced_steps.h>
 
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -175,23 +177,25 @@ TEST(Check, WhatTheScalarDecidesOtherwiseIsTold) {
         const std::size_t count = std::min(truth.decided().size(), truth.exact().size());
         std::string primitive;
         for (std::size_t n = 1; n <= count; ++n) {
-            const StepView decided = truth.decided().step(n);
-            const StepView right = truth.exact().step(n);
-            if (decided.kind_name() != right.kind_name())
+            const auto kind = truth.decided().kind_of(n);
+            if (truth.exact().kind_of(n) != kind)
                 break; // from here on the traces tell of different things
-            if (decided.kind() == StepKind::primitive)
-                primitive = decided.text("name");
-            if (decided.kind() != StepKind::scanline || decided.text("y") != right.text("y") ||
-                decided.text("from") == right.text("from"))
+            if (kind == StepKind::primitive)
+                primitive = name_in(truth.decided().step(n)).text();
+            if (kind != StepKind::scanline)
+                continue;
+            const auto decided = truth.decided().step(n).as<ScanlineStep>();
+            const auto right = truth.exact().step(n).as<ScanlineStep>();
+            if (decided.y != right.y || decided.from == right.from)
                 continue;
             ++differ;
-            const std::string row = primitive + " y=" + decided.text("y") + ": -> ";
-            const Checked checked = check(truth, claims_in(row + right.text("from") + "..?\n" +
-                                                           row + decided.text("from") + "..?\n"));
+            const Checked checked = check(
+                truth, claims_in(fmt::format("{0} y={1}: -> {2}..?\n{0} y={1}: -> {3}..?\n",
+                                             primitive, decided.y, right.from, decided.from)));
             EXPECT_EQ(verdicts(checked), "rr") << scene;
             EXPECT_EQ(checked.claims[0].fields[0].remark,
-                      "the scene's `float` has " + decided.text("from") + ", exact arithmetic " +
-                          right.text("from"));
+                      fmt::format("the scene's `float` has {}, exact arithmetic {}", decided.from,
+                                  right.from));
         }
     }
     EXPECT_GT(differ, 3U);
@@ -571,7 +575,7 @@ CopiedStep copied(const StepView& step, const std::string& in) {
     }
     for (const StepField& field : fields)
         if (field.role == FieldRole::key)
-            copy.keys += " " + step.text(field.name);
+            copy.keys.append(" ").append(step.field(field.name).value_or(""));
     return copy;
 }
 
@@ -586,9 +590,9 @@ std::string steps_as_claims(const Trace& trace) {
         const StepView step = trace.step(n);
         const StepKind kind = *step.kind();
         if (kind == StepKind::primitive)
-            in = step.text("name");
-        if (kind == StepKind::edge && step.field("octant"))
-            in = step.text("edge");
+            in = name_in(step).text();
+        if (kind == StepKind::edge && step.as<EdgeStep>().octant)
+            in = step.as<EdgeStep>().edge.text();
         if (kind == StepKind::pixel || kind == StepKind::reject || kind == StepKind::undecided ||
             kind == StepKind::ray)
             continue;

@@ -2,6 +2,7 @@
 #include "picture.h"
 #include "traces.h"
 
+#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/record/write_trace.h>
 #include <rastertrace/trace/tell/describe.h>
 
@@ -86,7 +87,8 @@ TEST(Describe, HiddenLines) {
     const Trace trace = trace_of(scene);
     bool is_line = false;
     for (std::size_t n = 1; n <= trace.size(); ++n) {
-        is_line = is_line || trace.step(n).text("kind") == "line";
+        if (trace.kind_of(n) == StepKind::primitive)
+            is_line = trace.step(n).as<PrimitiveStep>().kind == PrimitiveKind::line;
         if (!is_line || trace.kind_of(n) != StepKind::depth)
             continue;
         Replay replay(trace, {.depths = true});
@@ -301,7 +303,7 @@ TEST(Describe, APointBesideTheEyeIsNotBehindIt) {
     for (std::size_t n = 1; n <= trace.size(); ++n) {
         replay.go_to(n);
         if (trace.kind_of(n) == StepKind::skip) {
-            EXPECT_EQ(trace.step(n).text("why"), "behind the eye");
+            EXPECT_EQ(trace.step(n).as<SkipStep>().why.text(), "behind the eye");
             told.push_back(describe_step(replay));
         }
     }

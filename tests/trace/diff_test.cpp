@@ -8,6 +8,7 @@
 
 #include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/trace/compare/diff.h>
+#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <gmock/gmock.h>
@@ -554,7 +555,7 @@ TEST(Diff, StepsThatOneTraceLeavesOutAreNotMissed) {
             {.only = std::vector{StepKind::scanline, StepKind::pixel}},
             {.only = std::vector{StepKind::primitive, StepKind::pixel}},
             {.region = Region{-2, 1, 5, 6}},
-            {.primitive = StepView(primitives_in(Lines(whole)).back().front()).text("name")}};
+            {.primitive = name_in(StepView(primitives_in(Lines(whole)).back().front())).text()}};
         for (const StepFilter& filter : filters) {
             if (filter.primitive && filter.primitive->empty())
                 continue;

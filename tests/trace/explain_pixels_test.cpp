@@ -11,6 +11,7 @@
 #include <rastertrace/trace/explain/explain_pixels.h>
 #include <rastertrace/trace/explain/steps_of_pixel.h>
 #include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/traced_steps.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -168,7 +169,7 @@ struct FilledTriangle {
 
 /// The triangle of a primitive, if the rule is stated here: not for lines of a fan, nor where corners are not told
 /// exactly.
-std::optional<FilledTriangle> filled_triangle(const Trace& trace, const StepView& primitive) {
+std::optional<FilledTriangle> filled_triangle(const Trace& trace, const PrimitiveStep& primitive) {
     const std::string rounding = trace.method_value("rounding");
     FilledTriangle triangle{.at = {},
                             .fill = trace.method_value("fill"),
@@ -177,10 +178,12 @@ std::optional<FilledTriangle> filled_triangle(const Trace& trace, const StepView
                             .is_y_up = trace.canvas.down() < 0};
     const bool has_ties = trace.method_value("ties") != "" && triangle.rounding == "nearest";
     if (trace.method_value("scalar") != "exact" || triangle.fill == "fan" || has_ties ||
-        primitive.text("kind") != "triangle")
+        primitive.kind != PrimitiveKind::triangle)
         return std::nullopt;
-    for (const auto& row : primitive.text_rows("at"))
-        triangle.at.push_back({number(row[0]).exact(), number(row[1]).exact()});
+    for (const auto& place : primitive.at.values()) {
+        const auto at = place.values();
+        triangle.at.push_back({*at[0].exact(), *at[1].exact()});
+    }
     return triangle.at.size() == 3 && triangle.has_area() ? std::optional(triangle) : std::nullopt;
 }
 
@@ -192,15 +195,16 @@ public:
             const StepView step = trace.step(n);
             const auto kind = trace.kind_of(n);
             if (kind == StepKind::primitive) {
-                primitives_.push_back({n, step.text("name"), filled_triangle(trace, step)});
-                primitives_.back().is_whole = !step.field("at");
-                primitives_.back().is_painted = step.text("painted") != "false";
+                const auto primitive = step.as<PrimitiveStep>();
+                primitives_.push_back(
+                    {n, primitive.name.text(), filled_triangle(trace, primitive)});
+                primitives_.back().is_whole = !primitive.at;
+                primitives_.back().is_painted = !primitive.painted.is_false();
             }
             if (kind == StepKind::skip && !primitives_.empty())
                 primitives_.back().is_skipped = true;
             if (kind == StepKind::pixel || kind == StepKind::depth)
-                tries_[{static_cast<int>(*step.whole("x")), static_cast<int>(*step.whole("y"))}]
-                    .push_back(n);
+                tries_[{static_cast<int>(*x_in(step)), static_cast<int>(*y_in(step))}].push_back(n);
         }
     }
 
@@ -259,7 +263,8 @@ private:
         for (const std::size_t n : tries)
             if (primitive.step < n && n < end) {
                 has_drawn = has_drawn || trace_.kind_of(n) == StepKind::pixel;
-                is_hidden = is_hidden || trace_.step(n).text("pass") == "false";
+                is_hidden = is_hidden || (trace_.kind_of(n) == StepKind::depth &&
+                                          trace_.step(n).as<DepthStep>().pass.is_false());
             }
         const auto found = why_not.find(primitive.name);
         if (primitive.is_whole && !primitive.is_skipped) {
@@ -303,10 +308,10 @@ Trace excerpt_of_row(const Trace& trace, int y) {
         const StepView step = trace.step(n);
         const auto kind = trace.kind_of(n);
         if (kind == StepKind::primitive)
-            is_triangle = step.text("kind") == "triangle";
+            is_triangle = step.as<PrimitiveStep>().kind == PrimitiveKind::triangle;
         const bool is_of_pixel = kind == StepKind::pixel || kind == StepKind::depth ||
                                  kind == StepKind::sample || kind == StepKind::reject;
-        if (!is_triangle || !is_of_pixel || step.whole("y") == y)
+        if (!is_triangle || !is_of_pixel || y_in(step) == y)
             excerpt.add_to_excerpt(step, kind, n);
     }
     return excerpt;

@@ -6,6 +6,7 @@
 #include "traces.h"
 
 #include <rastertrace/trace/record/step_kind.h>
+#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/scene/scene_file.h>
 #include <rastertrace/trace/tell/describe.h>
 #include <rastertrace/trace/tell/working.h>
@@ -111,10 +112,14 @@ TEST(Language, NoEnglishWordIsLeftInPortugueseAndNoNumberDiffers) {
         std::set<std::string> names;
         for (std::size_t n = 1; n <= trace.size(); ++n)
             if (trace.kind_of(n) == StepKind::primitive || trace.kind_of(n) == StepKind::vertex ||
-                trace.kind_of(n) == StepKind::matrix)
-                for (const char* const field : {"name", "object"})
-                    for (const std::string& word : split(trace.step(n).text(field)).words)
+                trace.kind_of(n) == StepKind::matrix) {
+                const StepView step = trace.step(n);
+                const bool is_matrix = trace.kind_of(n) == StepKind::matrix;
+                const TracedText object = is_matrix ? step.as<MatrixStep>().object : TracedText();
+                for (const TracedText& name : {name_in(step), object})
+                    for (const std::string& word : split(name.text()).words)
                         names.insert(word);
+            }
         Replay replay(trace, {.depths = true});
         for (std::size_t n = 1; n <= trace.size(); ++n) {
             constexpr std::size_t one_in = 16; // of so many pixels one will do

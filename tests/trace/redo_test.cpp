@@ -9,8 +9,8 @@
 
 #include <rastertrace/core/draw/plan/plan.h>
 #include <rastertrace/trace/record/trace.h>
+#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/scene/scene_file.h>
-#include <rastertrace/trace/text/color_text.h>
 #include <rastertrace/trace/text/primitive_name.h>
 
 #include <gmock/gmock.h>
@@ -34,7 +34,8 @@ namespace rastertrace {
 namespace {
 
 /// A number of a trace, exactly: of a fraction or a whole number all digits, else the double.
-Rational exactly(const std::string& text) {
+Rational exactly(const TracedNumber& told) {
+    const std::string text = told.text();
     if (text.find_first_of(".e") != std::string::npos)
         return Rational(std::strtod(text.c_str(), nullptr));
     Rational number(text);
@@ -43,19 +44,20 @@ Rational exactly(const std::string& text) {
 }
 
 /// The same in the numbers that a scene is drawn with.
-template <typename Real> Real number_of(const std::string& text) {
+template <typename Real> Real number_of(const TracedNumber& told) {
+    const std::string text = told.text();
     if constexpr (std::same_as<Real, float>)
         return std::strtof(text.c_str(), nullptr);
     else if constexpr (std::same_as<Real, double>)
         return text.find('/') == std::string::npos ? std::strtod(text.c_str(), nullptr)
-                                                   : nearest_double(exactly(text));
+                                                   : nearest_double(exactly(told));
     else
-        return exactly(text);
+        return exactly(told);
 }
-template <typename Real> std::vector<Real> numbers_of(const std::vector<std::string>& texts) {
+template <typename Real> std::vector<Real> numbers_of(const TracedList<TracedNumber>& list) {
     std::vector<Real> numbers;
-    for (const std::string& text : texts)
-        numbers.push_back(number_of<Real>(text));
+    for (const TracedNumber& told : list.values())
+        numbers.push_back(number_of<Real>(told));
     return numbers;
 }
 Rational exactly(double number) {
@@ -125,18 +127,15 @@ template <typename Real, typename Depth, bool knows_all> class Redo {
 public:
     Redo(const Scene& scene, const Trace& trace)
         : scene_(scene), method_(scene.method), trace_(trace),
-          offset_(number_of<Real>(sample_of(scene.method) == Sample::center ? "1/2" : "0")),
-          canvas_(scene.canvas) {
-        if constexpr (std::floating_point<Real>)
-            offset_ = sample_of(scene.method) == Sample::center ? Real(0.5) : Real(0);
-    }
+          offset_(sample_of(scene.method) == Sample::center ? 0.5 : 0), canvas_(scene.canvas) {}
 
     /// How many decisions of each kind were taken again.
     std::map<std::string, int> run() {
         for (std::size_t n = 1; n <= trace_.size(); ++n) {
             const StepView step = trace_.step(n);
             where_ = std::string(step.json());
-            redo(step);
+            if (const auto kind = trace_.kind_of(n))
+                redo(step, *kind);
         }
         return counts_;
     }
@@ -157,49 +156,54 @@ private:
                           << primitive_;
     }
 
-    void redo(const StepView& step) {
-        const std::string kind = step.kind_name();
-        if (kind == "triangulate")
-            redo_triangulation(step);
-        else if (kind == "vertex")
-            redo_vertex(step);
-        else if (kind == "order")
-            redo_order(step);
-        else if (kind == "face")
-            redo_face(step);
-        else if (kind == "light")
-            redo_light(step);
-        else if (kind == "primitive")
-            begin(step);
-        else if (kind == "edge")
-            redo_edge(step);
-        else if (kind == "half")
-            walks_.clear();
-        else if (kind == "scanline")
-            redo_scanline(step);
-        else if (kind == "along")
-            redo_along(step);
-        else if (kind == "decide")
-            expect(straight(step.text("move")),
-                   method_.ties == Ties::step ? *step.whole("d") < 0 : *step.whole("d") <= 0,
-                   "decide");
-        else if (kind == "sample")
-            redo_sample(step);
-        else if (kind == "depth")
-            redo_depth(step);
-        else if (kind == "pixel")
-            redo_pixel(step);
-        else if (kind == "skip" && step.text("why") == "zero area")
-            redo_zero_area();
+    void redo(const StepView& step, StepKind kind) {
+        switch (kind) {
+        case StepKind::triangulate:
+            return redo_triangulation(step.as<TriangulateStep>());
+        case StepKind::vertex:
+            return redo_vertex(step.as<VertexStep>());
+        case StepKind::order:
+            return redo_order(step.as<OrderStep>());
+        case StepKind::face:
+            return redo_face(step.as<FaceStep>());
+        case StepKind::light:
+            return redo_light(step.as<LightStep>());
+        case StepKind::primitive:
+            primitive_ = where_;
+            return begin(step.as<PrimitiveStep>());
+        case StepKind::edge:
+            return redo_edge(step.as<EdgeStep>());
+        case StepKind::half:
+            return walks_.clear();
+        case StepKind::scanline:
+            return redo_scanline(step.as<ScanlineStep>());
+        case StepKind::along:
+            return redo_along(step.as<AlongStep>());
+        case StepKind::decide:
+            return redo_decision(step.as<DecideStep>());
+        case StepKind::sample:
+            return redo_sample(step.as<SampleStep>());
+        case StepKind::depth:
+            return redo_depth(step.as<DepthStep>());
+        case StepKind::pixel:
+            return redo_pixel(step.as<PixelStep>());
+        case StepKind::skip:
+            if (step.as<SkipStep>().why == SkipReason::zero_area)
+                redo_zero_area();
+            return;
+        default:
+            return;
+        }
     }
 
     /// The corners stand in a line, as docs/scene-format.md tells it.
-    void redo_triangulation(const StepView& step) {
+    void redo_triangulation(const TriangulateStep& step) {
         using Corner = std::array<Rational, 3>;
         std::vector<Corner> corners;
-        for (const auto& row : step.text_rows("at"))
-            corners.push_back({number_of<Rational>(row[0]), number_of<Rational>(row[1]),
-                               number_of<Rational>(row[2])});
+        for (const auto& at : step.at.values()) {
+            const auto place = numbers_of<Rational>(at);
+            corners.push_back({place[0], place[1], place[2]});
+        }
         Corner normal{};
         for (std::size_t i = 0; i < corners.size(); ++i) {
             const Corner& p = corners[i];
@@ -208,13 +212,13 @@ private:
             normal[1] += (p[2] - q[2]) * (p[0] + q[0]);
             normal[2] += (p[0] - q[0]) * (p[1] + q[1]);
         }
-        const auto told = numbers_of<Rational>(step.texts("normal"));
+        const auto told = numbers_of<Rational>(step.normal);
         expect(std::vector<Rational>(normal.begin(), normal.end()), told, "triangulate: normal");
         std::size_t dropped = 2;
         for (const std::size_t axis : {std::size_t{1}, std::size_t{0}})
             if (abs(normal[axis]) > abs(normal[dropped]))
                 dropped = axis;
-        expect(std::string(1, "xyz"[dropped]), step.text("drops"), "triangulate: drops");
+        expect(std::string(1, "xyz"[dropped]), step.drops.text(), "triangulate: drops");
 
         const auto area = [&](std::size_t a, std::size_t b, std::size_t c) -> Rational {
             const std::size_t x = (dropped + 1) % 3;
@@ -254,23 +258,27 @@ private:
         ears.push_back({left.at(0), left.at(1), left.at(2)});
 
         // The primitives of these names have to have these corners.
-        const auto vertices = step.texts("vertices");
-        const auto names = step.texts("ears");
+        const auto vertices = step.vertices.texts();
+        const auto names = step.ears.texts();
         expect(ears.size(), names.size(), "triangulate: ears");
         for (std::size_t i = 0; i < ears.size() && i < names.size(); ++i)
             corners_of_ears_[names[i]] = {vertices.at(ears[i][0]), vertices.at(ears[i][1]),
                                           vertices.at(ears[i][2])};
     }
 
-    static bool straight(const std::string& move) { return move.size() == 1; }
+    void redo_decision(const DecideStep& step) {
+        const bool is_straight = step.move.text().size() == 1;
+        const Rational d = exactly(step.d);
+        expect(is_straight, method_.ties == Ties::step ? d < 0 : d <= 0, "decide");
+    }
 
-    void redo_vertex(const StepView& step) {
-        if (step.text("space") == "clip")
-            w_[step.text("name")] = number_of<Depth>(step.texts("at").at(3));
-        if (!step.field("snapped"))
+    void redo_vertex(const VertexStep& step) {
+        const auto at = step.at.values();
+        if (step.space == Space::clip)
+            w_[step.name.text()] = number_of<Depth>(at.at(3));
+        if (!step.snapped)
             return;
-        const auto at = step.texts("at");
-        const auto snapped = step.texts("snapped");
+        const auto snapped = step.snapped.values();
         for (std::size_t i = 0; i < 2; ++i) {
             const Rational x = exactly(number_of<Real>(at[i]));
             const Index index = method_.snap == Snap::nearest
@@ -281,8 +289,8 @@ private:
         }
     }
 
-    void redo_order(const StepView& step) {
-        const auto distances = numbers_of<Real>(step.texts("distances"));
+    void redo_order(const OrderStep& step) {
+        const auto distances = numbers_of<Real>(step.distances);
         expect(std::is_sorted(distances.rbegin(), distances.rend()), true, "order");
     }
 
@@ -293,55 +301,54 @@ private:
 
     /// The product of the normal and `other`, as the face is worked out: `fixed` does that in doubles,
     /// unless nothing moves the vertices.
-    void redo_product(const StepView& step, std::string_view other) {
+    void redo_product(const auto& step, const TracedList<TracedNumber>& other) {
         const auto again = [&]<typename Number>(Number) {
-            expect(dot(numbers_of<Number>(step.texts("normal")),
-                       numbers_of<Number>(step.texts(other))),
-                   number_of<Number>(step.text("dot")), "dot");
+            expect(dot(numbers_of<Number>(step.normal), numbers_of<Number>(other)),
+                   number_of<Number>(step.dot), "dot");
         };
-        if (step.field("dot")->starts_with('"'))
+        if (step.dot.json().starts_with('"'))
             again(Rational());
         else if (knows_all)
             again(Depth());
     }
 
-    void redo_face(const StepView& step) {
-        redo_product(step, "view");
-        const int sign = sgn(exactly(step.text("dot")));
+    void redo_face(const FaceStep& step) {
+        redo_product(step, step.view);
+        const int sign = sgn(exactly(step.dot));
         const Cull cull = method_.cull;
         const bool is_culled = cull == Cull::both || (cull == Cull::front ? sign >= 0 : sign <= 0);
-        expect(is_culled, step.text("culled") == "true", "face");
+        expect(is_culled, step.culled.is_true(), "face");
     }
 
-    void redo_light(const StepView& step) {
-        redo_product(step, "light");
-        if (sgn(exactly(step.text("dot"))) <= 0)
-            expect(step.text("intensity"), "0", "light");
+    void redo_light(const LightStep& step) {
+        redo_product(step, step.light);
+        if (sgn(exactly(step.dot)) <= 0)
+            expect(step.intensity.text(), "0", "light");
     }
 
-    void begin(const StepView& step) {
-        primitive_ = std::string(step.json());
-        kind_ = step.text("kind");
-        has_long_numbers_ = step.field("within").has_value();
-        names_ = step.texts("vertices");
-        if (const auto ear = corners_of_ears_.find(step.text("name"));
-            ear != corners_of_ears_.end())
+    void begin(const PrimitiveStep& step) {
+        kind_ = step.kind.text();
+        has_long_numbers_ = static_cast<bool>(step.within);
+        names_ = step.vertices.texts();
+        if (const auto ear = corners_of_ears_.find(step.name.text()); ear != corners_of_ears_.end())
             expect(ear->second, names_, "triangulate: corners");
         at_.clear();
-        for (const auto& row : step.text_rows("at"))
-            at_.push_back({number_of<Real>(row[0]), number_of<Real>(row[1])});
-        depths_ = numbers_of<Depth>(step.texts("depths"));
-        color_ = *parse_color(step.text("color"));
+        for (const auto& at : step.at.values()) {
+            const auto place = numbers_of<Real>(at);
+            at_.push_back({place[0], place[1]});
+        }
+        depths_ = numbers_of<Depth>(step.depths);
+        color_ = *step.color.color();
         colors_.clear();
-        for (const std::string& color : step.texts("colors"))
-            colors_.push_back(*parse_color(color));
+        for (const TracedColor& color : step.colors.values())
+            colors_.push_back(*color.color());
         edges_.clear();
         functions_.clear();
         walks_.clear();
         row_.reset();
         side_ = {0, kind_ == "point" ? 0U : 1U};
         if (kind_ == "triangle" && at_.size() == 3 && depths_.size() == 3) {
-            FaceOnScreen& face = faces_[step.text("name")];
+            FaceOnScreen& face = faces_[step.name.text()];
             for (std::size_t i = 0; i < 3; ++i) {
                 face.corners[i] = {depth_number(at_[i][0]), depth_number(at_[i][1])};
                 face.depths[i] = depths_[i];
@@ -373,19 +380,19 @@ private:
         }
     };
 
-    void redo_edge(const StepView& step) {
-        const std::string name = step.text("edge");
+    void redo_edge(const EdgeStep& step) {
+        const std::string name = step.edge.text();
         const Ends ends = *ends_of(name);
         const At& p = at_[ends.from];
         const At& q = at_[ends.to];
-        if (step.field("octant")) {
+        if (step.octant) {
             side_ = ends;
             along_before_.reset();
             return;
         }
-        if (step.field("a")) {
-            const Function f{p, number_of<Real>(step.text("a")), number_of<Real>(step.text("b")),
-                             step.text("top_left") == "true"};
+        if (step.a) {
+            const Function f{p, number_of<Real>(step.a), number_of<Real>(step.b),
+                             step.top_left.is_true()};
             if (knows_all) {
                 const bool is_turned = f.a != Real(p[1] - q[1]) || f.b != Real(q[0] - p[0]);
                 expect(Real(is_turned ? q[1] - p[1] : p[1] - q[1]), f.a, "edge: a");
@@ -396,11 +403,11 @@ private:
             functions_[name] = f;
             return;
         }
-        if (step.text("dx_dy") == "null") {
+        if (!step.dx_dy.has_number()) {
             expect(p[1] == q[1], true, "edge: horizontal");
             return;
         }
-        const auto slope = number_of<Real>(step.text("dx_dy"));
+        const auto slope = number_of<Real>(step.dx_dy);
         if (knows_all)
             expect(Real((q[0] - p[0]) / (q[1] - p[1])), slope, "edge: dx_dy");
         edges_[name] = slope;
@@ -431,16 +438,11 @@ private:
         std::optional<Depth> right_depth;
     };
 
-    void redo_scanline(const StepView& step) {
-        Row row{*step.whole("y"),
-                *step.whole("from"),
-                *step.whole("to"),
-                number_of<Real>(step.text("left")),
-                number_of<Real>(step.text("right")),
-                {},
-                {}};
-        const std::string left_edge = step.text("left_edge");
-        const std::string right_edge = step.text("right_edge");
+    void redo_scanline(const ScanlineStep& step) {
+        Row row{step.y, step.from, step.to, number_of<Real>(step.left), number_of<Real>(step.right),
+                {},     {}};
+        const std::string left_edge = step.left_edge.text();
+        const std::string right_edge = step.right_edge.text();
         if (method_.fill == Fill::top_left) {
             redo_top_left(row, left_edge, right_edge);
         } else {
@@ -451,9 +453,9 @@ private:
             const SpanRounding rule = span_rounding(method_);
             expect(pixel_of(exactly(row.left), rule, false), row.from, "scanline: from");
             expect(pixel_of(exactly(row.right), rule, true), row.to, "scanline: to");
-            if (step.field("left_depth")) {
-                row.left_depth = number_of<Depth>(step.text("left_depth"));
-                row.right_depth = number_of<Depth>(step.text("right_depth"));
+            if (step.left_depth) {
+                row.left_depth = number_of<Depth>(step.left_depth);
+                row.right_depth = number_of<Depth>(step.right_depth);
                 if (knows_all) {
                     expect(depth_on(left_edge, row.y), *row.left_depth, "scanline: left_depth");
                     expect(depth_on(right_edge, row.y), *row.right_depth, "scanline: right_depth");
@@ -553,16 +555,14 @@ private:
                (depth == Depth_::ndc_z && scene_.projection.type == ProjectionType::view_plane);
     }
 
-    void redo_depth(const StepView& step) {
-        const Index x = *step.whole("x");
-        const Index y = *step.whole("y");
-        const auto depth = number_of<Depth>(step.text("depth"));
-        const bool passes = step.text("pass") == "true";
+    void redo_depth(const DepthStep& step) {
+        const Index x = step.x;
+        const Index y = step.y;
+        const bool passes = step.pass.is_true();
         if (knows_all)
-            expect(depth_at(x, y), depth, "depth: depth");
-        const std::string stored = step.text("stored");
+            expect(depth_at(x, y), number_of<Depth>(step.depth), "depth: depth");
         const bool is_face = kind_ == "triangle";
-        const auto is_nearer = [this](const std::string& a, const std::string& b) {
+        const auto is_nearer = [this](const TracedNumber& a, const TracedNumber& b) {
             const auto one = number_of<Depth>(a);
             const auto other = number_of<Depth>(b);
             return larger_passes() ? other < one : one < other;
@@ -573,29 +573,30 @@ private:
         const bool has_thin = thin != thin_depths_.end();
         const bool is_thin_nearer =
             has_thin && !(has_face && is_nearer(face->second, thin->second.depth));
-        const bool lets_pass = step.field("side_of") || step.field("beside");
+        const bool lets_pass = step.side_of || step.beside;
         const bool is_by_thin = has_thin && (is_thin_nearer || (!is_face && !passes)) && !lets_pass;
-        if (step.field("behind")) {
+        if (step.behind) {
             expect(false, passes, "depth: behind");
             if (knows_all)
-                redo_behind(step.text("behind"), x, y);
-        } else if (stored == "null") {
+                redo_behind(step.behind.text(), x, y);
+        } else if (!step.stored.has_number()) {
             expect(true, passes, "depth");
         } else if (lets_pass) {
-            expect(is_nearer(stored, step.text("depth")), passes, "depth: passes a nearer one");
+            expect(is_nearer(step.stored, step.depth), passes, "depth: passes a nearer one");
         } else {
             const bool is_thinner =
                 is_by_thin ? thickness() < thin->second.thickness : has_face && !is_face;
-            expect(is_thinner ? !is_nearer(stored, step.text("depth"))
-                              : is_nearer(step.text("depth"), stored),
+            expect(is_thinner ? !is_nearer(step.stored, step.depth)
+                              : is_nearer(step.depth, step.stored),
                    passes, "depth");
             if (knows_all && (has_thin || has_face))
-                expect(is_by_thin ? thin->second.depth : face->second, stored, "depth: stored");
+                expect(is_by_thin ? thin->second.depth : face->second, step.stored,
+                       "depth: stored");
         }
-        if (is_face && (passes || (has_face && is_nearer(step.text("depth"), face->second))))
-            face_depths_[{x, y}] = step.text("depth");
+        if (is_face && (passes || (has_face && is_nearer(step.depth, face->second))))
+            face_depths_[{x, y}] = step.depth;
         else if (!is_face && passes)
-            thin_depths_[{x, y}] = {step.text("depth"), thickness()};
+            thin_depths_[{x, y}] = {step.depth, thickness()};
     }
 
     /// A point 1, a line 2, a face 3.
@@ -661,8 +662,8 @@ private:
         }
     }
 
-    void redo_along(const StepView& step) {
-        const bool is_x_major = step.field("x").has_value();
+    void redo_along(const AlongStep& step) {
+        const bool is_x_major = step.x.has_value();
         const std::size_t along = is_x_major ? 0 : 1;
         const std::size_t across = 1 - along;
         At from = at_[side_.from];
@@ -670,8 +671,8 @@ private:
         if (method_.from == LineStart::low && to[along] < from[along])
             std::swap(from, to);
 
-        const Index at = *step.whole(is_x_major ? "x" : "y");
-        const auto value = number_of<Real>(step.text("value"));
+        const Index at = is_x_major ? *step.x : *step.y;
+        const auto value = number_of<Real>(step.value);
         if (knows_all) {
             const Real run = to[along] - from[along];
             const Real m = run == Real(0) ? Real(0) : Real((to[across] - from[across]) / run);
@@ -692,7 +693,7 @@ private:
             rule.ties = Ties::up;
         else if (rule.rounding == Rounding::nearest && rule.ties == Ties::step && falls)
             rule.ties = Ties::start;
-        expect(pixel_of(exactly(value), rule, false), *step.whole("pixel"), "along");
+        expect(pixel_of(exactly(value), rule, false), step.pixel, "along");
     }
 
     Real area2() const {
@@ -718,13 +719,13 @@ private:
         return {Real(a / all), Real(b / all), Real(c / all)};
     }
 
-    void redo_sample(const StepView& step) {
-        weights_ = numbers_of<Real>(step.texts("weights"));
+    void redo_sample(const SampleStep& step) {
+        weights_ = numbers_of<Real>(step.weights);
         if (knows_all)
-            expect(weights_in(*step.whole("x"), *step.whole("y")), weights_, "sample: weights");
+            expect(weights_in(step.x, step.y), weights_, "sample: weights");
         const bool has_negative = std::any_of(weights_.begin(), weights_.end(),
                                               [](const Real& weight) { return weight < Real(0); });
-        expect(!has_negative, step.text("inside") == "true", "sample");
+        expect(!has_negative, step.inside.is_true(), "sample");
     }
 
     void redo_zero_area() {
@@ -748,15 +749,14 @@ private:
         }
     }
 
-    void redo_pixel(const StepView& step) {
-        const Index x = *step.whole("x");
-        const Index y = *step.whole("y");
+    void redo_pixel(const PixelStep& step) {
         if (row_) {
-            expect(row_->y == y && row_->from <= x && x <= row_->to, true, "pixel: in its row");
+            expect(row_->y == step.y && row_->from <= step.x && step.x <= row_->to, true,
+                   "pixel: in its row");
         }
         if (kind_ != "triangle" || method_.fill == Fill::fan || at_.size() != 3)
             return;
-        const Color told = step.field("color") ? *parse_color(step.text("color")) : color_;
+        const Color told = step.color.color().value_or(color_);
         if (has_long_numbers_)
             return;
         if (colors_.empty()) {
@@ -767,7 +767,7 @@ private:
             if (area2() == Real(0))
                 expect(told, color_, "pixel: color");
             else
-                expect(color_at(x, y), told, "pixel: color");
+                expect(color_at(step.x, step.y), told, "pixel: color");
         }
     }
 
@@ -846,11 +846,11 @@ private:
     std::optional<std::pair<Index, Real>> along_before_;
     std::vector<Real> weights_;
     struct Thin {
-        std::string depth;
+        TracedNumber depth;
         int thickness;
     };
-    std::map<std::pair<Index, Index>, std::string> face_depths_; ///< the nearest face's
-    std::map<std::pair<Index, Index>, Thin> thin_depths_;        ///< the nearest point's or line's
+    std::map<std::pair<Index, Index>, TracedNumber> face_depths_; ///< the nearest face's
+    std::map<std::pair<Index, Index>, Thin> thin_depths_;         ///< the nearest point's or line's
     struct FaceOnScreen {
         std::array<std::array<Depth, 2>, 3> corners;
         std::array<Depth, 3> depths;
@@ -1034,11 +1034,11 @@ TEST(Redo, AdaptiveWritesTheFractionThatDecides) {
     const std::string long_step =
         steps_with("2." + std::string(19, '9') + std::string(981, '7'), "scanline");
     EXPECT_THAT(long_step, testing::HasSubstr(R"("from":2,"to":6)"));
-    const StepView step(long_step);
-    const Rational left = exactly(step.text("left"));
+    const TracedNumber told = StepView(long_step).as<ScanlineStep>().left;
+    const Rational left = exactly(told);
     EXPECT_LT(left, Rational(3));
     EXPECT_GT(left, Rational(3) - Rational(1, 1000000));
-    EXPECT_LT(step.text("left").size(), 60U);
+    EXPECT_LT(told.text().size(), 60U);
 }
 
 TEST(Redo, EveryDecisionNextToATie) {

@@ -10,6 +10,7 @@
 
 #include <rastertrace/trace/check/check.h>
 #include <rastertrace/trace/check/slips.h>
+#include <rastertrace/trace/record/traced_steps.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -30,16 +31,10 @@ struct Planted {
     std::string claim; ///< JSON
 };
 
-Rational rational(const std::string& text) {
-    Rational number(text); // the exact trace writes fractions in lowest terms
-    number.canonicalize();
-    return number;
-}
-
-std::vector<Rational> rationals(const std::vector<std::string>& texts) {
+std::vector<Rational> rationals(const TracedList<TracedNumber>& list) {
     std::vector<Rational> numbers;
-    for (const std::string& text : texts)
-        numbers.push_back(rational(text));
+    for (const TracedNumber& number : list.values())
+        numbers.push_back(*number.exact());
     return numbers;
 }
 
@@ -60,27 +55,27 @@ struct Place {
     std::size_t n;
     std::size_t primitive; ///< its step; 0 for none
 
-    StepView step() const { return trace.step(n); }
-    StepView owner() const { return trace.step(primitive); }
+    template <typename Step> Step step() const { return trace.step(n).as<Step>(); }
+    PrimitiveStep owner() const { return trace.step(primitive).as<PrimitiveStep>(); }
 
     /// The corner of the primitive with this name.
     std::vector<Rational> corner(char name) const {
-        const auto names = owner().texts("vertices");
-        const auto at = owner().text_rows("at");
+        const auto names = owner().vertices.texts();
+        const auto at = owner().at.values();
         for (std::size_t i = 0; i < names.size() && i < at.size(); ++i)
             if (names[i] == std::string(1, name))
                 return rationals(at[i]);
         return {};
     }
 
-    std::string in() const { return R"("in":")" + owner().text("name") + R"(",)"; }
+    std::string in() const { return R"("in":")" + owner().name.text() + R"(",)"; }
 
     std::string row_claim(const std::string& field, const Rational& value) const {
-        return R"({"step":"scanline",)" + in() + R"("y":)" + step().text("y") + ",\"" + field +
-               "\":" + quoted(value) + "}";
+        return R"({"step":"scanline",)" + in() + R"("y":)" +
+               std::to_string(step<ScanlineStep>().y) + ",\"" + field + "\":" + quoted(value) + "}";
     }
     std::string face_claim(const std::string& field, const std::string& value) const {
-        return R"({"step":"face","name":")" + step().text("name") + "\",\"" + field +
+        return R"({"step":"face","name":")" + step<FaceStep>().name.text() + "\",\"" + field +
                "\":" + value + "}";
     }
 };
@@ -94,7 +89,8 @@ struct RowEnd {
     Rational x() const { return x1 + slope() * (y - y1); }
 };
 std::optional<RowEnd> left_end(const Place& place) {
-    const std::string edge = place.step().text("left_edge");
+    const auto row = place.step<ScanlineStep>();
+    const std::string edge = row.left_edge.text();
     if (edge.size() != 2)
         return std::nullopt;
     const auto from = place.corner(edge[0]);
@@ -102,11 +98,11 @@ std::optional<RowEnd> left_end(const Place& place) {
     if (from.empty() || to.empty() || from[1] == to[1])
         return std::nullopt;
     const Rational offset = place.trace.samples_at_centers() ? Rational(1, 2) : Rational(0);
-    return RowEnd{from[0], from[1], to[0], to[1], rational(place.step().text("y")) + offset};
+    return RowEnd{from[0], from[1], to[0], to[1], Rational(row.y) + offset};
 }
 
 Result planted_row(const Place& place, const std::string& slip, const Rational& wrong) {
-    return rational(place.step().text("left")) == wrong
+    return place.step<ScanlineStep>().left.exact() == wrong
                ? std::nullopt
                : Result({slip, place.row_claim("left", wrong)});
 }
@@ -141,11 +137,11 @@ Result forget_the_start(const Place& place) {
 }
 
 Result lose_the_minus(const Place& place) {
-    return planted_row(place, "sign", -rational(place.step().text("left")));
+    return planted_row(place, "sign", -*place.step<ScanlineStep>().left.exact());
 }
 
 Result cut_off(const Place& place) {
-    const Rational x = rational(place.step().text("left"));
+    const Rational x = *place.step<ScanlineStep>().left.exact();
     const std::string rounding = place.trace.method_value("rounding");
     if (place.trace.method_value("fill") == "top-left" || // it asks samples
         rounding.substr(0, rounding.find('+')) != "floor" || sgn(x) >= 0 || x.get_den() == 1)
@@ -156,10 +152,10 @@ Result cut_off(const Place& place) {
 
 /// An edge of a triangle from its upper end to the third corner.
 Result take_another_corner(const Place& place) {
-    const std::string edge = place.step().text("edge");
-    const auto names = place.owner().texts("vertices");
-    const std::string slope = place.step().text("dx_dy");
-    if (edge.size() != 2 || names.size() != 3 || slope.empty() || slope == "null")
+    const auto step = place.step<EdgeStep>();
+    const std::string edge = step.edge.text();
+    const auto names = place.owner().vertices.texts();
+    if (edge.size() != 2 || names.size() != 3 || !step.dx_dy.has_number())
         return std::nullopt;
     for (const std::string& name : names) {
         if (name.size() != 1 || edge.find(name) != std::string::npos)
@@ -169,7 +165,7 @@ Result take_another_corner(const Place& place) {
         if (from.empty() || to.empty() || from[1] == to[1])
             return std::nullopt;
         const Rational wrong = (to[0] - from[0]) / (to[1] - from[1]);
-        if (wrong == rational(slope))
+        if (wrong == step.dx_dy.exact())
             return std::nullopt;
         return Planted{"c-minus-a", R"({"step":"edge",)" + place.in() + R"("edge":")" + edge +
                                         R"(","dx_dy":)" + quoted(wrong) + "}"};
@@ -178,7 +174,7 @@ Result take_another_corner(const Place& place) {
 }
 
 Result exchange_y_and_z(const Place& place) {
-    auto normal = rationals(place.step().texts("normal"));
+    auto normal = rationals(place.step<FaceStep>().normal);
     if (normal.size() != 3 || normal[1] == normal[2])
         return std::nullopt;
     std::swap(normal[1], normal[2]);
@@ -186,74 +182,81 @@ Result exchange_y_and_z(const Place& place) {
 }
 
 Result turn_the_view_round(const Place& place) {
-    const Rational dot = rational(place.step().text("dot"));
+    const Rational dot = *place.step<FaceStep>().dot.exact();
     if (sgn(dot) == 0)
         return std::nullopt;
     return Planted{"view-turned-round", place.face_claim("dot", quoted(-dot))};
 }
 
 Result forget_the_lengths(const Place& place) {
-    const std::string dot = place.step().text("dot");
-    if (place.step().text("cosine") == "null" || rational(dot) == 0)
+    const auto step = place.step<FaceStep>();
+    const Rational dot = *step.dot.exact();
+    if (step.cosine.json() == "null" || dot == 0)
         return std::nullopt;
-    return Planted{"cosine-of-dot-only", place.face_claim("cosine", quoted(rational(dot)))};
+    return Planted{"cosine-of-dot-only", place.face_claim("cosine", quoted(dot))};
 }
 
-std::string vertex_claim(const StepView& step, const std::vector<Rational>& at) {
-    return R"({"step":"vertex","name":")" + step.text("name") + R"(","space":")" +
-           step.text("space") + R"(","at":)" + quoted(at) + "}";
+std::string vertex_claim(const VertexStep& step, const std::vector<Rational>& at) {
+    return R"({"step":"vertex","name":")" + step.name.text() + R"(","space":")" +
+           step.space.text() + R"(","at":)" + quoted(at) + "}";
 }
 
 /// The step before, which is of the same vertex in the space that it comes from.
 std::vector<Rational> place_before(const Place& place) {
-    const StepView before = place.trace.step(place.n - 1);
-    const bool is_same =
-        before.kind() == StepKind::vertex && before.text("name") == place.step().text("name");
-    return is_same ? rationals(before.texts("at")) : std::vector<Rational>{};
+    if (place.trace.kind_of(place.n - 1) != StepKind::vertex)
+        return {};
+    const auto before = place.trace.step(place.n - 1).as<VertexStep>();
+    const bool is_same = before.name == place.step<VertexStep>().name;
+    return is_same ? rationals(before.at) : std::vector<Rational>{};
 }
 
 Result forget_to_divide(const Place& place) {
+    const auto step = place.step<VertexStep>();
     auto clip = place_before(place);
-    if (place.step().text("space") != "canonical" || clip.size() != 4)
+    if (step.space != Space::canonical || clip.size() != 4)
         return std::nullopt;
     clip.pop_back();
-    if (clip == rationals(place.step().texts("at")))
+    if (clip == rationals(step.at))
         return std::nullopt;
-    return Planted{"not-divided", vertex_claim(place.step(), clip)};
+    return Planted{"not-divided", vertex_claim(step, clip)};
 }
 
 /// A translation that is forgotten in y.
 Result forget_to_move(const Place& place) {
     const std::map<std::string, std::string> matrices{
         {"world", "model"}, {"camera", "view"}, {"screen", "viewport"}};
-    const auto name = matrices.find(place.step().text("space"));
-    auto at = rationals(place.step().texts("at"));
+    const auto vertex = place.step<VertexStep>();
+    const auto name = matrices.find(vertex.space.text());
+    auto at = rationals(vertex.at);
     if (name == matrices.end() || place_before(place).empty())
         return std::nullopt;
     std::optional<Rational> moved;
     int found = 0;
     for (std::size_t n = 1; n <= place.trace.size(); ++n)
-        if (const StepView step = place.trace.step(n);
-            step.kind() == StepKind::matrix && step.text("name") == name->second) {
-            moved = rational(step.text_rows("rows")[1][3]);
+        if (place.trace.kind_of(n) == StepKind::matrix) {
+            const auto matrix = place.trace.step(n).as<MatrixStep>();
+            if (matrix.name != name->second)
+                continue;
+            moved = rationals(matrix.rows.values()[1])[3];
             ++found;
         }
     if (found != 1 || sgn(*moved) == 0)
         return std::nullopt;
     at[1] -= *moved;
-    return Planted{"term-dropped", vertex_claim(place.step(), at)};
+    return Planted{"term-dropped", vertex_claim(vertex, at)};
 }
 
 Result take_z_for_its_inverse(const Place& place) {
-    const Rational depth = rational(place.step().text("depth"));
+    const auto step = place.step<DepthStep>();
+    const Rational depth = *step.depth.exact();
     const std::string fill = place.trace.method_value("fill");
     if (place.trace.method_value("depth") != "inverse-z" || sgn(depth) == 0 || abs(depth) == 1 ||
-        place.owner().text("kind") != "triangle" || depth.get_den() == 1 ||
+        place.owner().kind != PrimitiveKind::triangle || depth.get_den() == 1 ||
         place.trace.method_value("depth_at") == "rounded-ends")
         return std::nullopt;
     return Planted{"z-for-inverse-z", R"({"step":"depth",)" + place.in() + R"("x":)" +
-                                          place.step().text("x") + R"(,"y":)" +
-                                          place.step().text("y") + R"(,"depth":)" +
+                                          std::to_string(step.x) + R"(,"y":)" +
+                                          std::to_string(step.y) + R"(,"depth":)" +
                                           quoted(1 / depth) + "}"};
 }
 
@@ -266,18 +269,20 @@ Result decide_ties_otherwise(const Place& place) {
         if (place.trace.kind_of(n) == StepKind::primitive)
             break;
         if (place.trace.kind_of(n) == StepKind::decide)
-            right.push_back(rational(place.trace.step(n).text("d")));
+            right.push_back(*place.trace.step(n).as<DecideStep>().d.exact());
     }
     // d begins at 2 minor - major, and each step adds 2 minor, or 2 (minor - major).
-    const auto at = place.owner().text_rows("at");
-    const auto nearest = [](const std::string& text) {
-        const Rational shifted = rational(text) + Rational(1, 2);
+    const auto ends = place.owner().at.values();
+    const auto from = rationals(ends[0]);
+    const auto to = rationals(ends[1]);
+    const auto nearest = [](const Rational& number) {
+        const Rational shifted = number + Rational(1, 2);
         mpz_class floor;
         mpz_fdiv_q(floor.get_mpz_t(), shifted.get_num_mpz_t(), shifted.get_den_mpz_t());
         return Rational(floor);
     };
-    const Rational dx = abs(nearest(at[1][0]) - nearest(at[0][0]));
-    const Rational dy = abs(nearest(at[1][1]) - nearest(at[0][1]));
+    const Rational dx = abs(nearest(to[0]) - nearest(from[0]));
+    const Rational dy = abs(nearest(to[1]) - nearest(from[1]));
     const Rational major = std::max(dx, dy);
     const Rational minor = std::min(dx, dy);
     if (right.size() != major.get_num().get_ui())
@@ -327,7 +332,8 @@ Result planted(const Trace& trace, const Planter& planter, Random& random) {
             primitive = n;
         if (trace.kind_of(n) != planter.kind)
             continue;
-        const bool is_part = primitive != 0 && trace.step(primitive).text("part") == "true";
+        const bool is_part =
+            primitive != 0 && trace.step(primitive).as<PrimitiveStep>().part.is_true();
         if (!is_part)
             if (Result one = planter.plant({trace, n, primitive}))
                 all.push_back(std::move(one));

@@ -8,6 +8,7 @@
 #include "scene_text.h"
 #include "traces.h"
 
+#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/text/stage_name.h>
 
 #include <fmt/core.h>
@@ -78,19 +79,21 @@ std::vector<std::string> without_left_out(const Trace& full, const Scene& scene,
     for (std::size_t n = 1; n <= full.size(); ++n) {
         const StepView step = full.step(n);
         std::string json(step.json());
-        const std::string name = step.text("name");
-        const std::string space = step.text("space");
+        const std::string name = name_in(step).text();
         switch (step.kind().value()) {
         case StepKind::matrix:
-            if (step.text_rows("rows") == identity_rows)
+            if (text_rows(step.as<MatrixStep>().rows) == identity_rows)
                 continue;
             break;
-        case StepKind::vertex:
-            if (!scene.has_transforms() || (space == "object" && resting_vertices.contains(name)) ||
-                (space == "camera" && !runs(Stage::view, plan)) ||
-                (space == "canonical" && !runs(Stage::divide, plan)))
+        case StepKind::vertex: {
+            const auto space = step.as<VertexStep>().space;
+            if (!scene.has_transforms() ||
+                (space == Space::object && resting_vertices.contains(name)) ||
+                (space == Space::camera && !runs(Stage::view, plan)) ||
+                (space == Space::canonical && !runs(Stage::divide, plan)))
                 continue;
             break;
+        }
         case StepKind::order:
             if (!runs(Stage::order, plan))
                 continue;

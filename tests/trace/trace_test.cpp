@@ -6,6 +6,7 @@
 #include "traces.h"
 
 #include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/text/trace_layout.h>
 
 #include <gtest/gtest.h>
@@ -54,8 +55,8 @@ TEST(Trace, RoundTripInBothLayouts) {
         EXPECT_EQ(trace.end->pixels, 49u);
         EXPECT_EQ(trace.end->count.at("scanline"), 9u);
         EXPECT_EQ(trace.step(14).kind(), StepKind::scanline);
-        EXPECT_EQ(trace.step(14).text("left"), "-1/4");
-        EXPECT_EQ(trace.step(14).whole("from"), -1);
+        EXPECT_EQ(trace.step(14).as<ScanlineStep>().left.text(), "-1/4");
+        EXPECT_EQ(trace.step(14).as<ScanlineStep>().from, -1);
         EXPECT_FALSE(trace.step(14).field("color"));
     }
 }
@@ -68,8 +69,8 @@ TEST(Trace, FrameIsThePictureAfterAnyStep) {
         pictures.push_back(pictures.back());
         const StepView step = trace.step(n);
         if (step.kind() == StepKind::pixel)
-            pictures.back().at(
-                {static_cast<int>(*step.whole("x")), static_cast<int>(*step.whole("y"))}) = Color{};
+            pictures.back().at({static_cast<int>(*x_in(step)), static_cast<int>(*y_in(step))}) =
+                Color{};
     }
     Replay replay(trace);
     for (const std::size_t n : {0u, 5u, 6u, 62u, 30u, 1u, 61u, 0u}) {
@@ -148,7 +149,7 @@ TEST(Trace, UnknownStepsAndFieldsAreKept) {
     EXPECT_EQ(trace.step(6).field("shader"), R"({"name":"caf\u00e9","inputs":[1,2]})");
     EXPECT_EQ(trace.step(7).kind_name(), "tile");
     EXPECT_EQ(trace.step(7).kind(), std::nullopt);
-    EXPECT_EQ(trace.step(7).text("note"), "foreign");
+    EXPECT_EQ(trace.step(7).field("note"), R"("foreign")");
     EXPECT_EQ(frame_after(trace, 63).image.drawn(), 49u);
 }
 
@@ -383,7 +384,7 @@ TEST(Trace, WhatWasWrittenIsReadAlikeWithAndWithoutChecks) {
             const std::size_t n = seed % 2 == 0 ? i : 1 + i * 7919 % drawn.size();
             ASSERT_EQ(drawn.kind_of(n), checked.kind_of(n)) << text;
             ASSERT_EQ(drawn.step(n).json(), checked.step(n).json());
-            ASSERT_EQ(drawn.step(n).whole("x"), checked.step(n).whole("x"));
+            ASSERT_EQ(x_in(drawn.step(n)), x_in(checked.step(n)));
             ASSERT_EQ(drawn.step(n).field("color"), checked.step(n).field("color"));
         }
     }

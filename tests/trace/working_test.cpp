@@ -2,6 +2,7 @@
 #include "picture.h"
 #include "traces.h"
 
+#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/describe.h>
 #include <rastertrace/trace/tell/working.h>
 
@@ -60,16 +61,16 @@ Working working(const Trace& trace, std::size_t n) {
 /// The working of the first step of a kind that has these numbers as x and y, or this name.
 Working working(const Trace& trace, StepKind kind, int x, int y) {
     return working(trace, step_of(trace, [&](const StepView& step) {
-                       return step.kind() == kind && step.whole("x").value_or(x) == x &&
-                              step.whole("y").value_or(y) == y;
+                       return step.kind() == kind && x_in(step).value_or(x) == x &&
+                              y_in(step).value_or(y) == y;
                    }));
 }
 Working working(const Trace& trace, StepKind kind, std::string_view name,
                 std::string_view space = "") {
     return working(trace, step_of(trace, [&](const StepView& step) {
                        return step.kind() == kind &&
-                              (step.text("name") == name || step.text("edge") == name) &&
-                              step.text("space") == space;
+                              (name_in(step) == name || step.as<EdgeStep>().edge == name) &&
+                              (kind != StepKind::vertex || step.as<VertexStep>().space == space);
                    }));
 }
 
@@ -258,10 +259,11 @@ TEST(Working, DepthsAtRoundedEndsAndOnALine) {
                 Contains("depth = 2 + (8 - 2) / (6 - 0) (x - 0) = 2 + 1 (x - 0)"));
     // The line's point at x = 2 is a quarter of its way from z = 3 to z = 1.
     const std::size_t line = step_of(trace, [](const StepView& step) {
-        return step.kind() == StepKind::primitive && step.text("kind") == "line";
+        return step.kind() == StepKind::primitive &&
+               step.as<PrimitiveStep>().kind == PrimitiveKind::line;
     });
     for (std::size_t n = line; n <= trace.size(); ++n)
-        if (trace.kind_of(n) == StepKind::depth && trace.step(n).text("x") == "2") {
+        if (trace.kind_of(n) == StepKind::depth && x_in(trace.step(n)) == 2) {
             EXPECT_THAT(working(trace, n), Contains("depth = 3 + (1 - 3) (2 - 1) / (5 - 1) = 5/2"));
         }
 }
@@ -285,7 +287,7 @@ std::size_t first_unexplained(const Trace& trace) {
     for (const std::size_t n : pixels) {
         const Working lines = working(trace, n);
         for (const std::string channel : {"red", "green", "blue"})
-            if (pixels.size() > 1 && trace.step(n).field("color") &&
+            if (pixels.size() > 1 && trace.step(n).as<PixelStep>().color &&
                 std::none_of(lines.begin(), lines.end(), [&](const std::string& line) {
                     return line.starts_with(channel + " = ");
                 }))
@@ -388,7 +390,7 @@ TEST(Working, ADdaLineAddsToTheLast) {
         return working(trace, step_of(trace,
                                       [x](const StepView& step) {
                                           return step.kind() == StepKind::along &&
-                                                 step.whole("x") == x;
+                                                 step.as<AlongStep>().x == x;
                                       }))
             .back();
     };
@@ -402,7 +404,8 @@ TEST(Working, ADdaLineAddsToTheLast) {
 TEST(Working, TheDepthsAtTheEndsOfARow) {
     const Trace trace = example("t0-hidden/cube-inverse-z.json");
     const std::size_t row = step_of(trace, [](const StepView& step) {
-        return step.kind() == StepKind::scanline && step.text("right_depth") == "17/75";
+        return step.kind() == StepKind::scanline &&
+               step.as<ScanlineStep>().right_depth.text() == "17/75";
     });
     EXPECT_THAT(working(trace, row), Contains(HasSubstr("  depth = 1/5 + ")));
     EXPECT_THAT(working(trace, row), Contains(::testing::EndsWith(" = 17/75")));
@@ -517,10 +520,9 @@ RC_GTEST_PROP(Working, BresenhamsNextDIsTheNextD, ()) {
     const Trace trace = trace_of(scene);
     std::string promised;
     for (std::size_t n = 1; n <= trace.size(); ++n) {
-        const StepView step = trace.step(n);
-        if (step.kind() != StepKind::decide)
+        if (trace.kind_of(n) != StepKind::decide)
             continue;
-        const std::string d = step.text("d");
+        const std::string d = trace.step(n).as<DecideStep>().d.text();
         RC_ASSERT(promised.empty() || promised == d);
         Replay replay(trace);
         replay.go_to(n);

@@ -10,6 +10,7 @@
 #include "random_scene.h"
 #include "traces.h"
 
+#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/describe.h>
 #include <rastertrace/trace/text/text.h>
 
@@ -94,22 +95,22 @@ TEST(Player, GoesForwardAndBack) {
 TEST(Player, FindsRowsKindsAndPrimitives) {
     Player player = player_of(first_triangle());
     press(player, {"Down", "Down"});
-    EXPECT_EQ(step_of(player).text("step"), "scanline");
-    EXPECT_EQ(step_of(player).text("y"), "4");
+    EXPECT_EQ(step_of(player).kind(), StepKind::scanline);
+    EXPECT_EQ(y_in(step_of(player)), 4);
     press(player, {"Up"});
-    EXPECT_EQ(step_of(player).text("y"), "5");
+    EXPECT_EQ(y_in(step_of(player)), 5);
     press(player, {"3", "j"});
-    EXPECT_EQ(step_of(player).text("y"), "2");
+    EXPECT_EQ(y_in(step_of(player)), 2);
     const std::size_t row = player.playback().step();
     press(player, {"Right", "]"});
     EXPECT_EQ(player.playback().step(), row + 2); // its second pixel
     press(player, {"["});
     EXPECT_EQ(player.playback().step(), row + 1);
     press(player, {"{"});
-    EXPECT_EQ(step_of(player).text("step"), "primitive");
+    EXPECT_EQ(step_of(player).kind(), StepKind::primitive);
     press(player, {"{"});
     EXPECT_EQ(player.message(), "no primitive begins that way");
-    EXPECT_EQ(step_of(player).text("step"), "primitive");
+    EXPECT_EQ(step_of(player).kind(), StepKind::primitive);
 }
 
 TEST(Player, GoesToTheStepsOfTheSamePrimitive) {
@@ -117,7 +118,7 @@ TEST(Player, GoesToTheStepsOfTheSamePrimitive) {
         "vertices":{"A":[0,3],"B":[-3,-2],"C":[3,-2],"D":[4,3]},"triangles":["ABC","ACD"]})");
     Player player = player_of(scene);
     press(player, {"}", "}"});
-    EXPECT_EQ(step_of(player).text("name"), "ACD");
+    EXPECT_EQ(name_in(step_of(player)).text(), "ACD");
     const std::size_t second = player.playback().step();
     EXPECT_EQ(step_after(player, {")"}), second + 1);
     EXPECT_EQ(step_after(player, {"("}), second);
@@ -138,11 +139,12 @@ TEST(Player, FindsTheStepsOfThePixelUnderTheCursor) {
     for (int i = 0; i < 5; ++i) {
         press(player, {"."});
         if (player.message().empty())
-            kinds.push_back(step_of(player).text("step") + " " + step_of(player).text("x"));
+            kinds.push_back(step_of(player).kind_name() + " " +
+                            std::to_string(*x_in(step_of(player))));
     }
     EXPECT_EQ(kinds, (std::vector<std::string>{"depth 0", "pixel 0", "depth 0", "pixel 0"}));
     press(player, {"2", ","});
-    EXPECT_EQ(step_of(player).text("step"), "pixel");
+    EXPECT_EQ(step_of(player).kind(), StepKind::pixel);
     press(player, {"L", "J"});
     EXPECT_EQ(player.cursor(), (Pixel{1, -1}));
     press(player, {"c"}); // from elsewhere to the step's pixel
@@ -175,9 +177,9 @@ TEST(Player, SearchesForSteps) {
     EXPECT_EQ(player.message(), "no other step that way is scanline y=2");
     press(player, {"/"});
     type(player, "scanline");
-    EXPECT_EQ(step_of(player).text("y"), "1");
+    EXPECT_EQ(y_in(step_of(player)), 1);
     press(player, {"N", "N"});
-    EXPECT_EQ(step_of(player).text("y"), "3");
+    EXPECT_EQ(y_in(step_of(player)), 3);
     press(player, {"/"});
     type(player, "scanline y=200");
     EXPECT_EQ(player.message(),
@@ -203,7 +205,7 @@ TEST(Player, PlaysAndStopsAtBreakpoints) {
     EXPECT_EQ(player.playback().step(), 2U);
     play_on(player);
     EXPECT_FALSE(player.is_playing());
-    EXPECT_EQ(step_of(player).text("y"), "3");
+    EXPECT_EQ(y_in(step_of(player)), 3);
     EXPECT_EQ(player.message(), "breakpoint");
     press(player, {"B", "+", "Space"});
     EXPECT_EQ(player.steps_per_second(), 8);
@@ -283,7 +285,7 @@ TEST(Player, DoesWhatANumberInFrontSays) {
     EXPECT_EQ(step_after(player, {"1", "2", "Backspace", "4", "G"}), 14U);
     press(player, {"9", "9", "j"});
     EXPECT_EQ(player.message(), "no row begins that way");
-    EXPECT_EQ(step_of(player).text("y"), "-3"); // the last one
+    EXPECT_EQ(y_in(step_of(player)), -3); // the last one
 }
 
 TEST(Player, LooksAtTheStepUntilTheCursorMoves) {

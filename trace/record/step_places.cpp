@@ -13,7 +13,8 @@ namespace rastertrace {
 
 namespace {
 
-constexpr std::size_t steps_in_block = 4096;
+constexpr std::size_t steps_in_block = 64;
+constexpr std::size_t blocks_found = 256;
 
 /// Takes a number and the blank or the end behind it from the front of a line.
 int take_number(std::string_view& line) {
@@ -91,24 +92,21 @@ const StepPlace& StepPlaces::found(std::size_t n, std::string_view text) const {
         return take_to_hand(place, kept_.data() + block.begin, n);
 
     const std::size_t count = end_of(place) - block.first;
-    auto* known = std::find_if(found_.begin(), found_.end(), [&](const FoundBlock& one) {
-        return one.block == place && !one.places.empty();
-    });
-    if (known == found_.end())
-        known = &found_[next_found_++ % most_found];
-    if (known->block != place || known->places.size() < count) {
-        known->block = place;
-        known->places.clear();
+    found_.resize(blocks_found);
+    FoundBlock& known = found_[place % blocks_found];
+    if (known.block != place || known.places.size() < count) {
+        known.block = place;
+        known.places.clear();
         std::size_t offset = block.begin;
-        while (known->places.size() < count) {
+        while (known.places.size() < count) {
             while (text[offset] == '\n' || text[offset] == ',')
                 ++offset;
             const std::size_t end = std::min(text.find('\n', offset), text.size());
-            add_steps_of(text.substr(offset, end - offset), offset, known->places);
+            add_steps_of(text.substr(offset, end - offset), offset, known.places);
             offset = end;
         }
     }
-    return take_to_hand(place, known->places.data(), n);
+    return take_to_hand(place, known.places.data(), n);
 }
 
 const StepPlace& StepPlaces::take_to_hand(std::size_t block, const StepPlace* places,

@@ -2,7 +2,7 @@
 #pragma once
 
 // Where each step of a trace stands in its text. Of the steps that are written as StepWriter writes them, a line each,
-// only the place of every 4,096th is kept; the lines behind it are found again when somebody asks for one of them.
+// only the place of every 64th is kept; the lines behind it are found again when somebody asks for one of them.
 //
 //     StepPlaces places;
 //     places.add({.offset = 70, .length = 31, .kind = StepKind::pixel, .is_plain = true});
@@ -12,7 +12,6 @@
 
 #include <rastertrace/core/raster/image.h>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -86,9 +85,7 @@ private:
     std::size_t size_ = 0;
     std::size_t end_of_line_ = 0; ///< behind the last plain step
 
-    static constexpr std::size_t most_found = 16;
-    mutable std::array<FoundBlock, most_found> found_ = {};
-    mutable std::size_t next_found_ = 0; ///< which of them gives way to the next
+    mutable std::vector<FoundBlock> found_; ///< a block has one place here, whatever is there
     mutable AtHand at_hand_ = {};
 };
 

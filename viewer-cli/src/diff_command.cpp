@@ -10,6 +10,7 @@
 
 #include <rastertrace/trace/compare/diff.h>
 #include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/describe.h>
 #include <rastertrace/trace/text/text.h>
 
@@ -131,7 +132,7 @@ void print_lines_of(const Trace& trace) {
         replay.go_to(n);
         const std::size_t primitive = replay.primitive();
         if (primitive != 0 && primitive != n)
-            text += printable(trace.step(primitive).text("name")) + ": ";
+            text += printable(name_in(trace.step(primitive)).text()) + ": ";
         text += describe_step(replay) + "\n";
         if (text.size() > enough) {
             print(text);

@@ -13,6 +13,7 @@
 #include <rastertrace/figures/shown_steps.h>
 #include <rastertrace/trace/record/frame.h>
 #include <rastertrace/trace/record/selector.h>
+#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/describe.h>
 #include <rastertrace/trace/tell/working.h>
 #include <rastertrace/trace/text/output.h>
@@ -217,7 +218,7 @@ public:
         replay_->go_to(about.last_step);
         TextFrame result{.text = frame_text(*replay_, about, {}), .primitive = {}};
         if (replay_->primitive() != 0)
-            result.primitive = trace_.step(replay_->primitive()).text("name");
+            result.primitive = name_in(trace_.step(replay_->primitive())).text();
         return result;
     }
 

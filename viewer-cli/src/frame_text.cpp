@@ -2,6 +2,7 @@
 #include "frame_text.h"
 
 #include <rastertrace/figures/shown_steps.h>
+#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -136,9 +137,10 @@ std::string column_labels(const Canvas& canvas, const Window& window, std::size_
 }
 
 /// The pixel of the canvas that is nearest to a point; none if there is none.
-std::optional<Pixel> pixel_at(const Trace& trace, const std::vector<std::string>& position) {
-    const auto x = position.size() < 2 ? std::nullopt : nearest_double_in(position[0]);
-    const auto y = position.size() < 2 ? std::nullopt : nearest_double_in(position[1]);
+std::optional<Pixel> pixel_at(const Trace& trace, const TracedList<TracedNumber>& at) {
+    const auto position = at.values();
+    const auto x = position.size() < 2 ? std::nullopt : position[0].nearest_double();
+    const auto y = position.size() < 2 ? std::nullopt : position[1].nearest_double();
     if (!x || !y || !(std::abs(*x) < largest_canvas_side) || !(std::abs(*y) < largest_canvas_side))
         return std::nullopt;
     // Where pixels are sampled at their centers, a pixel reaches from its point to the next one.
@@ -159,9 +161,9 @@ std::vector<VertexMark> vertex_marks(const Replay& replay) {
     if (replay.primitive() == 0)
         return marks;
     const Trace& trace = replay.trace();
-    const StepView step = trace.step(replay.primitive());
-    const auto names = step.texts("vertices");
-    const auto positions = step.text_rows("at");
+    const auto current = trace.step(replay.primitive()).as<PrimitiveStep>();
+    const auto names = current.vertices.texts();
+    const auto positions = current.at.values();
     for (std::size_t i = 0; i < names.size() && i < positions.size(); ++i) {
         const auto pixel = pixel_at(trace, positions[i]);
         if (!pixel)
@@ -171,7 +173,7 @@ std::vector<VertexMark> vertex_marks(const Replay& replay) {
         const auto has_it_too = [&](std::size_t primitive) {
             if (primitive == 0)
                 return false;
-            const auto corners = trace.step(primitive).texts("vertices");
+            const auto corners = trace.step(primitive).as<PrimitiveStep>().vertices.texts();
             return std::find(corners.begin(), corners.end(), names[i]) != corners.end();
         };
         if (drawn_by == 0 || drawn_by >= replay.primitive() ||
@@ -203,7 +205,7 @@ std::optional<Pixel> newest_pixel(const Frame& frame) {
 
 /// The row that a step is about, if it is about one.
 std::optional<Index> row_of_step(const Trace& trace, std::size_t n) {
-    return n == 0 ? std::nullopt : trace.step(n).whole("y");
+    return n == 0 ? std::nullopt : y_in(trace.step(n));
 }
 
 /// Words in lines of at most so many columns.
@@ -447,17 +449,17 @@ std::optional<Pixel> pixel_looked_at(const Replay& replay, std::size_t n) {
     if (const auto own = pixel_of(trace, n))
         return own;
     const Canvas& canvas = trace.canvas;
-    if (n != 0 && trace.kind_of(n) == StepKind::vertex && trace.step(n).text("space") == "screen")
-        return pixel_at(trace, trace.step(n).texts("at"));
-    if (n != 0) {
-        const StepView step = trace.step(n);
-        const auto y = step.whole("y");
-        const auto from = step.whole("from");
-        const auto to = step.whole("to");
-        if (y && from && to && canvas.contains(canvas.left(), *y)) {
-            const Index left = std::clamp<Index>(*from, canvas.left(), canvas.right());
-            const Index right = std::clamp<Index>(*to, canvas.left(), canvas.right());
-            return Pixel{static_cast<int>((left + right) / 2), static_cast<int>(*y)};
+    const auto kind = n != 0 ? trace.kind_of(n) : std::nullopt;
+    if (kind == StepKind::vertex) {
+        const auto vertex = trace.step(n).as<VertexStep>();
+        if (vertex.space == Space::screen)
+            return pixel_at(trace, vertex.at);
+    } else if (kind == StepKind::scanline) {
+        const auto row = trace.step(n).as<ScanlineStep>();
+        if (canvas.contains(canvas.left(), row.y)) {
+            const Index left = std::clamp<Index>(row.from, canvas.left(), canvas.right());
+            const Index right = std::clamp<Index>(row.to, canvas.left(), canvas.right());
+            return Pixel{static_cast<int>((left + right) / 2), static_cast<int>(row.y)};
         }
     }
     return newest_pixel(replay.frame());

@@ -2,6 +2,7 @@
 #include "off_canvas.h"
 
 #include <rastertrace/figures/corners.h>
+#include <rastertrace/trace/record/traced_steps.h>
 
 #include <fmt/core.h>
 
@@ -52,28 +53,29 @@ std::optional<Side> side_of(const Canvas& canvas, const std::vector<Point>& poin
 
 /// Counts what a reject step dropped: whole rows, or a run of pixels, which has one for each step
 /// along its longer direction.
-void count_rejected(const StepView& step, const Canvas& canvas,
+void count_rejected(const RejectStep& reject, const Canvas& canvas,
                     std::array<Dropped, sides>& dropped) {
-    const auto y = step.whole("y");
-    if (!y || step.text("why") != "off-canvas")
+    if (!reject.y || reject.why != "off-canvas")
         return;
-    const auto x = step.whole("x");
-    const Index to_y = step.whole("to_y").value_or(*y);
-    const Index to_x = step.whole("to_x").value_or(x.value_or(0));
+    const bool is_row = !reject.x;
+    const Index y = *reject.y;
+    const Index to_y = reject.to_y.value_or(y);
+    const Index x = reject.x.value_or(0);
+    const Index to_x = reject.to_x.value_or(x);
     const auto point = [&](Index px, Index py) {
         // A row is beside no canvas.
-        return Point{static_cast<double>(x ? px : canvas.left()), static_cast<double>(py)};
+        return Point{static_cast<double>(is_row ? canvas.left() : px), static_cast<double>(py)};
     };
-    const Point first = point(x.value_or(0), *y);
+    const Point first = point(x, y);
     auto side = side_of(canvas, {first, point(to_x, to_y)});
     if (!side) // around a corner
         side = side_of(canvas, {first});
     if (!side)
         return;
-    const Index across = x ? std::abs(to_x - *x) : 0;
+    const Index across = is_row ? 0 : std::abs(to_x - x);
     dropped[static_cast<std::size_t>(*side)]
-           [static_cast<std::size_t>(x ? Unit::pixel : Unit::row)] +=
-        static_cast<std::uint64_t>(std::max(across, std::abs(to_y - *y)) + 1);
+           [static_cast<std::size_t>(is_row ? Unit::row : Unit::pixel)] +=
+        static_cast<std::uint64_t>(std::max(across, std::abs(to_y - y)) + 1);
 }
 
 /// "3 rows and 2 pixels".
@@ -122,9 +124,11 @@ std::string off_canvas_text(const Trace& trace) {
             primitive = n;
         is_moved = is_moved || kind == StepKind::matrix;
         if (kind == StepKind::reject)
-            count_rejected(trace.step(n), canvas, dropped);
-        if (kind == StepKind::skip && primitive != 0 && trace.step(n).text("why") == "off canvas")
-            if (const auto side = side_of(canvas, corners_of(trace.step(primitive))))
+            count_rejected(trace.step(n).as<RejectStep>(), canvas, dropped);
+        if (kind == StepKind::skip && primitive != 0 &&
+            trace.step(n).as<SkipStep>().why == SkipReason::off_canvas)
+            if (const auto side =
+                    side_of(canvas, corners_of(trace.step(primitive).as<PrimitiveStep>())))
                 ++dropped[static_cast<std::size_t>(*side)]
                          [static_cast<std::size_t>(Unit::triangle)];
     }

@@ -4,6 +4,7 @@
 
 #include "player.h"
 
+#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -29,7 +30,7 @@ bool begins_row(const Trace& trace, std::size_t n) {
     for (std::size_t before = n - 1; before > 0; --before) {
         const auto kind_before = trace.kind_of(before);
         if (kind_before == StepKind::sample)
-            return trace.step(before).whole("y") != trace.step(n).whole("y");
+            return y_in(trace.step(before)) != y_in(trace.step(n));
         if (kind_before == StepKind::primitive)
             break;
     }
@@ -48,7 +49,7 @@ bool touches(const Trace& trace, std::size_t n, Pixel pixel) {
         return false;
     }
     const StepView step = trace.step(n);
-    return step.whole("x") == pixel.x && step.whole("y") == pixel.y;
+    return x_in(step) == pixel.x && y_in(step) == pixel.y;
 }
 
 } // namespace
@@ -137,10 +138,10 @@ void Player::find_of_primitive(Direction direction) {
     if (step() == 0)
         return move_by(1, direction);
     const std::size_t primitive = playback_->snapshots().primitive_of(step());
-    const std::string own = trace().step(step()).text("name");
+    const std::string own = name_in(trace().step(step())).text();
     const std::string name = !own.empty()     ? own
                              : primitive == 0 ? std::string()
-                                              : trace().step(primitive).text("name");
+                                              : name_in(trace().step(primitive)).text();
     if (name.empty()) {
         message_ = "the step is about no primitive";
         return;
@@ -149,8 +150,8 @@ void Player::find_of_primitive(Direction direction) {
         direction,
         [this, name](std::size_t n) {
             const std::size_t of = playback_->snapshots().primitive_of(n);
-            return (of != 0 && trace().step(of).text("name") == name) ||
-                   trace().step(n).text("name") == name;
+            return (of != 0 && name_in(trace().step(of)) == name) ||
+                   name_in(trace().step(n)) == name;
         },
         fmt::format("no other step is about {} that way", printable(name)));
 }

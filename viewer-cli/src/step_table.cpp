@@ -3,6 +3,7 @@
 
 #include "csv.h"
 
+#include <rastertrace/trace/record/traced_value.h>
 #include <rastertrace/trace/tell/describe.h>
 #include <rastertrace/trace/text/named_value.h>
 #include <rastertrace/trace/text/text.h>
@@ -18,18 +19,14 @@ namespace {
 
 constexpr std::array<std::string_view, 4> names{"table", "markdown", "csv", "json"};
 
-/// A field as a text; a list as (1, 2), one of lists as ((1, 2), (3, 4)), nothing if the step has no such
-/// field.
-std::string text_of(const StepView& step, std::string_view field) {
-    const std::string_view json = step.field(field).value_or("");
+/// A value as a text; a list as (1, 2), one of lists as ((1, 2), (3, 4)).
+std::string text_of(std::string_view json) {
     if (!json.starts_with('['))
-        return step.text(field);
-    if (!json.starts_with("[["))
-        return fmt::format("({})", joined(step.texts(field), ", "));
-    std::vector<std::string> rows;
-    for (const auto& row : step.text_rows(field))
-        rows.push_back(fmt::format("({})", joined(row, ", ")));
-    return fmt::format("({})", joined(rows, ", "));
+        return plain_text(json);
+    std::vector<std::string> texts;
+    for (const TracedValue& value : TracedList<TracedValue>(json).values())
+        texts.push_back(text_of(value.json()));
+    return fmt::format("({})", joined(texts, ", "));
 }
 
 std::string csv_line(const std::vector<std::string>& cells) {
@@ -95,7 +92,7 @@ std::string StepTable::line(const Replay& replay) {
     const StepView step = replay.trace().step(replay.step());
     std::vector<std::string> cells{std::to_string(replay.step())};
     for (const StepField& field : fields_of(row_.kind))
-        cells.push_back(text_of(step, field.name));
+        cells.push_back(text_of(step.field(field.name).value_or("")));
     const bool is_first = is_first_;
     is_first_ = false;
     switch (format_) {

@@ -3,6 +3,7 @@
 
 #include "question.h"
 
+#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -21,7 +22,7 @@ namespace {
 using Name = std::optional<std::string>;
 
 bool is_at(const StepView& step, Pixel pixel) {
-    return step.whole("x") == pixel.x && step.whole("y") == pixel.y;
+    return x_in(step) == pixel.x && y_in(step) == pixel.y;
 }
 
 /// Who has not drawn a pixel, and why: all primitives, or one and its parts.
@@ -93,10 +94,10 @@ TraceMatcher has_scanline(int y, const Value& left, const Value& right, Name pri
             if (primitive)
                 expect_primitive(trace, *primitive);
             const auto rows = find_steps(trace, StepKind::scanline, primitive,
-                                         [y](const StepView& row) { return row.whole("y") == y; });
+                                         [y](const StepView& row) { return y_in(row) == y; });
             const bool holds = std::any_of(rows.begin(), rows.end(), [&](std::size_t n) {
-                const StepView row = trace.step(n);
-                return left.is(row.text("left")) && right.is(row.text("right"));
+                const auto row = trace.step(n).as<ScanlineStep>();
+                return left.is(row.left.text()) && right.is(row.right.text());
             });
             if (!holds)
                 expect_told(trace, {StepKind::scanline}, Pixel{trace.canvas.left(), y}, primitive);
@@ -123,7 +124,7 @@ TraceMatcher fails_depth(Pixel pixel, const std::string& primitive, Caller calle
                         .is_open = true};
             }
             const bool holds = std::any_of(tests.begin(), tests.end(), [&](std::size_t n) {
-                return trace.step(n).text("pass") == "false";
+                return trace.step(n).as<DepthStep>().pass.is_false();
             });
             return {holds, "the test is" + text_of_steps(trace, tests)};
         });
@@ -154,7 +155,7 @@ TraceMatcher CullsFace(const std::string& name, Caller caller) {
                           const Trace& trace = trace_or_throw(tested);
                           const auto tests = find_steps(
                               trace, StepKind::face, std::nullopt,
-                              [&name](const StepView& face) { return face.text("name") == name; });
+                              [&name](const StepView& face) { return name_in(face) == name; });
                           if (tests.empty()) {
                               expect_told(trace, {StepKind::face}, std::nullopt, name);
                               expect_primitive(trace, name);
@@ -162,7 +163,7 @@ TraceMatcher CullsFace(const std::string& name, Caller caller) {
                           }
                           const bool holds =
                               std::any_of(tests.begin(), tests.end(), [&](std::size_t n) {
-                                  return trace.step(n).text("culled") == "true";
+                                  return trace.step(n).as<FaceStep>().culled.is_true();
                               });
                           return {holds, "the test is" + text_of_steps(trace, tests)};
                       });

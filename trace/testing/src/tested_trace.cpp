@@ -2,6 +2,7 @@
 #include "question.h"
 
 #include <rastertrace/trace/explain/explanation.h>
+#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/record/write_trace.h>
 #include <rastertrace/trace/scene/refusal.h>
 #include <rastertrace/trace/scene/scene_file.h>

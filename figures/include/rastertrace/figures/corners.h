@@ -3,7 +3,7 @@
 
 // Where the corners of a primitive lie, as its step in a trace tells them.
 
-#include <rastertrace/trace/record/trace.h>
+#include <rastertrace/trace/record/traced_steps.h>
 
 #include <vector>
 
@@ -16,6 +16,6 @@ struct Point {
 };
 
 /// The corners, each as the nearest doubles; none if the step does not tell all of them.
-std::vector<Point> corners_of(const StepView& primitive);
+std::vector<Point> corners_of(const PrimitiveStep& primitive);
 
 } // namespace rastertrace

@@ -8,6 +8,7 @@
 //     groups.names[groups.group_of.at(primitive)];  // "ABC"
 
 #include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/traced_steps.h>
 
 #include <cstddef>
 #include <string>
@@ -23,7 +24,7 @@ struct FaceGroups {
     std::size_t faces = 0; ///< how many they are
     /// The group, from 0, of each of these faces, by the step of its primitive.
     std::unordered_map<std::size_t, std::size_t> group_of;
-    std::string (*name_of)(const StepView& primitive) =
+    std::string (*name_of)(const PrimitiveStep& primitive) =
         nullptr; ///< the name of a primitive's group
 };
 
@@ -42,6 +43,6 @@ FaceGroups face_groups_of_all_frames(const Replay& at_end, std::size_t most,
 std::vector<std::size_t> visible_primitives(const Replay& replay);
 
 /// The face that a primitive's step is about: "ABC" of a part "ABC/1".
-std::string face_of(const StepView& primitive);
+std::string face_of(const PrimitiveStep& primitive);
 
 } // namespace rastertrace
