@@ -26,7 +26,7 @@ void StepsOfPixel::take(const StepView& step, std::optional<StepKind> kind, std:
         begin_primitive(step);
         break;
     case StepKind::edge:
-        is_x_major_ = is_x_major_octant(step);
+        is_x_major_ = is_x_major_octant(step.as<EdgeStep>().octant);
         ray_ = reason_before_ = reason_ = {};
         break;
     case StepKind::ray:
@@ -55,7 +55,7 @@ void StepsOfPixel::take(const StepView& step, std::optional<StepKind> kind, std:
 void StepsOfPixel::begin_primitive(const StepView& step) {
     is_line_ = step.text("kind") != "triangle";
     is_point_ = step.text("kind") == "point";
-    is_x_major_ = is_x_major_octant(step);
+    is_x_major_ = is_x_major_octant(step.as<PrimitiveStep>().octant);
     has_row_ = false;
     ray_ = reason_before_ = reason_ = {};
 }

@@ -61,7 +61,7 @@ std::optional<WhyNot> by_edge_function(const Case& c) {
         const StepView step = c.trace.step(n);
         if (c.trace.kind_of(n) != StepKind::edge)
             continue;
-        const auto function = edge_function_in(step, c.primitive);
+        const auto function = edge_function_in(step.as<EdgeStep>(), c.primitive);
         const Rational value = function ? function->value_at(c.sample) : Rational(1);
         if (sgn(value) > 0 || (sgn(value) == 0 && function->is_top_left))
             continue;
@@ -88,6 +88,7 @@ WhyNot beyond_end(const Case& c, const StepView& row, bool is_left) {
     const std::string pixel = row.text(is_left ? "from" : "to");
     const std::string edge = row.text(side + "_edge");
     const auto end = number_in(row, side);
+    const EndOfRow told = ends_of(row.as<ScanlineStep>())[is_left ? 0 : 1];
     const Rational gap = !end      ? Rational(0)
                          : is_left ? Rational(*end - c.sample.x)
                                    : Rational(c.sample.x - *end);
@@ -101,10 +102,10 @@ WhyNot beyond_end(const Case& c, const StepView& row, bool is_left) {
         outside(fmt::format("{}{} {} row y={} at x = {}{} -> {}; x = {} {}",
                             edge.empty() ? side + " end" : edge, made_by_clipping(edge),
                             is_left ? "begins" : "ends", row.text("y"), in_sentence(row.text(side)),
-                            rule_of_end(c.trace, row, side, pixel), pixel, text(c.sample.x), where),
+                            rule_of_end(c.trace, told), pixel, text(c.sample.x), where),
                 gap);
     for (const std::string& line : c.steps.working)
-        if (line.starts_with(name_of_side(side) + " "))
+        if (line.starts_with(told.name() + " "))
             why.working.push_back(line);
     return why;
 }
