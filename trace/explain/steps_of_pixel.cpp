@@ -27,7 +27,7 @@ void StepsOfPixel::take(const StepView& step, std::optional<StepKind> kind, std:
         begin_primitive(step);
         break;
     case StepKind::edge:
-        is_x_major_ = is_x_major_octant(step);
+        is_x_major_ = is_x_major_octant(step.as<EdgeStep>().octant);
         ray_ = reason_before_ = reason_ = {};
         break;
     case StepKind::ray:
@@ -54,10 +54,10 @@ void StepsOfPixel::take(const StepView& step, std::optional<StepKind> kind, std:
 }
 
 void StepsOfPixel::begin_primitive(const StepView& step) {
-    const auto kind = step.as<PrimitiveStep>().kind;
-    is_line_ = kind != PrimitiveKind::triangle;
-    is_point_ = kind == PrimitiveKind::point;
-    is_x_major_ = is_x_major_octant(step);
+    const auto primitive = step.as<PrimitiveStep>();
+    is_line_ = primitive.kind != PrimitiveKind::triangle;
+    is_point_ = primitive.kind == PrimitiveKind::point;
+    is_x_major_ = is_x_major_octant(primitive.octant);
     has_row_ = false;
     ray_ = reason_before_ = reason_ = {};
 }

@@ -35,8 +35,8 @@ struct PlaceOnLine {
     bool is_known = true; ///< false: it may be in the pixel, as far as the trace goes
 };
 
-bool is_x_major_line(const StepView& step, const std::optional<LineEnds>& ends) {
-    if (const auto told = is_x_major_octant(step))
+bool is_x_major_line(std::optional<Index> octant, const std::optional<LineEnds>& ends) {
+    if (const auto told = is_x_major_octant(octant))
         return *told;
     return ends && abs(ends->to.x - ends->from.x) >= abs(ends->to.y - ends->from.y);
 }
@@ -55,18 +55,18 @@ std::vector<LineSteps> lines_of(const Trace& trace, const PrimitiveSteps& steps)
         const auto ends = primitive.positions.size() == 2
                               ? ends_at({primitive.positions[0], primitive.positions[1]})
                               : std::nullopt;
-        return {{"the line", steps.first, steps.last, ends, is_x_major_line(step, ends)}};
+        return {{"the line", steps.first, steps.last, ends,
+                 is_x_major_line(step.as<PrimitiveStep>().octant, ends)}};
     }
     for (std::size_t n = steps.first; n <= steps.last; ++n) {
         if (trace.kind_of(n) != StepKind::edge)
             continue;
         if (!lines.empty())
             lines.back().last = n - 1;
-        const StepView edge = trace.step(n);
-        const std::string name = edge.as<EdgeStep>().edge.text();
-        const auto found = ends_of_edge(primitive, name);
+        const auto edge = trace.step(n).as<EdgeStep>();
+        const auto found = ends_of_edge(primitive, edge.edge.text());
         const auto ends = found ? ends_at(*found) : std::nullopt;
-        lines.push_back({name, n, steps.last, ends, is_x_major_line(edge, ends)});
+        lines.push_back({edge.edge.text(), n, steps.last, ends, is_x_major_line(edge.octant, ends)});
     }
     return lines;
 }

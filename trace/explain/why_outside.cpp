@@ -62,7 +62,7 @@ std::optional<WhyNot> by_edge_function(const Case& c) {
         const StepView step = c.trace.step(n);
         if (c.trace.kind_of(n) != StepKind::edge)
             continue;
-        const auto function = edge_function_in(step, c.primitive);
+        const auto function = edge_function_in(step.as<EdgeStep>(), c.primitive);
         const Rational value = function ? function->value_at(c.sample) : Rational(1);
         if (sgn(value) > 0 || (sgn(value) == 0 && function->is_top_left))
             continue;
@@ -85,12 +85,8 @@ std::optional<WhyNot> by_edge_function(const Case& c) {
 
 /// The end of a row that a pixel lies beyond.
 WhyNot beyond_end(const Case& c, const StepView& step, bool is_left) {
-    const auto row = step.as<ScanlineStep>();
-    const std::string side = is_left ? "left" : "right";
-    const std::string pixel = fmt::format("{}", is_left ? row.from : row.to);
-    const std::string edge = (is_left ? row.left_edge : row.right_edge).text();
-    const TracedNumber& x = is_left ? row.left : row.right;
-    const auto end = x.exact();
+    const EndOfRow told = ends_of(step.as<ScanlineStep>())[is_left ? 0 : 1];
+    const auto end = told.x.exact();
     const Rational gap = !end      ? Rational(0)
                          : is_left ? Rational(*end - c.sample.x)
                                    : Rational(c.sample.x - *end);
@@ -100,14 +96,15 @@ WhyNot beyond_end(const Case& c, const StepView& step, bool is_left) {
         : sgn(gap) == 0
             ? std::string("lies on it, and the rule leaves it out")
             : fmt::format("lies {} within it, and the rule leaves it out", text(abs(gap)));
+    const std::string edge = told.edge.text();
     WhyNot why = outside(fmt::format("{}{} {} row y={} at x = {}{} -> {}; x = {} {}",
-                                     edge.empty() ? side + " end" : edge, made_by_clipping(edge),
-                                     is_left ? "begins" : "ends", row.y, in_sentence(x.text()),
-                                     rule_of_end(c.trace, step, side, pixel), pixel,
+                                     edge.empty() ? is_left ? "left end" : "right end" : edge,
+                                     made_by_clipping(edge), is_left ? "begins" : "ends", told.y,
+                                     in_sentence(told.x.text()), rule_of_end(c.trace, told), told.pixel,
                                      text(c.sample.x), where),
                          gap);
     for (const std::string& line : c.steps.working)
-        if (line.starts_with(name_of_side(side) + " "))
+        if (line.starts_with(told.name() + " "))
             why.working.push_back(line);
     return why;
 }

@@ -4,7 +4,6 @@
 #include "step_text.h"
 
 #include <rastertrace/trace/record/step_kind.h>
-#include <rastertrace/trace/text/color_text.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -26,13 +25,14 @@ struct Context {
     const Replay& replay;
     StepView step;
     PrimitiveText primitive;
+
+    template <typename Step> Step as() const { return step.as<Step>(); }
 };
 
 /// What the step's primitive is called. A trace from before these steps had names, without its primitives, does
 /// not say: the number of the step.
 std::string name_of_primitive(const Context& context) {
-    const std::string name = context.step.text("name");
-    if (!name.empty())
+    if (const std::string name = name_in(context.step).text(); !name.empty())
         return name;
     return context.replay.primitive() == 0
                ? said({"of step {}", "do passo {}"},
@@ -53,8 +53,8 @@ bool is_clipped(const Replay& replay) {
 }
 
 std::string corners(const Context& context) {
-    const auto& [replay, step, primitive] = context;
-    const auto colors = step.texts("colors");
+    const PrimitiveText& primitive = context.primitive;
+    const auto colors = primitive.colors.texts();
     std::string text;
     for (std::size_t i = 0; i < primitive.vertices.size() && i < primitive.positions.size(); ++i) {
         text += fmt::format("   {} {}", primitive.vertices[i], point(primitive.positions[i]));
@@ -63,7 +63,7 @@ std::string corners(const Context& context) {
     }
     if (primitive.positions.empty())
         text +=
-            is_clipped(replay)
+            is_clipped(context.replay)
                 ? said({": not all of it can be seen, it is clipped",
                         ": nem tudo se pode ver, é recortado"})
                 : said({": the trace does not tell where it is", ": o rastro não diz onde está"});
@@ -72,25 +72,26 @@ std::string corners(const Context& context) {
 
 /// The space that a vertex goes on to comes of the one before: by a matrix, or by dividing by w.
 std::string place(const Context& context) {
-    const auto& [replay, step, primitive] = context;
-    const std::string at = point(step.texts("at"));
+    const Replay& replay = context.replay;
+    const auto vertex = context.as<VertexStep>();
+    const std::string at = point(vertex.at.texts());
     if (replay.vertex_before() == 0)
         return at;
-    const StepView before = replay.trace().step(replay.vertex_before());
-    const std::string space_before = before.text("space");
-    if (before.text("name") != step.text("name") || space_before.empty())
+    const auto before = replay.trace().step(replay.vertex_before()).as<VertexStep>();
+    if (before.name != vertex.name)
         return at;
-    const auto from = before.texts("at");
-    if (step.text("space") == "canonical" && from.size() == 4)
+    const auto from = before.at.texts();
+    if (vertex.space == Space::canonical && from.size() == 4)
         return fmt::format("{} = {}",
                            quotient(point({from[0], from[1], from[2]}), in_sentence(from[3])), at);
     return said({"{}, from {} {}", "{}, a partir do espaço {} {}"}, at,
-                in_language_of_steps(space_before), point(from));
+                in_language_of_steps(before.space.text()), point(from));
 }
 
 std::string farthest_first(const Context& context) {
-    const auto names = context.step.texts("names");
-    const auto distances = context.step.texts("distances");
+    const auto order = context.as<OrderStep>();
+    const auto names = order.names.texts();
+    const auto distances = order.distances.texts();
     std::string text;
     for (std::size_t i = 0; i < names.size(); ++i)
         text += said({"{} {} at {}", "{} {} a {}"}, i == 0 ? "" : ",", names[i],
@@ -107,19 +108,19 @@ std::string with_fraction(const std::string& number) {
     return is_dyadic ? fmt::format("{} = {}", number, exact->get_str()) : in_sentence(number);
 }
 
-std::string edge_function(const StepView& step, const std::optional<EdgeEnds>& ends) {
-    const bool is_top_left = step.text("top_left") == "true";
+std::string edge_function(const EdgeStep& step, const std::optional<EdgeEnds>& ends) {
     const std::string x = ends ? minus(in_formula(ends->from[0])) : "- x1";
     const std::string y = ends ? minus(in_formula(ends->from[1])) : "- y1";
     const std::string rule =
-        is_top_left ? said({"top or left: samples where E = 0 belong to the triangle",
-                            "superior ou esquerda: as amostras onde E = 0 são do triângulo"})
-                    : said({"samples where E = 0 do not belong to the triangle",
-                            "as amostras onde E = 0 não são do triângulo"});
+        step.top_left.is_true()
+            ? said({"top or left: samples where E = 0 belong to the triangle",
+                    "superior ou esquerda: as amostras onde E = 0 são do triângulo"})
+            : said({"samples where E = 0 do not belong to the triangle",
+                    "as amostras onde E = 0 não são do triângulo"});
     return said({"edge {}: E(x, y) = {} (x {}) {} (y {}), {}",
                  "aresta {}: E(x, y) = {} (x {}) {} (y {}), {}"},
-                step.text("edge"), in_formula(step.text("a")), x, plus(in_formula(step.text("b"))),
-                y, rule);
+                step.edge.text(), in_formula(step.a.text()), x, plus(in_formula(step.b.text())), y,
+                rule);
 }
 
 /// The other form of a line that is not vertical: `; y = 4/3 x + 7/3`.
@@ -133,14 +134,14 @@ std::string line_form(const EdgeEnds& ends) {
 }
 
 std::string edge(const Context& context) {
-    const StepView& step = context.step;
-    const std::string name = step.text("edge");
-    if (step.field("octant"))
-        return said({"side {}: octant {}", "lado {}: octante {}"}, name, step.text("octant"));
+    const auto step = context.as<EdgeStep>();
+    const std::string name = step.edge.text();
+    if (step.octant)
+        return said({"side {}: octant {}", "lado {}: octante {}"}, name, *step.octant);
     const auto ends = ends_of_edge(context.primitive, name);
-    if (step.field("a"))
+    if (step.a)
         return edge_function(step, ends);
-    const std::string slope = step.text("dx_dy");
+    const std::string slope = step.dx_dy.text();
     if (slope == "null")
         return said(
             {"edge {}: horizontal, it has no dx/dy", "aresta {}: horizontal, não tem dx/dy"}, name);
@@ -156,8 +157,9 @@ std::string edge(const Context& context) {
 
 std::string rows_of_half(const Context& context) {
     const Canvas& canvas = context.replay.trace().canvas;
-    const Index from = context.step.whole("from_y").value_or(0);
-    const Index to = context.step.whole("to_y").value_or(0);
+    const auto half = context.as<HalfStep>();
+    const Index from = half.from_y.value_or(0);
+    const Index to = half.to_y.value_or(0);
     // A half is filled upward: its rows end where they began, or above.
     return canvas.row_of(from) < canvas.row_of(to)
                ? said({"no row", "nenhuma linha"})
@@ -166,7 +168,7 @@ std::string rows_of_half(const Context& context) {
 
 std::string weights(const Context& context) {
     const auto& vertices = context.primitive.vertices;
-    const auto weights = context.step.texts("weights");
+    const auto weights = context.as<SampleStep>().weights.texts();
     std::string text;
     const auto corners = corners_of(context.primitive);
     const auto p = sample_of(context.replay.trace(), context.step);
@@ -181,14 +183,14 @@ std::string weights(const Context& context) {
 
 /// What a depth is compared with, and whose it is.
 std::string against(const Context& context) {
-    const auto& [replay, step, primitive] = context;
-    const std::string stored = step.text("stored");
+    const Replay& replay = context.replay;
+    const std::string stored = context.as<DepthStep>().stored.text();
     if (stored == "null")
         return said({"nothing", "nada"});
     const std::size_t owner = replay.primitive_of(replay.stored_before());
     return owner == 0 ? in_sentence(stored)
                       : said({"{} of {}", "{} de {}"}, in_sentence(stored),
-                             replay.trace().step(owner).text("name"));
+                             replay.trace().step(owner).as<PrimitiveStep>().name.text());
 }
 
 /// 1 over a number, as the trace would write it: 5 of 1/5, 3/2 of 2/3.
@@ -207,11 +209,12 @@ std::string inverse_of(const std::string& number) {
 
 /// What the depths are, and which of them is nearer: (1/z, larger is nearer; z = 5 against 3).
 std::string depth_rule(const Context& context) {
-    const auto& [replay, step, primitive] = context;
+    const Replay& replay = context.replay;
+    const auto test = context.as<DepthStep>();
     const std::string kind = replay.trace().method_value("depth");
     const std::string asked = replay.trace().method_value("depth_compare");
-    const auto depth = nearest_double_in(step.text("depth"));
-    const auto stored = nearest_double_in(step.text("stored"));
+    const auto depth = test.depth.nearest_double();
+    const auto stored = test.stored.nearest_double();
     const auto larger = larger_depth_passes(replay.trace(), replay.step());
     const std::string what = kind == "inverse-z" ? "1/z" : kind == "linear-z" ? "z" : kind;
     if (what.empty() || !larger)
@@ -223,51 +226,56 @@ std::string depth_rule(const Context& context) {
         : is_usual ? said({" ({}, smaller is nearer", " ({}, o menor está mais perto"}, what)
                    : said({" ({}, smaller passes", " ({}, o menor passa"}, what);
     if (kind == "inverse-z" && depth && *depth != 0)
-        text += "; z = " + inverse_of(step.text("depth")) +
+        text += "; z = " + inverse_of(test.depth.text()) +
                 (stored && *stored != 0
-                     ? said({" against {}", " contra {}"}, inverse_of(step.text("stored")))
+                     ? said({" against {}", " contra {}"}, inverse_of(test.stored.text()))
                      : "");
-    if (step.text("depth") == step.text("stored") && step.text("depth") != "NaN" &&
-        !step.field("behind"))
+    if (test.depth.text() == test.stored.text() && test.depth.text() != "NaN" && !test.behind)
         text +=
             replay.stored_before() == 0
                 ? said({"; equal to the empty buffer", "; igual ao buffer vazio"})
-            : step.text("pass") == "true"
+            : test.pass.is_true()
                 ? said({"; of equals the thinner one passes", "; entre iguais passa o mais fino"})
                 : said({"; of equals the first stays", "; entre iguais fica o primeiro"});
-    const bool is_point = primitive.kind == "point";
+    const bool is_point = context.primitive.kind == PrimitiveKind::point;
     const std::string part = is_point ? said({"corner", "vértice"}) : said({"side", "lado"});
     const std::string own = is_point ? said({"the point", "o ponto"})
                                      : said({"the line's own point", "o ponto do segmento"});
-    if (step.field("side_of"))
+    if (test.side_of)
         text += said({"; {} does not hide its own {}", "; {} não esconde seu próprio {}"},
-                     step.text("side_of"), part);
-    if (step.field("beside"))
+                     test.side_of.text(), part);
+    if (test.beside)
         text += said({"; {} does not cover {}, or is not nearer there",
                       "; {} não cobre {}, ou não está mais perto ali"},
-                     step.text("beside"), own);
-    if (step.field("behind"))
+                     test.beside.text(), own);
+    if (test.behind)
         text += said({"; {} covers {} and is nearer there", "; {} cobre {} e está mais perto ali"},
-                     step.text("behind"), own);
+                     test.behind.text(), own);
     return text + ")";
 }
 
 std::string drawn_over(const Context& context) {
-    const auto& [replay, step, primitive] = context;
-    if (!replay.trace().canvas.contains(*step.whole("x"), *step.whole("y")))
+    const Replay& replay = context.replay;
+    const auto pixel = context.as<PixelStep>();
+    if (!replay.trace().canvas.contains(pixel.x, pixel.y))
         return said({"   not on the canvas, not drawn", "   fora da tela, não desenhado"});
     return replay.drew_over() != 0 ? said({"   over step {}", "   sobre o passo {}"},
                                           replay.trace().number_of(replay.drew_over()))
                                    : std::string();
 }
 
+/// "" of one that is not there.
+std::string shown(std::optional<Index> index) {
+    return index ? std::to_string(*index) : std::string();
+}
+
 std::string dropped(const Context& context) {
-    const StepView& step = context.step;
-    const std::string x = step.text("x");
-    const std::string y = step.text("y");
-    const std::string to_x = step.field("to_x") ? step.text("to_x") : x;
-    const std::string to_y = step.field("to_y") ? step.text("to_y") : y;
-    if (x.empty())
+    const auto run = context.as<RejectStep>();
+    const std::string x = shown(run.x);
+    const std::string y = shown(run.y);
+    const std::string to_x = run.to_x ? shown(run.to_x) : x;
+    const std::string to_y = run.to_y ? shown(run.to_y) : y;
+    if (!run.x)
         return said({"rows y={} to {}", "linhas y={} a {}"}, y, to_y);
     if (x == to_x && y == to_y)
         return fmt::format("pixel ({}, {})", x, y);
@@ -275,11 +283,11 @@ std::string dropped(const Context& context) {
 }
 
 /// dx/dy of an edge of the current primitive as it was set up; nothing if it is horizontal.
-std::optional<std::string> slope_of(const Replay& replay, const std::string& edge) {
+std::optional<std::string> slope_of(const Replay& replay, const TracedText& edge) {
     for (const std::size_t n : replay.edges()) {
-        const StepView step = replay.trace().step(n);
-        if (step.text("edge") == edge && step.field("dx_dy") && step.text("dx_dy") != "null")
-            return step.text("dx_dy");
+        const auto step = replay.trace().step(n).as<EdgeStep>();
+        if (step.edge == edge && step.dx_dy.has_number())
+            return step.dx_dy.text();
     }
     return std::nullopt;
 }
@@ -308,90 +316,86 @@ std::string rounded_by(const std::string& rule, const std::string& ties,
 
 } // namespace
 
-std::string rule_of_end(const Trace& trace, const StepView& step, const std::string& side,
-                        const std::string& pixel) {
-    const bool is_left = side == "left";
+std::string rule_of_end(const Trace& trace, const EndOfRow& end) {
     const std::string rounding = rule_of_rows(trace, "rounding");
-    const auto x = number_in(step, side);
+    const auto x = end.x.exact();
     if (rounding == "inside")
-        return is_left ? " -> ceil" : " -> floor";
+        return end.is_left ? " -> ceil" : " -> floor";
     if (rounding == "half-open")
-        return is_left ? " -> ceil" : " -> ceil - 1";
+        return end.is_left ? " -> ceil" : " -> ceil - 1";
     if (!rounding.empty())
         return rounded_by(rounding, rule_of_rows(trace, "ties"), x);
-    const auto column = number_in(pixel);
-    if (!x || !column || trace.method_value("fill") != "top-left")
+    if (!x || trace.method_value("fill") != "top-left")
         return {};
     const Rational offset = sample_offset(trace);
-    const Rational sample = *column + offset;
-    if (is_left ? *x > sample : *x <= sample)
+    const Rational sample = end.pixel + offset;
+    if (end.is_left ? *x > sample : *x <= sample)
         return {};
-    return said({" {} sample {}{}", " {} amostra {}{}"}, is_left ? "<=" : ">", pixel,
+    return said({" {} sample {}{}", " {} amostra {}{}"}, end.is_left ? "<=" : ">", end.pixel,
                 sgn(offset) != 0 ? " + 1/2" : "");
 }
 
 namespace {
 
 /// One end of a row: `left AB: x = 2 + 3/4 (2 - 5) = -1/4 -> floor -> -1`.
-std::string end_of_row(const Context& context, const std::string& side, const std::string& pixel) {
+template <std::size_t which> std::string end_of_row(const Context& context) {
     const auto& [replay, step, primitive] = context;
-    const std::string edge = step.text(side + "_edge");
-    const std::string x = step.text(side);
-    const std::string y = step.text("y");
-    std::string text = name_of_side(side) + (edge.empty() ? "" : " " + edge) + ": x = ";
+    const EndOfRow end = ends_of(step.as<ScanlineStep>())[which];
+    std::string text = end.name() + (end.edge ? " " + end.edge.text() : "") + ": x = ";
 
-    const auto slope = slope_of(replay, edge);
-    const auto ends = ends_of_edge(primitive, edge);
+    const auto slope = slope_of(replay, end.edge);
+    const auto ends = ends_of_edge(primitive, end.edge.text());
     const bool adds = replay.trace().method_value("lerp") == "incremental";
     std::string x_before;
     bool goes_up = false;
     if (adds && replay.scanline_before() != 0) {
-        const StepView before = replay.trace().step(replay.scanline_before());
-        goes_up = before.whole("y") < step.whole("y");
-        for (const std::string other_side : {"left", "right"})
-            if (before.text(other_side + "_edge") == edge)
-                x_before = before.text(other_side);
+        const auto row_before = replay.trace().step(replay.scanline_before()).as<ScanlineStep>();
+        goes_up = row_before.y < end.y;
+        for (const EndOfRow& before : ends_of(row_before))
+            if (before.edge == end.edge)
+                x_before = before.x.text();
     }
     if (slope && !x_before.empty())
         text += fmt::format("{} {} = ", in_formula(x_before),
                             goes_up ? plus(in_formula(*slope)) : minus(in_formula(*slope)));
     else if (slope && ends)
         text += fmt::format("{} {} ({} {}) = ", in_formula(ends->from[0]), plus(in_formula(*slope)),
-                            y, minus(in_formula(ends->from[1])));
-    return text + fmt::format("{}{} -> {}", with_fraction(x),
-                              rule_of_end(replay.trace(), step, side, pixel), pixel);
+                            end.y, minus(in_formula(ends->from[1])));
+    return text + fmt::format("{}{} -> {}", with_fraction(end.x.text()),
+                              rule_of_end(replay.trace(), end), end.pixel);
 }
 
 /// Depths at the ends of a row: `   depth 1/3 to 1/5`.
 std::string depths_of_row(const Context& context) {
-    const std::string left = context.step.text("left_depth");
-    const std::string right = context.step.text("right_depth");
-    return left.empty() || right.empty() ? std::string()
-                                         : said({"   depth {} to {}", "   profundidade {} a {}"},
-                                                in_sentence(left), in_sentence(right));
+    const auto row = context.as<ScanlineStep>();
+    return row.left_depth && row.right_depth
+               ? said({"   depth {} to {}", "   profundidade {} a {}"},
+                      in_sentence(row.left_depth.text()), in_sentence(row.right_depth.text()))
+               : std::string();
 }
 
 /// What a line goes by: `1/2 x + 0 = `, or the number before and m, for `dda`: `3/7 + 3/7 = `.
 std::string slope_form(const Context& context) {
-    const auto& [replay, step, primitive] = context;
-    const auto ends = ends_of_line(replay, primitive);
-    const auto value = number_in(step, "value");
-    const bool is_x_major = step.field("x").has_value();
-    const auto at = number_in(step, is_x_major ? "x" : "y");
+    const Replay& replay = context.replay;
+    const auto step = context.as<AlongStep>();
+    const auto ends = ends_of_line(replay, context.primitive);
+    const auto value = step.value.exact();
+    const bool is_x_major = step.x.has_value();
+    const auto at = is_x_major ? step.x : step.y;
     const auto form = ends ? slope_form_of(*ends, is_x_major) : std::nullopt;
     if (!form || !value || !at)
         return {};
     const std::size_t before =
         replay.trace().method_value("line") == "dda" ? along_before(replay, replay.step()) : 0;
     if (before != 0) {
-        const StepView last = replay.trace().step(before);
-        const auto last_value = number_in(last, "value");
-        const auto last_at = number_in(last, is_x_major ? "x" : "y");
+        const auto last = replay.trace().step(before).as<AlongStep>();
+        const auto last_value = last.value.exact();
+        const auto last_at = is_x_major ? last.x : last.y;
         if (!last_value || !last_at)
             return {};
         const Rational moved = (*at - *last_at) * form->m;
         return agrees(*last_value + moved, *value, replay.trace())
-                   ? fmt::format("{} {} = ", in_formula(last.text("value")), plus(text(moved)))
+                   ? fmt::format("{} {} = ", in_formula(last.value.text()), plus(text(moved)))
                    : std::string();
     }
     return agrees(form->m * *at + form->b, *value, replay.trace())
@@ -402,7 +406,7 @@ std::string slope_form(const Context& context) {
 
 /// What Bresenham's d becomes: `; d - 6 = -3`.
 std::string next_d(const Context& context) {
-    const auto d = number_in(context.step, "d");
+    const auto d = context.as<DecideStep>().d.exact();
     const auto ends = ends_of_line(context.replay, context.primitive);
     const auto increment =
         d && ends ? increment_of(context.replay.trace(), *ends, *d) : std::nullopt;
@@ -418,7 +422,7 @@ double share_of_light(int level) {
 
 /// The brightest level of a color, and what it is on a screen: ` (level 128: 21.6 % of the light)`.
 std::string level(const Context& context) {
-    const auto color = parse_color(context.step.text("color"));
+    const auto color = context.as<LightStep>().color.color();
     if (!color)
         return {};
     const int brightest = std::max({int{color->red()}, int{color->green()}, int{color->blue()}});
@@ -428,8 +432,8 @@ std::string level(const Context& context) {
 }
 
 /// Which side of 0 Bresenham's d lies on, and where it goes for that.
-std::string sign_of_d(const Trace& trace, const StepView& step) {
-    const std::string d = step.text("d");
+std::string sign_of_d(const Trace& trace, const DecideStep& step) {
+    const std::string d = step.d.text();
     if (d == "NaN")
         return said({"(neither above 0 nor below)", "(nem acima de 0 nem abaixo)"});
     const bool is_diagonal =
@@ -443,9 +447,10 @@ std::string sign_of_d(const Trace& trace, const StepView& step) {
 
 /// The color of a pixel that has its own; on a line, how far it has come from one end's to the other's.
 std::string color(const Context& context) {
-    if (!context.step.field("color"))
+    const auto pixel = context.as<PixelStep>();
+    if (!pixel.color)
         return {};
-    const std::string told = " " + context.step.text("color");
+    const std::string told = " " + pixel.color.text();
     const auto on_line = color_on_line(context.replay, context.primitive);
     if (!on_line)
         return told;
@@ -460,16 +465,21 @@ std::string reason(const Context& context) {
     const std::size_t n = reason_of_pixel(context.replay);
     if (n == 0)
         return {};
-    const StepView step = context.replay.trace().step(n);
-    switch (*context.replay.trace().kind_of(n)) {
-    case StepKind::scanline:
-        return said({"   row y={}: {} to {}", "   linha y={}: {} a {}"}, step.text("y"),
-                    step.text("from"), step.text("to"));
-    case StepKind::along:
-        return fmt::format("   {} = {}", step.field("x") ? "y" : "x",
-                           in_sentence(step.text("value")));
-    case StepKind::decide:
-        return fmt::format("   d = {} {}", step.text("d"), sign_of_d(context.replay.trace(), step));
+    const Trace& trace = context.replay.trace();
+    const StepView step = trace.step(n);
+    switch (*trace.kind_of(n)) {
+    case StepKind::scanline: {
+        const auto row = step.as<ScanlineStep>();
+        return said({"   row y={}: {} to {}", "   linha y={}: {} a {}"}, row.y, row.from, row.to);
+    }
+    case StepKind::along: {
+        const auto along = step.as<AlongStep>();
+        return fmt::format("   {} = {}", along.x ? "y" : "x", in_sentence(along.value.text()));
+    }
+    case StepKind::decide: {
+        const auto decision = step.as<DecideStep>();
+        return fmt::format("   d = {} {}", decision.d.text(), sign_of_d(trace, decision));
+    }
     case StepKind::sample:
         return said({"   no weight is negative", "   nenhum peso é negativo"});
     default:
@@ -483,7 +493,7 @@ constexpr std::size_t shown_of_name = 60;
 
 /// The ears of a face in the order in which they were cut; the last triangle is what they leave.
 std::string ears(const Context& context) {
-    auto names = context.step.texts("ears");
+    auto names = context.as<TriangulateStep>().ears.texts();
     const std::size_t count = names.size();
     if (count < 2)
         return joined(names, ", ");
@@ -505,23 +515,24 @@ struct Part {
 constexpr Part parts[] = {
     {"face",
      [](const Context& context) {
-         return said({"face {}", "face {}"}, shortened(context.step.text("name"), shown_of_name));
+         return said({"face {}", "face {}"},
+                     shortened(context.as<TriangulateStep>().name.text(), shown_of_name));
      }},
     {"ears", ears},
     {"of_object",
      [](const Context& context) {
-         const std::string object = context.step.text("object");
-         return object.empty() ? object : said({" of {}", " de {}"}, object);
+         const TracedText object = context.as<MatrixStep>().object;
+         return object ? said({" of {}", " de {}"}, object.text()) : std::string();
      }},
     {"factors",
      [](const Context& context) {
-         const auto factors = context.step.texts("factors");
+         const auto factors = context.as<MatrixStep>().factors.texts();
          return factors.empty() ? std::string() : " = " + joined(factors, " x ");
      }},
     {"rows",
      [](const Context& context) {
          std::string text;
-         for (auto row : context.step.text_rows("rows")) {
+         for (auto row : text_rows(context.as<MatrixStep>().rows)) {
              std::transform(row.begin(), row.end(), row.begin(), in_formula);
              text += fmt::format("  [{}]", joined(row, " "));
          }
@@ -530,52 +541,50 @@ constexpr Part parts[] = {
     {"place", place},
     {"snapped",
      [](const Context& context) {
-         return context.step.field("snapped") ? " -> " + point(context.step.texts("snapped"))
-                                              : std::string();
+         const auto snapped = context.as<VertexStep>().snapped;
+         return snapped ? " -> " + point(snapped.texts()) : std::string();
      }},
     {"farthest_first", farthest_first},
     {"corners", corners},
     {"octant",
      [](const Context& context) {
-         return context.step.field("octant")
-                    ? said({"   octant {}", "   octante {}"}, context.step.text("octant"))
-                    : std::string();
+         const auto octant = context.as<PrimitiveStep>().octant;
+         return octant ? said({"   octant {}", "   octante {}"}, *octant) : std::string();
      }},
     {"painted",
      [](const Context& context) {
-         return context.step.text("painted") == "false"
+         return context.as<PrimitiveStep>().painted.is_false()
                     ? said({"   only hides, not painted", "   só esconde, não é pintado"})
                     : std::string();
      }},
     {"kind",
      [](const Context& context) {
-         const std::string& kind = context.primitive.kind;
-         return std::string(in_language_of_steps(kind.empty() ? "primitive" : kind));
+         const auto& kind = context.primitive.kind;
+         return std::string(in_language_of_steps(kind ? kind.text() : "primitive"));
      }},
     {"primitive", name_of_primitive},
     {"toward",
      [](const Context& context) {
-         return context.step.text("by") == "light" ? said({"to light", "para a luz"})
-                                                   : said({"to eye", "para o olho"});
+         return context.as<FaceStep>().by == "light" ? said({"to light", "para a luz"})
+                                                     : said({"to eye", "para o olho"});
      }},
     {"cosine",
      [](const Context& context) {
-         const std::string cosine = context.step.text("cosine");
-         const auto value = nearest_double_in(cosine);
-         return value ? said({", cosine {} ({:.2f} degrees)", ", cosseno {} ({:.2f} graus)"},
-                             six_places(*value), degrees_of_cosine(*value))
-                      : std::string();
+         const auto cosine = context.as<FaceStep>().cosine.nearest_double();
+         return cosine ? said({", cosine {} ({:.2f} degrees)", ", cosseno {} ({:.2f} graus)"},
+                              six_places(*cosine), degrees_of_cosine(*cosine))
+                       : std::string();
      }},
     {"intensity",
      [](const Context& context) {
-         const std::string intensity = context.step.text("intensity");
-         const auto value = nearest_double_in(intensity);
-         return value ? six_places(*value) : intensity;
+         const TracedNumber intensity = context.as<LightStep>().intensity;
+         const auto value = intensity.nearest_double();
+         return value ? six_places(*value) : intensity.text();
      }},
     {"level", level},
     {"inside",
      [](const Context& context) {
-         const auto inside = context.step.texts("inside");
+         const auto inside = context.as<ClipStep>().inside.texts();
          return said({"{} of {}", "{} de {}"}, std::count(inside.begin(), inside.end(), "true"),
                      inside.size());
      }},
@@ -590,35 +599,35 @@ constexpr Part parts[] = {
      [](const Context& context) {
          return sgn(sample_offset(context.replay.trace())) != 0
                     ? said({", samples at y = {} + 1/2", ", amostras em y = {} + 1/2"},
-                           context.step.text("y"))
+                           context.as<ScanlineStep>().y)
                     : std::string();
      }},
-    {"left_end",
-     [](const Context& context) { return end_of_row(context, "left", context.step.text("from")); }},
-    {"right_end",
-     [](const Context& context) { return end_of_row(context, "right", context.step.text("to")); }},
+    {"left_end", end_of_row<0>},
+    {"right_end", end_of_row<1>},
     {"depths_of_row", depths_of_row},
     {"empty",
      [](const Context& context) {
-         const bool is_empty = *context.step.whole("to") < *context.step.whole("from");
-         return is_empty ? said({"   no pixel between", "   nenhum pixel entre elas"})
-                         : std::string();
+         const auto row = context.as<ScanlineStep>();
+         return row.to < row.from ? said({"   no pixel between", "   nenhum pixel entre elas"})
+                                  : std::string();
      }},
     {"along",
      [](const Context& context) {
-         const bool is_x_major = context.step.field("x").has_value();
-         return is_x_major ? fmt::format("x = {}: y", context.step.text("x"))
-                           : fmt::format("y = {}: x", context.step.text("y"));
+         const auto along = context.as<AlongStep>();
+         return along.x ? fmt::format("x = {}: y", *along.x)
+                        : fmt::format("y = {}: x", shown(along.y));
      }},
     {"slope_form", slope_form},
     {"rule_of_line",
      [](const Context& context) {
          const Trace& trace = context.replay.trace();
          return rounded_by(rule_of_lines(trace, "rounding"), rule_of_lines(trace, "ties"),
-                           number_in(context.step, "value"));
+                           context.as<AlongStep>().value.exact());
      }},
     {"sign_of_d",
-     [](const Context& context) { return sign_of_d(context.replay.trace(), context.step); }},
+     [](const Context& context) {
+         return sign_of_d(context.replay.trace(), context.as<DecideStep>());
+     }},
     {"next_d", next_d},
     {"weights", weights},
     {"against", against},
@@ -629,12 +638,12 @@ constexpr Part parts[] = {
     {"dropped", dropped},
     {"what_is_open",
      [](const Context& context) {
-         const StepView& step = context.step;
-         return step.text("error").empty()
-                    ? said({"a number has left the doubles", "um número saiu dos doubles"})
-                    : said({"doubles leave it open: a difference of {}, off by up to {}",
+         const auto open = context.as<UndecidedStep>();
+         return open.error
+                    ? said({"doubles leave it open: a difference of {}, off by up to {}",
                             "os doubles não decidem: uma diferença de {}, com erro de até {}"},
-                           step.text("difference"), step.text("error"));
+                           open.difference.text(), open.error.text())
+                    : said({"a number has left the doubles", "um número saiu dos doubles"});
      }},
 };
 
@@ -666,14 +675,16 @@ std::string filled_in(std::string_view placeholder, const Context& context) {
         const Part* const part = part_named(placeholder.substr(1));
         return part != nullptr ? part->text(context) : std::string();
     }
+    const auto value_of = [&context](std::string_view field) {
+        return TracedList<TracedValue>(context.step.field(field).value_or(""));
+    };
     if (placeholder.starts_with('#'))
-        return std::string(in_language_of_steps(context.step.text(placeholder.substr(1))));
+        return std::string(in_language_of_steps(value_of(placeholder.substr(1)).text()));
     if (const auto choice = choice_in(placeholder))
-        return std::string(context.step.text(choice->field) == "true" ? choice->if_true
-                                                                      : choice->if_false);
-    const std::string_view json = context.step.field(placeholder).value_or("");
-    return json.starts_with('[') ? point(context.step.texts(placeholder))
-                                 : in_sentence(context.step.text(placeholder));
+        return std::string(value_of(choice->field).json() == "true" ? choice->if_true
+                                                                    : choice->if_false);
+    const auto value = value_of(placeholder);
+    return value.json().starts_with('[') ? point(value.texts()) : in_sentence(value.text());
 }
 
 /// A placeholder of a pattern: from its opening bracket on, to behind the closing one.
@@ -696,13 +707,12 @@ std::optional<bool> larger_depth_passes(const Trace& trace, std::size_t n) {
     const std::string asked = trace.method_value("depth_compare");
     if (asked == "greater" || asked == "less")
         return asked == "greater";
-    const StepView step = trace.step(n);
-    const auto depth = nearest_double_in(step.text("depth"));
-    const auto stored = nearest_double_in(step.text("stored"));
-    const bool is_decided_by_them =
-        !step.field("side_of") && !step.field("beside") && !step.field("behind");
+    const auto test = trace.step(n).as<DepthStep>();
+    const auto depth = test.depth.nearest_double();
+    const auto stored = test.stored.nearest_double();
+    const bool is_decided_by_them = !test.side_of && !test.beside && !test.behind;
     if (is_decided_by_them && depth && stored && *depth != *stored)
-        return (step.text("pass") == "true") == (*depth > *stored);
+        return test.pass.is_true() == (*depth > *stored);
     const std::string kind = trace.method_value("depth");
     return kind == "inverse-z"  ? std::optional(true)
            : kind == "linear-z" ? std::optional(false)

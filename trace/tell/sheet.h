@@ -66,7 +66,7 @@ struct EdgeFunctionText {
 };
 
 /// That of an `edge` step, if it has one.
-std::optional<EdgeFunctionText> edge_function_in(const StepView& step,
+std::optional<EdgeFunctionText> edge_function_in(const EdgeStep& edge,
                                                  const PrimitiveText& primitive);
 
 // The workings of steps in space (working_in_space.cpp): matrices and vertices on their way to the screen,

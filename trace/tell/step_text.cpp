@@ -3,7 +3,6 @@
 
 #include <rastertrace/core/numbers/number.h>
 #include <rastertrace/core/raster/rounding.h>
-#include <rastertrace/trace/text/color_text.h>
 #include <rastertrace/trace/text/json_scanner.h>
 #include <rastertrace/trace/text/primitive_name.h>
 #include <rastertrace/trace/text/text.h>
@@ -151,7 +150,9 @@ std::string point(std::vector<std::string> coordinates) {
 }
 
 PrimitiveText primitive_in(const StepView& step) {
-    return {step.text("kind"), step.text("name"), step.texts("vertices"), step.text_rows("at")};
+    const auto told = step.as<PrimitiveStep>();
+    return {told.kind,          told.name.text(), told.vertices.texts(),
+            text_rows(told.at), told.depths,      told.colors};
 }
 
 std::string edge_name(const PrimitiveText& primitive, std::size_t from, std::size_t to) {
@@ -180,7 +181,7 @@ std::optional<EdgeEnds> ends_of_edge(const PrimitiveText& primitive, const std::
 }
 
 std::optional<std::array<Vec2, 3>> corners_of(const PrimitiveText& primitive) {
-    if (primitive.kind != "triangle" || primitive.vertices.size() != 3 ||
+    if (primitive.kind != PrimitiveKind::triangle || primitive.vertices.size() != 3 ||
         primitive.positions.size() != 3)
         return std::nullopt;
     std::array<Vec2, 3> corners;
@@ -195,11 +196,9 @@ std::optional<std::array<Vec2, 3>> corners_of(const PrimitiveText& primitive) {
 
 namespace {
 
-std::optional<LineEnds> line_between(const std::vector<std::string>& from,
-                                     const std::vector<std::string>& to) {
-    const auto a = vec2_in(from);
-    const auto b = vec2_in(to);
-    return a && b ? std::optional(LineEnds{*a, *b}) : std::nullopt;
+std::optional<LineEnds> line_between(const std::optional<Vec2>& from,
+                                     const std::optional<Vec2>& to) {
+    return from && to ? std::optional(LineEnds{*from, *to}) : std::nullopt;
 }
 
 /// A line as it is drawn between pixels: each end is rounded, a half up.
@@ -216,22 +215,22 @@ std::optional<LineEnds> ends_of_line(const Replay& replay, const PrimitiveText& 
     const auto as_drawn = [](const std::optional<LineEnds>& ends, bool between_pixels) {
         return ends && between_pixels ? between_nearest_pixels(*ends) : ends;
     };
-    if (primitive.kind == "line" && positions.size() == 2)
-        return as_drawn(line_between(positions[0], positions[1]), is_bresenham);
+    if (primitive.kind == PrimitiveKind::line && positions.size() == 2)
+        return as_drawn(line_between(vec2_in(positions[0]), vec2_in(positions[1])), is_bresenham);
     if (replay.edges().empty())
         return std::nullopt;
-    const std::string edge = replay.trace().step(replay.edges().back()).text("edge");
-    const auto ends = ends_of_edge(primitive, edge);
+    const auto edge = replay.trace().step(replay.edges().back()).as<EdgeStep>();
+    const auto ends = ends_of_edge(primitive, edge.edge.text());
     if (!ends)
         return std::nullopt;
-    if (primitive.kind == "outline")
-        return as_drawn(line_between(ends->from, ends->to), is_bresenham);
+    if (primitive.kind == PrimitiveKind::outline)
+        return as_drawn(line_between(vec2_in(ends->from), vec2_in(ends->to)), is_bresenham);
     if (replay.ray() == 0)
         return std::nullopt;
-    const StepView ray = replay.trace().step(replay.ray());
+    const auto ray = replay.trace().step(replay.ray()).as<RayStep>();
     for (const auto& apex : positions)
         if (apex != ends->from && apex != ends->to)
-            return as_drawn(line_between({ray.text("x"), ray.text("y")}, apex), true);
+            return as_drawn(line_between(Vec2{ray.x, ray.y}, vec2_in(apex)), true);
     return std::nullopt;
 }
 
@@ -242,22 +241,22 @@ double ColorOnLine::share() const {
 }
 
 std::optional<ColorOnLine> color_on_line(const Replay& replay, const PrimitiveText& primitive) {
-    if (primitive.kind != "line" || primitive.vertices.size() != 2)
+    const auto colors = primitive.colors.values();
+    if (primitive.kind != PrimitiveKind::line || primitive.vertices.size() != 2 ||
+        colors.size() != 2)
         return std::nullopt;
     const auto exact_ends = ends_of_line(replay, primitive);
-    const auto colors = replay.trace().step(replay.primitive()).texts("colors");
-    const auto first = colors.size() == 2 ? parse_color(colors[0]) : std::nullopt;
-    const auto second = colors.size() == 2 ? parse_color(colors[1]) : std::nullopt;
-    const StepView pixel = replay.trace().step(replay.step());
-    const auto x = number_in(pixel, "x");
-    const auto y = number_in(pixel, "y");
-    if (!exact_ends || !first || !second || !x || !y)
+    const auto first = colors[0].color();
+    const auto second = colors[1].color();
+    if (!exact_ends || !first || !second)
         return std::nullopt;
+    const auto pixel = replay.trace().step(replay.step()).as<PixelStep>();
+    const Vec2 at{pixel.x, pixel.y};
     // Which direction is the longer one, the step that led to the pixel says: doubles may not tell.
     const auto& [from, to] = *exact_ends;
     const std::size_t reason = reason_of_pixel(replay);
     const bool along_x = reason != 0 && replay.trace().kind_of(reason) == StepKind::along
-                             ? replay.trace().step(reason).field("x").has_value()
+                             ? replay.trace().step(reason).as<AlongStep>().x.has_value()
                              : abs(to.x - from.x) >= abs(to.y - from.y);
     // Colors are mixed between the pixels of the ends, from the one that is drawn first.
     auto [start, end] = between_nearest_pixels(*exact_ends);
@@ -271,9 +270,9 @@ std::optional<ColorOnLine> color_on_line(const Replay& replay, const PrimitiveTe
     ColorOnLine color{.from = is_reversed ? *second : *first,
                       .to = is_reversed ? *first : *second,
                       .from_name = primitive.vertices[is_reversed ? 1 : 0],
-                      .step = along_x ? abs(*x - start.x) : abs(*y - start.y),
+                      .step = along_x ? abs(at.x - start.x) : abs(at.y - start.y),
                       .steps = along_x ? abs(end.x - start.x) : abs(end.y - start.y),
-                      .to_end = square_of(end.x - *x, end.y - *y),
+                      .to_end = square_of(end.x - at.x, end.y - at.y),
                       .length = square_of(end.x - start.x, end.y - start.y),
                       .is_by_distance = replay.trace().method_value("color_lerp") == "distance"};
     // The first and the last pixel have the colors of the ends, wherever rounding has put them.
@@ -286,24 +285,25 @@ std::optional<ColorOnLine> color_on_line(const Replay& replay, const PrimitiveTe
     return color;
 }
 
-std::optional<bool> is_x_major_octant(const StepView& step) {
-    const auto octant = step.whole("octant");
+std::optional<bool> is_x_major_octant(std::optional<Index> octant) {
     if (!octant)
         return std::nullopt;
     return *octant == 1 || *octant == 4 || *octant == 5 || *octant == 8;
 }
 
 bool covers(const StepView& step, Pixel pixel) {
-    const auto lies_between = [&step](Index at, std::string_view from, std::string_view to) {
-        const auto first = step.whole(from);
-        const auto last = step.field(to) ? step.whole(to) : first;
-        return first && last && std::min(*first, *last) <= at && at <= std::max(*first, *last);
+    if (step.kind() != StepKind::reject)
+        return x_in(step) == pixel.x && y_in(step) == pixel.y;
+    const auto run = step.as<RejectStep>();
+    const auto lies_between = [](Index at, std::optional<Index> from, std::optional<Index> to) {
+        const auto last = to ? to : from;
+        return from && std::min(*from, *last) <= at && at <= std::max(*from, *last);
     };
-    const bool is_whole_row = !step.field("x") && step.field("to_y");
-    if (step.field("to_x") && step.field("to_y"))
+    const bool is_whole_row = !run.x && run.to_y;
+    if (run.to_x && run.to_y)
         return false; // of a line, which leads off the canvas
-    return lies_between(pixel.y, "y", "to_y") &&
-           (is_whole_row || lies_between(pixel.x, "x", "to_x"));
+    return lies_between(pixel.y, run.y, run.to_y) &&
+           (is_whole_row || lies_between(pixel.x, run.x, run.to_x));
 }
 
 std::optional<SlopeForm> slope_form_of(const LineEnds& ends, bool is_x_major) {
@@ -357,12 +357,10 @@ Rational sample_offset(const Trace& trace) {
 }
 
 std::optional<Vec2> sample_of(const Trace& trace, const StepView& step) {
-    const auto x = number_in(step, "x");
-    const auto y = number_in(step, "y");
-    if (!x || !y)
-        return std::nullopt;
+    const auto x = x_in(step);
+    const auto y = y_in(step);
     const Rational offset = sample_offset(trace);
-    return Vec2{*x + offset, *y + offset};
+    return x && y ? std::optional(Vec2{*x + offset, *y + offset}) : std::nullopt;
 }
 
 std::size_t along_before(const Replay& replay, std::size_t n) {
@@ -388,8 +386,13 @@ std::size_t reason_of_pixel(const Replay& replay) {
     return 0;
 }
 
-std::string name_of_side(const std::string& side) {
-    return side == "left" ? said({"left", "esquerda"}) : said({"right", "direita"});
+std::array<EndOfRow, 2> ends_of(const ScanlineStep& row) {
+    return {{{true, row.left_edge, row.y, row.left, row.left_depth, row.from},
+             {false, row.right_edge, row.y, row.right, row.right_depth, row.to}}};
+}
+
+std::string EndOfRow::name() const {
+    return is_left ? said({"left", "esquerda"}) : said({"right", "direita"});
 }
 
 } // namespace rastertrace

@@ -8,6 +8,7 @@
 #include <rastertrace/core/numbers/vec.h>
 #include <rastertrace/core/raster/image.h>
 #include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/text/language.h>
 
 #include <fmt/core.h>
@@ -92,12 +93,14 @@ double degrees_of_cosine(double cosine);
 /// (2, 5)
 std::string point(std::vector<std::string> coordinates);
 
-/// What the formulas need of the primitive that is being drawn.
+/// What the formulas need of the primitive that is being drawn. A view, as its step is.
 struct PrimitiveText {
-    std::string kind;
+    TracedWord<PrimitiveKind> kind;
     std::string name;
     std::vector<std::string> vertices;
     std::vector<std::vector<std::string>> positions;
+    TracedList<TracedNumber> depths;
+    TracedList<TracedColor> colors;
 };
 
 /// What a `primitive` step says.
@@ -146,8 +149,8 @@ struct ColorOnLine {
 };
 std::optional<ColorOnLine> color_on_line(const Replay& replay, const PrimitiveText& primitive);
 
-/// True for a line of octant 1, 4, 5 or 8, which goes from column to column; `nullopt` if the step tells none.
-std::optional<bool> is_x_major_octant(const StepView& step);
+/// True for a line of octant 1, 4, 5 or 8, which goes from column to column; `nullopt` if its step tells none.
+std::optional<bool> is_x_major_octant(std::optional<Index> octant);
 
 /// True if a step is about a pixel, or about a run of pixels that it is one of.
 bool covers(const StepView& step, Pixel pixel);
@@ -185,9 +188,24 @@ Rational sample_offset(const Trace& trace);
 /// The sample point of the pixel that a step is about.
 std::optional<Vec2> sample_of(const Trace& trace, const StepView& step);
 
-/// How an end of a row, `left` or `right`, becomes its pixel: ` -> floor`; or how it lies to the pixel's sample.
-std::string rule_of_end(const Trace& trace, const StepView& step, const std::string& side,
-                        const std::string& pixel);
+/// An end of a row.
+struct EndOfRow {
+    bool is_left;
+    TracedText edge;
+    Index y;
+    TracedNumber x;
+    TracedNumber depth;
+    Index pixel;
+
+    /// "left" or "right", in the language of steps.
+    std::string name() const;
+};
+
+/// The left one, and the right one.
+std::array<EndOfRow, 2> ends_of(const ScanlineStep& row);
+
+/// How an end of a row becomes its pixel: ` -> floor`; or how it lies to the pixel's sample.
+std::string rule_of_end(const Trace& trace, const EndOfRow& end);
 
 /// The `along` step before step n of the current primitive on the same line; 0 if there is none.
 std::size_t along_before(const Replay& replay, std::size_t n);
@@ -195,8 +213,5 @@ std::size_t along_before(const Replay& replay, std::size_t n);
 /// The row, line or sample that the pixel of the current step belongs to: the last step before it in its
 /// primitive that is not about a pixel; 0 if there is none.
 std::size_t reason_of_pixel(const Replay& replay);
-
-/// An end of a row, "left" or "right", in the language of steps.
-std::string name_of_side(const std::string& side);
 
 } // namespace rastertrace

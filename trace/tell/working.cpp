@@ -25,8 +25,9 @@ std::string product(const Rational& a, const Rational& b) {
 namespace {
 
 void order(Sheet& sheet) {
-    const auto names = sheet.step.texts("names");
-    const auto distances = sheet.step.texts("distances");
+    const auto order = sheet.step.as<OrderStep>();
+    const auto names = order.names.texts();
+    const auto distances = order.distances.texts();
     for (std::size_t i = 0; i < names.size() && i < distances.size(); ++i)
         sheet.put(
             said({"{}. {} at {}", "{}. {} a {}"}, i + 1, names[i], in_sentence(distances[i])));
@@ -76,23 +77,23 @@ std::string EdgeFunctionText::at(const Vec2& p) const {
                                         : said({"on the edge, outside", "sobre a aresta, fora"}));
 }
 
-std::optional<EdgeFunctionText> edge_function_in(const StepView& step,
+std::optional<EdgeFunctionText> edge_function_in(const EdgeStep& edge,
                                                  const PrimitiveText& primitive) {
-    const auto a = number_in(step, "a");
-    const auto b = number_in(step, "b");
-    const auto ends = a && b ? ends_of_edge(primitive, step.text("edge")) : std::nullopt;
+    const auto a = edge.a.exact();
+    const auto b = edge.b.exact();
+    const auto ends = a && b ? ends_of_edge(primitive, edge.edge.text()) : std::nullopt;
     const auto from = ends ? vec2_in(ends->from) : std::nullopt;
     if (!from)
         return std::nullopt;
-    return EdgeFunctionText{*a, *b, *from, step.text("top_left") == "true"};
+    return EdgeFunctionText{*a, *b, *from, edge.top_left.is_true()};
 }
 
 namespace {
 
 /// Both forms of the line, and on which side the third corner lies.
 void edge(Sheet& sheet) {
-    const std::string name = sheet.step.text("edge");
-    const auto ends = ends_of_edge(sheet.primitive, name);
+    const auto step = sheet.step.as<EdgeStep>();
+    const auto ends = ends_of_edge(sheet.primitive, step.edge.text());
     const auto from = ends ? vec2_in(ends->from) : std::nullopt;
     const auto to = ends ? vec2_in(ends->to) : std::nullopt;
     if (!from || !to)
@@ -112,7 +113,7 @@ void edge(Sheet& sheet) {
         sheet.put(fmt::format("y = {} x {}", text(slope), plus(text(from->y - slope * from->x))));
     }
     const auto corners = corners_of(sheet.primitive);
-    const auto function = edge_function_in(sheet.step, sheet.primitive);
+    const auto function = edge_function_in(step, sheet.primitive);
     if (!corners || !function)
         return;
     const auto is_at = [](const Vec2& a, const Vec2& b) { return a.x == b.x && a.y == b.y; };
@@ -123,41 +124,39 @@ void edge(Sheet& sheet) {
 }
 
 /// Where an edge crosses a row.
-void put_crossing(Sheet& sheet, const std::string& side) {
-    const auto ends = ends_of_edge(sheet.primitive, sheet.step.text(side + "_edge"));
+void put_crossing(Sheet& sheet, const EndOfRow& end) {
+    const auto ends = ends_of_edge(sheet.primitive, end.edge.text());
     const auto from = ends ? vec2_in(ends->from) : std::nullopt;
     const auto to = ends ? vec2_in(ends->to) : std::nullopt;
-    const auto told = number_in(sheet.step, side);
-    const auto row = number_in(sheet.step, "y");
+    const auto told = end.x.exact();
     // A row that adds to the one before says so in its sentence.
     const bool adds = sheet.trace().method_value("lerp") == "incremental";
-    if (adds || !from || !to || !told || !row || sgn(to->y - from->y) == 0)
+    if (adds || !from || !to || !told || sgn(to->y - from->y) == 0)
         return;
-    const Rational y = *row + sample_offset(sheet.trace());
+    const Rational y = end.y + sample_offset(sheet.trace());
     const Rational slope = (to->x - from->x) / (to->y - from->y);
     const Rational way = slope * (y - from->y);
     if (!sheet.agrees(from->x + way, *told))
         return;
-    const std::string pixel = sheet.step.text(side == "left" ? "from" : "to");
     sheet.put(fmt::format(
         "{} {}: x = (x2 - x1)/(y2 - y1) (y - y1) + x1 = ({} {})/({} {}) ({} {}) {} = {} {} = {}{} "
         "-> {}",
-        name_of_side(side), sheet.step.text(side + "_edge"), text(to->x), minus(text(from->x)),
-        text(to->y), minus(text(from->y)), text(y), minus(text(from->y)), plus(text(from->x)),
+        end.name(), end.edge.text(), text(to->x), minus(text(from->x)), text(to->y),
+        minus(text(from->y)), text(y), minus(text(from->y)), plus(text(from->x)),
         product(slope, y - from->y), plus(text(from->x)), text(*told),
-        rule_of_end(sheet.trace(), sheet.step, side, pixel), pixel));
+        rule_of_end(sheet.trace(), end), end.pixel));
 
     // The same LERP for the depth there.
-    const auto depth_of = [&](const std::vector<std::string>& end) -> std::optional<Rational> {
+    const auto depth_of = [&](const std::vector<std::string>& place) -> std::optional<Rational> {
         const auto& positions = sheet.primitive.positions;
-        const auto depths = sheet.trace().step(sheet.replay.primitive()).texts("depths");
-        const auto corner = std::find(positions.begin(), positions.end(), end);
+        const auto depths = sheet.primitive.depths.values();
+        const auto corner = std::find(positions.begin(), positions.end(), place);
         const auto i = static_cast<std::size_t>(corner - positions.begin());
-        return i < depths.size() ? number_in(depths[i]) : std::nullopt;
+        return i < depths.size() ? depths[i].exact() : std::nullopt;
     };
     const auto d1 = depth_of(ends->from);
     const auto d2 = depth_of(ends->to);
-    const auto depth = number_in(sheet.step, side + "_depth");
+    const auto depth = end.depth.exact();
     if (!d1 || !d2 || !depth)
         return;
     const Rational depth_slope = (*d2 - *d1) / (to->y - from->y);
@@ -170,45 +169,37 @@ void put_crossing(Sheet& sheet, const std::string& side) {
 }
 
 /// What the edge function of an end of a row says of the sample of its pixel, where there are such functions.
-void put_edge_function(Sheet& sheet, const std::string& side, std::string_view end) {
-    const std::string name = sheet.step.text(side + "_edge");
-    const auto x = number_in(sheet.step, end);
-    const auto y = number_in(sheet.step, "y");
-    if (!x || !y)
-        return;
+void put_edge_function(Sheet& sheet, const EndOfRow& end) {
     const Rational offset = sample_offset(sheet.trace());
-    const Vec2 sample{*x + offset, *y + offset};
+    const Vec2 sample{end.pixel + offset, end.y + offset};
     for (const std::size_t n : sheet.replay.edges()) {
-        const StepView edge = sheet.trace().step(n);
+        const auto edge = sheet.trace().step(n).as<EdgeStep>();
         const auto function = edge_function_in(edge, sheet.primitive);
-        if (function && edge.text("edge") == name)
-            sheet.put(said({"E of {} at {} = {}", "E de {} em {} = {}"}, name, text(sample),
-                           function->at(sample)));
+        if (function && edge.edge == end.edge)
+            sheet.put(said({"E of {} at {} = {}", "E de {} em {} = {}"}, edge.edge.text(),
+                           text(sample), function->at(sample)));
     }
 }
 
 void scanline(Sheet& sheet) {
-    const StepView& step = sheet.step;
-    put_crossing(sheet, "left");
-    put_crossing(sheet, "right");
-    put_edge_function(sheet, "left", "from");
-    put_edge_function(sheet, "right", "to");
-    const auto left = number_in(step, "left");
-    const auto right = number_in(step, "right");
-    const std::string left_edge = step.text("left_edge");
-    if (left && right && !left_edge.empty() && *left != *right)
+    const auto row = sheet.step.as<ScanlineStep>();
+    for (const EndOfRow& end : ends_of(row))
+        put_crossing(sheet, end);
+    for (const EndOfRow& end : ends_of(row))
+        put_edge_function(sheet, end);
+    const auto left = row.left.exact();
+    const auto right = row.right.exact();
+    if (left && right && row.left_edge && *left != *right)
         sheet.put(
             said({"{} {} {}: {} is left, {} is right", "{} {} {}: {} à esquerda, {} à direita"},
-                 text(*left), *left < *right ? "<" : ">", text(*right), left_edge,
-                 step.text("right_edge")));
-    const auto left_depth = number_in(step, "left_depth");
-    const auto right_depth = number_in(step, "right_depth");
-    const auto from = step.whole("from").value_or(0);
-    const auto to = step.whole("to").value_or(0);
+                 text(*left), *left < *right ? "<" : ">", text(*right), row.left_edge.text(),
+                 row.right_edge.text()));
+    const auto left_depth = row.left_depth.exact();
+    const auto right_depth = row.right_depth.exact();
     // Where the depths of the ends lie: on the edges, or in the first and the last pixel.
     const bool has_rounded_ends = sheet.trace().method_value("depth_at") == "rounded-ends";
-    const auto first = has_rounded_ends ? std::optional(Rational(from)) : left;
-    const auto last = has_rounded_ends ? std::optional(Rational(to)) : right;
+    const auto first = has_rounded_ends ? std::optional(Rational(row.from)) : left;
+    const auto last = has_rounded_ends ? std::optional(Rational(row.to)) : right;
     if (left_depth && right_depth && first && last && *first < *last)
         sheet.put(said({"depth = {} + ({} {}) / ({} {}) (x {}) = {} {} (x {})",
                         "profundidade = {} + ({} {}) / ({} {}) (x {}) = {} {} (x {})"},
@@ -216,13 +207,14 @@ void scanline(Sheet& sheet) {
                        minus(text(*first)), minus(text(*first)), text(*left_depth),
                        plus(text((*right_depth - *left_depth) / (*last - *first))),
                        minus(text(*first))));
-    else if (left_depth && has_rounded_ends && from == to)
+    else if (left_depth && has_rounded_ends && row.from == row.to)
         sheet.put(
             said({"one pixel: depth = {}", "um pixel: profundidade = {}"}, text(*left_depth)));
-    if (from <= to)
-        sheet.put(said({"x = {} to {}: {} - {} + 1 = {}", "x = {} a {}: {} - {} + 1 = {}"}, from,
-                       to, to, from < 0 ? fmt::format("({})", from) : std::to_string(from),
-                       counted(static_cast<std::uint64_t>(to - from + 1), "pixel")));
+    if (row.from <= row.to)
+        sheet.put(said({"x = {} to {}: {} - {} + 1 = {}", "x = {} a {}: {} - {} + 1 = {}"},
+                       row.from, row.to, row.to,
+                       row.from < 0 ? fmt::format("({})", row.from) : std::to_string(row.from),
+                       counted(static_cast<std::uint64_t>(row.to - row.from + 1), "pixel")));
 }
 
 /// Twice the areas that a point makes with the edges of a triangle, by one cross product (T3).
@@ -251,38 +243,35 @@ void sample(Sheet& sheet) {
 /// The depth of a pixel on a line between its ends, along the major axis.
 void put_depth_on_line(Sheet& sheet) {
     const auto ends = ends_of_line(sheet.replay, sheet.primitive);
-    const auto depths = sheet.trace().step(sheet.replay.primitive()).texts("depths");
-    const auto x = number_in(sheet.step, "x");
-    const auto y = number_in(sheet.step, "y");
-    const auto told = number_in(sheet.step, "depth");
-    if (!ends || depths.size() != 2 || !x || !y || !told)
+    const auto depths = numbers_in<2>(sheet.primitive.depths.texts());
+    const auto test = sheet.step.as<DepthStep>();
+    const auto told = test.depth.exact();
+    if (!ends || !depths || !told)
         return;
-    const auto d1 = number_in(depths[0]);
-    const auto d2 = number_in(depths[1]);
+    const auto& [d1, d2] = *depths;
     const bool is_x_major = abs(ends->to.x - ends->from.x) >= abs(ends->to.y - ends->from.y);
     const Rational& from = is_x_major ? ends->from.x : ends->from.y;
     const Rational& to = is_x_major ? ends->to.x : ends->to.y;
-    const Rational at = std::clamp(is_x_major ? *x : *y, std::min(from, to), std::max(from, to));
-    if (!d1 || !d2 || from == to)
+    const Rational at =
+        std::clamp(Rational(is_x_major ? test.x : test.y), std::min(from, to), std::max(from, to));
+    if (from == to)
         return;
-    const Rational value = *d1 + (*d2 - *d1) * (at - from) / (to - from);
+    const Rational value = d1 + (d2 - d1) * (at - from) / (to - from);
     if (sheet.agrees(value, *told))
         sheet.put(said({"depth = {} + ({} {}) ({} {}) / ({} {}) = {}",
                         "profundidade = {} + ({} {}) ({} {}) / ({} {}) = {}"},
-                       text(*d1), text(*d2), minus(text(*d1)), text(at), minus(text(from)),
-                       text(to), minus(text(from)), text(*told)));
+                       text(d1), text(d2), minus(text(d1)), text(at), minus(text(from)), text(to),
+                       minus(text(from)), text(*told)));
 }
 
 /// The depth of a pixel on the plane through the three corners, if that is what decided.
 void depth(Sheet& sheet) {
-    if (sheet.replay.primitive() == 0)
-        return;
-    if (sheet.primitive.kind == "line")
+    if (sheet.primitive.kind == PrimitiveKind::line)
         return put_depth_on_line(sheet);
     const auto corners = corners_of(sheet.primitive);
-    const auto depths = numbers_in<3>(sheet.trace().step(sheet.replay.primitive()).texts("depths"));
+    const auto depths = numbers_in<3>(sheet.primitive.depths.texts());
     const auto p = sample_of(sheet.trace(), sheet.step);
-    const auto told = number_in(sheet.step, "depth");
+    const auto told = sheet.step.as<DepthStep>().depth.exact();
     if (!corners || !depths || !p || !told)
         return;
     const auto cross = cross_of_point(*corners, *p);
@@ -312,7 +301,7 @@ void depth(Sheet& sheet) {
 /// Bresenham's increments, if the ends are pixels.
 void decide(Sheet& sheet) {
     const auto ends = ends_of_line(sheet.replay, sheet.primitive);
-    const auto d = number_in(sheet.step, "d");
+    const auto d = sheet.step.as<DecideStep>().d.exact();
     const auto increment = d && ends ? increment_of(sheet.trace(), *ends, *d) : std::nullopt;
     if (!increment)
         return;
@@ -334,9 +323,10 @@ void decide(Sheet& sheet) {
 
 void along(Sheet& sheet) {
     const auto ends = ends_of_line(sheet.replay, sheet.primitive);
-    const auto value = number_in(sheet.step, "value");
-    const bool is_x_major = sheet.step.field("x").has_value();
-    const auto at = number_in(sheet.step, is_x_major ? "x" : "y");
+    const auto step = sheet.step.as<AlongStep>();
+    const auto value = step.value.exact();
+    const bool is_x_major = step.x.has_value();
+    const auto at = is_x_major ? step.x : step.y;
     if (!ends || !value || !at)
         return;
     const Rational dx = ends->to.x - ends->from.x;
@@ -353,10 +343,9 @@ void along(Sheet& sheet) {
                           product(m, is_x_major ? ends->from.x : ends->from.y), text(b)));
     const std::size_t before =
         sheet.trace().method_value("line") == "dda" ? along_before(sheet.replay, sheet.number) : 0;
-    const std::string major_field = is_x_major ? "x" : "y";
-    const auto last = before == 0 ? std::nullopt : number_in(sheet.trace().step(before), "value");
-    const auto last_at =
-        before == 0 ? std::nullopt : number_in(sheet.trace().step(before), major_field);
+    const auto step_before = before == 0 ? AlongStep{} : sheet.trace().step(before).as<AlongStep>();
+    const auto last = step_before.value.exact();
+    const auto last_at = is_x_major ? step_before.x : step_before.y;
     if (last && last_at)
         sheet.put(said({"{} = the last one {} = {} {} = {}", "{} = o último {} = {} {} = {}"},
                        minor, *at > *last_at ? "+ m" : "- m", text(*last),
@@ -372,9 +361,8 @@ void write_working(Sheet& sheet);
 /// the top left (T2).
 void pixel(Sheet& sheet) {
     const Canvas& canvas = sheet.trace().canvas;
-    const auto x = sheet.step.whole("x");
-    const auto y = sheet.step.whole("y");
-    if (!x || !y || !canvas.contains(*x, *y))
+    const auto plotted = sheet.step.as<PixelStep>();
+    if (!canvas.contains(plotted.x, plotted.y))
         return;
     const std::size_t reason = reason_of_pixel(sheet.replay);
     if (reason != 0) {
@@ -387,8 +375,8 @@ void pixel(Sheet& sheet) {
             sheet.put(std::move(line));
     }
     write_color(sheet);
-    const Index column = *x - canvas.left();
-    const Index row = canvas.row_of(*y);
+    const Index column = plotted.x - canvas.left();
+    const Index row = canvas.row_of(plotted.y);
     sheet.put(said(
         {"column {}, row {} from the top left: byte 4 ({} ({}) + {}) = {}",
          "coluna {}, linha {} a partir do canto superior esquerdo: byte 4 ({} ({}) + {}) = {}"},

@@ -41,17 +41,17 @@ std::string length_of(const Vec3& v) {
 
 /// Where they are in one of these spaces, the last that they have been in: as the `vertex` steps before
 /// the first primitive tell.
-std::optional<std::array<Vec3, 3>>
-corners_in_space(const Sheet& sheet, std::initializer_list<std::string_view> spaces) {
+std::optional<std::array<Vec3, 3>> corners_in_space(const Sheet& sheet,
+                                                    std::initializer_list<Space> spaces) {
     const auto& names = sheet.primitive.vertices;
     if (names.size() != 3)
         return std::nullopt;
     std::array<std::optional<Vec3>, 3> found;
     for (std::size_t i = 0; i < 3; ++i)
         for (const std::size_t n : sheet.replay.places_of(names[i])) {
-            const StepView vertex = sheet.trace().step(n);
-            if (std::find(spaces.begin(), spaces.end(), vertex.text("space")) != spaces.end())
-                found[i] = vec3_in(vertex.texts("at"));
+            const auto vertex = sheet.trace().step(n).as<VertexStep>();
+            if (std::find(spaces.begin(), spaces.end(), vertex.space) != spaces.end())
+                found[i] = vec3_in(vertex.at.texts());
         }
     if (!found[0] || !found[1] || !found[2])
         return std::nullopt;
@@ -60,12 +60,12 @@ corners_in_space(const Sheet& sheet, std::initializer_list<std::string_view> spa
 
 /// Without a model, objects stand in the world as they are.
 std::optional<std::array<Vec3, 3>> world_corners_of(const Sheet& sheet) {
-    return corners_in_space(sheet, {"object", "world"});
+    return corners_in_space(sheet, {Space::object, Space::world});
 }
 
 /// Without a camera, it stands at the origin of the world.
 std::optional<std::array<Vec3, 3>> camera_corners_of(const Sheet& sheet) {
-    return corners_in_space(sheet, {"object", "world", "camera"});
+    return corners_in_space(sheet, {Space::object, Space::world, Space::camera});
 }
 
 /// The four rows from `first` on.
@@ -81,13 +81,13 @@ std::optional<Matrix<Rational>> matrix_of(const std::vector<std::vector<std::str
     return matrix;
 }
 
-std::optional<Matrix<Rational>> matrix_in(const StepView& step) {
-    return matrix_of(step.text_rows("rows"));
+std::optional<Matrix<Rational>> matrix_in(const MatrixStep& step) {
+    return matrix_of(text_rows(step.rows));
 }
 
 /// The matrices that a `matrix` step tells its matrix to be the product of; none if it is not.
-std::vector<Matrix<Rational>> factors_in(const Sheet& sheet) {
-    const auto rows = sheet.step.text_rows("factor_rows");
+std::vector<Matrix<Rational>> factors_in(const Sheet& sheet, const MatrixStep& step) {
+    const auto rows = text_rows(step.factor_rows);
     constexpr std::size_t most_factors = 256; // as many rotations as a scene may have
     if (rows.size() > 4 * most_factors)
         return {};
@@ -100,7 +100,7 @@ std::vector<Matrix<Rational>> factors_in(const Sheet& sheet) {
         together = together ? *together * *factor : *factor;
         factors.push_back(*factor);
     }
-    const auto told = matrix_in(sheet.step);
+    const auto told = matrix_in(step);
     if (!together || !told)
         return {};
     for (std::size_t i = 0; i < 4; ++i)
@@ -133,18 +133,18 @@ std::optional<Product> product_so_far(const Sheet& sheet) {
     std::string last_name;
     std::size_t count = 0;
     for (const std::size_t n : sheet.replay.matrices()) {
-        const StepView step = sheet.trace().step(n);
-        const std::string name = step.text("name");
+        const auto step = sheet.trace().step(n).as<MatrixStep>();
+        const std::string name = step.name.text();
         const auto matrix = matrix_in(step);
         if (!matrix || last_name == name)
             return std::nullopt;
         if (name == "viewport")
             break;
         last_name = name;
-        const std::string object = step.text("object");
         const std::string matrix_name(in_language_of_steps(name));
         const std::string named =
-            object.empty() ? matrix_name : said({"{} of {}", "{} de {}"}, matrix_name, object);
+            step.object ? said({"{} of {}", "{} de {}"}, matrix_name, step.object.text())
+                        : matrix_name;
         product = product ? Product{named + " x " + product->names, *matrix * product->matrix}
                           : Product{named, *matrix};
         ++count;
@@ -154,8 +154,8 @@ std::optional<Product> product_so_far(const Sheet& sheet) {
 
 /// The axes of a camera: d = p - l, up x d, d x (up x d), each divided by its length. They are the rows
 /// of its rotation.
-void put_camera(Sheet& sheet, const Matrix<Rational>& rotation) {
-    const auto vectors = sheet.step.text_rows("camera");
+void put_camera(Sheet& sheet, const MatrixStep& step, const Matrix<Rational>& rotation) {
+    const auto vectors = text_rows(step.camera);
     const auto p = vectors.size() == 3 ? vec3_in(vectors[0]) : std::nullopt;
     const auto l = vectors.size() == 3 ? vec3_in(vectors[1]) : std::nullopt;
     const auto up = vectors.size() == 3 ? vec3_in(vectors[2]) : std::nullopt;
@@ -189,9 +189,9 @@ void put_camera(Sheet& sheet, const Matrix<Rational>& rotation) {
 }
 
 /// normal . v, the lengths of both, and the angle between them.
-void put_angle(Sheet& sheet, const Vec3& normal, const Vec3& v, std::string_view name) {
+void put_angle(Sheet& sheet, const Vec3& normal, const Vec3& v, std::string_view name,
+               const std::optional<Rational>& told) {
     const Rational value = dot(normal, v);
-    const auto told = number_in(sheet.step, "dot");
     if (!told || !sheet.agrees(value, *told))
         return;
     sheet.put(fmt::format("normal . {} = {} + {} + {} = {}", name, product(normal.x, v.x),
@@ -235,21 +235,20 @@ void put_normal(Sheet& sheet, const Vec3& normal) {
 /// The matrix of this name, if there is one before the current step.
 std::optional<Matrix<Rational>> matrix_named(const Sheet& sheet, std::string_view name) {
     for (const std::size_t n : sheet.replay.matrices())
-        if (const StepView step = sheet.trace().step(n); step.text("name") == name)
+        if (const auto step = sheet.trace().step(n).as<MatrixStep>(); step.name == name)
             return matrix_in(step);
     return std::nullopt;
 }
 
 /// All matrices at once, from object space to clip space.
-void put_whole_way(Sheet& sheet) {
+void put_whole_way(Sheet& sheet, const VertexStep& vertex) {
     const auto together = product_so_far(sheet);
-    const std::string name = sheet.step.text("name");
-    const auto& places = sheet.replay.places_of(name);
-    if (!together || places.empty() || sheet.step.text("space") != "clip")
+    const auto& places = sheet.replay.places_of(vertex.name.text());
+    if (!together || places.empty() || vertex.space != Space::clip)
         return;
     // Where no matrix leads to a space, it is not told: the first one is where the vertex was typed.
-    const auto at = vec3_in(sheet.trace().step(places.front()).texts("at"));
-    const auto told = numbers_in<4>(sheet.step.texts("at"));
+    const auto at = vec3_in(sheet.trace().step(places.front()).as<VertexStep>().at.texts());
+    const auto told = numbers_in<4>(vertex.at.texts());
     if (!at || !told)
         return;
     const auto clip = together->matrix * Vec<Rational, 4>{at->x, at->y, at->z, Rational(1)};
@@ -261,14 +260,15 @@ void put_whole_way(Sheet& sheet) {
                        text(clip.w)));
 }
 
-/// The normal of a face, and its angle to the vector in a field of the step.
-void put_face_toward(Sheet& sheet, std::string_view field, std::string_view name) {
-    const auto normal = vec3_in(sheet.step.texts("normal"));
-    const auto toward = vec3_in(sheet.step.texts(field));
-    if (!normal || !toward)
+/// The normal of a face, as its `face` or its `light` step tells it, and its angle to the eye or the light.
+void put_face_toward(Sheet& sheet, const auto& face, const TracedList<TracedNumber>& toward,
+                     std::string_view name) {
+    const auto normal = vec3_in(face.normal.texts());
+    const auto v = vec3_in(toward.texts());
+    if (!normal || !v)
         return;
     put_normal(sheet, *normal);
-    put_angle(sheet, *normal, *toward, name);
+    put_angle(sheet, *normal, *v, name, face.dot.exact());
 }
 
 /// (y1 - y2) (z1 + z2)
@@ -281,9 +281,10 @@ std::string newells_product(const Rational& y1, const Rational& y2, const Ration
 
 /// Newell's normal, edge by edge.
 void write_triangulation(Sheet& sheet) {
-    const auto rows = sheet.step.text_rows("at");
-    const auto names = sheet.step.texts("vertices");
-    const auto told = vec3_in(sheet.step.texts("normal"));
+    const auto step = sheet.step.as<TriangulateStep>();
+    const auto rows = text_rows(step.at);
+    const auto names = step.vertices.texts();
+    const auto told = vec3_in(step.normal.texts());
     constexpr std::size_t most_edges_shown = 24;
     if (!told || rows.size() != names.size() || rows.size() > most_edges_shown)
         return;
@@ -316,24 +317,24 @@ void write_triangulation(Sheet& sheet) {
                    text(sum), length_of(sum)));
     sheet.put(
         said({"largest in {}: the face is seen without it", "maior em {}: a face é vista sem ele"},
-             sheet.step.text("drops")));
+             step.drops.text()));
 }
 
 /// What a matrix is a product of, and the camera that it comes of; then the matrices up to this one as
 /// one: view x model, projection x view x model.
 void write_matrix(Sheet& sheet) {
-    const std::string name = sheet.step.text("name");
-    const auto factors = factors_in(sheet);
-    const auto factor_names = sheet.step.texts("factors");
-    if (name == "view" && !factors.empty())
-        put_camera(sheet, factors.front());
+    const auto step = sheet.step.as<MatrixStep>();
+    const auto factors = factors_in(sheet, step);
+    const auto factor_names = step.factors.texts();
+    if (step.name == "view" && !factors.empty())
+        put_camera(sheet, step, factors.front());
     for (std::size_t i = 0; factors.size() > 1 && i < std::min(factors.size(), factor_names.size());
          ++i) {
         const auto& rows = factors[i].rows;
         sheet.put(fmt::format("{}:  {}  {}  {}  {}", factor_names[i], row_text(rows[0]),
                               row_text(rows[1]), row_text(rows[2]), row_text(rows[3])));
     }
-    if (name == "viewport" || name == "model")
+    if (step.name == "viewport" || step.name == "model")
         return;
     const auto together = product_so_far(sheet);
     if (!together)
@@ -347,13 +348,14 @@ void write_matrix(Sheet& sheet) {
 void write_vertex(Sheet& sheet) {
     if (sheet.replay.vertex_before() == 0)
         return;
-    const StepView before = sheet.trace().step(sheet.replay.vertex_before());
-    auto from = before.texts("at");
-    const auto at = sheet.step.texts("at");
-    if (before.text("name") != sheet.step.text("name") || from.size() < 3)
+    const auto before = sheet.trace().step(sheet.replay.vertex_before()).as<VertexStep>();
+    const auto vertex = sheet.step.as<VertexStep>();
+    auto from = before.at.texts();
+    const auto at = vertex.at.texts();
+    if (before.name != vertex.name || from.size() < 3)
         return;
     constexpr std::array names{"x", "y", "z", "w"};
-    if (sheet.step.text("space") == "canonical" && from.size() == 4 && at.size() == 3) {
+    if (vertex.space == Space::canonical && from.size() == 4 && at.size() == 3) {
         for (std::size_t i = 0; i < 3; ++i) {
             const auto clip = number_in(from[i]);
             const auto w = number_in(from[3]);
@@ -368,13 +370,13 @@ void write_vertex(Sheet& sheet) {
     if (from.size() == 3)
         from.emplace_back("1");
     const auto vector = numbers_in<4>(from);
-    const std::string_view wanted = matrix_into(sheet.step.text("space"));
+    const std::string_view wanted = matrix_into(vertex.space.text());
     if (!vector || wanted.empty())
         return;
     for (const std::size_t n : sheet.replay.matrices()) {
-        const StepView step = sheet.trace().step(n);
+        const auto step = sheet.trace().step(n).as<MatrixStep>();
         const auto matrix = matrix_in(step);
-        if (!matrix || step.text("name") != wanted)
+        if (!matrix || step.name != wanted)
             continue;
         std::vector<std::string> lines;
         bool is_this = true;
@@ -392,26 +394,26 @@ void write_vertex(Sheet& sheet) {
         }
         if (is_this) { // of several objects, the one that this vertex belongs to
             sheet.lines = std::move(lines);
-            put_whole_way(sheet);
+            put_whole_way(sheet, vertex);
             return;
         }
     }
 }
 
 void write_face(Sheet& sheet) {
-    put_face_toward(sheet, "view",
-                    sheet.step.text("by") == "light" ? said({"light", "luz"})
-                                                     : said({"view", "visão"}));
+    const auto face = sheet.step.as<FaceStep>();
+    put_face_toward(sheet, face, face.view,
+                    face.by == "light" ? said({"light", "luz"}) : said({"view", "visão"}));
 }
 
 void write_light(Sheet& sheet) {
-    put_face_toward(sheet, "light", said({"light", "luz"}));
+    const auto face = sheet.step.as<LightStep>();
+    put_face_toward(sheet, face, face.light, said({"light", "luz"}));
 }
 
 std::optional<CornerDistances> distances_of_corners(const Sheet& sheet) {
     const auto projection = matrix_named(sheet, "projection");
-    const auto inverse_z =
-        numbers_in<3>(sheet.trace().step(sheet.replay.primitive()).texts("depths"));
+    const auto inverse_z = numbers_in<3>(sheet.primitive.depths.texts());
     if (sheet.trace().method_value("depth") != "inverse-z" || !projection ||
         sgn(projection->rows[3][2]) == 0 || !inverse_z)
         return std::nullopt;

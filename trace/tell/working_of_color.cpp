@@ -5,7 +5,6 @@
 
 #include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/core/numbers/vec.h>
-#include <rastertrace/trace/text/color_text.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -105,14 +104,14 @@ Mix in_space(const Sheet& sheet, const Mix& on_screen, const CornerDistances& co
 /// The level of each channel, mixed by these weights; nothing if the trace tells others.
 std::vector<std::string> levels_mixed(const Sheet& sheet, const std::array<Rational, 3>& weights,
                                       Color told) {
-    const auto names = sheet.trace().step(sheet.replay.primitive()).texts("colors");
+    const auto colors = sheet.primitive.colors.values();
     std::vector<std::string> lines;
     for (const Channel& channel : channels) {
         const int level = (told.*channel.of)();
         std::vector<std::string> terms;
         double worked_out = 0;
         for (std::size_t i = 0; i < 3; ++i) {
-            const auto corner = i < names.size() ? parse_color(names[i]) : std::nullopt;
+            const auto corner = i < colors.size() ? colors[i].color() : std::nullopt;
             if (!corner)
                 return {};
             const double weight = nearest_double(weights[i]);
@@ -153,12 +152,12 @@ void put_mixed_color(Sheet& sheet, Color told) {
 } // namespace
 
 void write_color(Sheet& sheet) {
-    const auto told = parse_color(sheet.step.text("color"));
+    const auto told = sheet.step.as<PixelStep>().color.color();
     if (!told)
         return;
     if (const auto line = color_on_line(sheet.replay, sheet.primitive))
         put_color_on_line(sheet, *line, *told);
-    else if (sheet.primitive.kind == "triangle" && sheet.replay.ray() == 0)
+    else if (sheet.primitive.kind == PrimitiveKind::triangle && sheet.replay.ray() == 0)
         put_mixed_color(sheet, *told);
 }
 
