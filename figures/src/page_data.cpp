@@ -353,11 +353,10 @@ private:
                 word(to_text(step.as<PixelStep>().color.color().value_or(replay_.color()))));
             return;
         case StepKind::depth: {
-            const DepthTest test = depth_test_in(step);
-            depths_.add((test.passes ? 1 : 0) + (test.is_stored ? 2 : 0));
-            const TracedNumber depth = step.as<DepthStep>().depth;
-            depths_.add(grays_.level_of(depth));
-            depths_.add(printable_word(short_number(depth.text())));
+            const auto test = step.as<DepthStep>();
+            depths_.add((test.pass.is_true() ? 1 : 0) + (stores_depth(test) ? 2 : 0));
+            depths_.add(grays_.level_of(test.depth));
+            depths_.add(printable_word(short_number(test.depth.text())));
             return;
         }
         case StepKind::sample:

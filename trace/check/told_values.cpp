@@ -125,7 +125,7 @@ std::size_t stored_by(const StepIndex& index, const Subject& subject) {
     for (const std::size_t n : index.find(StepKind::depth, {{"x", value_of_key(subject, "x")},
                                                             {"y", value_of_key(subject, "y")},
                                                             {"pass", "true"}}))
-        if (depth_test_in(index.trace().step(n)).is_stored)
+        if (stores_depth(index.trace().step(n).as<DepthStep>()))
             stored = n;
     return stored;
 }

@@ -66,7 +66,8 @@ std::vector<LineSteps> lines_of(const Trace& trace, const PrimitiveSteps& steps)
         const auto edge = trace.step(n).as<EdgeStep>();
         const auto found = ends_of_edge(primitive, edge.edge.text());
         const auto ends = found ? ends_at(*found) : std::nullopt;
-        lines.push_back({edge.edge.text(), n, steps.last, ends, is_x_major_line(edge.octant, ends)});
+        lines.push_back(
+            {edge.edge.text(), n, steps.last, ends, is_x_major_line(edge.octant, ends)});
     }
     return lines;
 }

@@ -100,8 +100,8 @@ WhyNot beyond_end(const Case& c, const StepView& step, bool is_left) {
     WhyNot why = outside(fmt::format("{}{} {} row y={} at x = {}{} -> {}; x = {} {}",
                                      edge.empty() ? is_left ? "left end" : "right end" : edge,
                                      made_by_clipping(edge), is_left ? "begins" : "ends", told.y,
-                                     in_sentence(told.x.text()), rule_of_end(c.trace, told), told.pixel,
-                                     text(c.sample.x), where),
+                                     in_sentence(told.x.text()), rule_of_end(c.trace, told),
+                                     told.pixel, text(c.sample.x), where),
                          gap);
     for (const std::string& line : c.steps.working)
         if (line.starts_with(told.name() + " "))

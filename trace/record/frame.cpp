@@ -157,11 +157,6 @@ bool stores_depth(const DepthStep& test) {
     return test.pass.is_true() && !test.side_of && !test.beside;
 }
 
-DepthTest depth_test_in(const StepView& step) {
-    const auto test = step.as<DepthStep>();
-    return {test.x, test.y, test.pass.is_true(), stores_depth(test)};
-}
-
 Color color_of_primitive(const StepView& step) {
     return step.as<PrimitiveStep>().color.color().value_or(Color{});
 }

@@ -169,16 +169,6 @@ std::optional<PlottedPixel> plotted_by(const StepView& step, const Canvas& canva
 /// True if the depth of a test is in the buffer from then on: what passes a nearer depth leaves that there.
 bool stores_depth(const DepthStep& test);
 
-/// What a `depth` step says of its pixel.
-struct DepthTest {
-    Index x = 0;
-    Index y = 0;
-    bool passes = false;
-    bool is_stored =
-        false; ///< its depth is in the buffer from then on: what passes a nearer depth leaves that there
-};
-DepthTest depth_test_in(const StepView& step);
-
 /// The color of the primitive that a step begins.
 Color color_of_primitive(const StepView& step);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "selector.h"
 
+#include "traced_steps.h"
+
 #include "field_type.h"
 #include "verdict_words.h"
 
@@ -262,7 +264,7 @@ private:
 std::optional<std::string> value_for(const FieldCondition& condition, const Trace& trace,
                                      std::size_t n, std::size_t primitive) {
     if (condition.field == primitive_field)
-        return primitive == 0 ? std::nullopt : std::optional(trace.step(primitive).text("name"));
+        return primitive == 0 ? std::nullopt : std::optional(name_in(trace.step(primitive)).text());
     const auto json = trace.step(n).field(condition.field);
     return json ? std::optional(compared_text(*json)) : std::nullopt;
 }
@@ -400,7 +402,7 @@ Result<std::size_t> matching_step(const Selector& selector, const Trace& trace, 
         for_each_match(selector, trace, [&](std::size_t n, std::size_t primitive) {
             if (named.size() > most_named)
                 return;
-            const std::string name = primitive == 0 ? "" : trace.step(primitive).text("name");
+            const std::string name = primitive == 0 ? "" : name_in(trace.step(primitive)).text();
             names.insert(name);
             numbers.push_back(std::to_string(n));
             named.push_back(name.empty() ? numbers.back() : fmt::format("{} of {}", n, name));

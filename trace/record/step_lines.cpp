@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "step_lines.h"
 
+#include "field_type.h"
+
 #include "trace_lines.h"
 
 #include <rastertrace/trace/text/input_check.h>
@@ -23,12 +25,12 @@ constexpr std::size_t block_size = 1 << 17;
 constexpr std::string_view step_front = R"({"step":")";
 
 /// A field of a key: a whole number as such, anything else as what it says.
-void add_key(std::string& key, std::string_view name, const StepView& step) {
-    const auto number = step.whole(name);
+void add_key(std::string& key, std::string_view name, std::string_view json) {
+    const auto number = whole_in(json);
     key += ' ';
     key += name;
     key += '=';
-    key += number ? std::to_string(*number) : step.text(name);
+    key += number ? std::to_string(*number) : plain_text(json);
 }
 
 std::string key_of(const StepLine& line) {
@@ -37,14 +39,14 @@ std::string key_of(const StepLine& line) {
     if (line.kind) {
         for (const StepField& field : fields_of(*line.kind))
             if (field.role == FieldRole::key)
-                if (step.field(field.name))
-                    add_key(key, field.name, step);
+                if (const auto json = step.field(field.name))
+                    add_key(key, field.name, *json);
         return key;
     }
     // Of a kind that we do not know: what other kinds have for a key.
     for (const std::string_view name : {"name", "x", "y"})
-        if (step.field(name))
-            add_key(key, name, step);
+        if (const auto json = step.field(name))
+            add_key(key, name, *json);
     return key;
 }
 

@@ -54,42 +54,15 @@ std::optional<std::string_view> StepView::field(std::string_view name) const& {
     return std::nullopt;
 }
 
-std::optional<Index> StepView::whole(std::string_view name) const {
-    if (is_pixel_ && (name == "x" || name == "y"))
-        return name == "x" ? pixel_.x : pixel_.y;
-    const auto value = field(name);
-    return value ? whole_in(*value) : std::nullopt;
+std::string StepView::kind_name() const {
+    return is_pixel_ ? std::string(name_of(StepKind::pixel))
+                     : plain_text(field("step").value_or(""));
 }
 
 std::optional<double> nearest_double_in(const std::string& number) {
     const auto parsed = parse_number(number, NumberSize::any);
     const auto* value = std::get_if<Number>(&parsed);
     return value == nullptr ? std::nullopt : std::optional(value->nearest_double());
-}
-
-std::string StepView::text(std::string_view name) const {
-    const auto value = field(name);
-    return value ? plain_text(*value) : std::string();
-}
-
-std::vector<std::string> StepView::texts(std::string_view name) const {
-    std::vector<std::string> result;
-    JsonScanner elements(field(name).value_or("[]"));
-    while (elements.next_element())
-        result.push_back(plain_text(elements.value()));
-    return result;
-}
-
-std::vector<std::vector<std::string>> StepView::text_rows(std::string_view name) const {
-    std::vector<std::vector<std::string>> result;
-    JsonScanner rows(field(name).value_or("[]"));
-    while (rows.next_element()) {
-        result.emplace_back();
-        JsonScanner elements(rows.value());
-        while (elements.next_element())
-            result.back().push_back(plain_text(elements.value()));
-    }
-    return result;
 }
 
 Trace Trace::without_steps() const {

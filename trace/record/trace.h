@@ -48,7 +48,7 @@ public:
     std::string json() const&& { return std::string(json()); }
 
     /// The value of "step": primitive, pixel, ..., or a name that we do not know.
-    std::string kind_name() const { return text("step"); }
+    std::string kind_name() const;
     std::optional<StepKind> kind() const { return step_kind_named(kind_name()); }
 
     /// The pixel of a `pixel` step of which only that is held; nullptr else.
@@ -63,18 +63,6 @@ public:
         const auto value = field(name);
         return value ? std::optional<std::string>(*value) : std::nullopt;
     }
-
-    /// A field that is a whole number.
-    std::optional<Index> whole(std::string_view name) const;
-
-    /// A field that is a number or a string, without the quotes; "" if there is none.
-    std::string text(std::string_view name) const;
-
-    /// The elements of a field that is an array, each as text() would give it.
-    std::vector<std::string> texts(std::string_view name) const;
-
-    /// The same for an array of arrays.
-    std::vector<std::vector<std::string>> text_rows(std::string_view name) const;
 
 private:
     std::string_view pixel_json() const;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "traced_steps.h"
 
+#include "field_type.h"
+
 #include "trace.h"
 
 #include <rastertrace/core/numbers/number.h>
@@ -114,12 +116,23 @@ TracedText name_in(const StepView& step) {
     return name ? TracedText(*name) : TracedText();
 }
 
+namespace {
+
+std::optional<Index> whole_field(const StepView& step, std::string_view name) {
+    const auto value = step.field(name);
+    return value ? whole_in(*value) : std::nullopt;
+}
+
+} // namespace
+
 std::optional<Index> x_in(const StepView& step) {
-    return step.whole("x");
+    const Pixel* const pixel = step.plain_pixel();
+    return pixel != nullptr ? std::optional<Index>(pixel->x) : whole_field(step, "x");
 }
 
 std::optional<Index> y_in(const StepView& step) {
-    return step.whole("y");
+    const Pixel* const pixel = step.plain_pixel();
+    return pixel != nullptr ? std::optional<Index>(pixel->y) : whole_field(step, "y");
 }
 
 } // namespace rastertrace

@@ -54,10 +54,6 @@ std::optional<Rational> number_in(std::string_view text) {
     return number == nullptr ? std::nullopt : std::optional(number->exact());
 }
 
-std::optional<Rational> number_in(const StepView& step, std::string_view field) {
-    return number_in(step.text(field));
-}
-
 Rational as_stored(const Rational& number, std::string_view json, bool is_float) {
     if (json.starts_with('"'))
         return number;

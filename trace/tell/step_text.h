@@ -54,7 +54,6 @@ std::string in_formula(const std::string& number);
 
 /// A number of a trace, exactly as it is written there.
 std::optional<Rational> number_in(std::string_view text);
-std::optional<Rational> number_in(const StepView& step, std::string_view field);
 
 /// The number that a JSON value stands for: a number for the nearest double, or float, if there is
 /// one; a fraction in quotes for itself.
