@@ -121,7 +121,8 @@ bool has_colors(const Trace& trace) {
         return true;
     for (std::size_t n = 1; n <= trace.size(); ++n) {
         const auto kind = trace.kind_of(n);
-        if (kind == StepKind::primitive && !(color_of_primitive(trace.step(n)) == Color{}))
+        if (kind == StepKind::primitive &&
+            !(color_of_primitive(trace.step(n).as<PrimitiveStep>()) == Color{}))
             return true;
         if (kind == StepKind::pixel && trace.step(n).as<PixelStep>().color)
             return true;

@@ -221,7 +221,9 @@ std::optional<Color> scene_color_of(const Panel& panel, std::size_t group) {
     for (const auto& [primitive, its_group] : panel.groups.group_of)
         if (its_group == group && (first == 0 || primitive < first))
             first = primitive;
-    return first == 0 ? std::nullopt : std::optional(color_of_primitive(panel.trace().step(first)));
+    return first == 0
+               ? std::nullopt
+               : std::optional(color_of_primitive(panel.trace().step(first).as<PrimitiveStep>()));
 }
 
 void add_pixels(const Panel& panel, std::vector<Shape>& shapes) {

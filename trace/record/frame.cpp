@@ -67,7 +67,7 @@ void Replay::apply_next() {
         add_to(primitives_, place_.primitives, place_.step);
         place_.ray = place_.scanline = place_.scanline_before = 0;
         place_.edges.clear();
-        place_.color = color_of_primitive(step);
+        place_.color = color_of_primitive(step.as<PrimitiveStep>());
         break;
     case StepKind::matrix:
         add_to(matrices_, place_.matrices, place_.step);
@@ -103,7 +103,7 @@ void Replay::apply_next() {
 }
 
 void Replay::plot(const StepView& step) {
-    const auto plotted = plotted_by(step, trace_.canvas, place_.color);
+    const auto plotted = plotted_by(step.as<PixelStep>(), trace_.canvas, place_.color);
     if (!plotted)
         return;
     const std::size_t offset = trace_.canvas.offset_of(plotted->pixel);
@@ -144,9 +144,8 @@ const std::vector<std::size_t>& Replay::places_of(const std::string& vertex) con
     return found == places_.end() ? none : found->second;
 }
 
-std::optional<PlottedPixel> plotted_by(const StepView& step, const Canvas& canvas,
+std::optional<PlottedPixel> plotted_by(const PixelStep& pixel, const Canvas& canvas,
                                        Color of_primitive) {
-    const auto pixel = step.as<PixelStep>();
     if (!canvas.contains(pixel.x, pixel.y))
         return std::nullopt;
     return PlottedPixel{{static_cast<int>(pixel.x), static_cast<int>(pixel.y)},
@@ -157,8 +156,8 @@ bool stores_depth(const DepthStep& test) {
     return test.pass.is_true() && !test.side_of && !test.beside;
 }
 
-Color color_of_primitive(const StepView& step) {
-    return step.as<PrimitiveStep>().color.color().value_or(Color{});
+Color color_of_primitive(const PrimitiveStep& step) {
+    return step.color.color().value_or(Color{});
 }
 
 Frame frame_after(const Trace& trace, std::size_t n) {

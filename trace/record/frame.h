@@ -155,6 +155,8 @@ private:
 };
 
 struct DepthStep;
+struct PixelStep;
+struct PrimitiveStep;
 
 /// A pixel that a step plots.
 struct PlottedPixel {
@@ -163,14 +165,14 @@ struct PlottedPixel {
 };
 
 /// What a `pixel` step plots, if it lies on the canvas. Without a color of its own it has that of its primitive.
-std::optional<PlottedPixel> plotted_by(const StepView& step, const Canvas& canvas,
+std::optional<PlottedPixel> plotted_by(const PixelStep& step, const Canvas& canvas,
                                        Color of_primitive);
 
 /// True if the depth of a test is in the buffer from then on: what passes a nearer depth leaves that there.
 bool stores_depth(const DepthStep& test);
 
 /// The color of the primitive that a step begins.
-Color color_of_primitive(const StepView& step);
+Color color_of_primitive(const PrimitiveStep& step);
 
 /// The picture after step n.
 Frame frame_after(const Trace& trace, std::size_t n);

@@ -62,11 +62,9 @@ struct StepStream::State {
     std::vector<Problem> passed_over; ///< in the header and the end record
     NotFiniteSteps not_finite;
 
-    bool tells_all = false;         ///< useless steps are damage, and the picture is drawn
-    bool has_useless_steps = false; ///< nobody knows what they should have been
-    bool has_stray_pixel = false;   ///< off the canvas
-    std::optional<Image> image;     ///< what the steps have drawn, if that is wanted
-    Color color;                    ///< of the current primitive
+    bool tells_all = false;                ///< useless steps are damage, and the picture is drawn
+    bool has_useless_steps = false;        ///< nobody knows what they should have been
+    std::optional<PictureOfSteps> picture; ///< what the steps have drawn, if that is wanted
 
     explicit State(InputFile opened) : file(std::move(opened)) {}
 
@@ -97,7 +95,7 @@ struct StepStream::State {
         if (!is_cut_off)
             source.text += is_document ? "],\"end\":{}}" : "{\"end\":{}}";
         const bool goes_on = tells_all && damage.size() < most_useless_steps;
-        auto read = goes_on ? read_trace_to_tell(std::move(source)) : read_trace(std::move(source));
+        auto read = read_block(std::move(source), goes_on);
         if (!read)
             throw moved(read.problem());
         for (Problem& problem : read.value().damage)
@@ -195,23 +193,12 @@ struct StepStream::State {
         for (std::size_t n = 1; n <= block.size(); ++n)
             if (const auto kind = block.kind_of(n)) {
                 ++count[static_cast<std::size_t>(*kind)];
-                if (image)
-                    draw(block.step(n), *kind);
+                if (picture)
+                    picture->add(block.step(n), *kind);
             } else {
                 has_useless_steps = has_useless_steps || !is_foreign(block.step(n));
                 ++other_count[block.step(n).kind_name()];
             }
-    }
-
-    void draw(const StepView& step, StepKind kind) {
-        if (kind == StepKind::primitive)
-            color = color_of_primitive(step);
-        if (kind != StepKind::pixel)
-            return;
-        const auto plotted = plotted_by(step, header.canvas, color);
-        if (plotted)
-            image->at(plotted->pixel) = plotted->color;
-        has_stray_pixel = has_stray_pixel || !plotted;
     }
 
     /// What is left is the end record, and nothing behind it.
@@ -262,8 +249,8 @@ struct StepStream::State {
             if (found != told)
                 disagree(told, name + " steps", found);
         }
-        if (image && !has_stray_pixel)
-            if (auto message = disagreement_of_picture(header, *end, *image)) {
+        if (picture && !picture->has_stray_pixel())
+            if (auto message = disagreement_of_picture(header, *end, picture->image())) {
                 damage.push_back(at);
                 damage.back().message = *std::move(message);
             }
@@ -272,7 +259,7 @@ struct StepStream::State {
 
 void StepStream::tell_all() {
     state_->tells_all = true;
-    state_->image.emplace(state_->header.canvas);
+    state_->picture.emplace(state_->header.canvas);
 }
 
 std::vector<Problem> StepStream::faults_in_step() const {

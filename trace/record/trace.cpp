@@ -272,17 +272,17 @@ public:
         to_tell, ///< such a step is damage, and the rest is read
     };
 
-    TraceReader(Source source, Care care, std::size_t most_steps)
-        : care_(care), most_steps_(most_steps) {
+    TraceReader(Source source, Care care, std::size_t most_steps, bool is_block)
+        : care_(care), most_steps_(most_steps), is_block_(is_block) {
         trace_.source_ = std::move(source);
         if (trace_.source_.mapped)
             trace_.text_of_file_ = trace_.source_.view();
     }
 
-    /// Reads what may be a trace.
-    static Result<Trace>
-    read_with(Source source, Care care,
-              std::size_t most_steps = std::numeric_limits<std::size_t>::max());
+    /// Reads what may be a trace, or a part of one.
+    static Result<Trace> read_with(Source source, Care care,
+                                   std::size_t most_steps = std::numeric_limits<std::size_t>::max(),
+                                   bool is_block = false);
 
     Trace read() {
         const std::string_view first_line = line_at(0);
@@ -511,6 +511,8 @@ private:
                 read_stage(stage);
         read_left_out(header);
         note_wrong_forms(header, header_keys);
+        if (care_ != Care::none && !is_block_)
+            picture_.emplace(trace_.canvas);
     }
 
     /// What nobody reads because it is not as the format says.
@@ -577,6 +579,8 @@ private:
         check_count();
         if (const auto* const pixel = std::get_if<PixelStep>(&step_); pixel && care_ != Care::none)
             check_pixel(offset, *pixel);
+        if (picture_)
+            std::visit([this](const auto& step) { picture_->add(step); }, step_);
         add_place(offset, size, static_cast<StepKind>(step_.index()), true);
         offset = text().size() - rest.size();
         return true;
@@ -614,11 +618,17 @@ private:
             check_pixel(begin, StepView(json).as<PixelStep>());
         if (kind)
             note_not_finite(trace_.not_finite, source(), begin, json, *kind);
+        if (!kind)
+            ++other_count_[StepView(json).kind_name()];
+        if (kind && picture_)
+            picture_->add(StepView(json), *kind);
         add_place(begin, size, kind);
     }
 
     void add_place(std::size_t begin, std::size_t size, std::optional<StepKind> kind,
                    bool is_plain = false) {
+        if (kind)
+            ++count_[static_cast<std::size_t>(*kind)];
         trace_.steps_.add({.offset = begin,
                            .length = static_cast<std::uint32_t>(size),
                            .kind = kind,
@@ -687,46 +697,37 @@ private:
         if (useless_steps_ > 0)
             return; // nobody knows what they should have been
         if (!trace_.end->count.empty()) {
-            const auto counts = count_steps();
             for (const auto& [name, told] : trace_.end->count) {
-                const auto found = counts.find(name);
-                if (const std::uint64_t steps = found == counts.end() ? 0 : found->second;
-                    steps != told)
+                const auto kind = step_kind_named(name);
+                const auto other = other_count_.find(name);
+                const std::uint64_t steps = kind ? count_[static_cast<std::size_t>(*kind)]
+                                            : other == other_count_.end() ? 0
+                                                                          : other->second;
+                if (steps != told)
                     disagree(fmt::format("{}", told), name + " steps", steps);
             }
         }
         compare_picture_with_end();
     }
 
-    /// How many steps there are of each kind.
-    std::map<std::string, std::uint64_t> count_steps() const {
-        std::array<std::uint64_t, step_kinds> known{};
-        std::map<std::string, std::uint64_t> counts;
-        for (std::size_t n = 1; n <= trace_.size(); ++n)
-            if (const auto kind = trace_.kind_of(n))
-                ++known[static_cast<std::size_t>(*kind)];
-            else
-                ++counts[trace_.step(n).kind_name()];
-        for (std::size_t i = 0; i < step_kinds; ++i)
-            counts.emplace(name_of(static_cast<StepKind>(i)), known[i]);
-        return counts;
-    }
-
     /// The picture that the steps draw against the end record. A pixel off the canvas has been told already.
     void compare_picture_with_end() {
-        if (has_stray_pixel_ || !tells_picture(*trace_.end))
+        if (!picture_ || picture_->has_stray_pixel() || !tells_picture(*trace_.end))
             return;
-        Replay replay(trace_);
-        replay.go_to(trace_.size());
-        if (auto message = disagreement_of_picture(trace_, *trace_.end, replay.frame().image))
+        if (auto message = disagreement_of_picture(trace_, *trace_.end, picture_->image()))
             trace_.damage.push_back(problem_at(source(), end_offset_, *std::move(message)));
     }
 
     Trace trace_;
     Care care_;
     std::size_t most_steps_;
+    bool is_block_;
     bool was_cut_short_ = false;
     bool has_stray_pixel_ = false;
+    std::optional<PictureOfSteps>
+        picture_; ///< that the steps draw, if it is held against the end record
+    std::array<std::uint64_t, step_kinds> count_{};
+    std::map<std::string, std::uint64_t> other_count_; ///< of kinds that we do not know
     std::size_t end_offset_ = 0;
     std::size_t useless_steps_ = 0; ///< that are damage
     std::vector<WrongForm> wrong_forms_;
@@ -741,7 +742,8 @@ Result<Trace> read_written_trace(Source source) {
     }
 }
 
-Result<Trace> TraceReader::read_with(Source source, Care care, std::size_t most_steps) {
+Result<Trace> TraceReader::read_with(Source source, Care care, std::size_t most_steps,
+                                     bool is_block) {
     // The mark that some editors put in front of UTF-8 says nothing.
     constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
     if (source.text.starts_with(byte_order_mark))
@@ -749,7 +751,7 @@ Result<Trace> TraceReader::read_with(Source source, Care care, std::size_t most_
     if (auto problem = zero_byte_in(source))
         return *std::move(problem);
     try {
-        return TraceReader(std::move(source), care, most_steps).read();
+        return TraceReader(std::move(source), care, most_steps, is_block).read();
     } catch (const Problem& problem) {
         return problem;
     }
@@ -757,6 +759,12 @@ Result<Trace> TraceReader::read_with(Source source, Care care, std::size_t most_
 
 Result<Trace> read_trace(Source source, std::size_t most_steps) {
     return TraceReader::read_with(std::move(source), TraceReader::Care::to_use, most_steps);
+}
+
+Result<Trace> read_block(Source source, bool to_tell) {
+    return TraceReader::read_with(std::move(source),
+                                  to_tell ? TraceReader::Care::to_tell : TraceReader::Care::to_use,
+                                  std::numeric_limits<std::size_t>::max(), true);
 }
 
 Result<Trace> read_trace_to_tell(Source source) {
