@@ -128,9 +128,11 @@ std::string_view name_of(StatsFinding finding) {
     case StatsFinding::outside:
         return "outside";
     case StatsFinding::rows:
+        return "rows";
+    case StatsFinding::redo:
         break;
     }
-    return "rows";
+    return "redo";
 }
 
 std::string names_of(const std::vector<StatsFinding>& findings) {

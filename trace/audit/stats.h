@@ -129,7 +129,10 @@ enum class StatsFinding {
     twice,   ///< pixels that both triangles at an edge have drawn
     outside, ///< pixels drawn outside of their triangle
     rows,    ///< scanline steps that the steps behind them do not agree with
+    redo,    ///< decisions that are not those that their numbers give: see redo.h
 };
+
+/// Those that stats_of judges by.
 inline constexpr std::array stats_findings{StatsFinding::holes, StatsFinding::twice,
                                            StatsFinding::outside, StatsFinding::rows};
 std::string_view name_of(StatsFinding finding);

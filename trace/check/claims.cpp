@@ -248,12 +248,12 @@ Result<Claims> read_claims(Source source) {
 }
 
 bool is_claims(const Source& source) {
-    const char first = first_character(source.text);
+    const char first = first_character(source.view());
     if (first != '{')
         return first != '[' && first != '\0';
     if (is_trace(source))
         return false;
-    std::string_view document = source.text;
+    std::string_view document = source.view();
     document.remove_prefix(document.find('{'));
     JsonScanner fields(document);
     while (fields.next_field())

@@ -503,6 +503,10 @@ private:
         }
         if (const auto title = header.find("title"))
             trace_.title = title->text;
+        if (const auto numbers = header.find("numbers"))
+            trace_.numbers = numbers->text;
+        if (const auto projection = header.find("projection"))
+            trace_.projection = projection->text;
         if (const auto method = header.find("method"))
             for (const auto& [key, value] : method->members())
                 trace_.method.emplace_back(key.text, value.text);

@@ -110,6 +110,8 @@ public:
     std::optional<Color> background;                         ///< of pixels that nothing draws
     std::vector<std::pair<std::string, std::string>> method; ///< key and value, as in the header
     std::vector<std::string> stages; ///< those that ran, as in the header; see stages.h
+    std::string numbers;             ///< those that were drawn with, where the plan chose them
+    std::string projection;  ///< how camera space came to the view plane; "" without transforms
     bool is_partial = false; ///< the header says that steps were left out: only, region, primitive
     LeftOut left_out;
     std::optional<EndRecord> end;
@@ -126,6 +128,11 @@ public:
     /// The same for the fields of step n: those that have another type than step_kind.h says, though the step can be
     /// understood without them.
     std::vector<Problem> faults_in_step(std::size_t n) const;
+
+    /// A problem at the beginning of step n, which was read.
+    Problem problem_at_step(std::size_t n, std::string message) const {
+        return problem_at(source_, offset_of(n), std::move(message));
+    }
 
     /// How many steps there are.
     std::size_t size() const { return steps_.size(); }

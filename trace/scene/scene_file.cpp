@@ -1002,7 +1002,7 @@ PlannedScene SceneSequence::frame(std::size_t frame) {
 
 bool is_scene(const Source& source) {
     constexpr std::string_view blanks = "\xEF\xBB\xBF \t\r\n";
-    std::string_view document = source.text;
+    std::string_view document = source.view();
     document.remove_prefix(std::min(document.find_first_not_of(blanks), document.size()));
     if (!document.starts_with('{'))
         return false;

@@ -210,6 +210,7 @@ struct ValidateCommand {
     std::vector<std::string> files;
     std::optional<SchemaKind> kind;   ///< what all of them have to be; none: found by content
     std::optional<SchemaKind> schema; ///< print this one instead
+    bool redo = false;                ///< do every step of a trace again
     bool json = false;
     InputLimits input;
 };

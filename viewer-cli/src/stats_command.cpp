@@ -8,6 +8,7 @@
 #include "shared_options.h"
 #include "stats_text.h"
 
+#include <rastertrace/trace/audit/redo.h>
 #include <rastertrace/trace/audit/stats.h>
 #include <rastertrace/trace/text/text.h>
 
@@ -69,9 +70,19 @@ bool has(const Stats& stats, StatsFinding finding) {
     case StatsFinding::outside:
         return any_primitive(&Coverage::outside);
     case StatsFinding::rows:
+        return !stats.wrong_rows.empty();
+    case StatsFinding::redo:
         break;
     }
-    return !stats.wrong_rows.empty();
+    return false;
+}
+
+/// True if a decision of the trace is not the one that its numbers give; the first one is told.
+bool has_wrong_decision(const Trace& trace) {
+    const Redone redone = redo(trace);
+    if (redone.wrong > 0)
+        print_error(fmt::format("rastertrace: {}\n", to_text(problem_of(redone, trace))));
+    return redone.wrong > 0;
 }
 
 } // namespace
@@ -88,7 +99,7 @@ int run(const StatsCommand& command) {
 
     std::vector<StatsFinding> found;
     for (const StatsFinding finding : command.fail_on)
-        if (has(stats, finding))
+        if (finding == StatsFinding::redo ? has_wrong_decision(trace) : has(stats, finding))
             found.push_back(finding);
     if (!found.empty())
         print_error(fmt::format("rastertrace: --fail-on: found {}\n", names_of(found)));
@@ -128,15 +139,21 @@ public:
     int run() override { return rastertrace::run(command_); }
 
 private:
+    static std::vector<StatsFinding> findings() {
+        std::vector<StatsFinding> all(stats_findings.begin(), stats_findings.end());
+        all.push_back(StatsFinding::redo);
+        return all;
+    }
+
     static std::vector<std::string_view> finding_names() {
         std::vector<std::string_view> names;
-        for (const StatsFinding finding : stats_findings)
+        for (const StatsFinding finding : findings())
             names.push_back(name_of(finding));
         return names;
     }
 
     static std::optional<StatsFinding> finding_named(std::string_view name) {
-        for (const StatsFinding finding : stats_findings)
+        for (const StatsFinding finding : findings())
             if (name_of(finding) == name)
                 return finding;
         return std::nullopt;

@@ -8,6 +8,7 @@
 #include "shared_options.h"
 
 #include <rastertrace/core/draw/plan/stages.h>
+#include <rastertrace/trace/audit/redo.h>
 #include <rastertrace/trace/audit/stats_needs.h>
 #include <rastertrace/trace/check/check.h>
 #include <rastertrace/trace/check/claims.h>
@@ -155,8 +156,22 @@ void validate_steps(StepStream& steps, ValidatedFile& file) {
                  file);
 }
 
-/// A trace of any other layout.
-void validate_trace(Source source, ValidatedFile& file) {
+/// Does every step of a trace again, if none has been left out.
+void validate_decisions(const Trace& trace, ValidatedFile& file) {
+    if (trace.is_partial)
+        throw problem_of(file.name, "--redo: expected a trace with all its steps, found one that "
+                                    "steps were left out of");
+    const Redone redone = redo(trace);
+    if (redone.wrong > 0)
+        file.add({problem_of(redone, trace)});
+    std::uint64_t count = 0;
+    for (const auto& [what, times] : redone.count)
+        count += times;
+    file.about += fmt::format("; {} done again", counted(count, "number"));
+}
+
+/// A trace that has been read whole.
+void validate_trace(Source source, bool redoes, ValidatedFile& file) {
     const Trace trace = value_or_throw(read_trace_to_tell(std::move(source)));
     StepsSeen seen(trace);
     for (std::size_t n = 1; n <= trace.size(); ++n) {
@@ -165,6 +180,8 @@ void validate_trace(Source source, ValidatedFile& file) {
         seen.add(trace.step(n), trace.kind_of(n), trace.is_plain(n));
     }
     finish_trace(trace, trace.passed_over, trace.damage, trace.not_finite, seen, file);
+    if (redoes && file.is_valid())
+        validate_decisions(trace, file);
 }
 
 /// Claims, or a Problem that says why the file was taken for some, if it does not look like it.
@@ -253,7 +270,7 @@ void validate_source(Source source, const ValidateCommand& command, ValidatedFil
     case SchemaKind::scene:
         return validate_scene(source, command.input, file);
     case SchemaKind::trace:
-        return validate_trace(std::move(source), file);
+        return validate_trace(std::move(source), command.redo, file);
     case SchemaKind::claims:
         return validate_claims(std::move(source), command.input, file);
     }
@@ -263,6 +280,17 @@ void validate_source(Source source, const ValidateCommand& command, ValidatedFil
 ValidatedFile validated(const std::string& path, const ValidateCommand& command) {
     ValidatedFile file{.name = path == "-" ? "standard input" : path};
     try {
+        if (command.redo) {
+            Source source = load_scene_trace_or_claims(path, command.input);
+            if (!source.mapped) {
+                validate_source(std::move(source), command, file);
+                return file;
+            }
+            file.kind = SchemaKind::trace;
+            refuse_other_kind(file, command.kind);
+            validate_trace(std::move(source), true, file);
+            return file;
+        }
         auto opened = open_input_or_claims(path, command.input);
         if (auto* const source = std::get_if<Source>(&opened)) {
             validate_source(std::move(*source), command, file);
@@ -351,6 +379,9 @@ public:
         options.option(
             "--kind", kind_,
             fmt::format("What each file has to be: {}", joined(schema_kind_names(), ", ")), "NAME");
+        options.flag("--redo", command_.redo,
+                     "Do every step of a trace again, and tell the first decision that its numbers "
+                     "do not give");
         options.option("--format", format_, "text or json", "NAME");
         options.flag("--json", is_json_, "Short for --format json");
         options.option("--schema", schema_,

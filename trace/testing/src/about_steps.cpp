@@ -3,6 +3,7 @@
 
 #include "question.h"
 
+#include <rastertrace/trace/audit/redo.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/text/text.h>
 
@@ -171,6 +172,17 @@ TraceMatcher CullsFace(const std::string& name, Caller caller) {
 
 TraceMatcher FailsDepth(const std::string& primitive, int x, int y, Caller caller) {
     return fails_depth({x, y}, primitive, caller);
+}
+
+TraceMatcher DecidesByItsNumbers(Caller caller) {
+    return matcher_of({"decides by its numbers", "does not decide by its numbers"}, caller,
+                      [](const TestedTrace& tested) -> Verdict {
+                          const Trace& trace = trace_or_throw(tested);
+                          const Redone redone = redo(trace);
+                          return {redone.wrong == 0, redone.wrong == 0
+                                                         ? "all steps do"
+                                                         : to_text(problem_of(redone, trace))};
+                      });
 }
 
 } // namespace rastertrace::matchers

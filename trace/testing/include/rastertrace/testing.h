@@ -130,6 +130,10 @@ TraceMatcher CullsFace(const std::string& name, Caller caller = Caller::here());
 /// A pixel of a primitive met the depth buffer, and something nearer was there. A test that fails tells both depths.
 TraceMatcher FailsDepth(const std::string& primitive, int x, int y, Caller caller = Caller::here());
 
+/// Every decision is the one that the numbers beside it give ("Doing it again" in docs/trace-format.md). A test that fails
+/// tells the first that is not.
+TraceMatcher DecidesByItsNumbers(Caller caller = Caller::here());
+
 /// Rows of `#` and `.`, the top row first: a text, "..#\n.##\n", or a list of rows.
 class Picture {
 public:

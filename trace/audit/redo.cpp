@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "redo.h"
+
+#include "redo_exact.h"
+#include "redo_steps.h"
+
+#include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/tell/describe.h>
+#include <rastertrace/trace/text/method_names.h>
+
+#include <fmt/core.h>
+
+namespace rastertrace {
+
+RulesTold::RulesTold(const Trace& header) : has_view_plane(header.projection == "view-plane") {
+    for (const auto& [name, value] : header.method) {
+        const MethodKey* const key = find_method_key(name);
+        if (key == nullptr)
+            continue;
+        // `floor+nearest`: that of triangles, and that of lines.
+        const std::size_t plus = value.find('+');
+        const std::string of_lines = plus == std::string::npos ? value : value.substr(plus + 1);
+        if (key->set(spans, value.substr(0, plus)) && key->set(lines, of_lines))
+            keys.insert(name);
+    }
+}
+
+Redone redo(const Trace& trace) {
+    const RulesTold rules(trace);
+    if (!rules.says("scalar"))
+        return redo_in_rationals(trace, false);
+    switch (rules.spans.scalar) {
+    case ScalarKind::single_precision:
+        return redo_steps::Redo<float, float, true>(trace).run();
+    case ScalarKind::double_precision:
+        return redo_steps::Redo<double, double, true>(trace).run();
+    case ScalarKind::fixed:
+        return trace.numbers == "fractions of any size" ? redo_in_rationals(trace, true)
+                                                        : redo_with_double_depths(trace);
+    case ScalarKind::exact:
+        return redo_in_rationals(trace, true);
+    case ScalarKind::adaptive:
+        break;
+    }
+    return redo_in_rationals(trace, false);
+}
+
+Problem problem_of(const Redone& redone, const Trace& trace) {
+    const WrongDecision& first = redone.first;
+    Replay replay(trace);
+    replay.go_to(first.step);
+    Problem problem = trace.problem_at_step(
+        first.step,
+        fmt::format("expected {} for {}, done again from the numbers of the trace, found {}",
+                    first.redone, first.what, first.told));
+    problem.hint = fmt::format("step {} tells: {}", first.step, describe_step(replay));
+    if (redone.wrong > 1)
+        problem.message +=
+            fmt::format("; {} more {} others than {} numbers give", redone.wrong - 1,
+                        redone.wrong == 2 ? "is" : "are", redone.wrong == 2 ? "its" : "their");
+    return problem;
+}
+
+} // namespace rastertrace

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What is told is what decided: the decisions of a trace, taken again from the numbers beside them.
+//
+//     const Redone redone = redo(trace);
+//     if (redone.wrong > 0)
+//         use(redone.first.step, redone.first.what);  // 11, "scanline: from"
+
+#include <rastertrace/trace/record/trace.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+
+namespace rastertrace {
+
+/// A value that is not the one that its numbers give.
+struct WrongDecision {
+    std::size_t step = 0; ///< from 1
+    std::string what;     ///< kind and field: "scanline: from"
+    std::string redone;   ///< the value, done again
+    std::string told;     ///< the one in the trace
+};
+
+struct Redone {
+    std::map<std::string, std::uint64_t>
+        count;               ///< how many values were done again, by kind and field
+    std::uint64_t wrong = 0; ///< how many of them are others in the trace
+    WrongDecision first;     ///< if there is one
+};
+
+/// Does every step again by the rules of docs/trace-format.md, "Doing it again", in the scalar that the header names. What
+/// the trace does not tell the numbers or the rule of is left out. The trace must have all its steps.
+Redone redo(const Trace& trace);
+
+/// What is said of the first wrong decision, at its place in the file: what its numbers give, and the sentence that tells
+/// it. There has to be one.
+Problem problem_of(const Redone& redone, const Trace& trace);
+
+} // namespace rastertrace
