@@ -21,6 +21,7 @@ namespace {
 
 using namespace matchers;
 using ::testing::AllOf;
+using ::testing::HasSubstr;
 using ::testing::Not;
 
 /// The trace of an example, under its short name.
@@ -179,6 +180,17 @@ TEST(CullsFace, IsNotMetWhereNoFaceIsTested) {
               "Value of: trace\n"
               "Expected: culls face ABC\n" +
                   of_first_triangle + "the trace does not test this face\n");
+}
+
+TEST(DecidesByItsNumbers, TellsTheFirstDecisionThatIsAnotherOne) {
+    EXPECT_THAT(example("t0-fill/first-triangle"), DecidesByItsNumbers());
+    const TestedTrace fast = trace_in(std::string(RASTERTRACE_EXAMPLES) + "/regression/fast.jsonl");
+    EXPECT_THAT(fast, Not(DecidesByItsNumbers()));
+    // The row's left end is -1/4, whose floor is -1.
+    EXPECT_THAT(failures_of([&] { EXPECT_THAT(fast, DecidesByItsNumbers()); }),
+                AllOf(HasSubstr("decides by its numbers"),
+                      HasSubstr("fast.jsonl:12:60: expected -1 for scanline: from"),
+                      HasSubstr("found 0; 3 more values are not what their numbers give")));
 }
 
 /// The first failure that a matcher reports for a trace.

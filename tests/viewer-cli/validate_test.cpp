@@ -54,6 +54,33 @@ TEST_F(ValidateTest, SaysWhatEachFileIs) {
     EXPECT_EQ(all.status, 0);
 }
 
+// x of AB on row 2 is -1/4, whose floor is -1.
+TEST_F(ValidateTest, DoesEveryStepOfATraceAgain) {
+    const std::string of_redo = "; $rastertrace validate --redo bad.json";
+    for (const std::string trace : {"trace.jsonl", "trace.json"}) {
+        const Outcome right = shell("$rastertrace validate --redo " + trace);
+        EXPECT_EQ(right.status, 0) << right.err;
+        EXPECT_THAT(right.out, testing::HasSubstr(" numbers done again\n"));
+        const Outcome wrong = shell(R"(sed -e 's/"from":-1,"to":3/"from":0,"to":3/' )" + trace +
+                                    " > bad.json" + of_redo);
+        EXPECT_EQ(wrong.status, 2);
+        EXPECT_THAT(wrong.err, testing::HasSubstr("expected -1 for scanline: from, done again from "
+                                                  "the numbers of the trace, found 0"));
+        EXPECT_THAT(wrong.err, testing::HasSubstr("hint: step 14 tells: scanline y=2"));
+        EXPECT_EQ(shell("$rastertrace validate bad.json").status, 0);
+        const Outcome stats = shell("$rastertrace stats bad.json --fail-on redo");
+        EXPECT_EQ(stats.status, 1);
+        EXPECT_THAT(stats.err, testing::EndsWith("rastertrace: --fail-on: found redo\n"));
+    }
+    const Outcome part =
+        shell("$rastertrace trace scene.json --only scanline -o bad.json" + of_redo);
+    EXPECT_EQ(part.status, 2);
+    EXPECT_THAT(part.err, testing::HasSubstr("--redo: expected a trace with all its steps"));
+    const Outcome others =
+        shell("$rastertrace validate --redo scene.json claims.txt - < trace.json");
+    EXPECT_EQ(others.status, 0) << others.err;
+}
+
 TEST_F(ValidateTest, SaysWhatOfATraceCanBeJudged) {
     for (const std::string trace : {"trace.jsonl", "trace.json"}) {
         const Outcome lacking = changed(R"(s/"at":.*\]\],//)", trace);

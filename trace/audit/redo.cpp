@@ -10,6 +10,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 namespace rastertrace {
 
 RulesTold::RulesTold(const Trace& header) : has_view_plane(header.projection == "view-plane") {
@@ -45,19 +47,24 @@ Redone redo(const Trace& trace) {
     return redo_in_rationals(trace, false);
 }
 
+std::string WrongDecision::field() const {
+    const std::string field = what.substr(std::min(what.find(": ") + 2, what.size()));
+    return field.substr(0, field.find_first_of(" ,"));
+}
+
 Problem problem_of(const Redone& redone, const Trace& trace) {
     const WrongDecision& first = redone.first;
     Replay replay(trace);
     replay.go_to(first.step);
-    Problem problem = trace.problem_at_step(
-        first.step,
+    Problem problem = trace.problem_at_field(
+        first.step, first.field(),
         fmt::format("expected {} for {}, done again from the numbers of the trace, found {}",
                     first.redone, first.what, first.told));
     problem.hint = fmt::format("step {} tells: {}", first.step, describe_step(replay));
     if (redone.wrong > 1)
-        problem.message +=
-            fmt::format("; {} more {} others than {} numbers give", redone.wrong - 1,
-                        redone.wrong == 2 ? "is" : "are", redone.wrong == 2 ? "its" : "their");
+        problem.message += fmt::format("; {} more {} not what {} numbers give", redone.wrong - 1,
+                                       redone.wrong == 2 ? "value is" : "values are",
+                                       redone.wrong == 2 ? "its" : "their");
     return problem;
 }
 

@@ -19,9 +19,12 @@ namespace rastertrace {
 /// A value that is not the one that its numbers give.
 struct WrongDecision {
     std::size_t step = 0; ///< from 1
-    std::string what;     ///< kind and field: "scanline: from"
+    std::string what;     ///< kind and field: "scanline: from"; behind them, which of several values
     std::string redone;   ///< the value, done again
     std::string told;     ///< the one in the trace
+
+    /// The field: "from".
+    std::string field() const;
 };
 
 struct Redone {

@@ -471,6 +471,7 @@ private:
         }
         if (!step.dx_dy.has_number()) {
             expect(p[1] == q[1], true, "edge: horizontal");
+            edges_[name] = std::nullopt;
             return;
         }
         const auto slope = number_of<Real>(step.dx_dy);
@@ -484,12 +485,14 @@ private:
         const Ends ends = ends_of(edge);
         const auto slope = edges_.find(edge);
         if (slope == edges_.end())
+            throw NotTold();
+        if (!slope->second)
             return at_[ends.from][0];
         const auto before = walks_.find(edge);
-        Real x = at_[ends.from][0] + slope->second * (whole<Real>(y) - at_[ends.from][1]);
+        Real x = at_[ends.from][0] + *slope->second * (whole<Real>(y) - at_[ends.from][1]);
         if (method_.lerp == LerpForm::incremental && before != walks_.end())
-            x = y > before->second.first ? Real(before->second.second + slope->second)
-                                         : Real(before->second.second - slope->second);
+            x = y > before->second.first ? Real(before->second.second + *slope->second)
+                                         : Real(before->second.second - *slope->second);
         walks_[edge] = {y, x};
         return x;
     }
@@ -515,14 +518,14 @@ private:
         if (method_.fill == Fill::top_left) {
             redo_top_left(row, left_edge, right_edge);
         } else {
-            if (knows_all) {
-                expect(x_of(left_edge, row.y), row.left, "scanline: left");
-                expect(x_of(right_edge, row.y), row.right, "scanline: right");
-            }
             if (rules_.says("rounding")) {
                 const SpanRounding rule = span_rounding(method_);
                 expect(pixel_of(exactly(row.left), rule, false), row.from, "scanline: from");
                 expect(pixel_of(exactly(row.right), rule, true), row.to, "scanline: to");
+            }
+            if (knows_all) {
+                expect(x_of(left_edge, row.y), row.left, "scanline: left");
+                expect(x_of(right_edge, row.y), row.right, "scanline: right");
             }
             if (step.left_depth) {
                 row.left_depth = number_of<Depth>(step.left_depth);
@@ -932,8 +935,8 @@ private:
     std::vector<Depth> depths_;
     Color color_;
     std::vector<Color> colors_;
-    std::map<std::string, Real> edges_;         ///< dx/dy
-    std::map<std::string, Function> functions_; ///< by the edge's name
+    std::map<std::string, std::optional<Real>> edges_; ///< dx/dy; none of a horizontal one
+    std::map<std::string, Function> functions_;        ///< by the edge's name
     std::map<std::string, std::pair<Index, Real>>
         walks_; ///< where an edge was last, and at which row
     std::optional<Row> row_;

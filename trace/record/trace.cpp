@@ -100,6 +100,14 @@ std::string Trace::method_value(std::string_view key) const {
     return {};
 }
 
+Problem Trace::problem_at_field(std::size_t n, std::string_view field, std::string message) const {
+    const StepView view = step(n);
+    const std::string_view json = view.json();
+    const auto value = view.field(field);
+    const std::size_t in_step = value ? static_cast<std::size_t>(value->data() - json.data()) : 0;
+    return problem_at(source_, offset_of(n) + in_step, std::move(message));
+}
+
 std::vector<Problem> Trace::faults_in_step(std::size_t n) const {
     const auto kind = kind_of(n);
     if (!kind || is_plain(n))

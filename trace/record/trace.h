@@ -129,10 +129,8 @@ public:
     /// understood without them.
     std::vector<Problem> faults_in_step(std::size_t n) const;
 
-    /// A problem at the beginning of step n, which was read.
-    Problem problem_at_step(std::size_t n, std::string message) const {
-        return problem_at(source_, offset_of(n), std::move(message));
-    }
+    /// A problem at a field of step n, which was read; at its beginning, if it has no such field.
+    Problem problem_at_field(std::size_t n, std::string_view field, std::string message) const;
 
     /// How many steps there are.
     std::size_t size() const { return steps_.size(); }
