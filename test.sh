@@ -18,7 +18,7 @@ scripts/install-packages.sh g++ cmake ninja-build binutils libglm-dev nlohmann-j
 [ "$all" = OFF ] || scripts/install-packages.sh asciinema chromium clang fonts-dejavu-core gdb libbenchmark-dev librsvg2-bin mkdocs \
     poppler-utils python3-jsonschema python3-pil python3-pymdownx texlive-latex-base texlive-pictures
 [ "$all" = OFF ] || command -v npm >/dev/null || scripts/install-packages.sh nodejs npm
-[ -f build/test/build.ninja ] || cmake --preset test -G Ninja
+[ -f build/test/build.ninja ] || cmake --preset test -G Ninja -DCMAKE_UNITY_BUILD=ON
 cmake -DRASTERTRACE_TEST_ALL="$all" -DRASTERTRACE_WASM="$all" -DRASTERTRACE_BUILD_BENCHMARKS="$all" build/test >/dev/null
 cmake --build build/test
 status=0
