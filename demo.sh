@@ -6,7 +6,7 @@ cd "$(dirname "$0")"
 scripts/install-packages.sh g++ cmake ninja-build libglm-dev nlohmann-json3-dev libfmt-dev \
     libcli11-dev libgif-dev libgmp-dev libpng-dev libunistring-dev zlib1g-dev
 [ -f build/release/build.ninja ] || cmake --preset release -G Ninja >/dev/null
-cmake --build build/release
+cmake --build build/release --target rastertrace_program
 
 rastertrace=build/release/viewer-cli/rastertrace
 scene=examples/t0-fill/first-triangle.json

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Scenes from text, their traces, and what these amount to.
+// Scenes from text, and their traces.
 //
 //     const Trace trace = trace_of(scene_in(R"({"vertices":{"A":[1,2]},"points":["A"]})"));
 
-#include <rastertrace/trace/audit/stats.h>
 #include <rastertrace/trace/record/trace.h>
 #include <rastertrace/trace/record/write_trace.h>
 #include <rastertrace/trace/scene/scene_file.h>
@@ -72,11 +71,6 @@ inline std::vector<std::string> damage_of(const Trace& trace) {
     for (const Problem& problem : trace.damage)
         damage.push_back(to_text(problem));
     return damage;
-}
-
-/// What the trace of a scene amounts to.
-inline Stats stats_of_scene(const Scene& scene) {
-    return stats_of(trace_of(scene));
 }
 
 } // namespace rastertrace

@@ -23,8 +23,8 @@ namespace rastertrace {
 
 namespace {
 
-constexpr std::array<std::string_view, 6> names{"plotted", "faces",  "shade",
-                                                "depth",   "writes", "coverage"};
+constexpr std::array<std::string_view, 6> words_of_views{"plotted", "faces",  "shade",
+                                                         "depth",   "writes", "coverage"};
 
 /// One for each face: no x, which marks what was tested and not drawn.
 constexpr std::string_view face_letters = "abcdefghijklmnopqrstuvwyz0123456789";
@@ -75,15 +75,15 @@ double distance_from_line(const Point& p, const Point& from, const Point& to) {
 } // namespace
 
 std::vector<std::string_view> view_names() {
-    return {names.begin(), names.end()};
+    return {words_of_views.begin(), words_of_views.end()};
 }
 
 std::string_view name_of(View view) {
-    return names[static_cast<std::size_t>(view)];
+    return words_of_views[static_cast<std::size_t>(view)];
 }
 
 std::optional<View> view_named(std::string_view name) {
-    return value_named<View>(names, name);
+    return value_named<View>(words_of_views, name);
 }
 
 std::string short_number(const std::string& text) {

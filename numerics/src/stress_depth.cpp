@@ -682,7 +682,7 @@ void z14_rounded_ends(StressRows& rows) {
                           {{"float double adaptive exact", wrong(17)}, {"fixed", wrong(16)}});
 }
 
-constexpr auto catalogue = std::to_array<StressCase>({
+constexpr auto depth_catalogue = std::to_array<StressCase>({
     {.id = "Z1",
      .title = "depths from 1 to r along one edge",
      .input = "z = 1..r, its middle on the screen, r = 10, 1e3, 1e6, 1e9",
@@ -813,7 +813,7 @@ constexpr auto catalogue = std::to_array<StressCase>({
 } // namespace
 
 std::span<const StressCase> depth_cases() {
-    return catalogue;
+    return depth_catalogue;
 }
 
 } // namespace rastertrace

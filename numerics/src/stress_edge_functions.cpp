@@ -455,7 +455,7 @@ void c18_smaller_than_pixel(StressRows& rows) {
     rows.add_pictures(c18_moved, "top-left, moved", top_left, 0);
 }
 
-constexpr auto catalogue = std::to_array<StressCase>({
+constexpr auto edge_functions_catalogue = std::to_array<StressCase>({
     {.id = "C1",
      .title = "a vertex on a pixel's center",
      .input = "hub (20.5,20.5); ring (+14,0)(+7,+12)(-7,+12)(-14,0)(-7,-12)(+7,-12) from it",
@@ -608,7 +608,7 @@ constexpr auto catalogue = std::to_array<StressCase>({
 } // namespace
 
 std::span<const StressCase> edge_function_cases() {
-    return catalogue;
+    return edge_functions_catalogue;
 }
 
 } // namespace rastertrace

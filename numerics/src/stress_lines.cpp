@@ -359,7 +359,7 @@ void l13_last_color(StressRows& rows) {
              wrong(1, "", "199.99999999999997 becomes 199"));
 }
 
-constexpr auto catalogue = std::to_array<StressCase>({
+constexpr auto lines_catalogue = std::to_array<StressCase>({
     {.id = "L1",
      .title = "one tie",
      .input = "(0,0)-(2,1)",
@@ -471,7 +471,7 @@ constexpr auto catalogue = std::to_array<StressCase>({
 } // namespace
 
 std::span<const StressCase> line_cases() {
-    return catalogue;
+    return lines_catalogue;
 }
 
 } // namespace rastertrace

@@ -441,7 +441,7 @@ void p12_joined_scales(StressRows& rows) {
     });
 }
 
-constexpr auto catalogue = std::to_array<StressCase>({
+constexpr auto pipeline_catalogue = std::to_array<StressCase>({
     {.id = "P1",
      .title = "on the near plane",
      .input = "(-1,-1,-2)(1,-1,-2)(0,1/2,-1); (-1/2,-1/2)(1/2,-1/2)(0,1/2) at z = -1; at z = -1/2",
@@ -547,7 +547,7 @@ constexpr auto catalogue = std::to_array<StressCase>({
 } // namespace
 
 std::span<const StressCase> pipeline_cases() {
-    return catalogue;
+    return pipeline_catalogue;
 }
 
 } // namespace rastertrace

@@ -407,7 +407,7 @@ void s14_beyond_int(StressRows& rows) {
     rows.add_refusals(s14("1e400"), "x = 1e400", "1e400");
 }
 
-constexpr auto catalogue = std::to_array<StressCase>({
+constexpr auto scanline_catalogue = std::to_array<StressCase>({
     {.id = "S1",
      .title = "the worked example",
      .input = "A(2,5) B(-4,-3) C(5,-3)",
@@ -532,7 +532,7 @@ constexpr auto catalogue = std::to_array<StressCase>({
 } // namespace
 
 std::span<const StressCase> scanline_cases() {
-    return catalogue;
+    return scanline_catalogue;
 }
 
 } // namespace rastertrace

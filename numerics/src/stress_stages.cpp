@@ -248,7 +248,7 @@ void x9_traces(StressRows& rows) {
                      [](std::string_view scalar) { return planned_in_full(in_view, scalar); });
 }
 
-constexpr auto catalogue = std::to_array<StressCase>({
+constexpr auto stages_catalogue = std::to_array<StressCase>({
     {.id = "X1",
      .title = "the identity matrix",
      .input = "a matrix that moves nothing, kept or left out; a point with an infinity or -0",
@@ -332,7 +332,7 @@ constexpr auto catalogue = std::to_array<StressCase>({
 } // namespace
 
 std::span<const StressCase> stage_cases() {
-    return catalogue;
+    return stages_catalogue;
 }
 
 } // namespace rastertrace

@@ -2,7 +2,7 @@
 #include "picture.h"
 #include "random_scene.h"
 #include "random_triangle.h"
-#include "traces.h"
+#include "trace/stats_of_scene.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 
 #include "picture.h"
 #include "random_triangle.h"
-#include "traces.h"
+#include "trace/stats_of_scene.h"
 
 #include <fmt/core.h>
 #include <gmock/gmock.h>

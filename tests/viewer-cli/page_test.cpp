@@ -40,7 +40,7 @@ std::string problem_of_command(const std::string& line) {
     return problem_of_page("```\n$ rastertrace " + line + "\n```\n");
 }
 
-TEST(Page, OutputsAreReplaced) {
+TEST(RenewedPage, OutputsAreReplaced) {
     EXPECT_EQ(renewed("# Title\n"
                       "\n"
                       "```console\n"
@@ -61,7 +61,7 @@ TEST(Page, OutputsAreReplaced) {
               "Text\n");
 }
 
-TEST(Page, AnOutputEndsAtTheNextPrompt) {
+TEST(RenewedPage, AnOutputEndsAtTheNextPrompt) {
     EXPECT_EQ(renewed("```\n"
                       "$ cd folder\n"
                       "nothing of ours\n"
@@ -84,7 +84,7 @@ TEST(Page, AnOutputEndsAtTheNextPrompt) {
               "```\n");
 }
 
-TEST(Page, BlankLinesBehindAnOutputAreTheAuthors) {
+TEST(RenewedPage, BlankLinesBehindAnOutputAreTheAuthors) {
     const std::string once = renewed("```\n"
                                      "$ rastertrace plan a.json\n"
                                      "old\n"
@@ -112,7 +112,7 @@ TEST(Page, BlankLinesBehindAnOutputAreTheAuthors) {
                                  "```\n");
 }
 
-TEST(Page, FencesAreThoseOfCommonMark) {
+TEST(RenewedPage, FencesAreThoseOfCommonMark) {
     const std::string ours = "$ rastertrace plan a.json\nold\n";
     const std::string renewed_ours = "$ rastertrace plan a.json\nnew\n";
     for (const auto& [before, after] : std::vector<std::pair<std::string, std::string>>{
@@ -126,7 +126,7 @@ TEST(Page, FencesAreThoseOfCommonMark) {
         EXPECT_EQ(renewed(before + ours, "new\n"), before + ours);
 }
 
-TEST(Page, ABlockInAListKeepsItsIndent) {
+TEST(RenewedPage, ABlockInAListKeepsItsIndent) {
     EXPECT_EQ(renewed("1. Look:\n"
                       "   ~~~\n"
                       "   $ rastertrace plan a.json\n"
@@ -142,7 +142,7 @@ TEST(Page, ABlockInAListKeepsItsIndent) {
               "   ~~~\n");
 }
 
-TEST(Page, TheRestStaysAsItIsByteForByte) {
+TEST(RenewedPage, TheRestStaysAsItIsByteForByte) {
     const std::string text = "\xEF\xBB\xBF"
                              "caf\xC3\xA9 \xFF\r\n"
                              "```\r\n"
@@ -160,7 +160,7 @@ TEST(Page, TheRestStaysAsItIsByteForByte) {
         EXPECT_EQ(renewed(other, "new\n"), other);
 }
 
-TEST(Page, WordsAreSplitAsInAShell) {
+TEST(RenewedPage, WordsAreSplitAsInAShell) {
     EXPECT_THAT(command("show  a.json\t--last").words, ElementsAre("show", "a.json", "--last"));
     EXPECT_THAT(command(R"('a b' "c d" e\ f g'h'"i" '' "")").words,
                 ElementsAre("a b", "c d", "e f", "ghi", "", ""));
@@ -171,7 +171,7 @@ TEST(Page, WordsAreSplitAsInAShell) {
     EXPECT_THAT(command("").words, ElementsAre());
 }
 
-TEST(Page, ACommentMayStateTheExitStatus) {
+TEST(RenewedPage, ACommentMayStateTheExitStatus) {
     EXPECT_EQ(command("show bad.json # exit 2").exit_status, 2);
     EXPECT_THAT(command("show bad.json # exit 2").words, ElementsAre("show", "bad.json"));
     EXPECT_EQ(command("show bad.json #exit 255 ").exit_status, 255);
@@ -179,7 +179,7 @@ TEST(Page, ACommentMayStateTheExitStatus) {
         EXPECT_EQ(command("show a.json " + comment).exit_status, 0) << comment;
 }
 
-TEST(Page, WhatNeedsAShellIsRefused) {
+TEST(RenewedPage, WhatNeedsAShellIsRefused) {
     EXPECT_EQ(problem_of_command("trace a.json | head"),
               "page.md:2:28: expected a command that needs no shell, found |\n"
               "$ rastertrace trace a.json | head\n"
@@ -211,7 +211,7 @@ TEST(Page, WhatNeedsAShellIsRefused) {
               "hint: a command is one line");
 }
 
-TEST(Page, ABlockWithoutAnEndIsRefused) {
+TEST(RenewedPage, ABlockWithoutAnEndIsRefused) {
     EXPECT_EQ(problem_of_page("Look:\n"
                               "  ```console\n"
                               "  $ rastertrace plan a.json\n"
@@ -221,7 +221,7 @@ TEST(Page, ABlockWithoutAnEndIsRefused) {
               "  ^");
 }
 
-TEST(Page, AnOutputEndsNeitherItsBlockNorItself) {
+TEST(RenewedPage, AnOutputEndsNeitherItsBlockNorItself) {
     EXPECT_EQ(problem_of_page("```\n$ rastertrace plan a.json\n```\n", "a\n  ```\n"),
               "page.md:1:1: expected a longer fence, found one that the output of line 2 has, too\n"
               "```\n"
@@ -235,7 +235,7 @@ TEST(Page, AnOutputEndsNeitherItsBlockNorItself) {
               "hint: a line that begins with $ and a blank would end the output");
 }
 
-TEST(Page, ControlCharactersAreMadeVisible) {
+TEST(RenewedPage, ControlCharactersAreMadeVisible) {
     EXPECT_EQ(renewed("```\n$ rastertrace plan a.json\n```\n", "a\x1b[2J\xFF\n"),
               "```\n$ rastertrace plan a.json\na<U+001B>[2J<0xFF>\n```\n");
 }

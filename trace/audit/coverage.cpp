@@ -75,7 +75,7 @@ struct HalfPlane {
 };
 
 /// The pixels that lie in every one of some half planes.
-using Region = std::vector<HalfPlane>;
+using ConvexRegion = std::vector<HalfPlane>;
 
 /// The pixels whose sample points have a x + b y + c >= 0.
 HalfPlane half_plane(const mpq_class& a, const mpq_class& b, const mpq_class& c, const Grid& grid) {
@@ -112,7 +112,7 @@ HalfPlane widened(const HalfPlane& plane, const mpz_class& by) {
 }
 
 /// The region without its boundary: of whole numbers, those above 0 are the ones from 1.
-Region interior_of(Region region) {
+ConvexRegion interior_of(ConvexRegion region) {
     for (HalfPlane& plane : region)
         plane.c -= 1;
     return region;
@@ -127,7 +127,7 @@ Index clamped(const mpz_class& value, Index low, Index high) {
 
 /// The pixels of `within`, a part of row `y`, that lie in a region. Where there are none, the
 /// result begins one behind the end of `within`.
-Span span_on_row(const Region& region, int y, const Span& within) {
+Span span_on_row(const ConvexRegion& region, int y, const Span& within) {
     Span span = within;
     mpz_class bound;
     for (const HalfPlane& plane : region) {
@@ -178,10 +178,10 @@ mpq_class area2(const std::array<Position, 3>& at) {
 
 /// The closed triangle, whichever way its vertices turn: the half planes of the edges from its
 /// first, second and third corner. Their edge functions are at least -`widening`.
-Region region_of(const std::array<Position, 3>& at, const Grid& grid,
-                 const mpq_class& widening = 0) {
+ConvexRegion region_of(const std::array<Position, 3>& at, const Grid& grid,
+                       const mpq_class& widening = 0) {
     const bool turns_left = sgn(area2(at)) > 0;
-    Region region;
+    ConvexRegion region;
     for (std::size_t i = 0; i < 3; ++i) {
         const Position& from = at[i];
         const Position& to = at[(i + 1) % 3];
@@ -221,10 +221,10 @@ struct Cornered {
     std::size_t place = 0; ///< in Stats::primitives
     std::array<Position, 3> at;
     std::array<std::uint32_t, 3> corners{}; ///< numbers of the positions; the same for equal ones
-    mpq_class error = {};     ///< see rounding_error; of a triangle with area, like the regions
-    Region closed = {};       ///< the triangle
-    Region interior = {};     ///< so far inside that no rounding matters
-    Region within_error = {}; ///< and so much wider than it
+    mpq_class error = {};       ///< see rounding_error; of a triangle with area, like the regions
+    ConvexRegion closed = {};   ///< the triangle
+    ConvexRegion interior = {}; ///< so far inside that no rounding matters
+    ConvexRegion within_error = {}; ///< and so much wider than it
 };
 
 /// Numbers positions: equal ones have the same number.
@@ -432,7 +432,7 @@ std::string edge_name(const PrimitiveStep& step, std::size_t from, std::size_t t
 
 /// What lies between the ends of an edge: x or y, whichever it runs along more, is from that of
 /// one end to that of the other.
-Region between_ends(const Position& from, const Position& to, const Grid& grid) {
+ConvexRegion between_ends(const Position& from, const Position& to, const Grid& grid) {
     const bool runs_along_x = abs(to.x - from.x) >= abs(to.y - from.y);
     const auto [low, high] =
         runs_along_x ? std::minmax<mpq_class>(from.x, to.x) : std::minmax<mpq_class>(from.y, to.y);
@@ -458,8 +458,8 @@ bool lie_on_one_side(const EdgeUse& edge, const Cornered& one, const Cornered& o
 /// The pixels of a triangle at an edge that it shares: so far from its other two edges that no
 /// rounding matters, and up to as far beyond this one as rounding may put it. The edge of a fold is
 /// like the other two: what lies on it lies between no two triangles.
-Region region_at_edge(const EdgeUse& edge, const Cornered& triangle, bool is_fold) {
-    Region region = triangle.interior;
+ConvexRegion region_at_edge(const EdgeUse& edge, const Cornered& triangle, bool is_fold) {
+    ConvexRegion region = triangle.interior;
     for (std::size_t i = 0; i < 3 && !is_fold; ++i)
         if (std::minmax({triangle.corners[i], triangle.corners[(i + 1) % 3]}) == edge.ends())
             region[i] = triangle.within_error[i];
@@ -476,11 +476,11 @@ PixelList never_drawn(const EdgeUse& edge, const Cornered& one, const Cornered& 
     // a x + b y + c is b times the height above the edge, and a times the distance to its right.
     const HalfPlane side = left_of(from, to, grid);
     const mpz_class reach = std::max<mpz_class>(abs(side.a), abs(side.b));
-    Region near = between_ends(from, to, grid);
+    ConvexRegion near = between_ends(from, to, grid);
     near.push_back(widened(side, reach));
     near.push_back(widened(opposite(side), reach));
-    const Region region_of_one = region_at_edge(edge, one, is_fold);
-    const Region region_of_other = region_at_edge(edge, other, is_fold);
+    const ConvexRegion region_of_one = region_at_edge(edge, one, is_fold);
+    const ConvexRegion region_of_other = region_at_edge(edge, other, is_fold);
 
     PixelList never;
     const auto [low, high] = std::minmax<mpq_class>(from.y, to.y);

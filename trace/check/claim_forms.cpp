@@ -25,11 +25,11 @@ constexpr std::string_view forms =
     "`AB: -1 3 -3`, `edge AB: 3/4`, `depth ACD (3,2): fails`, `order: ABC, ACD`, `picture:`";
 
 /// A vertex in a space, and how many coordinates it has there.
-struct Space {
+struct SpaceName {
     std::string_view name;
     std::size_t coordinates;
 };
-constexpr std::array<Space, 6> spaces{
+constexpr std::array<SpaceName, 6> space_names{
     {{"object", 3}, {"world", 3}, {"camera", 3}, {"clip", 4}, {"canonical", 3}, {"screen", 2}}};
 
 /// A word before the name of a face, and what it claims.
@@ -275,9 +275,9 @@ private:
     void read_vertex(const ClaimWord& name) {
         const ClaimWord second = line_.next();
         const auto space =
-            std::find_if(spaces.begin(), spaces.end(),
-                         [&second](const Space& known) { return second.is(known.name); });
-        if (space == spaces.end())
+            std::find_if(space_names.begin(), space_names.end(),
+                         [&second](const SpaceName& known) { return second.is(known.name); });
+        if (space == space_names.end())
             refuse_space(name, second);
         begin("vertex", {});
         put("name", name);
@@ -291,7 +291,7 @@ private:
     /// Either the space has a typing error, or the word before the name of a face.
     [[noreturn]] void refuse_space(const ClaimWord& first, const ClaimWord& second) const {
         std::vector<std::string_view> names;
-        for (const Space& space : spaces)
+        for (const SpaceName& space : space_names)
             names.push_back(space.name);
         const std::string expected = fmt::format("a space ({})", joined(names, ", "));
         const std::string near_space = did_you_mean(second.text, names);

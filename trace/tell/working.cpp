@@ -388,7 +388,7 @@ struct Row {
     StepKind kind;
     void (*write)(Sheet& sheet);
 };
-constexpr Row rows[] = {
+constexpr Row rows_of_kinds[] = {
     {StepKind::matrix, write_matrix}, {StepKind::vertex, write_vertex},
     {StepKind::order, order},         {StepKind::primitive, primitive},
     {StepKind::face, write_face},     {StepKind::light, write_light},
@@ -401,7 +401,7 @@ constexpr Row rows[] = {
 /// The working of the sheet's step.
 void write_working(Sheet& sheet) {
     const auto kind = sheet.step.kind();
-    for (const Row& row : rows)
+    for (const Row& row : rows_of_kinds)
         if (kind == row.kind)
             row.write(sheet);
 }

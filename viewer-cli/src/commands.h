@@ -2,10 +2,10 @@
 #pragma once
 
 // What each command is asked to do, and the function that does it. A command returns its exit
-// status and throws a Problem when it cannot go on.
+// status and throws a Problem when it cannot go on. `report` and `stress` have theirs in their own
+// files: nobody else needs the library of what they measure.
 
 #include "figure_file.h"
-#include "report_file.h"
 #include "step_table.h"
 #include "terminal.h"
 #include "terminal_text.h"
@@ -58,30 +58,6 @@ struct PlanCommand {
     FrameChoice frames;
 };
 int run(const PlanCommand& command);
-
-struct StressCommand {
-    std::string scene;                            ///< empty: the catalogue
-    std::vector<std::string> cases;               ///< ids; none: all of them, as a table
-    std::optional<std::size_t> scene_number = {}; ///< print this scene of the only case, from 1
-    bool json = false;
-    bool markdown = false; ///< the entries of docs/stress.md
-    bool quick = false;
-    MethodOverrides method; ///< for the scene
-    InputLimits input;
-    FrameChoice frames;
-};
-int run(const StressCommand& command);
-struct ReportCommand {
-    std::vector<std::string> scenes;
-    std::vector<ReportJob> jobs;      ///< none: all of them
-    std::vector<std::string> outputs; ///< none: standard output
-    std::optional<ReportFormat> format;
-    bool quick = false;
-    MethodOverrides method;
-    InputLimits input;
-    FrameChoice frames;
-};
-int run(const ReportCommand& command);
 
 struct ShowCommand {
     enum class Which { last, step, every, all };

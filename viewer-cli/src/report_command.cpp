@@ -29,6 +29,17 @@ namespace rastertrace {
 
 namespace {
 
+struct ReportCommand {
+    std::vector<std::string> scenes;
+    std::vector<ReportJob> jobs;      ///< none: all of them
+    std::vector<std::string> outputs; ///< none: standard output
+    std::optional<ReportFormat> format;
+    bool quick = false;
+    MethodOverrides method;
+    InputLimits input;
+    FrameChoice frames;
+};
+
 /// What a setting may take when there is no time: enough to see what is fast and what is slow.
 constexpr TimingRules quick_timing{.runs = 20, .shortest_run = 2e-5, .most_time = 0.03};
 
@@ -70,9 +81,7 @@ std::string reasons_of(const SceneReport& scene) {
     return text;
 }
 
-} // namespace
-
-int run(const ReportCommand& command) {
+int run_report(const ReportCommand& command) {
     // Everything that can be refused is, before minutes of measuring: the scenes, and the files.
     std::vector<Scene> scenes;
     for (const std::string& path : command.scenes) {
@@ -118,8 +127,6 @@ int run(const ReportCommand& command) {
     return exit_fine;
 }
 
-namespace {
-
 class ReportCommandLine final : public Command {
 public:
     CommandAbout about() const override {
@@ -152,7 +159,7 @@ public:
         drawing_.read_into(command_);
     }
 
-    int run() override { return rastertrace::run(command_); }
+    int run() override { return run_report(command_); }
 
 private:
     static std::vector<std::string_view> job_names() {

@@ -34,6 +34,18 @@ namespace rastertrace {
 
 namespace {
 
+struct StressCommand {
+    std::string scene;                            ///< empty: the catalogue
+    std::vector<std::string> cases;               ///< ids; none: all of them, as a table
+    std::optional<std::size_t> scene_number = {}; ///< print this scene of the only case, from 1
+    bool json = false;
+    bool markdown = false; ///< the entries of docs/stress.md
+    bool quick = false;
+    MethodOverrides method; ///< for the scene
+    InputLimits input;
+    FrameChoice frames;
+};
+
 /// How wide the text is, in columns.
 constexpr std::size_t text_width = 100;
 
@@ -383,9 +395,7 @@ int look_at_scene(const StressCommand& command) {
     return exit_fine;
 }
 
-} // namespace
-
-int run(const StressCommand& command) {
+int run_stress(const StressCommand& command) {
     if (!command.scene.empty())
         return look_at_scene(command);
     const auto chosen = chosen_cases(command.cases);
@@ -417,8 +427,6 @@ int run(const StressCommand& command) {
                                         [](const RunCase& one) { return one.failed() > 0; });
     return has_failed ? exit_difference : exit_fine;
 }
-
-namespace {
 
 class StressCommandLine final : public Command {
 public:
@@ -464,7 +472,7 @@ public:
         check_stress();
     }
 
-    int run() override { return rastertrace::run(command_); }
+    int run() override { return run_stress(command_); }
 
 private:
     /// Which options of `stress` go together.
