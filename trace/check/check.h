@@ -21,7 +21,7 @@
 #include "claims.h"
 
 #include <rastertrace/trace/record/trace.h>
-#include <rastertrace/trace/scene/vary.h>
+#include <rastertrace/trace/scene/scene_file.h>
 #include <rastertrace/trace/text/input.h>
 #include <rastertrace/trace/text/method_names.h>
 #include <rastertrace/trace/text/problem.h>

@@ -7,7 +7,7 @@
 
 #include "diff.h"
 
-#include <rastertrace/trace/record/traced_value.h>
+#include <rastertrace/trace/record/traced_steps.h>
 
 #include <string_view>
 #include <vector>

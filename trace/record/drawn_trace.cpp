@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "step_decoder.h"
+#include "step_places.h"
 #include "trace.h"
 #include "write_trace.h"
 
@@ -98,17 +99,17 @@ private:
         end_run();
         count_line();
         std::string& text = held_.source_.text;
-        held_.steps_.add({.offset = text.size(),
-                          .length = static_cast<std::uint32_t>(line.size()),
-                          .kind = kind_of_plain_step(line),
-                          .is_plain = true});
+        held_.steps_->add({.offset = text.size(),
+                           .length = static_cast<std::uint32_t>(line.size()),
+                           .kind = kind_of_plain_step(line),
+                           .is_plain = true});
         text.append(line) += '\n';
     }
 
     void end_run() {
         if (pixels_in_run_ == 0)
             return;
-        held_.steps_.add_run(held_.source_.text, run_, pixels_in_run_);
+        held_.steps_->add_run(held_.source_.text, run_, pixels_in_run_);
         pixels_in_run_ = 0;
     }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "growing_trace.h"
 
+#include "step_places.h"
 #include "step_stream.h"
 
 #include <rastertrace/trace/text/first_line.h>
@@ -134,10 +135,10 @@ bool GrowingTrace::State::read_on() {
     const std::size_t before = trace.size();
     while (trace.size() < before + steps_in_piece && steps->next()) {
         const auto length = static_cast<std::uint32_t>(steps->step().json().size());
-        trace.steps_.add({.offset = steps->offset(),
-                          .length = length,
-                          .kind = steps->kind(),
-                          .is_plain = steps->is_plain()});
+        trace.steps_->add({.offset = steps->offset(),
+                           .length = length,
+                           .kind = steps->kind(),
+                           .is_plain = steps->is_plain()});
         trace.text_of_file_ = trace.source_.mapped->first(steps->offset() + length);
     }
     if (trace.size() > most_steps)

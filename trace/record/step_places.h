@@ -32,6 +32,10 @@ struct StepPlace {
 
 class StepPlaces {
 public:
+    StepPlaces() = default;
+    StepPlaces(const StepPlaces&) = delete;
+    StepPlaces& operator=(const StepPlaces&) = delete;
+
     std::size_t size() const { return size_; }
 
     /// The next step.
@@ -61,18 +65,11 @@ private:
         std::vector<StepPlace> places = {};
     };
 
-    /// The block that was asked of last. A copy has none: it would look into another's.
+    /// The block that was asked of last.
     struct AtHand {
         std::size_t first = 0;
         std::size_t count = 0;
         const StepPlace* places = nullptr;
-
-        AtHand() = default;
-        AtHand(const AtHand& /*other*/) {}
-        AtHand& operator=(const AtHand& /*other*/) {
-            count = 0;
-            return *this;
-        }
     };
 
     const StepPlace& found(std::size_t n, std::string_view text) const;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "step_writer.h"
 
-#include "traced_value.h"
+#include "traced_steps.h"
 
 #include <rastertrace/trace/text/color_text.h>
 #include <rastertrace/trace/text/primitive_name.h>

@@ -5,6 +5,7 @@
 #include "frame.h"
 #include "header_check.h"
 #include "step_decoder.h"
+#include "step_places.h"
 #include "trace_keys.h"
 #include "trace_lines.h"
 #include "write_trace.h"
@@ -24,6 +25,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <limits>
 #include <span>
 #include <utility>
@@ -65,6 +67,38 @@ std::optional<double> nearest_double_in(const std::string& number) {
     return value == nullptr ? std::nullopt : std::optional(value->nearest_double());
 }
 
+Trace::Trace() : steps_(std::make_unique<StepPlaces>()) {}
+Trace::Trace(Trace&&) noexcept = default;
+Trace& Trace::operator=(Trace&&) noexcept = default;
+Trace::~Trace() = default;
+
+const StepPlace& Trace::place_of(std::size_t n) const {
+    assert(n > 0 && n <= size());
+    return steps_->at(n, text());
+}
+
+std::size_t Trace::size() const {
+    return steps_->size();
+}
+
+StepView Trace::step(std::size_t n) const {
+    const StepPlace& place = place_of(n);
+    return place.pixel ? StepView(*place.pixel)
+                       : StepView(text().substr(place.offset, place.length));
+}
+
+std::size_t Trace::offset_of(std::size_t n) const {
+    return place_of(n).offset;
+}
+
+std::optional<StepKind> Trace::kind_of(std::size_t n) const {
+    return place_of(n).kind;
+}
+
+bool Trace::is_plain(std::size_t n) const {
+    return place_of(n).is_plain;
+}
+
 Trace Trace::without_steps() const {
     Trace excerpt;
     excerpt.version = version;
@@ -81,9 +115,9 @@ Trace Trace::without_steps() const {
 
 void Trace::add_to_excerpt(const StepView& step, std::optional<StepKind> kind, std::size_t number) {
     const std::string_view json = step.json();
-    steps_.add({.offset = source_.text.size(),
-                .length = static_cast<std::uint32_t>(json.size()),
-                .kind = kind});
+    steps_->add({.offset = source_.text.size(),
+                 .length = static_cast<std::uint32_t>(json.size()),
+                 .kind = kind});
     numbers_.push_back(number);
     source_.text += json;
 }
@@ -641,10 +675,10 @@ private:
                    bool is_plain = false) {
         if (kind)
             ++count_[static_cast<std::size_t>(*kind)];
-        trace_.steps_.add({.offset = begin,
-                           .length = static_cast<std::uint32_t>(size),
-                           .kind = kind,
-                           .is_plain = is_plain});
+        trace_.steps_->add({.offset = begin,
+                            .length = static_cast<std::uint32_t>(size),
+                            .kind = kind,
+                            .is_plain = is_plain});
     }
 
     /// The first pixel that is off the canvas is told.

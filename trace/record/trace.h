@@ -11,7 +11,6 @@
 // unknown names are kept.
 
 #include "step_kind.h"
-#include "step_places.h"
 
 #include <rastertrace/core/raster/canvas.h>
 #include <rastertrace/core/raster/image.h>
@@ -32,8 +31,10 @@
 
 namespace rastertrace {
 
+class StepPlaces;
 struct Plan;
 struct Scene;
+struct StepPlace;
 
 /// One step: a view of its JSON object, valid as long as its trace.
 class StepView {
@@ -104,6 +105,11 @@ struct NotFiniteSteps {
 
 class Trace {
 public:
+    Trace();
+    Trace(Trace&&) noexcept;
+    Trace& operator=(Trace&&) noexcept;
+    ~Trace();
+
     Index version = 0; ///< of the format
     std::string title;
     Canvas canvas;
@@ -133,22 +139,19 @@ public:
     Problem problem_at_field(std::size_t n, std::string_view field, std::string message) const;
 
     /// How many steps there are.
-    std::size_t size() const { return steps_.size(); }
+    std::size_t size() const;
 
     /// Step n, from 1 to size().
-    StepView step(std::size_t n) const {
-        const StepPlace& place = place_of(n);
-        return place.pixel ? StepView(*place.pixel) : StepView(text_of(place));
-    }
+    StepView step(std::size_t n) const;
 
     /// Where step n begins in the text that it was read from, in bytes. Not of a trace that was drawn.
-    std::size_t offset_of(std::size_t n) const { return place_of(n).offset; }
+    std::size_t offset_of(std::size_t n) const;
 
     /// The kind of step n, if we know it.
-    std::optional<StepKind> kind_of(std::size_t n) const { return place_of(n).kind; }
+    std::optional<StepKind> kind_of(std::size_t n) const;
 
     /// True if step n is a line as this program writes it: then nothing is wrong with it.
-    bool is_plain(std::size_t n) const { return place_of(n).is_plain; }
+    bool is_plain(std::size_t n) const;
 
     /// The number of step n in the trace that this is an excerpt of; n, if it is none.
     std::size_t number_of(std::size_t n) const {
@@ -178,18 +181,12 @@ private:
     std::string_view text() const {
         return text_of_file_.data() != nullptr ? text_of_file_ : std::string_view(source_.text);
     }
-    const StepPlace& place_of(std::size_t n) const {
-        assert(n > 0 && n <= size());
-        return steps_.at(n, text());
-    }
-    std::string_view text_of(const StepPlace& place) const {
-        return text().substr(place.offset, place.length);
-    }
+    const StepPlace& place_of(std::size_t n) const;
 
     Source source_;
     std::string_view
         text_of_file_; ///< of `source_`, if its file is mapped: as far as it has been read
-    StepPlaces steps_;
+    std::unique_ptr<StepPlaces> steps_;
     std::vector<std::size_t> numbers_; ///< of an excerpt: those of its steps in the whole trace
 };
 

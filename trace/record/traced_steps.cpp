@@ -6,6 +6,8 @@
 #include "trace.h"
 
 #include <rastertrace/core/numbers/number.h>
+#include <rastertrace/trace/text/color_text.h>
+#include <rastertrace/trace/text/json_scanner.h>
 #include <rastertrace/trace/text/primitive_name.h>
 
 #include <array>
@@ -82,6 +84,24 @@ std::optional<Rational> TracedNumber::exact() const {
 std::optional<double> TracedNumber::nearest_double() const {
     const auto number = number_of(text());
     return number ? std::optional(number->nearest_double()) : std::nullopt;
+}
+
+std::string TracedValue::text() const {
+    return plain_text(json_);
+}
+
+std::optional<Color> TracedColor::color() const {
+    return parse_color(text());
+}
+
+std::vector<std::string_view> elements_of(std::string_view json) {
+    std::vector<std::string_view> values;
+    if (json.empty())
+        return values;
+    JsonScanner elements(json);
+    while (elements.next_element())
+        values.push_back(elements.value());
+    return values;
 }
 
 std::string_view word_of(PrimitiveKind kind) {

@@ -6,8 +6,6 @@
 //     const auto read = read_scene({"first.json", text});
 //     draw(read.value().scene, read.value().plan, listener);
 
-#include "vary.h"
-
 #include <rastertrace/core/draw/plan/plan.h>
 #include <rastertrace/core/draw/scene/scene.h>
 #include <rastertrace/trace/text/input.h>
@@ -16,12 +14,28 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace rastertrace {
+
+/// A number of the scene that has another value in each frame, as a command line says it.
+struct Variation {
+    std::string pointer; ///< to the number: a JSON Pointer (RFC 6901)
+    std::string values;  ///< FROM:TO:STEPS, or the values with commas between
+};
+
+/// What of a sequence is asked for.
+struct FrameChoice {
+    std::vector<Variation> vary; ///< in the place of what the scene says of the same number
+    std::optional<std::size_t> frame = {}; ///< from 1; none: all, or the first
+};
+
+/// The most frames of a sequence.
+inline constexpr std::size_t most_frames = 100'000;
 
 /// A scene, and how it is drawn.
 struct PlannedScene {

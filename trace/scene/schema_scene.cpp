@@ -3,8 +3,8 @@
 
 #include "schema_scene.h"
 
+#include "scene_file.h"
 #include "scene_keys.h"
-#include "vary.h"
 
 #include <rastertrace/trace/text/method_names.h>
 #include <rastertrace/trace/text/pipeline_names.h>

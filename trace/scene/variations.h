@@ -8,7 +8,7 @@
 //     variations.label(2);               // "2 of 2: width 25"
 //     variations.put_into(document, 2);  // which reads as if 25 were typed there
 
-#include "vary.h"
+#include "scene_file.h"
 
 #include <rastertrace/trace/text/json_document.h>
 #include <rastertrace/trace/text/json_reader.h>

@@ -18,7 +18,7 @@
 #include <rastertrace/trace/explain/explain.h>
 #include <rastertrace/trace/record/snapshots.h>
 #include <rastertrace/trace/record/write_trace.h>
-#include <rastertrace/trace/scene/vary.h>
+#include <rastertrace/trace/scene/scene_file.h>
 #include <rastertrace/trace/text/input.h>
 #include <rastertrace/trace/text/method_names.h>
 

@@ -12,7 +12,6 @@
 #include <rastertrace/trace/record/trace.h>
 #include <rastertrace/trace/record/trace_text.h>
 #include <rastertrace/trace/scene/scene_file.h>
-#include <rastertrace/trace/scene/vary.h>
 #include <rastertrace/trace/text/output.h>
 #include <rastertrace/trace/text/problem.h>
 

@@ -5,7 +5,7 @@
 
 #include "command.h"
 
-#include <rastertrace/trace/scene/vary.h>
+#include <rastertrace/trace/scene/scene_file.h>
 #include <rastertrace/trace/text/input.h>
 #include <rastertrace/trace/text/method_names.h>
 

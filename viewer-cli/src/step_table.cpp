@@ -3,7 +3,7 @@
 
 #include "csv.h"
 
-#include <rastertrace/trace/record/traced_value.h>
+#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/describe.h>
 #include <rastertrace/trace/text/named_value.h>
 #include <rastertrace/trace/text/text.h>

@@ -14,7 +14,7 @@
 
 #include <rastertrace/core/draw/scene/scene.h>
 #include <rastertrace/core/raster/canvas.h>
-#include <rastertrace/trace/scene/vary.h>
+#include <rastertrace/trace/scene/scene_file.h>
 #include <rastertrace/trace/text/input.h>
 #include <rastertrace/trace/text/method_names.h>
 #include <rastertrace/trace/text/problem.h>
