@@ -3,6 +3,7 @@
 
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/step_text.h>
+#include <rastertrace/trace/text/json_scanner.h>
 
 #include <algorithm>
 

@@ -8,6 +8,7 @@
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/text/color_text.h>
+#include <rastertrace/trace/text/json_scanner.h>
 
 #include <fmt/core.h>
 
