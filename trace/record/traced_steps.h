@@ -160,7 +160,7 @@ template <std::size_t size> struct FixedString {
 
 /// A row of a step's table.
 template <FixedString key_of_field, auto member, FieldRole role_of_field, FieldNeed need_of_field>
-struct Field {
+struct FieldRow {
     static constexpr FixedString key = key_of_field;
     static constexpr std::string_view name = key.view();
     static constexpr FieldRole role = role_of_field;
@@ -176,13 +176,13 @@ template <typename... Rows> struct FieldTable {};
 namespace field {
 using enum FieldNeed;
 template <FixedString name, auto member, FieldNeed need = none>
-using Key = Field<name, member, FieldRole::key, need>;
+using Key = FieldRow<name, member, FieldRole::key, need>;
 template <FixedString name, auto member, FieldNeed need = none>
-using Reason = Field<name, member, FieldRole::reason, need>;
+using Reason = FieldRow<name, member, FieldRole::reason, need>;
 template <FixedString name, auto member, FieldNeed need = none>
-using Decision = Field<name, member, FieldRole::decision, need>;
+using Decision = FieldRow<name, member, FieldRole::decision, need>;
 template <FixedString name, auto member, FieldNeed need = none>
-using Told = Field<name, member, FieldRole::told, need>;
+using Told = FieldRow<name, member, FieldRole::told, need>;
 } // namespace field
 
 /// A face that is not convex has been cut into triangles.
