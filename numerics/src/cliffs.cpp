@@ -16,7 +16,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <set>
 #include <span>
 #include <tuple>
@@ -107,7 +106,6 @@ struct NamedTriangle {
     std::array<std::uint32_t, 3> corners{}; ///< numbers of the positions; the same for equal ones
     std::array<std::string, 3> names;
     std::string name;
-    std::size_t primitive = 0; ///< its place in the scene
     bool is_drawn = true;
 };
 
@@ -510,7 +508,6 @@ private:
         }
         const auto& [a, b, c] = triangle.at;
         triangle.name = names.piece;
-        triangle.primitive = piece.primitive;
         triangle.is_drawn =
             !piece.is_skipped && (b.x - a.x) * (c.y - a.y) != (c.x - a.x) * (b.y - a.y);
         triangles_.push_back(std::move(triangle));
@@ -521,85 +518,21 @@ private:
         for (const NamedTriangle& triangle : triangles_)
             mesh.push_back({triangle.at, triangle.corners, triangle.is_drawn});
 
-        // The worst first: where the most may lie between the edge and those beside it.
-        const auto size_of = [](const TJunction& junction) {
-            Rational farthest = 0;
-            for (const JunctionVertex& vertex : junction.vertices)
-                farthest = std::max(farthest, vertex.distance);
-            Rational length = 0;
-            for (const EdgeBeside& beside : junction.beside)
-                length += beside.high - beside.low;
-            return nearest_double(Rational(farthest * length));
-        };
-        std::vector<std::pair<double, TJunction>> junctions;
-        for (TJunction& junction : t_junctions_of(mesh))
-            junctions.emplace_back(size_of(junction), std::move(junction));
-        std::stable_sort(junctions.begin(), junctions.end(),
-                         [](const auto& a, const auto& b) { return a.first > b.first; });
-
-        // Drawing takes its time, so only what is shown is drawn.
+        const auto junctions = t_junctions_of(mesh);
         const std::size_t shown = std::min(junctions.size(), most_cliffs);
         more_[static_cast<std::size_t>(CliffKind::t_junction)] += junctions.size() - shown;
-        for (std::size_t i = 0; i < shown; ++i) {
-            const auto& [size, junction] = junctions[i];
-            const NamedTriangle& owner = triangles_[junction.from.triangle];
-            const std::array<std::string_view, 2> ends{owner.names[junction.from.corner],
-                                                       owner.names[junction.to.corner]};
+        for (const TJunction& junction : std::span(junctions).first(shown)) {
+            const auto& [from, to] = junction.edge;
+            const NamedTriangle& owner = triangles_[from.triangle];
+            const std::array<std::string_view, 2> ends{owner.names[from.corner],
+                                                       owner.names[to.corner]};
+            const TriangleCorner& vertex = junction.vertices.front();
+            std::string text = triangles_[vertex.triangle].names[vertex.corner] + " lies on it";
+            if (const std::size_t more = junction.vertices.size() - 1)
+                text += fmt::format(", and {} more", more);
             add(CliffKind::t_junction,
-                fmt::format("edge {} of triangle {}", joined_names(ends), owner.name),
-                described(junction, mesh), size);
+                fmt::format("edge {} of triangle {}", joined_names(ends), owner.name), text, 0);
         }
-    }
-
-    /// "M lies 0.025 px from it; 0 pixels in two triangles; 1 pixel in none: (3, 20)"
-    std::string described(const TJunction& junction, std::span<const ScreenTriangle> mesh) {
-        const auto farthest =
-            std::max_element(junction.vertices.begin(), junction.vertices.end(),
-                             [](const auto& a, const auto& b) { return a.distance < b.distance; });
-        const TriangleCorner& vertex = farthest->vertex;
-        std::string text = triangles_[vertex.triangle].names[vertex.corner];
-        if (farthest->distance == 0)
-            text += " lies on it";
-        else
-            text += fmt::format(" lies {:.3g} px from it", nearest_double(farthest->distance));
-        if (const std::size_t more = junction.vertices.size() - 1)
-            text += fmt::format(", and {} more no farther", more);
-
-        const auto covered_by = [this](std::size_t triangle) {
-            return std::span<const std::uint32_t>(pixels_of(triangles_[triangle].primitive));
-        };
-        const JunctionPixels pixels = pixels_at(junction, mesh, covered_by, scene_.canvas,
-                                                sample_offset_of(scene_.method).exact());
-        const auto found = [this](const std::vector<std::uint32_t>& offsets,
-                                  std::string_view where) {
-            std::string result = fmt::format("{} in {}", counted(offsets.size(), "pixel"), where);
-            if (!offsets.empty()) {
-                const int offset = static_cast<int>(offsets.front());
-                const int width = scene_.canvas.width;
-                result += fmt::format("{} ({}, {})", offsets.size() > 1 ? ", the first" : ":",
-                                      scene_.canvas.left() + offset % width,
-                                      scene_.canvas.y_of(offset / width));
-            }
-            return result;
-        };
-        return text + fmt::format("; {}; {}", found(pixels.twice, "two triangles"),
-                                  found(pixels.never, "none"));
-    }
-
-    /// The pixels that a primitive covers when nothing hides it, by Canvas::offset_of.
-    const std::vector<std::uint32_t>& pixels_of(std::size_t primitive) {
-        const auto [entry, is_new] = pixels_of_.try_emplace(primitive);
-        if (is_new) {
-            if (!alone_)
-                alone_ = scene_;
-            alone_->primitives.assign(1, scene_.primitives[primitive]);
-            const Image picture = drawn(*alone_, plan_for(*alone_));
-            const auto& colors = picture.colors();
-            for (std::size_t offset = 0; offset < colors.size(); ++offset)
-                if (colors[offset] != no_color)
-                    entry->second.push_back(static_cast<std::uint32_t>(offset));
-        }
-        return entry->second;
     }
 
     Scene scene_;
@@ -609,8 +542,6 @@ private:
         seen_edges_; ///< filled or not, and its ends
     std::vector<NamedTriangle> triangles_;
     std::unordered_map<std::string, std::uint32_t> position_numbers_;
-    std::map<std::size_t, std::vector<std::uint32_t>> pixels_of_; ///< by place in the scene
-    std::optional<Scene> alone_; ///< the scene with one of its primitives, to draw it alone
     std::array<std::vector<Cliff>, cliff_kind_count> found_;
     std::array<std::uint64_t, cliff_kind_count> more_{};
 };
@@ -696,9 +627,8 @@ std::string_view meaning_of(CliffKind kind) {
     case CliffKind::t_junction:
         break;
     }
-    return "T-junctions, vertices on an edge that has no vertex there: every scalar may fall, "
-           "`exact` "
-           "too";
+    return "T-junctions, vertices on an edge that has no vertex there: every scalar that "
+           "rounds may fall";
 }
 
 std::vector<CliffGroup> cliffs_of(const Scene& scene) {

@@ -65,6 +65,13 @@ void add(PixelList& list, int y, const Span& span) {
         list.kept.push_back({static_cast<int>(x), y});
 }
 
+void put_in_order(std::vector<std::uint32_t>& pixels) {
+    if (!std::is_sorted(pixels.begin(), pixels.end()))
+        std::sort(pixels.begin(), pixels.end());
+    pixels.erase(std::unique(pixels.begin(), pixels.end()), pixels.end());
+    pixels.shrink_to_fit();
+}
+
 // The geometry: regions of the plane whose pixels are found row by row, by whole numbers.
 
 /// The pixels (x, y) with a x + b y + c >= 0.
@@ -455,57 +462,72 @@ bool lie_on_one_side(const EdgeUse& edge, const Cornered& one, const Cornered& o
     return side_of(one) == side_of(other);
 }
 
-/// The pixels of a triangle at an edge that it shares: so far from its other two edges that no
-/// rounding matters, and up to as far beyond this one as rounding may put it. The edge of a fold is
-/// like the other two: what lies on it lies between no two triangles.
-ConvexRegion region_at_edge(const EdgeUse& edge, const Cornered& triangle, bool is_fold) {
+/// The pixels of a triangle at one of its edges: so far from the other two that no rounding matters,
+/// and up to as far beyond this one as rounding may put it.
+ConvexRegion region_at_edge(const Cornered& triangle, std::size_t from) {
     ConvexRegion region = triangle.interior;
-    for (std::size_t i = 0; i < 3 && !is_fold; ++i)
-        if (std::minmax({triangle.corners[i], triangle.corners[(i + 1) % 3]}) == edge.ends())
-            region[i] = triangle.within_error[i];
+    region[from] = triangle.within_error[from];
     return region;
 }
 
-/// The pixels near an edge that neither of its triangles drew. SharedEdge says which count.
-PixelList never_drawn(const EdgeUse& edge, const Cornered& one, const Cornered& other, bool is_fold,
-                      const Grid& grid) {
+/// The same of an edge that it shares. The edge of a fold is like the other two: what lies on it lies
+/// between no two triangles.
+ConvexRegion region_at_edge(const EdgeUse& edge, const Cornered& triangle, bool is_fold) {
+    for (std::size_t i = 0; i < 3 && !is_fold; ++i)
+        if (std::minmax({triangle.corners[i], triangle.corners[(i + 1) % 3]}) == edge.ends())
+            return region_at_edge(triangle, i);
+    return triangle.interior;
+}
+
+/// The pixels near an edge, between its ends and in `within`, that lie in one of some regions and that
+/// neither of two primitives drew. SharedEdge says which are near.
+std::vector<std::uint32_t> never_drawn(const Position& from, const Position& to,
+                                       ConvexRegion within, std::span<const ConvexRegion> regions,
+                                       const DrawnPrimitive& one, const DrawnPrimitive& other,
+                                       const Grid& grid) {
     const Canvas& canvas = grid.canvas;
-    const Position& from = edge.triangles.front()->at[edge.from];
-    const Position& to = edge.triangles.front()->at[edge.to];
 
     // a x + b y + c is b times the height above the edge, and a times the distance to its right.
     const HalfPlane side = left_of(from, to, grid);
     const mpz_class reach = std::max<mpz_class>(abs(side.a), abs(side.b));
-    ConvexRegion near = between_ends(from, to, grid);
-    near.push_back(widened(side, reach));
-    near.push_back(widened(opposite(side), reach));
-    const ConvexRegion region_of_one = region_at_edge(edge, one, is_fold);
-    const ConvexRegion region_of_other = region_at_edge(edge, other, is_fold);
+    for (const HalfPlane& plane : between_ends(from, to, grid))
+        within.push_back(plane);
+    within.push_back(widened(side, reach));
+    within.push_back(widened(opposite(side), reach));
 
-    PixelList never;
+    std::vector<std::uint32_t> never;
     const auto [low, high] = std::minmax<mpq_class>(from.y, to.y);
     const Span rows = rows_between(low - 1, high + 1, grid);
     for (Index row = rows.first; row <= rows.last; ++row) {
         const int y = canvas.y_of(static_cast<int>(row));
-        const Span close_by = span_on_row(near, y, whole_row(canvas));
+        const Span close_by = span_on_row(within, y, whole_row(canvas));
         if (close_by.is_empty())
             continue;
-        const Span in_one = span_on_row(region_of_one, y, close_by);
-        const Span in_other = span_on_row(region_of_other, y, close_by);
-        const auto drawn_by_one = drawn_on_row(*one.drawn, row, canvas);
-        const auto drawn_by_other = drawn_on_row(*other.drawn, row, canvas);
+        std::vector<Span> spans;
+        for (const ConvexRegion& region : regions)
+            spans.push_back(span_on_row(region, y, close_by));
+        const auto drawn_by_one = drawn_on_row(one, row, canvas);
+        const auto drawn_by_other = drawn_on_row(other, row, canvas);
         for (Index x = close_by.first; x <= close_by.last; ++x) {
-            const Pixel pixel{static_cast<int>(x), y};
-            const auto offset = static_cast<std::uint32_t>(canvas.offset_of(pixel));
+            const auto offset =
+                static_cast<std::uint32_t>(canvas.offset_of({static_cast<int>(x), y}));
             const auto is_in = [offset](std::span<const std::uint32_t> drawn) {
                 return std::binary_search(drawn.begin(), drawn.end(), offset);
             };
-            const bool belongs = in_one.has(x) || in_other.has(x);
+            const bool belongs = std::any_of(spans.begin(), spans.end(),
+                                             [x](const Span& span) { return span.has(x); });
             if (belongs && !is_in(drawn_by_one) && !is_in(drawn_by_other))
-                add(never, pixel);
+                never.push_back(offset);
         }
     }
     return never;
+}
+
+PixelList pixel_list(const std::vector<std::uint32_t>& offsets, const Canvas& canvas) {
+    PixelList list;
+    for (const std::uint32_t offset : offsets)
+        add(list, pixel_at(offset, canvas));
+    return list;
 }
 
 /// The pixels that both primitives drew.
@@ -526,18 +548,24 @@ PixelList drawn_by_both(const DrawnPrimitive& one, const DrawnPrimitive& other,
 /// Every pair of the triangles at an edge.
 void compare_at_edge(const EdgeUse& edge, const Trace& trace, const Grid& grid, Stats& stats) {
     const Cornered& first = *edge.triangles.front();
+    const Position& from = first.at[edge.from];
+    const Position& to = first.at[edge.to];
     const std::string name =
         edge_name(trace.step(first.drawn->step).as<PrimitiveStep>(), edge.from, edge.to);
     for (auto one = edge.triangles.begin(); one != edge.triangles.end(); ++one)
         for (auto other = one + 1; other != edge.triangles.end(); ++other) {
             const bool is_fold = lie_on_one_side(edge, **one, **other);
+            const std::array regions{region_at_edge(edge, **one, is_fold),
+                                     region_at_edge(edge, **other, is_fold)};
+            const auto never =
+                never_drawn(from, to, {}, regions, *(*one)->drawn, *(*other)->drawn, grid);
             stats.edges.push_back(
                 {.name = name,
                  .one = stats.primitives[(*one)->place].name,
                  .other = stats.primitives[(*other)->place].name,
                  .twice = is_fold ? PixelList()
                                   : drawn_by_both(*(*one)->drawn, *(*other)->drawn, grid.canvas),
-                 .never = never_drawn(edge, **one, **other, is_fold, grid)});
+                 .never = pixel_list(never, grid.canvas)});
         }
 }
 
@@ -552,27 +580,52 @@ std::string vertex_name(const PrimitiveStep& step, std::size_t corner) {
     return fmt::format("({}, {})", at[corner][0], at[corner][1]);
 }
 
-/// A distance from an edge of a triangle, in pixels, to as many decimal places as the numbers of the
-/// trace can tell.
-double told_distance(const mpq_class& distance, const Cornered& triangle, std::size_t from,
-                     std::size_t to) {
-    const double exact = nearest_double(distance);
-    if (triangle.error == 0)
-        return exact;
-    const Position& a = triangle.at[from];
-    const Position& b = triangle.at[to];
-    const mpq_class length = std::max<mpq_class>(abs(b.x - a.x), abs(b.y - a.y));
-    const double error = nearest_double(mpq_class(triangle.error / length));
-    const int places = std::clamp(static_cast<int>(std::floor(-std::log10(error))), 0, 18);
-    const auto scale = static_cast<double>(power_of_ten(places));
-    return std::round(exact * scale) / scale;
-}
+/// Counts the pixels along a T-junction that its triangle and one beside it drew, or neither did.
+void count_pixels(const TJunction& junction, const std::vector<Cornered>& drawn, const Grid& grid,
+                  EdgeWithJunctions& result) {
+    const Cornered& owner = drawn[junction.edge.from.triangle];
+    const auto covers = [](const Cornered& triangle, std::uint32_t offset) {
+        const auto& covered = triangle.drawn->covering();
+        return std::binary_search(covered.begin(), covered.end(), offset);
+    };
+    const auto triangle_at = [&](const TriangleEdge& edge) -> const Cornered& {
+        return drawn[edge.from.triangle];
+    };
+    std::vector<std::uint32_t> twice;
+    std::vector<std::uint32_t> never;
+    for (const TriangleEdge& beside : junction.beside) {
+        const Cornered& other = triangle_at(beside);
+        for (const std::uint32_t offset : other.drawn->covering())
+            if (covers(owner, offset))
+                twice.push_back(offset);
 
-PixelList pixel_list(const std::vector<std::uint32_t>& offsets, const Canvas& canvas) {
-    PixelList list;
-    for (const std::uint32_t offset : offsets)
-        add(list, pixel_at(offset, canvas));
-    return list;
+        // Strictly inside the one or the other, or on both edges.
+        std::array<ConvexRegion, 3> regions;
+        for (const TriangleEdge& edge : {junction.edge, beside}) {
+            const Cornered& triangle = triangle_at(edge);
+            const std::size_t from = edge.from.corner;
+            ConvexRegion& inside = regions[&triangle == &owner ? 0 : 1];
+            inside = triangle.interior;
+            inside[from] = interior_of(triangle.closed)[from];
+            for (const HalfPlane& plane : region_at_edge(triangle, from))
+                regions[2].push_back(plane);
+        }
+        const auto added = never_drawn(other.at[beside.from.corner], other.at[beside.to.corner],
+                                       between_ends(owner.at[junction.edge.from.corner],
+                                                    owner.at[junction.edge.to.corner], grid),
+                                       regions, *owner.drawn, *other.drawn, grid);
+        never.insert(never.end(), added.begin(), added.end());
+    }
+    // At a vertex, rounding may give a sample to the next triangle.
+    std::erase_if(never, [&](std::uint32_t offset) {
+        return std::any_of(
+            junction.beside.begin(), junction.beside.end(),
+            [&](const TriangleEdge& beside) { return covers(triangle_at(beside), offset); });
+    });
+    put_in_order(twice);
+    put_in_order(never);
+    result.twice = pixel_list(twice, grid.canvas);
+    result.never = pixel_list(never, grid.canvas);
 }
 
 /// The T-junctions among the triangles that are drawn. The edges of those that are not count too:
@@ -581,9 +634,9 @@ void find_junctions(const std::vector<Cornered>& drawn, const std::vector<Corner
                     const Trace& trace, const Grid& grid, Stats& stats) {
     std::vector<ScreenTriangle> mesh;
     for (const Cornered& triangle : drawn)
-        mesh.push_back({.at = triangle.at, .corners = triangle.corners, .error = triangle.error});
+        mesh.push_back({triangle.at, triangle.corners});
     for (const Cornered& triangle : not_drawn)
-        mesh.push_back({.at = triangle.at, .corners = triangle.corners, .is_drawn = false});
+        mesh.push_back({triangle.at, triangle.corners, false});
 
     const auto step_of = [&](std::size_t triangle) {
         return trace.step(drawn[triangle].drawn->step).as<PrimitiveStep>();
@@ -591,24 +644,16 @@ void find_junctions(const std::vector<Cornered>& drawn, const std::vector<Corner
     const auto name_of_triangle = [&](std::size_t triangle) {
         return stats.primitives[drawn[triangle].place].name;
     };
-    const auto covered_by = [&drawn](std::size_t triangle) {
-        return std::span<const std::uint32_t>(drawn[triangle].drawn->covering());
-    };
     for (const TJunction& junction : t_junctions_of(mesh)) {
+        const auto& [from, to] = junction.edge;
         EdgeWithJunctions edge;
-        const std::size_t owner = junction.from.triangle;
-        edge.name = edge_name(step_of(owner), junction.from.corner, junction.to.corner);
-        edge.triangle = name_of_triangle(owner);
-        for (const auto& [vertex, distance] : junction.vertices)
-            edge.vertices.push_back(
-                {vertex_name(step_of(vertex.triangle), vertex.corner),
-                 told_distance(distance, drawn[owner], junction.from.corner, junction.to.corner)});
-        for (const EdgeBeside& beside : junction.beside)
+        edge.name = edge_name(step_of(from.triangle), from.corner, to.corner);
+        edge.triangle = name_of_triangle(from.triangle);
+        for (const auto& [triangle, corner] : junction.vertices)
+            edge.vertices.push_back(vertex_name(step_of(triangle), corner));
+        for (const TriangleEdge& beside : junction.beside)
             edge.beside.push_back(name_of_triangle(beside.from.triangle));
-        const JunctionPixels pixels =
-            pixels_at(junction, mesh, covered_by, grid.canvas, grid.sample_offset);
-        edge.twice = pixel_list(pixels.twice, grid.canvas);
-        edge.never = pixel_list(pixels.never, grid.canvas);
+        count_pixels(junction, drawn, grid, edge);
         stats.t_junctions.push_back(std::move(edge));
     }
 }
@@ -699,17 +744,6 @@ void add_pixel(DrawnPrimitive& primitive, std::size_t offset) {
 void add_hidden_pixel(DrawnPrimitive& primitive, std::size_t offset) {
     primitive.covered.push_back(static_cast<std::uint32_t>(offset));
 }
-
-namespace {
-
-void put_in_order(std::vector<std::uint32_t>& pixels) {
-    if (!std::is_sorted(pixels.begin(), pixels.end()))
-        std::sort(pixels.begin(), pixels.end());
-    pixels.erase(std::unique(pixels.begin(), pixels.end()), pixels.end());
-    pixels.shrink_to_fit();
-}
-
-} // namespace
 
 void keep_each_once(DrawnPrimitive& primitive) {
     put_in_order(primitive.pixels);

@@ -82,25 +82,18 @@ struct SharedEdge {
     PixelList never;
 };
 
-/// A vertex that lies on an edge that has no vertex there, or near it.
-struct VertexOnEdge {
-    std::string name;
-    double distance = 0; ///< from the edge, in pixels, as t_junctions.h measures it
-};
-
-/// An edge that one triangle has and no other, with T-junctions: vertices of other triangles lie on
-/// it or near it. Which ones, t_junctions.h says. No rule for shared edges holds there, so it is told
+/// An edge that one triangle has and no other, with T-junctions: vertices of other triangles lie
+/// exactly on it. Which ones, t_junctions.h says. No rule for shared edges holds there, so it is told
 /// even if no pixel came out wrong: rounded otherwise, one may.
 struct EdgeWithJunctions {
-    std::string name;                   ///< as its triangle names its vertices
-    std::string triangle;               ///< the one that has it
-    std::vector<VertexOnEdge> vertices; ///< from one end of the edge to the other
-    std::vector<std::string> beside;    ///< the triangles whose edges run beside it, the same
-    PixelList twice;                    ///< in its triangle and in one of those; hidden ones too
+    std::string name;                  ///< as its triangle names its vertices
+    std::string triangle;              ///< the one that has it
+    std::vector<std::string> vertices; ///< from one end of the edge to the other
+    std::vector<std::string> beside;   ///< the triangles whose edges run along it, the same
+    PixelList twice;                   ///< in its triangle and in one of those; hidden ones too
 
-    /// In none of these, nor in any other triangle that has one of the vertices. The sample point
-    /// lies strictly inside a triangle, or between the edges, or on them; near the edge, as in
-    /// SharedEdge.
+    /// In none of these. The sample point lies strictly inside a triangle, or on both edges but not
+    /// on their ends; near the edge, as in SharedEdge.
     PixelList never;
 };
 

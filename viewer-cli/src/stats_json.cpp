@@ -24,6 +24,13 @@ std::string as_json(const PixelList& pixels) {
     return text + "]}";
 }
 
+std::string as_json(const std::vector<std::string>& names) {
+    std::string text = "[";
+    for (const std::string& name : names)
+        text += (text.size() > 1 ? "," : "") + json_quoted(name);
+    return text + "]";
+}
+
 std::string as_json(const std::vector<PixelCause>& causes) {
     std::string text = "[";
     for (const auto& [cause, pixels] : causes)
@@ -68,23 +75,10 @@ std::string junctions_as_json(const Stats& stats) {
     std::string text = R"("t_junctions":[)";
     std::string_view separator;
     for (const EdgeWithJunctions& edge : stats.t_junctions) {
-        text += fmt::format(R"({}{{"edge":{},"triangle":{},"vertices":[)", separator,
-                            json_quoted(edge.name), json_quoted(edge.triangle));
-        separator = "";
-        for (const VertexOnEdge& vertex : edge.vertices) {
-            text += fmt::format(R"({}{{"vertex":{},"distance":{}}})", separator,
-                                json_quoted(vertex.name), vertex.distance);
-            separator = ",";
-        }
-        text += R"(],"beside":[)";
-        separator = "";
-        for (const std::string& triangle : edge.beside) {
-            text += separator;
-            text += json_quoted(triangle);
-            separator = ",";
-        }
-        text +=
-            fmt::format(R"(],"twice":{},"never":{}}})", as_json(edge.twice), as_json(edge.never));
+        text += fmt::format(
+            R"({}{{"edge":{},"triangle":{},"vertices":{},"beside":{},"twice":{},"never":{}}})",
+            separator, json_quoted(edge.name), json_quoted(edge.triangle), as_json(edge.vertices),
+            as_json(edge.beside), as_json(edge.twice), as_json(edge.never));
         separator = ",";
     }
     return text + "]";

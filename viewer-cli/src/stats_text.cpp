@@ -202,10 +202,7 @@ template <typename List, typename TextOf> std::string some_of(const List& list, 
 }
 
 std::string as_text(const EdgeWithJunctions& edge) {
-    const auto vertex = [](const VertexOnEdge& one) {
-        return shown(one.name) +
-               (one.distance == 0 ? " on it" : fmt::format(" {:.3g} px from it", one.distance));
-    };
+    const auto vertex = [](const std::string& name) { return shown(name) + " on it"; };
     return fmt::format(
         "T-junction{} at edge {} of {}: {}; beside it {}: {} in two triangles{}; {} in "
         "none{}\n",

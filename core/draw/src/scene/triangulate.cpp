@@ -12,9 +12,9 @@ namespace rastertrace {
 
 namespace {
 
-// The coordinates of a face, written over one denominator, are whole numbers: `Whole`. `Product`
-// holds the components of its normal, sums of products of two. For nearly all meshes, std::int64_t
-// does for both. Others need Int128 for the products, or mpz_class for both.
+// The coordinates of a face, written over one denominator, are whole numbers: `Whole`. The components
+// of its normal are sums of products of two. For nearly all meshes, std::int64_t and Int128 do.
+// Others need mpz_class for both.
 
 /// Coordinates in std::int64_t have at most this many bits, so that the normal (Int128) times one
 /// of them fits in two Int128 (height_of).
@@ -23,9 +23,9 @@ constexpr int most_bits_of_grid = 59;
 /// Twice the area in each of the three planes: the sum of (y1 - y2)(z1 + z2) over all edges, and so
 /// on (M. E. Newell, in Sutherland, Sproull and Schumacker, A Characterization of Ten
 /// Hidden-Surface Algorithms, 1974).
-template <typename Product, typename Whole>
-std::array<Product, 3> newells_normal(std::span<const std::array<Whole, 3>> corners) {
-    std::array<Product, 3> normal{};
+template <typename Whole>
+std::array<ProductOf<Whole>, 3> newells_normal(std::span<const std::array<Whole, 3>> corners) {
+    std::array<ProductOf<Whole>, 3> normal{};
     const auto* from = &corners.back();
     for (const auto& to : corners) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -33,7 +33,7 @@ std::array<Product, 3> newells_normal(std::span<const std::array<Whole, 3>> corn
             const std::size_t z = (axis + 2) % 3;
             const Whole difference = (*from)[y] - to[y];
             const Whole sum = (*from)[z] + to[z];
-            normal[axis] += Product(difference) * sum;
+            normal[axis] += ProductOf<Whole>(difference) * sum;
         }
         from = &to;
     }
@@ -53,12 +53,11 @@ template <typename Product> std::size_t largest_axis(const std::array<Product, 3
 }
 
 /// normal . (to - from), exactly.
-template <typename Whole>
-ProductOf<Whole> height_of(const std::array<Whole, 3>& to, const std::array<Whole, 3>& from,
-                           const std::array<Whole, 3>& normal) {
-    ProductOf<Whole> height = 0;
+mpz_class height_of(const std::array<mpz_class, 3>& to, const std::array<mpz_class, 3>& from,
+                    const std::array<mpz_class, 3>& normal) {
+    mpz_class height = 0;
     for (std::size_t axis = 0; axis < 3; ++axis)
-        height += ProductOf<Whole>(normal[axis]) * (to[axis] - from[axis]);
+        height += normal[axis] * (to[axis] - from[axis]);
     return height;
 }
 
@@ -81,12 +80,10 @@ double height_of(const std::array<std::int64_t, 3>& to, const std::array<std::in
 }
 
 /// span / (|normal| denominator).
-template <typename Height, typename Product>
-double length_along(const std::array<Product, 3>& normal, const Height& span,
-                    std::int64_t denominator) {
+double length_along(const std::array<Int128, 3>& normal, double span, std::int64_t denominator) {
     const Vec<double, 3> n{static_cast<double>(normal[0]), static_cast<double>(normal[1]),
                            static_cast<double>(normal[2])};
-    return static_cast<double>(span) / (std::sqrt(dot(n, n)) * static_cast<double>(denominator));
+    return span / (std::sqrt(dot(n, n)) * static_cast<double>(denominator));
 }
 
 /// The same of numbers beyond the doubles: each is a number below 1 times a power of two.
@@ -108,9 +105,9 @@ double length_along(const std::array<mpz_class, 3>& normal, const mpz_class& spa
 }
 
 /// How far the corners lie apart along the normal.
-template <typename Whole, typename Product>
+template <typename Whole>
 void measure_plane(std::span<const std::array<Whole, 3>> corners,
-                   const std::array<Product, 3>& normal, const Whole& denominator,
+                   const std::array<ProductOf<Whole>, 3>& normal, const Whole& denominator,
                    Triangulation& result) {
     using Height = decltype(height_of(corners[0], corners[0], normal));
     Height lowest = 0;
@@ -135,16 +132,16 @@ Rational fraction(const mpz_class& number) {
 }
 
 /// Newell's normal; its largest component is dropped; convex? then the fan; simple? then ears.
-template <typename Product, typename Whole>
+template <typename Whole>
 Triangulation cut_face(std::span<const std::array<Whole, 3>> corners, const Whole& denominator) {
     Triangulation result;
-    const auto normal = newells_normal<Product>(corners);
+    const auto normal = newells_normal(corners);
     const std::size_t axis = largest_axis(normal);
     if (normal[axis] == 0) {
         result.form = FaceForm::no_area;
         return result;
     }
-    measure_plane(corners, normal, denominator, result);
+    measure_plane<Whole>(corners, normal, denominator, result);
 
     Polygon<Whole> polygon(corners, axis, normal[axis] < 0);
     if (is_convex(polygon))
@@ -205,7 +202,7 @@ Triangulation cut_face_of_any_size(std::span<const SceneVertex> vertices,
         for (std::size_t i = 0; i < 3; ++i)
             corners[k][i] =
                 Rational(coordinates_of(vertices[face[k]])[i]->exact() * *denominator).get_num();
-    return cut_face<mpz_class>(std::span<const std::array<mpz_class, 3>>(corners), *denominator);
+    return cut_face<mpz_class>(corners, *denominator);
 }
 
 } // namespace
@@ -221,13 +218,10 @@ Triangulation FaceCutter::cut(std::span<const std::size_t> face) {
             return cut_face_of_any_size(vertices_, face);
         corners_.push_back(grid_[index]);
     }
-    const std::span<const GridPoint3> corners = corners_;
     const int bits_of_sums = 2 * (bits_ + 1) + static_cast<int>(std::bit_width(face.size()));
-    if (bits_of_sums <= 62)
-        return cut_face<std::int64_t>(corners, denominator_);
-    if (bits_of_sums <= 126)
-        return cut_face<Int128>(corners, denominator_);
-    return cut_face_of_any_size(vertices_, face);
+    if (bits_of_sums > 126)
+        return cut_face_of_any_size(vertices_, face);
+    return cut_face<std::int64_t>(corners_, denominator_);
 }
 
 void FaceCutter::put_on_grid() {

@@ -41,7 +41,7 @@ enum class CliffKind {
     edge_on,        ///< |cosine| between normal and view at most 2^-20
     near_plane,     ///< a vertex on the near plane, or cut off by it, or at the eye
     far_out,        ///< a coordinate beyond 2^23, where float has no halves of pixels
-    t_junction,     ///< vertices on an edge that has no vertex there, or near it (t_junctions.h)
+    t_junction,     ///< vertices on an edge that has no vertex there (t_junctions.h)
 };
 inline constexpr std::size_t cliff_kind_count = 12;
 
