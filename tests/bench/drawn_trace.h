@@ -25,7 +25,7 @@ inline Trace drawn_trace(const Source& source) {
     auto trace = read_trace({"trace", std::move(text)});
     if (!trace)
         std::abort();
-    return std::move(trace).value();
+    return std::move(trace.value());
 }
 
 } // namespace rastertrace
