@@ -134,10 +134,11 @@ bool take_value(Cursor& text, std::optional<Index>& value, FieldNeed need) {
     return take_value(text, value.emplace(), need);
 }
 
-/// 25/8, without quotes.
+/// 25/8 or 3, without quotes.
 bool take_fraction(Cursor& text) {
     text.take('-');
-    return text.take_whole_part() && text.take('/') && !text.take('0') && text.pass_digits() > 0;
+    return text.take_whole_part() &&
+           (!text.take('/') || (!text.take('0') && text.pass_digits() > 0));
 }
 
 bool take_decimal(Cursor& text) {

@@ -123,6 +123,16 @@ bool has_ties(const Scene& scene) {
            (rounds_lines(scene) && line_rounding(scene.method).rounding == Rounding::nearest);
 }
 
+/// Where nothing was said, the halves of rows and of snapped vertices go up, those of lines to their start.
+std::string default_of_ties(const Scene& scene) {
+    const bool lines_have_ties =
+        rounds_lines(scene) && line_rounding(scene.method).rounding == Rounding::nearest;
+    if (scene.method.snap == Snap::nearest)
+        return lines_have_ties ? "up+start" : "up";
+    return scene.method.rounding == Rounding::nearest ? default_of_two(scene, "up", "start")
+                                                      : std::string("start");
+}
+
 template <typename Member> bool is_value(const Member& member, const Member& value) {
     return member == value;
 }
@@ -177,13 +187,7 @@ std::span<const MethodKey> method_keys() {
             "rounding", "how a span's ends, or a line's points, become pixels", rounds,
             [](const Scene& scene) { return default_of_two(scene, "floor", "nearest"); }),
         key<&Method::ties, tie_rules>("ties", "where rounding to nearest sends a half", has_ties,
-                                      [](const Scene& scene) {
-                                          const bool spans_have_ties =
-                                              scene.method.rounding == Rounding::nearest;
-                                          return spans_have_ties
-                                                     ? default_of_two(scene, "up", "start")
-                                                     : std::string("start");
-                                      }),
+                                      default_of_ties),
         key<&Method::sample, samples>(
             "sample", "where a pixel is tested",
             [](const Scene& scene) { return fills_by(scene, PixelRule::samples); },
