@@ -506,5 +506,20 @@ TEST_F(ProgramTest, AFanWiderThanEveryCanvasIsRefusedAtOnce) {
                            "(0, 0) and vertex B at (16385, 1)\n"));
 }
 
+// A large trace is looked at in its file. The program waits for the reader of the pipe when the file is emptied.
+TEST_F(ProgramTest, ATraceThatIsCutShortWhileItIsReadIsToldOf) {
+    write("scene.json", R"({"canvas":{"width":200,"height":200,"origin":"top-left"},
+        "vertices":{"A":[0,0],"B":[199,0],"C":[0,199]},"triangles":["ABC"],
+        "method":{"fill":"barycentric"}})");
+    ASSERT_EQ(shell("$rastertrace trace scene.json -o t.jsonl").status, 0);
+    ASSERT_GT(content("t.jsonl").size(), 1'000'000u);
+    const Outcome whole = shell("$rastertrace show --all --bare t.jsonl | wc -c");
+    const Outcome cut = shell("($rastertrace show --all --bare t.jsonl; echo $? > status) | "
+                              "(read line; : > t.jsonl; cat > rest); cat status");
+    EXPECT_EQ(cut.out, "3\n");
+    EXPECT_EQ(cut.err, "rastertrace: a trace was cut short while it was read\n");
+    EXPECT_LT(content("rest").size(), std::stoul(whole.out));
+}
+
 } // namespace
 } // namespace rastertrace
