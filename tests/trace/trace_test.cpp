@@ -330,7 +330,7 @@ TEST(Trace, AHeaderThatCannotBeUsed) {
 TEST(Trace, SurvivesAnyDamage) {
     const std::size_t written = trace_of(first_triangle()).size();
     std::size_t refused = 0, damaged = 0, sound = 0;
-    const bool holds = rc::check([&] {
+    const auto survives = [&] {
         std::string text = trace_text(
             first_triangle(), {*rc::gen::element(TraceLayout::json, TraceLayout::jsonl), {}});
         const int changes = *rc::gen::inRange(1, 6);
@@ -362,8 +362,10 @@ TEST(Trace, SurvivesAnyDamage) {
         // A step that is missing, or is there twice, is told of.
         RC_ASSERT(!trace.damage.empty() || trace.size() == written);
         ++(trace.damage.empty() ? sound : damaged);
-    });
-    EXPECT_TRUE(holds);
+    };
+    // One change in a hundred leaves a trace that is damaged and can be read.
+    for (int run = 0; run < 10; ++run)
+        ASSERT_TRUE(rc::check(survives));
     EXPECT_GT(refused, 0u);
     EXPECT_GT(damaged, 0u);
     EXPECT_GT(sound, 0u);
