@@ -26,9 +26,6 @@ std::optional<Number> number_of(std::string_view text) {
     return number == nullptr ? std::nullopt : std::optional(std::move(*number));
 }
 
-template <typename Value> constexpr bool is_list = false;
-template <typename Value> constexpr bool is_list<TracedList<Value>> = true;
-
 /// What a value of this type is, and of a list, what its values are.
 template <typename Value> struct TypeOf {
     static constexpr FieldType type = FieldType::string; // TracedText, TracedColor, TracedWord
