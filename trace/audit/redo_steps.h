@@ -859,7 +859,8 @@ private:
             throw NotTold();
         if (has_long_numbers_)
             return;
-        if (colors_.empty() || !rules_.says("scalar"))
+        // Colors are mixed in the sample; of a fill that has rows, the header does not tell where that is.
+        if (colors_.empty() || !rules_.says("scalar") || !rules_.says("sample"))
             return;
         if (colors_[0] == colors_[1] && colors_[0] == colors_[2]) {
             expect(colors_[0], told, "pixel: color");

@@ -190,12 +190,7 @@ std::span<const MethodKey> method_keys() {
                                       default_of_ties),
         key<&Method::sample, samples>(
             "sample", "where a pixel is tested",
-            [](const Scene& scene) {
-                // Colors are mixed in the sample, whatever the fill.
-                const bool moves_colors =
-                    scene.method.sample && scene.mixes_colors() && has_triangles(scene);
-                return fills_by(scene, PixelRule::samples) || moves_colors;
-            },
+            [](const Scene& scene) { return fills_by(scene, PixelRule::samples); },
             [](const Scene& scene) {
                 return std::string(sample_of(scene.method) == Sample::center ? "center"
                                                                              : "integer");
