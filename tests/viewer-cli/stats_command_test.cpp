@@ -177,7 +177,7 @@ TEST_F(ProgramTest, StatsFailsOnRequest) {
     const Outcome unknown = shell(stats + "--fail-on hole");
     EXPECT_EQ(unknown.status, 2);
     EXPECT_EQ(unknown.err, "rastertrace: --fail-on: expected findings out of holes,twice,outside,"
-                           "rows, found \"hole\"\nhint: did you mean holes?\n");
+                           "rows,redo, found \"hole\"\nhint: did you mean holes?\n");
     const Outcome partial =
         shell("$rastertrace trace square.json --only pixel | $rastertrace stats - --fail-on twice");
     EXPECT_EQ(partial.status, 2);
