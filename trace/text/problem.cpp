@@ -130,8 +130,10 @@ std::shared_ptr<const MappedFile> mapped_trace(const InputFile& file) {
         return nullptr;
     auto mapped = MappedFile::of(file.descriptor(), file.name());
     const std::string_view text = mapped->text();
+    // A file that is no text may have no end of a line for as long as it goes on.
+    const std::string_view beginning = text.substr(0, longest_line);
     if (text.size() < smallest ||
-        layout_of(without_blanks(text.substr(0, text.find('\n')))) == LineLayout::other)
+        layout_of(without_blanks(beginning.substr(0, beginning.find('\n')))) == LineLayout::other)
         return nullptr;
     for (std::size_t rest = text.size(), begin = 0; rest > longest_line;
          rest = text.size() - begin) {
@@ -143,15 +145,14 @@ std::shared_ptr<const MappedFile> mapped_trace(const InputFile& file) {
     return mapped;
 }
 
-Result<Source> read_path(const std::string& path, InputFile::Kind kind, InputCheck fault_of,
-                         bool can_be_mapped = true) {
+Result<Source> read_path(const std::string& path, InputFile::Kind kind, InputCheck fault_of) {
     auto file = InputFile::open(path, kind);
     if (!file)
         return file.problem();
     Source source{.name = file.value().name(), .text = {}, .file = file.value().id()};
     try {
         std::size_t block = 0;
-        if (can_be_mapped)
+        if (kind == InputFile::Kind::any) // what another file names is no trace
             source.mapped = mapped_trace(file.value());
         while (!source.mapped && file.value().read_into(source.text)) {
             if (auto fault = fault_of(source, block))
@@ -181,7 +182,7 @@ Result<Source> read_source_or_claims(const std::string& path, const InputLimits&
 Result<Source> read_named_file(const std::string& path, const InputLimits& limits) {
     if (path.find('\0') != std::string::npos)
         return problem_of(path, "expected the name of a file, found one with a zero byte");
-    return read_path(path, InputFile::Kind::regular_file, {InputCheck::Kind::other, limits}, false);
+    return read_path(path, InputFile::Kind::regular_file, {InputCheck::Kind::other, limits});
 }
 
 } // namespace rastertrace
