@@ -15,7 +15,7 @@ namespace {
 
 /// The mesh of a face: "torus" of "torus.f12", and of "torus.f12.1", a triangle of a face.
 std::string mesh_of(const PrimitiveStep& primitive) {
-    std::string name = face_of(primitive);
+    std::string name = name_of_whole(primitive);
     const auto is_face = [&name](std::size_t dot) {
         return dot + 1 < name.size() && name[dot + 1] == 'f' &&
                name.find_first_not_of("0123456789.", dot + 2) == std::string::npos;
@@ -36,7 +36,7 @@ struct Grouping {
     std::string (*group_of)(const PrimitiveStep& primitive);
 };
 constexpr std::array<Grouping, 3> groupings{
-    {{"", face_of}, {"meshes: ", mesh_of}, {"colors: ", color_of}}};
+    {{"", name_of_whole}, {"meshes: ", mesh_of}, {"colors: ", color_of}}};
 
 /// Puts primitives in the scene's order: that in which they are drawn, unless the painter has sorted them.
 void sort_as_listed(std::vector<std::size_t>& primitives, const Trace& trace, std::size_t order) {
@@ -51,7 +51,7 @@ void sort_as_listed(std::vector<std::size_t>& primitives, const Trace& trace, st
         place_of.emplace(sorted[i], listed[i].nearest_double().value_or(0));
     // Only triangles are sorted; what is not in the list comes behind it.
     const auto place = [&](std::size_t primitive) {
-        const auto found = place_of.find(face_of(trace.step(primitive).as<PrimitiveStep>()));
+        const auto found = place_of.find(name_of_whole(trace.step(primitive).as<PrimitiveStep>()));
         return found == place_of.end() ? std::numeric_limits<double>::infinity() : found->second;
     };
     std::stable_sort(primitives.begin(), primitives.end(),
@@ -103,11 +103,6 @@ std::vector<std::size_t> plotting_primitives(const Replay& replay) {
 }
 
 } // namespace
-
-std::string face_of(const PrimitiveStep& primitive) {
-    const std::string name = primitive.name.text();
-    return primitive.part.is_true() ? name.substr(0, name.rfind('/')) : name;
-}
 
 std::vector<std::size_t> visible_primitives(const Replay& replay) {
     std::set<std::size_t> seen;

@@ -119,7 +119,7 @@ View default_view(const Trace& trace) {
             continue;
         colors.insert(primitive.color.text());
         if (faces.size() <= face_letters.size())
-            faces.insert(face_of(primitive));
+            faces.insert(name_of_whole(primitive));
     }
     if (faces.size() < 2)
         return View::plotted;

@@ -35,7 +35,7 @@ void redo(const std::string& json, std::map<std::string, std::uint64_t>& counts)
     if (redone.wrong > 0)
         ADD_FAILURE() << json << "\n" << to_text(problem_of(redone, trace));
     for (const auto& [what, count] : redone.count)
-        counts[what] += count;
+        counts[std::string(what)] += count;
 }
 
 TEST(Redo, EveryDecisionOfRandomScenes) {

@@ -310,16 +310,11 @@ TEST(SharedEdge, TheTopLeftRuleDrawsItOnce) {
 TEST(SharedEdge, PixelsOnItAndNextToItMayBeDrawnByNeither) {
     // As a foreign rasterizer might: it never draws the diagonal, nor (4, 3) next to it, nor (6, 1)
     // two pixels from it and more.
-    std::string text = "{\"rastertrace\":1,\"canvas\":{\"width\":10,\"height\":10,\"origin\":"
-                       "\"top-left\"}}\n";
+    std::string text = foreign_header;
     const auto draw = [&text](const std::string& name, const std::string& at, auto is_in) {
-        text +=
-            R"({"step":"primitive","kind":"triangle","name":")" + name + R"(","at":)" + at + "}\n";
-        for (int y = 0; y <= 8; ++y)
-            for (int x = 0; x <= 8; ++x)
-                if (is_in(x, y) && Pixel{x, y} != Pixel{4, 3} && Pixel{x, y} != Pixel{6, 1})
-                    text += R"({"step":"pixel","x":)" + std::to_string(x) + R"(,"y":)" +
-                            std::to_string(y) + "}\n";
+        text += foreign_triangle(name, at, [is_in](int x, int y) {
+            return is_in(x, y) && Pixel{x, y} != Pixel{4, 3} && Pixel{x, y} != Pixel{6, 1};
+        });
     };
     draw("upper", "[[0,0],[8.0,0],[8,8]]", [](int x, int y) { return x > y; });
     draw("lower", "[[\"16/2\",8e0],[0,0],[0,8]]", [](int x, int y) { return x < y; });

@@ -111,15 +111,11 @@ TEST(TJunction, CulledTrianglesAreNeighborsAllTheSame) {
 // As a foreign rasterizer might: of the edge from (0, 4) to (8, 4) it draws one pixel, twice, and it
 // leaves out (5, 3) above it.
 TEST(TJunction, IsToldWithThePixelsInTwoTrianglesAndInNone) {
-    std::string text = "{\"rastertrace\":1,\"canvas\":{\"width\":10,\"height\":10,\"origin\":"
-                       "\"top-left\"}}\n";
+    std::string text = foreign_header;
     const auto draw = [&text](const std::string& name, const std::string& at, auto is_in) {
-        text +=
-            R"({"step":"primitive","kind":"triangle","name":")" + name + R"(","at":)" + at + "}\n";
-        for (int y = 0; y <= 8; ++y)
-            for (int x = 0; x <= 8; ++x)
-                if (is_in(x, y) && Pixel{x, y} != Pixel{5, 3})
-                    text += fmt::format(R"({{"step":"pixel","x":{},"y":{}}})", x, y) + "\n";
+        text += foreign_triangle(name, at, [is_in](int x, int y) {
+            return is_in(x, y) && Pixel{x, y} != Pixel{5, 3};
+        });
     };
     const auto is_twice = [](int x, int y) { return x == 3 && y == 4; };
     draw("upper", "[[0,4],[8,4],[4,0]]",

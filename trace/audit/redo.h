@@ -13,22 +13,23 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
 
 namespace rastertrace {
 
 /// A value that is not the one that its numbers give.
 struct WrongDecision {
     std::size_t step = 0; ///< from 1
-    std::string what;     ///< kind and field: "scanline: from"; behind them, which of several values
-    std::string redone;   ///< the value, done again
-    std::string told;     ///< the one in the trace
+    std::string what;   ///< kind and field: "scanline: from"; behind them, which of several values
+    std::string redone; ///< the value, done again
+    std::string told;   ///< the one in the trace
 
     /// The field: "from".
     std::string field() const;
 };
 
 struct Redone {
-    std::map<std::string, std::uint64_t>
+    std::map<std::string_view, std::uint64_t>
         count;               ///< how many values were done again, by kind and field
     std::uint64_t wrong = 0; ///< how many of them are others in the trace
     WrongDecision first;     ///< if there is one

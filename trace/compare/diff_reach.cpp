@@ -17,9 +17,8 @@ bool has_name(const std::vector<std::string>& names, const std::string& name) {
 
 OwnerOfPixels owner_in(const std::string& primitive_json) {
     const auto primitive = StepView(primitive_json).as<PrimitiveStep>();
-    const std::string name = primitive.name.text();
-    return {.name = name,
-            .face = primitive.part.is_true() ? name.substr(0, name.rfind('/')) : name,
+    return {.name = primitive.name.text(),
+            .face = name_of_whole(primitive),
             .vertices = primitive.vertices.texts()};
 }
 

@@ -141,8 +141,7 @@ std::vector<Try> tries_of(const Trace& trace, const std::vector<std::size_t>& st
 }
 
 bool is_part_of(const PrimitiveStep& primitive, std::string_view whole) {
-    const std::string name = primitive.name.text();
-    return primitive.part.is_true() && name.substr(0, name.rfind('/')) == whole;
+    return primitive.part.is_true() && name_of_whole(primitive) == whole;
 }
 
 Result<Explanation> explain(const Trace& trace, const Question& question) {

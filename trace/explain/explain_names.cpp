@@ -40,7 +40,7 @@ void for_each_step(const Trace& trace, const std::function<void(const StepOf&)>&
         if (kind == StepKind::primitive) {
             const auto begun = step.as<PrimitiveStep>();
             primitive = begun.name.text();
-            whole = begun.part.is_true() ? primitive.substr(0, primitive.rfind('/')) : primitive;
+            whole = name_of_whole(begun);
         }
         take({n, *kind, step, primitive, whole});
     }

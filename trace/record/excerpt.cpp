@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "excerpt.h"
 
+#include "step_counts.h"
 #include "step_kind.h"
 
 #include <rastertrace/trace/text/text.h>
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <string_view>
 #include <utility>
 
@@ -21,37 +21,20 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// How many steps of each kind there are. The known ones come in the order of step_kind.h, then the others.
-class StepCount {
-public:
-    void add(const std::string& name) {
-        ++steps_;
-        if (const auto kind = step_kind_named(name))
-            ++known_[static_cast<std::size_t>(*kind)];
-        else
-            ++others_[name];
-    }
-
-    std::uint64_t steps() const { return steps_; }
-
-    Json by_kind() const {
-        Json count = Json::object();
-        for (const auto& [kind, number] : known_)
-            count[std::string(name_of(static_cast<StepKind>(kind)))] = number;
-        for (const auto& [kind, number] : others_)
-            count[kind] = number;
-        return count;
-    }
-
-private:
-    std::uint64_t steps_ = 0;
-    std::map<std::size_t, std::uint64_t> known_;
-    std::map<std::string, std::uint64_t> others_;
-};
+/// The known kinds come in the order of step_kind.h, then the others.
+Json by_kind(const StepCounts& counts) {
+    Json count = Json::object();
+    for (std::size_t i = 0; i < step_kinds; ++i)
+        if (counts.known[i] > 0)
+            count[std::string(step_names[i])] = counts.known[i];
+    for (const auto& [kind, number] : counts.others)
+        count[kind] = number;
+    return count;
+}
 
 /// The end record: what was written, and the picture of the whole trace.
-std::string end_record(const Trace& trace, const StepCount& count) {
-    Json end{{"steps", count.steps()}, {"count", count.by_kind()}};
+std::string end_record(const Trace& trace, std::uint64_t steps, const StepCounts& counts) {
+    Json end{{"steps", steps}, {"count", by_kind(counts)}};
     if (trace.end && trace.end->pixels)
         end["pixels"] = *trace.end->pixels;
     if (trace.end && !trace.end->frame.empty())
@@ -108,17 +91,18 @@ void write_excerpt(const Trace& trace, std::string_view header,
         text.replace(text.size() - 1, 1, R"(,"steps":[)");
     output.write(without_unsafe(text));
 
-    StepCount count;
+    std::uint64_t steps = 0;
+    StepCounts counts;
     for (std::size_t n = 1; n <= trace.size(); ++n) {
         const StepView step = trace.step(n);
         const std::string kind = step.kind_name();
         if (!kinds.empty() && std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
             continue;
-        output.write((is_document && count.steps() > 0 ? ",\n" : "\n") +
-                     without_unsafe(line_of(step)));
-        count.add(kind);
+        output.write((is_document && steps > 0 ? ",\n" : "\n") + without_unsafe(line_of(step)));
+        counts.add(step, step_kind_named(kind));
+        ++steps;
     }
-    const std::string end = without_unsafe(end_record(trace, count));
+    const std::string end = without_unsafe(end_record(trace, steps, counts));
     output.write(is_document ? "\n],\n" + end + "}\n" : "\n{" + end + "}\n");
 }
 

@@ -19,10 +19,6 @@ namespace rastertrace {
 
 namespace {
 
-/// A number of so many characters, whose exponent has so few digits, lies below 1.797e308.
-constexpr std::size_t longest_plain_number = 200;
-constexpr std::size_t longest_plain_exponent = 2;
-
 /// Of so many digits, every number fits an Index.
 constexpr std::size_t most_digits_of_index = 18;
 
@@ -235,8 +231,6 @@ template <typename Step, typename... Rows>
 bool take_fields(Cursor& text, Step& step, FieldTable<Rows...> /*table*/) {
     return (take_field<Rows>(text, step) && ...) && text.take('}');
 }
-
-constexpr std::string_view front_of_step = R"({"step":")";
 
 template <typename Step> bool take_rest_of(Cursor& text, AnyStep& step) {
     return take_fields(text, step.emplace<Step>(), typename Step::Fields{});

@@ -2,6 +2,7 @@
 #include "step_lines.h"
 
 #include "field_type.h"
+#include "step_decoder.h"
 
 #include "trace_lines.h"
 
@@ -20,9 +21,6 @@ namespace {
 
 /// So much is read at once: as much as stays in a cache close to the processor.
 constexpr std::size_t block_size = 1 << 17;
-
-/// The front of a step as this program writes it.
-constexpr std::string_view step_front = R"({"step":")";
 
 /// A field of a key: a whole number as such, anything else as what it says.
 void add_key(std::string& key, std::string_view name, std::string_view json) {
@@ -60,8 +58,8 @@ std::string_view step_of_line(std::string_view line) {
 }
 
 bool begins_primitive(std::string_view line) {
-    if (line.starts_with(step_front))
-        return line.substr(step_front.size()).starts_with("primitive\"");
+    if (line.starts_with(front_of_step))
+        return line.substr(front_of_step.size()).starts_with("primitive\"");
     return StepView(step_of_line(line)).kind() == StepKind::primitive;
 }
 
@@ -72,7 +70,7 @@ StepLines::StepLines(const TraceText& text, LinePlace from, std::size_t end)
 }
 
 bool StepLines::ends_steps(std::string_view line) const {
-    if (line.starts_with(step_front))
+    if (line.starts_with(front_of_step))
         return false;
     line = without_blanks(line);
     return text_.is_document() ? line.starts_with(']') : is_end_line(line);

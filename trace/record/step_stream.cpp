@@ -2,6 +2,7 @@
 #include "step_stream.h"
 
 #include "frame.h"
+#include "step_counts.h"
 #include "trace_lines.h"
 #include "unknown_names.h"
 
@@ -14,8 +15,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
-#include <map>
 #include <string_view>
 #include <tuple>
 #include <utility>
@@ -54,8 +53,7 @@ struct StepStream::State {
     std::size_t place = 0;  ///< of the current step in the block
     std::size_t before = 0; ///< steps in front of the block
     bool is_behind = false; ///< the last step has been passed
-    std::array<std::uint64_t, step_kinds> count{};
-    std::map<std::string, std::uint64_t> other_count; ///< of kinds that we do not know
+    StepCounts counts;
     std::optional<EndRecord> end;
     std::optional<Problem> fault; ///< what stands behind the current block
     std::vector<Problem> damage;
@@ -190,15 +188,15 @@ struct StepStream::State {
     }
 
     void count_steps() {
-        for (std::size_t n = 1; n <= block.size(); ++n)
-            if (const auto kind = block.kind_of(n)) {
-                ++count[static_cast<std::size_t>(*kind)];
-                if (picture)
-                    picture->add(block.step(n), *kind);
-            } else {
-                has_useless_steps = has_useless_steps || !is_foreign(block.step(n));
-                ++other_count[block.step(n).kind_name()];
-            }
+        for (std::size_t n = 1; n <= block.size(); ++n) {
+            const StepView step = block.step(n);
+            const auto kind = block.kind_of(n);
+            counts.add(step, kind);
+            if (!kind)
+                has_useless_steps = has_useless_steps || !is_foreign(step);
+            else if (picture)
+                picture->add(step, *kind);
+        }
     }
 
     /// What is left is the end record, and nothing behind it.
@@ -241,12 +239,7 @@ struct StepStream::State {
         if (has_useless_steps)
             return;
         for (const auto& [name, told] : end->count) {
-            const auto kind = step_kind_named(name);
-            const auto other = other_count.find(name);
-            const std::uint64_t found = kind ? count[static_cast<std::size_t>(*kind)]
-                                        : other == other_count.end() ? 0
-                                                                     : other->second;
-            if (found != told)
+            if (const std::uint64_t found = counts.of(name); found != told)
                 disagree(told, name + " steps", found);
         }
         if (picture && !picture->has_stray_pixel())

@@ -4,10 +4,12 @@
 #include "field_type.h"
 #include "frame.h"
 #include "header_check.h"
+#include "step_counts.h"
 #include "step_decoder.h"
 #include "step_places.h"
 #include "trace_keys.h"
 #include "trace_lines.h"
+#include "traced_steps.h"
 #include "write_trace.h"
 
 #include <rastertrace/core/numbers/number.h>
@@ -62,9 +64,7 @@ std::string StepView::kind_name() const {
 }
 
 std::optional<double> nearest_double_in(const std::string& number) {
-    const auto parsed = parse_number(number, NumberSize::any);
-    const auto* value = std::get_if<Number>(&parsed);
-    return value == nullptr ? std::nullopt : std::optional(value->nearest_double());
+    return TracedNumber(number).nearest_double();
 }
 
 Trace::Trace() : steps_(std::make_unique<StepPlaces>()) {}
@@ -665,7 +665,7 @@ private:
         if (kind)
             note_not_finite(trace_.not_finite, source(), begin, json, *kind);
         if (!kind)
-            ++other_count_[StepView(json).kind_name()];
+            counts_.add(StepView(json), kind);
         if (kind && picture_)
             picture_->add(StepView(json), *kind);
         add_place(begin, size, kind);
@@ -674,7 +674,7 @@ private:
     void add_place(std::size_t begin, std::size_t size, std::optional<StepKind> kind,
                    bool is_plain = false) {
         if (kind)
-            ++count_[static_cast<std::size_t>(*kind)];
+            counts_.add(*kind);
         trace_.steps_->add({.offset = begin,
                             .length = static_cast<std::uint32_t>(size),
                             .kind = kind,
@@ -744,12 +744,7 @@ private:
             return; // nobody knows what they should have been
         if (!trace_.end->count.empty()) {
             for (const auto& [name, told] : trace_.end->count) {
-                const auto kind = step_kind_named(name);
-                const auto other = other_count_.find(name);
-                const std::uint64_t steps = kind ? count_[static_cast<std::size_t>(*kind)]
-                                            : other == other_count_.end() ? 0
-                                                                          : other->second;
-                if (steps != told)
+                if (const std::uint64_t steps = counts_.of(name); steps != told)
                     disagree(fmt::format("{}", told), name + " steps", steps);
             }
         }
@@ -772,8 +767,7 @@ private:
     bool has_stray_pixel_ = false;
     std::optional<PictureOfSteps>
         picture_; ///< that the steps draw, if it is held against the end record
-    std::array<std::uint64_t, step_kinds> count_{};
-    std::map<std::string, std::uint64_t> other_count_; ///< of kinds that we do not know
+    StepCounts counts_;
     std::size_t end_offset_ = 0;
     std::size_t useless_steps_ = 0; ///< that are damage
     std::vector<WrongForm> wrong_forms_;

@@ -2,7 +2,6 @@
 #include "traced_steps.h"
 
 #include "field_type.h"
-
 #include "trace.h"
 
 #include <rastertrace/core/numbers/number.h>
@@ -126,6 +125,11 @@ std::string_view word_of(SkipReason reason) {
 
 std::span<const StepField> fields_of(StepKind kind) {
     return fields_of(kind, std::make_index_sequence<step_kinds>{});
+}
+
+std::string name_of_whole(const PrimitiveStep& primitive) {
+    const std::string name = primitive.name.text();
+    return primitive.part.is_true() ? name.substr(0, name.rfind('/')) : name;
 }
 
 TracedText name_in(const StepView& step) {

@@ -524,6 +524,9 @@ using AnyStep =
                  LightStep, ClipStep, EdgeStep, HalfStep, RayStep, ScanlineStep, AlongStep,
                  DecideStep, SampleStep, DepthStep, PixelStep, RejectStep, SkipStep, UndecidedStep>;
 
+/// The name of the primitive that a part was cut from: ABC of ABC/1. Of one that is no part, its own.
+std::string name_of_whole(const PrimitiveStep& primitive);
+
 class StepView;
 
 /// Fields that more than one kind has: of a step of whatever kind, also of one that nobody knows. Absent where it has

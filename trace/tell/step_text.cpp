@@ -51,9 +51,7 @@ std::string in_formula(const std::string& number) {
 }
 
 std::optional<Rational> number_in(std::string_view text) {
-    const auto parsed = parse_number(text, NumberSize::any);
-    const auto* number = std::get_if<Number>(&parsed);
-    return number == nullptr ? std::nullopt : std::optional(number->exact());
+    return TracedNumber(text).exact();
 }
 
 Rational as_stored(const Rational& number, std::string_view json, bool is_float) {

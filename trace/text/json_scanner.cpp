@@ -9,14 +9,6 @@
 
 namespace rastertrace {
 
-namespace {
-
-/// A number of so few characters, whose exponent has so few digits, lies below 1.797e308.
-constexpr std::size_t longest_plain_number = 200;
-constexpr std::size_t longest_plain_exponent = 2;
-
-} // namespace
-
 void JsonScanner::skip_blanks() {
     while (position_ < text_.size() && (text_[position_] == ' ' || text_[position_] == '\t' ||
                                         text_[position_] == '\r' || text_[position_] == '\n'))

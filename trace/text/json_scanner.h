@@ -14,6 +14,10 @@
 
 namespace rastertrace {
 
+/// A number of so few characters, whose exponent has so few digits, lies below 1.797e308.
+inline constexpr std::size_t longest_plain_number = 200;
+inline constexpr std::size_t longest_plain_exponent = 2;
+
 class JsonScanner {
 public:
     explicit JsonScanner(std::string_view json) : text_(json) {}

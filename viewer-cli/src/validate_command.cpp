@@ -251,14 +251,15 @@ void refuse_other_kind(const ValidatedFile& file, std::optional<SchemaKind> want
 }
 
 void validate_source(Source source, const ValidateCommand& command, ValidatedFile& file) {
-    const std::size_t first = source.text.find_first_not_of(blanks);
+    const std::string_view text = source.view();
+    const std::size_t first = text.find_first_not_of(blanks);
     const std::string expected =
         command.kind ? std::string(with_article(*command.kind)) : "a scene, a trace or claims";
     if (first == std::string::npos)
         throw problem_of(file.name, fmt::format("expected {}, found an empty file", expected));
     file.kind = kind_by_content(source);
     // What is no JSON object could be anything: its reader says what it lacks.
-    if (source.text[first] == '{')
+    if (text[first] == '{')
         refuse_other_kind(file, command.kind);
     if (command.kind)
         file.kind = command.kind;
@@ -281,14 +282,7 @@ ValidatedFile validated(const std::string& path, const ValidateCommand& command)
     ValidatedFile file{.name = path == "-" ? "standard input" : path};
     try {
         if (command.redo) {
-            Source source = load_scene_trace_or_claims(path, command.input);
-            if (!source.mapped) {
-                validate_source(std::move(source), command, file);
-                return file;
-            }
-            file.kind = SchemaKind::trace;
-            refuse_other_kind(file, command.kind);
-            validate_trace(std::move(source), true, file);
+            validate_source(load_scene_trace_or_claims(path, command.input), command, file);
             return file;
         }
         auto opened = open_input_or_claims(path, command.input);

@@ -42,7 +42,4 @@ FaceGroups face_groups_of_all_frames(const Replay& at_end, std::size_t most,
 /// The primitives of which pixels can be seen in the frame that a replay has reached, by their steps.
 std::vector<std::size_t> visible_primitives(const Replay& replay);
 
-/// The face that a primitive's step is about: "ABC" of a part "ABC/1".
-std::string face_of(const PrimitiveStep& primitive);
-
 } // namespace rastertrace
