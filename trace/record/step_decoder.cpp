@@ -209,21 +209,9 @@ bool take_value(Cursor& text, TracedList<Value>& list, FieldNeed /*need*/) {
     return true;
 }
 
-/// What stands in front of a field's value: `,"left":`.
-template <FixedString name> struct FrontOfValue {
-    static constexpr auto characters = [] {
-        std::array<char, name.view().size() + 4> front{',', '"'};
-        char* const end = std::copy(name.view().begin(), name.view().end(), front.begin() + 2);
-        end[0] = '"';
-        end[1] = ':';
-        return front;
-    }();
-    static constexpr std::string_view text{characters.data(), characters.size()};
-};
-
 /// Takes a field if the text goes on with it. False if it has another value, or if the kind needs it.
 template <typename Row, typename Step> bool take_field(Cursor& text, Step& step) {
-    return text.take(FrontOfValue<Row::key>::text) ? take_value(text, Row::in(step), Row::need)
+    return text.take(Row::front) ? take_value(text, Row::in(step), Row::need)
                                                    : Row::need != FieldNeed::required;
 }
 

@@ -16,9 +16,6 @@
 
 namespace rastertrace {
 
-/// The front of a step as StepWriter writes it.
-inline constexpr std::string_view front_of_step = R"({"step":")";
-
 /// Takes the step that a text begins with. False if it begins with none that is written so; then the text stays as it
 /// is. A step that was taken is valid: it has each field that its kind must have, each value is of the field's type, and
 /// each number is finite. The step is a view of the text.

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "step_writer.h"
 
-#include "traced_steps.h"
-
 #include <rastertrace/trace/text/color_text.h>
 #include <rastertrace/trace/text/primitive_name.h>
 #include <rastertrace/trace/text/text.h>
@@ -11,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 namespace rastertrace {
 
@@ -65,119 +62,217 @@ void StepWriter::write_labels() {
     has_labels_ = true;
 }
 
-void StepWriter::begin_primitive_line(PrimitiveKind kind, std::string_view name,
-                                      std::span<const std::string_view> vertices) {
-    begin_line(StepKind::primitive);
-    put(R"({"step":"primitive","kind":")", word_of(kind), R"(","name":)",
-        std::string_view(json_quoted(name)), R"(,"vertices":[)");
-    for (std::size_t i = 0; i < vertices.size(); ++i)
-        put(std::string_view(i == 0 ? "" : ","), std::string_view(json_quoted(vertices[i])));
-    put("]");
+namespace {
+
+constexpr auto itself = [](const auto& value) -> const auto& {
+    return value;
+};
+
+/// True for two different fractions with one nearest double.
+bool round_alike(const Quantity& a, const Quantity& b) {
+    const Rational* const x = a.rational();
+    const Rational* const y = b.rational();
+    return x && y && to_double(a) == to_double(b) && *x != *y;
 }
 
-void StepWriter::end_primitive_line(const PrimitiveBegan<Quantity>& step) {
-    put(R"(,"color":")", std::string_view(to_text(step.color)), "\"");
-    for (std::size_t i = 0; i < step.colors.size(); ++i)
-        put(std::string_view(i == 0 ? R"(,"colors":[")" : R"(,")"),
-            std::string_view(to_text(step.colors[i])), "\"");
-    if (!step.colors.empty())
-        put("]");
-    if (step.octant != 0)
-        put(R"(,"octant":)", step.octant);
-    if (step.is_part)
-        put(R"(,"part":true)");
-    if (!step.is_painted)
-        put(R"(,"painted":false)");
-    put("}");
+/// The value of a field that the step has only if `is_there`.
+template <typename Value> const Value* only_if(bool is_there, const Value& value) {
+    return is_there ? &value : nullptr;
+}
+template <typename Value> const Value* only_if(const std::optional<Value>& value) {
+    return value ? &*value : nullptr;
 }
 
-/// The field that tells what a depth test was decided by, if not by the stored depth.
-std::string_view StepWriter::field_of(DepthReason reason) {
-    constexpr std::array<std::string_view, 4> names{"", "side_of", "beside", "behind"};
-    return names[static_cast<std::size_t>(reason)];
-}
-
-void StepWriter::begin_vertex_line(std::string_view name, Space space) {
-    begin_line(StepKind::vertex);
-    put(R"({"step":"vertex","name":)", std::string_view(json_quoted(name)), R"(,"space":")",
-        word_of(space), "\"");
-}
-
-void StepWriter::put_names(std::string_view key, std::span<const std::string_view> names) {
-    std::string_view before = key;
-    for (const std::string_view name : names) {
-        put(before, std::string_view(json_quoted(name)));
-        before = ",";
-    }
-    put("]");
-}
+} // namespace
 
 void StepWriter::operator()(const FaceTriangulated<Quantity>& step) {
     if (!wants(StepKind::triangulate))
         return;
-    begin_line(StepKind::triangulate);
-    put(R"({"step":"triangulate","name":)", std::string_view(json_quoted(step.name)));
-    put_names(R"(,"vertices":[)", step.vertices);
     // Who cuts the ears again has to know just where the corners are.
-    std::string_view before = R"(,"at":[[)";
-    for (const auto& corner : step.at) {
-        put(before, Exactly{corner.x, true}, ",", Exactly{corner.y, true}, ",",
-            Exactly{corner.z, true}, "]");
-        before = ",[";
+    const auto place = [](const Vec<Quantity, 3>& at) {
+        return tuple(Exactly{at.x, true}, Exactly{at.y, true}, Exactly{at.z, true});
+    };
+    put_step<TriangulateStep>(Quoted{step.name}, List{step.vertices, quoted}, List{step.at, place},
+                              place(step.normal), Word{{&step.dropped, 1}},
+                              List{step.ears, quoted});
+}
+
+void StepWriter::operator()(const MatrixSetUp<Quantity>& step) {
+    if (!wants(StepKind::matrix))
+        return;
+    using Row = std::array<Quantity, 4>;
+    const auto row = [](const Row& entries) {
+        return tuple(entries[0], entries[1], entries[2], entries[3]);
+    };
+    std::vector<const Row*> rows_of_factors;
+    for (const auto& factor : step.factors)
+        for (const Row& one : factor.matrix.rows)
+            rows_of_factors.push_back(&one);
+    const Quoted object{step.object};
+    put_step<MatrixStep>(
+        Word{step.name}, only_if(!step.object.empty(), object), List{step.matrix.rows, row},
+        ListIfAny{step.factors, [](const auto& factor) { return Word{factor.name}; }},
+        ListIfAny{rows_of_factors, [&row](const Row* one) { return row(*one); }},
+        ListIfAny{step.camera, [](const auto& at) { return tuple(at.x, at.y, at.z); }});
+}
+
+void StepWriter::operator()(const VertexPlaced<Quantity>& step) {
+    if (!wants(StepKind::vertex))
+        return;
+    const Quoted name{step.name};
+    const Word space{word_of(step.space)};
+    if (step.snapped.empty())
+        put_step<VertexStep>(name, space, List{step.at, itself}, Absent());
+    else
+        put_step<VertexStep>(name, space, tuple(Deciding{step.at[0]}, Deciding{step.at[1]}),
+                             List{step.snapped, itself});
+}
+
+void StepWriter::operator()(const PrimitivesOrdered<Quantity>& step) {
+    if (!wants(StepKind::order))
+        return;
+    // Different ones that round to one double are told as they are: their order hangs on it.
+    const auto& distances = step.distances;
+    std::vector<bool> hangs_on_digits(distances.size());
+    for (std::size_t i = 0, end = 0; i < distances.size(); i = end) {
+        const double near = to_double(distances[i]);
+        bool differ = false;
+        for (end = i + 1; end < distances.size() && to_double(distances[end]) == near; ++end)
+            differ = differ || round_alike(distances[end - 1], distances[end]);
+        std::fill(hangs_on_digits.begin() + static_cast<std::ptrdiff_t>(i),
+                  hangs_on_digits.begin() + static_cast<std::ptrdiff_t>(end), differ);
     }
-    put(R"(],"normal":[)", Exactly{step.normal.x, true}, ",", Exactly{step.normal.y, true}, ",",
-        Exactly{step.normal.z, true}, R"(],"drops":")", std::string_view(&step.dropped, 1), "\"");
-    put_names(R"(,"ears":[)", step.ears);
-    put("}");
+    const auto distance = [&](const Quantity& one) {
+        return Distance{one, hangs_on_digits[static_cast<std::size_t>(&one - distances.data())]};
+    };
+    put_step<OrderStep>(
+        List{step.names, quoted}, List{distances, distance},
+        List{step.indices, [](std::size_t index) { return static_cast<std::int64_t>(index + 1); }});
+}
+
+void StepWriter::operator()(const PrimitiveBegan<Quantity>& step) {
+    is_in_primitive_ = !primitive_ || is_part_of(step.name, *primitive_);
+    color_ = step.color;
+    name_ = step.name;
+    vertex_count_ = step.vertices.size();
+    std::copy(step.vertices.begin(), step.vertices.end(), vertices_.begin());
+    has_labels_ = false;
+    if (!wants(StepKind::primitive))
+        return;
+    // Who looks for pixels that are wrong has to know just where the corners are.
+    double within = 0;
+    for (const auto& position : step.positions)
+        within = std::max({within, rounded_off(position.x), rounded_off(position.y)});
+    const auto position = [](const Vec<Quantity, 2>& at) {
+        return tuple(Exactly{at.x}, Exactly{at.y});
+    };
+    const bool is_part = true;
+    const bool is_painted = false;
+    put_step<PrimitiveStep>(
+        Word{word_of(step.kind)}, Quoted{step.name}, List{step.vertices, quoted},
+        ListIfAny{step.positions, position}, only_if(within > 0, within),
+        ListIfAny{step.depths, [](const Quantity& depth) { return Exactly{depth}; }},
+        ColorText(step.color), ListIfAny{step.colors, [](Color color) { return ColorText(color); }},
+        only_if(step.octant != 0, step.octant), only_if(step.is_part, is_part),
+        only_if(!step.is_painted, is_painted));
+}
+
+void StepWriter::operator()(const FaceTested<Quantity>& step) {
+    if (!wants(StepKind::face))
+        return;
+    const Word light{"light"};
+    put_step<FaceStep>(Quoted{name_}, tuple(step.normal.x, step.normal.y, step.normal.z),
+                       tuple(step.view.x, step.view.y, step.view.z), Deciding{step.dot},
+                       OrNull{only_if(step.cosine)}, only_if(step.is_by_light, light),
+                       step.is_culled, step.is_culled_opposite);
+}
+
+void StepWriter::operator()(const FaceLit<Quantity>& step) {
+    if (!wants(StepKind::light))
+        return;
+    put_step<LightStep>(Quoted{name_}, tuple(step.normal.x, step.normal.y, step.normal.z),
+                        tuple(step.light.x, step.light.y, step.light.z), Deciding{step.dot},
+                        step.intensity, ColorText(step.color));
 }
 
 void StepWriter::operator()(const PrimitiveClipped& step) {
-    if (!wants(StepKind::clip))
-        return;
-    begin_line(StepKind::clip);
-    put(R"({"step":"clip","name":)", std::string_view(json_quoted(step.name)), R"(,"plane":")",
-        step.plane, R"(","inside":)");
-    std::string_view before = "[";
-    for (const bool is_inside : step.is_inside) {
-        put(before, word(is_inside));
-        before = ",";
-    }
-    put(R"(],"out":)", step.left, "}");
+    if (wants(StepKind::clip))
+        put_step<ClipStep>(Quoted{step.name}, Word{step.plane}, List{step.is_inside, itself},
+                           step.left);
 }
 
-void StepWriter::put_colored_pixel(const PixelPlotted& step) {
-    put(R"({"step":"pixel","x":)", step.pixel.x, R"(,"y":)", step.pixel.y, R"(,"color":")",
-        std::string_view(to_text(step.color)), "\"}");
+void StepWriter::operator()(const EdgeSetUp<Quantity>& step) {
+    if (wants(StepKind::edge))
+        put_step<EdgeStep>(label(step.edge), OrNull{only_if(!step.is_horizontal, step.dx_dy)},
+                           Absent(), Absent(), Absent(), Absent());
+}
+
+void StepWriter::operator()(const EdgeFunctionSetUp<Quantity>& step) {
+    if (wants(StepKind::edge))
+        put_step<EdgeStep>(label(step.edge), Absent(), Exactly{step.a}, Exactly{step.b},
+                           step.is_top_left, Absent());
 }
 
 void StepWriter::operator()(const SideBegan& step) {
-    if (!wants(StepKind::edge))
-        return;
-    begin_line(StepKind::edge);
-    put(R"({"step":"edge","edge":)", label(step.edge), R"(,"octant":)", step.octant, "}");
+    if (wants(StepKind::edge))
+        put_step<EdgeStep>(label(step.edge), Absent(), Absent(), Absent(), Absent(), step.octant);
 }
 
 void StepWriter::operator()(const HalfBegan& step) {
-    if (!wants(StepKind::half))
-        return;
-    begin_line(StepKind::half);
-    put(R"({"step":"half","half":")", std::string_view(step.is_upper ? "upper" : "lower"),
-        R"(","from_y":)", step.from_y, R"(,"to_y":)", step.to_y, "}");
+    if (wants(StepKind::half))
+        put_step<HalfStep>(Word{step.is_upper ? "upper" : "lower"}, step.from_y, step.to_y);
 }
 
 void StepWriter::operator()(const RayBegan& step) {
-    if (!wants(StepKind::ray))
+    if (wants(StepKind::ray))
+        put_step<RayStep>(step.x, step.y);
+}
+
+void StepWriter::operator()(const ScanlineSpanned<Quantity>& step) {
+    if (!wants(StepKind::scanline) || !is_in_region(step.y, step.from, step.to))
         return;
-    begin_line(StepKind::ray);
-    put(R"({"step":"ray","x":)", step.x, R"(,"y":)", step.y, "}");
+    put_step<ScanlineStep>(step.y, Deciding{step.left}, Deciding{step.right}, step.from, step.to,
+                           label(step.left_edge), label(step.right_edge), only_if(step.left_depth),
+                           only_if(step.right_depth));
+}
+
+void StepWriter::operator()(const LineSampled<Quantity>& step) {
+    if (!wants(StepKind::along) || !is_in_region(step))
+        return;
+    put_step<AlongStep>(only_if(step.is_x_major, step.at), only_if(!step.is_x_major, step.at),
+                        Deciding{step.value}, step.pixel);
 }
 
 void StepWriter::operator()(const LineDecided& step) {
-    if (!wants(StepKind::decide) || !is_in_region(step.pixel))
+    if (wants(StepKind::decide) && is_in_region(step.pixel))
+        put_step<DecideStep>(step.pixel.x, step.pixel.y, step.d, Word{word_of(step.move)});
+}
+
+void StepWriter::operator()(const SampleTested<Quantity>& step) {
+    if (!wants(StepKind::sample) || !is_in_region(step.pixel))
         return;
-    begin_line(StepKind::decide);
-    put(R"({"step":"decide","x":)", step.pixel.x, R"(,"y":)", step.pixel.y, R"(,"d":)", step.d,
-        R"(,"move":")", word_of(step.move), "\"}");
+    const auto& [first, second, third] = step.weights;
+    put_step<SampleStep>(step.pixel.x, step.pixel.y,
+                         tuple(Deciding{first}, Deciding{second}, Deciding{third}), step.is_inside);
+}
+
+void StepWriter::operator()(const DepthTested<Quantity>& step) {
+    if (!wants(StepKind::depth) || !is_in_region(step.pixel))
+        return;
+    const bool hangs_on_digits =
+        numbers_ == NumberStyle::doubles && step.stored && round_alike(step.depth, *step.stored);
+    const Exactly depth{step.depth, hangs_on_digits};
+    const Exactly stored{step.stored ? *step.stored : step.depth, hangs_on_digits};
+    const Quoted other{step.other};
+    const auto other_if = [&](DepthReason reason) { return only_if(step.reason == reason, other); };
+    put_step<DepthStep>(step.pixel.x, step.pixel.y, depth,
+                        OrNull{only_if(step.stored.has_value(), stored)}, step.passes,
+                        other_if(DepthReason::side_of), other_if(DepthReason::beside),
+                        other_if(DepthReason::behind));
+}
+
+void StepWriter::put_colored_pixel(const PixelPlotted& step) {
+    put_step<PixelStep>(step.pixel.x, step.pixel.y, ColorText(step.color));
 }
 
 void StepWriter::operator()(const PixelsRejected& step) {
@@ -187,44 +282,27 @@ void StepWriter::operator()(const PixelsRejected& step) {
                                            region_->y0 <= high_y);
     if (!wants(StepKind::reject) || !meets_region)
         return;
-    begin_line(StepKind::reject);
-    put(R"({"step":"reject","x":)", step.from_x);
-    if (low_x != high_x || low_y != high_y)
-        put(R"(,"to_x":)", step.to_x);
-    put(R"(,"y":)", step.from_y);
-    if (low_y != high_y)
-        put(R"(,"to_y":)", step.to_y);
-    put(R"(,"why":"off-canvas"})");
+    put_step<RejectStep>(&step.from_x, only_if(low_x != high_x || low_y != high_y, step.to_x),
+                         &step.from_y, only_if(low_y != high_y, step.to_y), off_canvas);
 }
 
 void StepWriter::operator()(const RowsRejected& step) {
     const Index low = std::min(step.from_y, step.to_y);
     const Index high = std::max(step.from_y, step.to_y);
-    if (!wants(StepKind::reject) || (region_ && (high < region_->y0 || region_->y1 < low)))
-        return;
-    begin_line(StepKind::reject);
-    put(R"({"step":"reject","y":)", step.from_y, R"(,"to_y":)", step.to_y,
-        R"(,"why":"off-canvas"})");
+    if (wants(StepKind::reject) && (!region_ || (region_->y0 <= high && low <= region_->y1)))
+        put_step<RejectStep>(Absent(), Absent(), step.from_y, step.to_y, off_canvas);
 }
 
 void StepWriter::operator()(const PrimitiveSkipped& step) {
-    if (!wants(StepKind::skip))
-        return;
-    begin_line(StepKind::skip);
-    put(R"({"step":"skip","name":)", std::string_view(json_quoted(name_)), R"(,"why":")",
-        word_of(step.why), "\"}");
+    if (wants(StepKind::skip))
+        put_step<SkipStep>(Quoted{name_}, Word{word_of(step.why)});
 }
 
 void StepWriter::operator()(const BoundExceeded& step) {
-    if (!wants(StepKind::undecided))
-        return;
-    begin_line(StepKind::undecided);
     // What has left the doubles has no difference to tell.
-    if (std::isfinite(step.difference) && std::isfinite(step.error))
-        put(R"({"step":"undecided","difference":)", step.difference, R"(,"error":)", step.error,
-            "}");
-    else
-        put(R"({"step":"undecided"})");
+    const bool is_told = std::isfinite(step.difference) && std::isfinite(step.error);
+    if (wants(StepKind::undecided))
+        put_step<UndecidedStep>(only_if(is_told, step.difference), only_if(is_told, step.error));
 }
 
 } // namespace rastertrace

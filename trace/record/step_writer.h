@@ -8,12 +8,12 @@
 //     StepWriter writer(out, TraceLayout::json, {});
 //     draw(scene, plan, writer);
 //
-// A line is put together in a buffer from literals and numbers, and the buffer goes to the output
-// when it is full: memory does not grow with the number of steps. A step that the filter leaves out
-// is never formatted.
+// A line is the table of its step (traced_steps.h), a value for each field. It is put together in a buffer that goes to the
+// output when it is full: memory does not grow with the number of steps. A step that the filter leaves out is never
+// formatted.
 
-#include "step_kind.h"
 #include "trace_options.h"
+#include "traced_steps.h"
 
 #include <rastertrace/core/draw/scene/method.h>
 #include <rastertrace/core/numbers/quantity.h>
@@ -34,6 +34,9 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace rastertrace {
@@ -80,224 +83,33 @@ public:
     /// Of a primitive that is not written, only the names count.
     bool reads_corners() const { return wanted_[static_cast<std::size_t>(StepKind::primitive)]; }
 
-    void operator()(const MatrixSetUp<Quantity>& step) {
-        if (!wants(StepKind::matrix))
-            return;
-        begin_line(StepKind::matrix);
-        put(R"({"step":"matrix","name":")", step.name, "\"");
-        if (!step.object.empty())
-            put(R"(,"object":)", std::string_view(json_quoted(step.object)));
-        put(R"(,"rows":[)");
-        put_rows("", step.matrix);
-        put("]");
-        std::string_view before = R"(,"factors":[)";
-        for (const auto& factor : step.factors) {
-            put(before, "\"", factor.name, "\"");
-            before = ",";
-        }
-        before = R"(],"factor_rows":[)";
-        for (const auto& factor : step.factors) {
-            put_rows(before, factor.matrix);
-            before = ",";
-        }
-        if (!step.factors.empty())
-            put("]");
-        before = R"(,"camera":[)";
-        for (const auto& vector : step.camera) {
-            put(before, "[", vector.x, ",", vector.y, ",", vector.z, "]");
-            before = ",";
-        }
-        put(step.camera.empty() ? std::string_view("}") : std::string_view("]}"));
-    }
-
-    void operator()(const VertexPlaced<Quantity>& step) {
-        if (!wants(StepKind::vertex))
-            return;
-        begin_vertex_line(step.name, step.space);
-        if (step.snapped.empty())
-            put_numbers(R"(,"at":[)", step.at);
-        else
-            put(R"(,"at":[)", Deciding{step.at[0]}, ",", Deciding{step.at[1]}, "]");
-        if (!step.snapped.empty())
-            put_numbers(R"(,"snapped":[)", step.snapped);
-        put("}");
-    }
-
-    void operator()(const PrimitiveBegan<Quantity>& step) {
-        is_in_primitive_ = !primitive_ || is_part_of(step.name, *primitive_);
-        color_ = step.color;
-        name_ = step.name;
-        vertex_count_ = step.vertices.size();
-        std::copy(step.vertices.begin(), step.vertices.end(), vertices_.begin());
-        has_labels_ = false;
-        if (!wants(StepKind::primitive))
-            return;
-        begin_primitive_line(step.kind, step.name, step.vertices);
-        // Who looks for pixels that are wrong has to know just where the corners are.
-        std::string_view before = R"(,"at":[[)";
-        double within = 0;
-        for (const auto& position : step.positions) {
-            put(before, Exactly{position.x}, ",", Exactly{position.y}, "]");
-            before = ",[";
-            within = std::max({within, rounded_off(position.x), rounded_off(position.y)});
-        }
-        if (!step.positions.empty())
-            put("]");
-        if (within > 0)
-            put(R"(,"within":)", within);
-        before = R"(,"depths":[)";
-        for (const auto& depth : step.depths) {
-            put(before, Exactly{depth});
-            before = ",";
-        }
-        if (!step.depths.empty())
-            put("]");
-        end_primitive_line(step);
-    }
-
-    void operator()(const PrimitivesOrdered<Quantity>& step) {
-        if (!wants(StepKind::order))
-            return;
-        begin_line(StepKind::order);
-        put(R"({"step":"order","names":[)");
-        std::string_view before = "";
-        for (const std::string_view name : step.names) {
-            put(before, std::string_view(json_quoted(name)));
-            before = ",";
-        }
-        // Different ones that round to one double are told as they are: their order hangs on it.
-        put(R"(],"distances":[)");
-        before = "";
-        const auto& distances = step.distances;
-        for (std::size_t i = 0, end = 0; i < distances.size(); i = end) {
-            const double near = to_double(distances[i]);
-            bool differ = false;
-            for (end = i + 1; end < distances.size() && to_double(distances[end]) == near; ++end)
-                differ = differ || round_alike(distances[end - 1], distances[end]);
-            for (std::size_t k = i; k < end; ++k) {
-                if (differ)
-                    put(before, Exactly{distances[k], true});
-                else
-                    put(before, distances[k]);
-                before = ",";
-            }
-        }
-        before = R"(],"listed":[)";
-        for (const std::size_t index : step.indices) {
-            put(before, static_cast<std::int64_t>(index + 1));
-            before = ",";
-        }
-        put("]}");
-    }
-
-    void operator()(const FaceTested<Quantity>& step) {
-        if (!wants(StepKind::face))
-            return;
-        begin_line(StepKind::face);
-        put(R"({"step":"face","name":)", std::string_view(json_quoted(name_)), R"(,"normal":[)",
-            step.normal.x, ",", step.normal.y, ",", step.normal.z, R"(],"view":[)", step.view.x,
-            ",", step.view.y, ",", step.view.z, R"(],"dot":)", Deciding{step.dot});
-        if (step.cosine)
-            put(R"(,"cosine":)", *step.cosine);
-        else
-            put(R"(,"cosine":null)");
-        put(std::string_view(step.is_by_light ? R"(,"by":"light")" : ""), R"(,"culled":)",
-            word(step.is_culled), R"(,"opposite":)", word(step.is_culled_opposite), "}");
-    }
-
-    void operator()(const FaceLit<Quantity>& step) {
-        if (!wants(StepKind::light))
-            return;
-        begin_line(StepKind::light);
-        put(R"({"step":"light","name":)", std::string_view(json_quoted(name_)), R"(,"normal":[)",
-            step.normal.x, ",", step.normal.y, ",", step.normal.z, R"(],"light":[)", step.light.x,
-            ",", step.light.y, ",", step.light.z, R"(],"dot":)", Deciding{step.dot},
-            R"(,"intensity":)", step.intensity, R"(,"color":")",
-            std::string_view(to_text(step.color)), "\"}");
-    }
-
-    void operator()(const DepthTested<Quantity>& step) {
-        if (!wants(StepKind::depth) || !is_in_region(step.pixel))
-            return;
-        begin_line(StepKind::depth);
-        const bool hangs_on_digits = numbers_ == NumberStyle::doubles && step.stored &&
-                                     round_alike(step.depth, *step.stored);
-        put(R"({"step":"depth","x":)", step.pixel.x, R"(,"y":)", step.pixel.y, R"(,"depth":)",
-            Exactly{step.depth, hangs_on_digits});
-        if (step.stored)
-            put(R"(,"stored":)", Exactly{*step.stored, hangs_on_digits}, R"(,"pass":)",
-                word(step.passes));
-        else
-            put(R"(,"stored":null,"pass":)", word(step.passes));
-        if (step.reason != DepthReason::stored)
-            put(",\"", field_of(step.reason), "\":", std::string_view(json_quoted(step.other)));
-        put("}");
-    }
-
-    void operator()(const EdgeSetUp<Quantity>& step) {
-        if (!wants(StepKind::edge))
-            return;
-        begin_line(StepKind::edge);
-        put(R"({"step":"edge","edge":)", label(step.edge), R"(,"dx_dy":)");
-        if (step.is_horizontal)
-            put("null}");
-        else
-            put(step.dx_dy, "}");
-    }
-
-    void operator()(const EdgeFunctionSetUp<Quantity>& step) {
-        if (!wants(StepKind::edge))
-            return;
-        begin_line(StepKind::edge);
-        put(R"({"step":"edge","edge":)", label(step.edge), R"(,"a":)", Exactly{step.a}, R"(,"b":)",
-            Exactly{step.b}, R"(,"top_left":)", word(step.is_top_left), "}");
-    }
-
-    void operator()(const LineSampled<Quantity>& step) {
-        if (!wants(StepKind::along) || !is_in_region(step))
-            return;
-        begin_line(StepKind::along);
-        put(R"({"step":"along",")", std::string_view(step.is_x_major ? "x" : "y"), R"(":)", step.at,
-            R"(,"value":)", Deciding{step.value}, R"(,"pixel":)", step.pixel, "}");
-    }
-
-    void operator()(const SampleTested<Quantity>& step) {
-        if (!wants(StepKind::sample) || !is_in_region(step.pixel))
-            return;
-        begin_line(StepKind::sample);
-        put(R"({"step":"sample","x":)", step.pixel.x, R"(,"y":)", step.pixel.y, R"(,"weights":[)",
-            Deciding{step.weights[0]}, ",", Deciding{step.weights[1]}, ",",
-            Deciding{step.weights[2]}, R"(],"inside":)", word(step.is_inside), "}");
-    }
-
-    void operator()(const ScanlineSpanned<Quantity>& step) {
-        if (!wants(StepKind::scanline) || !is_in_region(step.y, step.from, step.to))
-            return;
-        begin_line(StepKind::scanline);
-        put(R"({"step":"scanline","y":)", step.y, R"(,"left":)", Deciding{step.left},
-            R"(,"right":)", Deciding{step.right}, R"(,"from":)", step.from, R"(,"to":)", step.to,
-            R"(,"left_edge":)", label(step.left_edge), R"(,"right_edge":)", label(step.right_edge));
-        if (step.left_depth && step.right_depth)
-            put(R"(,"left_depth":)", *step.left_depth, R"(,"right_depth":)", *step.right_depth);
-        put("}");
-    }
-
     void operator()(const PixelPlotted& step) {
         if (!wants(StepKind::pixel) || !is_in_region(step.pixel))
             return;
-        begin_line(StepKind::pixel);
         if (step.color == color_)
-            put(R"({"step":"pixel","x":)", step.pixel.x, R"(,"y":)", step.pixel.y, "}");
+            put_step<PixelStep>(step.pixel.x, step.pixel.y, Absent());
         else
             put_colored_pixel(step);
     }
 
     void operator()(const FaceTriangulated<Quantity>& step);
+    void operator()(const MatrixSetUp<Quantity>& step);
+    void operator()(const VertexPlaced<Quantity>& step);
+    void operator()(const PrimitivesOrdered<Quantity>& step);
+    void operator()(const PrimitiveBegan<Quantity>& step);
+    void operator()(const FaceTested<Quantity>& step);
+    void operator()(const FaceLit<Quantity>& step);
     void operator()(const PrimitiveClipped& step);
+    void operator()(const EdgeSetUp<Quantity>& step);
+    void operator()(const EdgeFunctionSetUp<Quantity>& step);
     void operator()(const SideBegan& step);
     void operator()(const HalfBegan& step);
     void operator()(const RayBegan& step);
+    void operator()(const ScanlineSpanned<Quantity>& step);
+    void operator()(const LineSampled<Quantity>& step);
     void operator()(const LineDecided& step);
+    void operator()(const SampleTested<Quantity>& step);
+    void operator()(const DepthTested<Quantity>& step);
     void operator()(const PixelsRejected& step);
     void operator()(const RowsRejected& step);
     void operator()(const PrimitiveSkipped& step);
@@ -305,20 +117,6 @@ public:
 
     /// Writes text as it is: for what stands before the first step and behind the last one.
     void put_text(std::string_view text) { put(text); }
-
-    /// Starts a line for a step of this kind and counts it.
-    void begin_line(StepKind kind) {
-        ++counts_[static_cast<std::size_t>(kind)];
-        put(separator_);
-        separator_ = next_separator_;
-    }
-
-    /// Puts literals, strings and numbers one behind the other.
-    template <typename... Pieces> void put(const Pieces&... pieces) {
-        char* out = room((size_of(pieces) + ...));
-        ((out = append(out, pieces)), ...);
-        used_ = static_cast<std::size_t>(out - buffer_.data());
-    }
 
     /// Hands everything written so far to the output.
     void flush();
@@ -365,41 +163,115 @@ private:
                                : is_in_region(step.at, step.pixel, step.pixel);
     }
 
-    static std::string_view word(bool value) { return value ? "true" : "false"; }
-
     void write_labels();
-    void put_names(std::string_view key, std::span<const std::string_view> names);
-    void begin_primitive_line(PrimitiveKind kind, std::string_view name,
-                              std::span<const std::string_view> vertices);
-    void end_primitive_line(const PrimitiveBegan<Quantity>& step);
-    static std::string_view field_of(DepthReason reason);
-    void begin_vertex_line(std::string_view name, Space space);
-
-    void put_numbers(std::string_view key, std::span<const Quantity> numbers) {
-        std::string_view before = key;
-        for (const Quantity& number : numbers) {
-            put(before, number);
-            before = ",";
-        }
-        put("]");
-    }
-
-    /// The rows of a matrix, without brackets around them all.
-    void put_rows(std::string_view before, const Matrix<Quantity>& matrix) {
-        for (const auto& row : matrix.rows) {
-            put(before, "[", row[0], ",", row[1], ",", row[2], ",", row[3], "]");
-            before = ",";
-        }
-    }
-
-    /// True for two different fractions with one nearest double.
-    static bool round_alike(const Quantity& a, const Quantity& b) {
-        const Rational* const x = a.rational();
-        const Rational* const y = b.rational();
-        return x && y && to_double(a) == to_double(b) && *x != *y;
-    }
-
     void put_colored_pixel(const PixelPlotted& step);
+
+    // A line is the table of its step (traced_steps.h) with a value for each field.
+
+    /// The value of a field that a step does not have. A pointer that is null is another one.
+    struct Absent {};
+
+    /// A string.
+    struct Quoted {
+        std::string_view text;
+    };
+    static Quoted quoted(std::string_view text) { return {text}; }
+
+    /// A string without a character that JSON escapes: a word of ours, or a color.
+    struct Word {
+        std::string_view text;
+    };
+    static constexpr Word off_canvas{"off-canvas"};
+    struct ColorText : std::string {
+        explicit ColorText(Color color) : std::string(to_text(color)) {}
+    };
+
+    /// A painter's distance, as it is or rounded.
+    struct Distance {
+        const Quantity& number;
+        bool hangs_on_digits;
+    };
+
+    /// A value, or null.
+    template <typename Value> struct OrNull { const Value* value; };
+    template <typename Value> OrNull(const Value*) -> OrNull<Value>;
+
+    /// A list of so many values. Quantities are not copied.
+    template <typename Value>
+    using Held = std::conditional_t<std::is_same_v<Value, Quantity>, const Quantity&, Value>;
+    template <typename... Values> struct Tuple { std::tuple<Held<Values>...> values; };
+    template <typename... Values> static Tuple<Values...> tuple(const Values&... values) {
+        return {{values...}};
+    }
+
+    /// A list as long as a range, each value as `value_of` makes it. It may be longer than the buffer.
+    template <typename Range, typename Make> struct List {
+        const Range& range;
+        Make value_of;
+    };
+    template <typename Range, typename Make> List(const Range&, Make) -> List<Range, Make>;
+
+    /// The same, but absent if it is empty.
+    template <typename Range, typename Make> struct ListIfAny : List<Range, Make> {};
+    template <typename Range, typename Make>
+    ListIfAny(const Range&, Make) -> ListIfAny<Range, Make>;
+
+    template <typename Value> static constexpr bool is_list = requires(Value list) {
+        list.value_of;
+    };
+
+    /// A field with its key, or nothing if its value is absent.
+    template <typename Row, typename Value> struct Field { const Value& value; };
+
+    /// Writes a step: a value for each field of its kind, in the order of the table.
+    template <typename Step, typename... Values> void put_step(const Values&... values) {
+        ++counts_[static_cast<std::size_t>(Step::step_kind)];
+        put_fields<Step>(typename Step::Fields{}, values...);
+        separator_ = next_separator_;
+    }
+
+    template <typename Step, typename... Rows, typename... Values>
+    void put_fields(FieldTable<Rows...> /*table*/, const Values&... values) {
+        static_assert(sizeof...(Rows) == sizeof...(Values));
+        constexpr std::string_view name = step_names[static_cast<std::size_t>(Step::step_kind)];
+        if constexpr ((is_list<Values> || ...)) {
+            put(separator_, front_of_step, name, "\"");
+            (put_field<Rows>(values), ...);
+            put("}");
+        } else {
+            put(separator_, front_of_step, name, "\"", Field<Rows, Values>{values}..., "}");
+        }
+    }
+
+    template <typename Row, typename Value> void put_field(const Value& value) {
+        put(Field<Row, Value>{value});
+    }
+    template <typename Row, typename Range, typename Make>
+    void put_field(const List<Range, Make>& list) {
+        put(Row::front);
+        put_list(list);
+    }
+    template <typename Row, typename Range, typename Make>
+    void put_field(const ListIfAny<Range, Make>& list) {
+        if (!std::empty(list.range))
+            put_field<Row>(static_cast<const List<Range, Make>&>(list));
+    }
+
+    template <typename Range, typename Make> void put_list(const List<Range, Make>& list) {
+        std::string_view before = "[";
+        for (const auto& one : list.range) {
+            put(before, list.value_of(one));
+            before = ",";
+        }
+        put(std::string_view(std::empty(list.range) ? "[]" : "]"));
+    }
+
+    /// Puts literals, strings and values one behind the other.
+    template <typename... Pieces> void put(const Pieces&... pieces) {
+        char* out = room((size_of(pieces) + ...));
+        ((out = append(out, pieces)), ...);
+        used_ = static_cast<std::size_t>(out - buffer_.data());
+    }
 
     /// The quoted name of an edge of the current primitive.
     std::string_view label(EdgeName edge) {
@@ -420,6 +292,30 @@ private:
         return size - 1;
     }
     static std::size_t size_of(std::string_view text) { return text.size(); }
+    static std::size_t size_of(bool /*value*/) { return longest_flag; }
+    static std::size_t size_of(Word word) { return word.text.size() + 2; }
+    static std::size_t size_of(const ColorText& color) { return color.size() + 2; }
+    std::size_t size_of(const Distance& told) const { return size_of(told.number); }
+    static std::size_t size_of(Quoted name) { return room_for_quoted(name.text); }
+    template <typename Value> std::size_t size_of(const OrNull<Value>& told) const {
+        return told.value ? size_of(*told.value) : null.size();
+    }
+    template <typename... Values> std::size_t size_of(const Tuple<Values...>& tuple) const {
+        return std::apply(
+            [this](const auto&... values) {
+                return (size_of(values) + ... + 1) + sizeof...(values);
+            },
+            tuple.values);
+    }
+    template <typename Row, typename Value>
+    std::size_t size_of(const Field<Row, Value>& field) const {
+        if constexpr (std::is_same_v<Value, Absent>)
+            return 0;
+        else if constexpr (std::is_pointer_v<Value>)
+            return field.value ? Row::front.size() + size_of(*field.value) : 0;
+        else
+            return Row::front.size() + size_of(field.value);
+    }
     template <typename Number> static std::size_t size_of(const Number& number) {
         return room_for(number);
     }
@@ -443,6 +339,45 @@ private:
     static char* append(char* out, std::string_view text) {
         std::memcpy(out, text.data(), text.size());
         return out + text.size();
+    }
+    static char* append(char* out, bool value) {
+        return append(out, std::string_view(value ? "true" : "false"));
+    }
+    static char* append(char* out, Word word) {
+        *out++ = '"';
+        out = append(out, word.text);
+        *out++ = '"';
+        return out;
+    }
+    static char* append(char* out, const ColorText& color) {
+        return append(out, Word{static_cast<const std::string&>(color)});
+    }
+    char* append(char* out, const Distance& told) const {
+        return told.hangs_on_digits ? append(out, Exactly{told.number, true})
+                                    : append(out, told.number);
+    }
+    static char* append(char* out, Quoted name) { return write_quoted(out, name.text); }
+    template <typename Value> char* append(char* out, const OrNull<Value>& told) const {
+        return told.value ? append(out, *told.value) : append(out, null);
+    }
+    template <typename... Values> char* append(char* out, const Tuple<Values...>& tuple) const {
+        char before = '[';
+        const auto append_one = [&](const auto& value) {
+            *out++ = std::exchange(before, ',');
+            out = append(out, value);
+        };
+        std::apply([&](const auto&... values) { (append_one(values), ...); }, tuple.values);
+        *out++ = ']';
+        return out;
+    }
+    template <typename Row, typename Value>
+    char* append(char* out, const Field<Row, Value>& field) const {
+        if constexpr (std::is_same_v<Value, Absent>)
+            return out;
+        else if constexpr (std::is_pointer_v<Value>)
+            return field.value ? append(append(out, Row::front), *field.value) : out;
+        else
+            return append(append(out, Row::front), field.value);
     }
     template <typename Number> static char* append(char* out, const Number& number) {
         return format_number(out, number);
@@ -509,6 +444,8 @@ private:
                    : 0;
     }
 
+    static constexpr std::string_view null = "null";
+    static constexpr std::size_t longest_flag = 5; ///< false
     static constexpr std::size_t most_vertices = 3;
 
     Output& output_;

@@ -22,6 +22,7 @@
 #include <rastertrace/core/raster/steps.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -166,11 +167,24 @@ struct FieldRow {
     static constexpr FieldRole role = role_of_field;
     static constexpr FieldNeed need = need_of_field;
 
+    /// What stands in front of its value: `,"left":`.
+    static constexpr auto front_characters = [] {
+        std::array<char, name.size() + 4> front{',', '"'};
+        char* const end = std::copy(name.begin(), name.end(), front.begin() + 2);
+        end[0] = '"';
+        end[1] = ':';
+        return front;
+    }();
+    static constexpr std::string_view front{front_characters.data(), front_characters.size()};
+
     /// The field of a step.
     static constexpr auto& in(auto& step) { return step.*member; }
 };
 
 template <typename... Rows> struct FieldTable {};
+
+/// What a step begins with: this, the name of its kind, and a quotation mark.
+inline constexpr std::string_view front_of_step = R"({"step":")";
 
 /// The words of the tables.
 namespace field {

@@ -248,34 +248,44 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string_vi
 }
 
 std::string json_quoted(std::string_view text) {
+    std::string out(room_for_quoted(text), '\0');
+    out.resize(static_cast<std::size_t>(write_quoted(out.data(), text) - out.data()));
+    return out;
+}
+
+char* write_quoted(char* out, std::string_view text) {
     const auto is_plain = [](char byte) {
         return ' ' <= byte && byte <= '~' && byte != '"' && byte != '\\';
     };
-    std::string out = "\"";
+    const auto write = [&out](std::string_view part) {
+        out = std::copy(part.begin(), part.end(), out);
+    };
+    *out++ = '"';
     while (!text.empty()) {
         // Most text needs no second look.
         const auto end_of_plain = std::find_if_not(text.begin(), text.end(), is_plain);
-        out.append(text.begin(), end_of_plain);
+        out = std::copy(text.begin(), end_of_plain, out);
         text.remove_prefix(static_cast<std::size_t>(end_of_plain - text.begin()));
         if (text.empty())
             break;
         const CodePoint character = first_code_point(text);
         const std::string_view bytes = text.substr(0, character.length);
         if (bytes == "\"" || bytes == "\\")
-            (out += '\\') += bytes;
+            write("\\"), write(bytes);
         else if (bytes == "\n")
-            out += "\\n";
+            write("\\n");
         else if (bytes == "\t")
-            out += "\\t";
+            write("\\t");
         else if (character.value == not_a_character)
-            out += "\\ufffd";
+            write("\\ufffd");
         else if (is_unsafe(character.value))
-            out += fmt::format("\\u{:04x}", static_cast<unsigned>(character.value));
+            out = fmt::format_to(out, "\\u{:04x}", static_cast<unsigned>(character.value));
         else
-            out += bytes;
+            write(bytes);
         text.remove_prefix(character.length);
     }
-    return out += '"';
+    *out++ = '"';
+    return out;
 }
 
 } // namespace rastertrace

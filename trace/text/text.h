@@ -79,4 +79,10 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string_vi
 /// `text` as a JSON string, quotes included. Characters that could harm a terminal are escaped.
 std::string json_quoted(std::string_view text);
 
+/// Writes the same to memory with so much room, and returns its end.
+char* write_quoted(char* out, std::string_view text);
+constexpr std::size_t room_for_quoted(std::string_view text) {
+    return 6 * text.size() + 2; // \u001b
+}
+
 } // namespace rastertrace
