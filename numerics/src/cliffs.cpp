@@ -500,13 +500,13 @@ private:
         NamedTriangle triangle;
         for (std::size_t i = 0; i < 3; ++i) {
             const auto& [x, y] = piece.positions[i];
-            triangle.at[i] = {x, y};
+            triangle.at[i] = {Coordinate(x), Coordinate(y)};
             triangle.names[i] = names.corners[i];
             const auto next = static_cast<std::uint32_t>(position_numbers_.size());
             triangle.corners[i] =
                 position_numbers_.emplace(x.get_str() + "," + y.get_str(), next).first->second;
         }
-        const auto& [a, b, c] = triangle.at;
+        const auto& [a, b, c] = piece.positions;
         triangle.name = names.piece;
         triangle.is_drawn =
             !piece.is_skipped && (b.x - a.x) * (c.y - a.y) != (c.x - a.x) * (b.y - a.y);

@@ -2,6 +2,7 @@
 #include "coverage.h"
 
 #include "t_junctions.h"
+#include "triangle_samples.h"
 
 #include <rastertrace/core/numbers/number.h>
 #include <rastertrace/trace/tell/step_text.h>
@@ -13,7 +14,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <functional>
 #include <iterator>
 #include <map>
 #include <optional>
@@ -21,30 +22,10 @@
 #include <string_view>
 #include <unordered_map>
 #include <utility>
-#include <variant>
 
 namespace rastertrace {
 
 namespace {
-
-/// An exact point of the scene.
-using Position = ScreenPoint;
-
-/// Where sample points are.
-struct Grid {
-    Canvas canvas;
-    mpq_class sample_offset; ///< from a pixel's integer point to its sample point, in x and in y
-};
-
-/// The pixels of one row from x = first to x = last, or the rows from first to last; none if last
-/// lies before first.
-struct Span {
-    Index first = 0;
-    Index last = -1;
-
-    bool is_empty() const { return last < first; }
-    bool has(Index x) const { return first <= x && x <= last; }
-};
 
 Span common_part(const Span& a, const Span& b) {
     return {std::max(a.first, b.first), std::min(a.last, b.last)};
@@ -72,150 +53,6 @@ void put_in_order(std::vector<std::uint32_t>& pixels) {
     pixels.shrink_to_fit();
 }
 
-// The geometry: regions of the plane whose pixels are found row by row, by whole numbers.
-
-/// The pixels (x, y) with a x + b y + c >= 0.
-struct HalfPlane {
-    mpz_class a;
-    mpz_class b;
-    mpz_class c;
-};
-
-/// The pixels that lie in every one of some half planes.
-using ConvexRegion = std::vector<HalfPlane>;
-
-/// The pixels whose sample points have a x + b y + c >= 0.
-HalfPlane half_plane(const mpq_class& a, const mpq_class& b, const mpq_class& c, const Grid& grid) {
-    // From the sample point to the pixel that it belongs to.
-    const mpq_class at_pixel = c + (a + b) * grid.sample_offset;
-
-    // The same over a common denominator, and without it.
-    mpz_class denominator = a.get_den();
-    for (const mpq_class* value : {&b, &at_pixel})
-        mpz_lcm(denominator.get_mpz_t(), denominator.get_mpz_t(), value->get_den_mpz_t());
-    const auto whole = [&denominator](const mpq_class& value) {
-        return mpz_class(value.get_num() * (denominator / value.get_den()));
-    };
-    return {whole(a), whole(b), whole(at_pixel)};
-}
-
-/// Left of the line from one point to another, where y points up: the edge function, twice the
-/// signed area that a sample point makes with the edge, is at least -`widening`. Pineda 1988.
-HalfPlane left_of(const Position& from, const Position& to, const Grid& grid,
-                  const mpq_class& widening = 0) {
-    const mpq_class dx = to.x - from.x;
-    const mpq_class dy = to.y - from.y;
-    return half_plane(-dy, dx, dy * from.x - dx * from.y + widening, grid);
-}
-
-/// The other side of the line.
-HalfPlane opposite(const HalfPlane& plane) {
-    return {-plane.a, -plane.b, -plane.c};
-}
-
-/// The pixels with a x + b y + c >= -by.
-HalfPlane widened(const HalfPlane& plane, const mpz_class& by) {
-    return {plane.a, plane.b, plane.c + by};
-}
-
-/// The region without its boundary: of whole numbers, those above 0 are the ones from 1.
-ConvexRegion interior_of(ConvexRegion region) {
-    for (HalfPlane& plane : region)
-        plane.c -= 1;
-    return region;
-}
-
-/// A whole number of any size, held between two that are on the canvas or next to it.
-Index clamped(const mpz_class& value, Index low, Index high) {
-    if (value < low)
-        return low;
-    return value > high ? high : value.get_si();
-}
-
-/// The pixels of `within`, a part of row `y`, that lie in a region. Where there are none, the
-/// result begins one behind the end of `within`.
-Span span_on_row(const ConvexRegion& region, int y, const Span& within) {
-    Span span = within;
-    mpz_class bound;
-    for (const HalfPlane& plane : region) {
-        // a x >= -rest; the division gives the outermost x.
-        const mpz_class rest = plane.b * y + plane.c;
-        const int sign = sgn(plane.a);
-        if (sign > 0) {
-            mpz_fdiv_q(bound.get_mpz_t(), rest.get_mpz_t(), plane.a.get_mpz_t());
-            bound = -bound;
-            span.first = std::max(span.first, clamped(bound, within.first, within.last + 1));
-        } else if (sign < 0) {
-            bound = -plane.a;
-            mpz_fdiv_q(bound.get_mpz_t(), rest.get_mpz_t(), bound.get_mpz_t());
-            span.last = std::min(span.last, clamped(bound, within.first - 1, within.last));
-        } else if (sgn(rest) < 0) {
-            span.last = within.first - 1;
-        }
-        if (span.is_empty())
-            return {within.last + 1, within.last};
-    }
-    return span;
-}
-
-/// The rows of the canvas, counted from its top, whose sample points have a y from `low` to `high`.
-Span rows_between(const mpq_class& low, const mpq_class& high, const Grid& grid) {
-    const auto [lowest, highest] = std::minmax<Index>({grid.canvas.top(), grid.canvas.bottom()});
-    const mpq_class low_pixel = low - grid.sample_offset;
-    const mpq_class high_pixel = high - grid.sample_offset;
-    mpz_class whole;
-    mpz_cdiv_q(whole.get_mpz_t(), low_pixel.get_num_mpz_t(), low_pixel.get_den_mpz_t());
-    const Index from = clamped(whole, lowest, highest + 1);
-    mpz_fdiv_q(whole.get_mpz_t(), high_pixel.get_num_mpz_t(), high_pixel.get_den_mpz_t());
-    const Index to = clamped(whole, lowest - 1, highest);
-    if (to < from)
-        return {};
-    const auto [first, last] = std::minmax({grid.canvas.row_of(from), grid.canvas.row_of(to)});
-    return {first, last};
-}
-
-Span whole_row(const Canvas& canvas) {
-    return {canvas.left(), canvas.right()};
-}
-
-/// Twice the signed area of a triangle.
-mpq_class area2(const std::array<Position, 3>& at) {
-    return (at[1].x - at[0].x) * (at[2].y - at[0].y) - (at[2].x - at[0].x) * (at[1].y - at[0].y);
-}
-
-/// The closed triangle, whichever way its vertices turn: the half planes of the edges from its
-/// first, second and third corner. Their edge functions are at least -`widening`.
-ConvexRegion region_of(const std::array<Position, 3>& at, const Grid& grid,
-                       const mpq_class& widening = 0) {
-    const bool turns_left = sgn(area2(at)) > 0;
-    ConvexRegion region;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const Position& from = at[i];
-        const Position& to = at[(i + 1) % 3];
-        region.push_back(turns_left ? left_of(from, to, grid, widening)
-                                    : left_of(to, from, grid, widening));
-    }
-    return region;
-}
-
-/// How far rounding may put an edge function of a triangle off, at a sample in its box, when all is
-/// worked out in the numbers of the trace; 0 if these do not round. Weights and edge functions are
-/// sums of products of a length in x and one in y, none larger than the box: of up to 32 roundings,
-/// each puts them off by half an ulp of such a product. The ends of a row are a coordinate plus a
-/// length, with up to four roundings, and count times a side of the box.
-mpq_class rounding_error(const std::array<Position, 3>& at, const Trace& trace) {
-    const std::string scalar = trace.method_value("scalar");
-    if (scalar == "exact" || scalar == "adaptive" || scalar == "fixed")
-        return 0;
-    const auto [left, right] = std::minmax<mpq_class>({at[0].x, at[1].x, at[2].x});
-    const auto [low, high] = std::minmax<mpq_class>({at[0].y, at[1].y, at[2].y});
-    const mpq_class width = right - left;
-    const mpq_class height = high - low;
-    const mpq_class farthest = std::max<mpq_class>({abs(left), abs(right), abs(low), abs(high)});
-    const mpq_class one_rounding = scalar == "float" ? 0x1p-24 : 0x1p-53;
-    return one_rounding * (32 * width * height + 4 * (width + height) * farthest);
-}
-
 // What the trace says: corners, and the pixels of a row.
 
 bool has_floats(const Trace& trace) {
@@ -226,27 +63,39 @@ bool has_floats(const Trace& trace) {
 struct Cornered {
     const DrawnPrimitive* drawn = nullptr;
     std::size_t place = 0; ///< in Stats::primitives
-    std::array<Position, 3> at;
+    std::array<ScreenPoint, 3> at;
     std::array<std::uint32_t, 3> corners{}; ///< numbers of the positions; the same for equal ones
-    mpq_class error = {};       ///< see rounding_error; of a triangle with area, like the regions
-    ConvexRegion closed = {};   ///< the triangle
-    ConvexRegion interior = {}; ///< so far inside that no rounding matters
-    ConvexRegion within_error = {}; ///< and so much wider than it
+    std::optional<TriangleSamples> samples = {}; ///< of a triangle with area; they refer to `at`
+    bool is_drawn_whole = false; ///< it has all its samples, and rounding matters for none of them
 };
 
 /// Numbers positions: equal ones have the same number.
-using PositionNumbers = std::unordered_map<std::string, std::uint32_t>;
+struct HashOfPoint {
+    std::size_t operator()(const ScreenPoint& point) const {
+        const std::hash<double> hash;
+        constexpr std::size_t odd = 0x9E3779B97F4A7C15; // 2^64 over the golden ratio
+        return (hash(point.x.nearest()) * odd) ^ hash(point.y.nearest());
+    }
+};
+using PositionNumbers = std::unordered_map<ScreenPoint, std::uint32_t, HashOfPoint>;
+
+/// A number of a step as it is stored, if it is one.
+std::optional<Coordinate> coordinate_in(std::string_view json, bool is_float) {
+    if (const auto stored = stored_double_in(json, is_float))
+        return Coordinate(*stored);
+    const auto number = stored_number_in(json, is_float);
+    return number ? std::optional(Coordinate(*number)) : std::nullopt;
+}
 
 /// The place that a point of a step stands for, if it is a pair of numbers.
-std::optional<Position> position_in(std::string_view json, bool is_float) {
-    std::vector<mpq_class> values;
+std::optional<ScreenPoint> position_in(std::string_view json, bool is_float) {
     JsonScanner elements(json);
-    while (elements.next_element())
-        if (const auto value = stored_number_in(elements.value(), is_float))
-            values.push_back(*value);
-        else
-            return std::nullopt;
-    return values.size() == 2 ? std::optional(Position{values[0], values[1]}) : std::nullopt;
+    const auto next_coordinate = [&] {
+        return elements.next_element() ? coordinate_in(elements.value(), is_float) : std::nullopt;
+    };
+    const auto x = next_coordinate();
+    const auto y = x ? next_coordinate() : std::nullopt;
+    return y && !elements.next_element() ? std::optional(ScreenPoint{*x, *y}) : std::nullopt;
 }
 
 /// The corners that a primitive's step gives, numbered.
@@ -257,9 +106,8 @@ std::optional<Cornered> corners_of(const PrimitiveStep& step, const Trace& trace
         return std::nullopt;
     Cornered result{.at = *at};
     for (std::size_t i = 0; i < 3; ++i) {
-        const std::string text = result.at[i].x.get_str() + "," + result.at[i].y.get_str();
         const auto next = static_cast<std::uint32_t>(numbers.size());
-        result.corners[i] = numbers.emplace(text, next).first->second;
+        result.corners[i] = numbers.emplace(result.at[i], next).first->second;
     }
     return result;
 }
@@ -291,7 +139,7 @@ void add_missing(Coverage& coverage, int y, const Span& gap, const Span& inside)
 
 /// Why the step that found a row's ends, or the pixel itself, has led to a pixel outside: `step`, 0 if
 /// there is none.
-std::string cause_of(const Trace& trace, std::size_t step, int x, const Grid& grid) {
+std::string cause_of(const Trace& trace, std::size_t step, int x, const SampleGrid& grid) {
     const auto kind = step == 0 ? std::nullopt : trace.kind_of(step);
     if (kind == StepKind::sample)
         return "the weights of the sample were rounded";
@@ -303,7 +151,7 @@ std::string cause_of(const Trace& trace, std::size_t step, int x, const Grid& gr
     const auto row = trace.step(step).as<ScanlineStep>();
     const auto left = stored_number_in(row.left.json(), has_floats(trace));
     const auto right = stored_number_in(row.right.json(), has_floats(trace));
-    const mpq_class sample = x + grid.sample_offset;
+    const mpq_class sample(x + grid.offset);
     const std::string all = trace.method_value("rounding");
     const std::string rounding = all.empty() ? "rounding" : all.substr(0, all.find('+'));
     if (left && sample < *left)
@@ -317,7 +165,7 @@ std::string cause_of(const Trace& trace, std::size_t step, int x, const Grid& gr
 /// ascending order.
 std::vector<PixelCause> causes_of(const std::vector<std::uint32_t>& outside,
                                   const DrawnPrimitive& primitive, const Trace& trace,
-                                  const Grid& grid) {
+                                  const SampleGrid& grid) {
     std::vector<PixelCause> causes;
     std::vector<bool> has_cause(outside.size());
     std::size_t decisive = 0;
@@ -350,7 +198,7 @@ std::vector<PixelCause> causes_of(const std::vector<std::uint32_t>& outside,
     return causes;
 }
 
-Coverage coverage_of(const Cornered& triangle, const Trace& trace, const Grid& grid) {
+Coverage coverage_of(const Cornered& triangle, const Trace& trace, const SampleGrid& grid) {
     const Canvas& canvas = grid.canvas;
     const auto& [a, b, c] = triangle.at;
     const auto& drawn = triangle.drawn->covering();
@@ -370,9 +218,7 @@ Coverage coverage_of(const Cornered& triangle, const Trace& trace, const Grid& g
     std::vector<std::uint32_t> outside;
     for (Index row = rows.first; row <= rows.last; ++row) {
         const int y = canvas.y_of(static_cast<int>(row));
-        const Span closed = span_on_row(triangle.closed, y, whole_row(canvas));
-        const Span inside = span_on_row(triangle.interior, y, closed);
-        const Span within_error = span_on_row(triangle.within_error, y, whole_row(canvas));
+        const auto [closed, inside, within_error] = triangle.samples->row(y);
         Index next = closed.first;
         for (const std::uint32_t offset : drawn_on_row(*triangle.drawn, row, canvas)) {
             const Pixel pixel = pixel_at(offset, canvas);
@@ -437,27 +283,16 @@ std::string edge_name(const PrimitiveStep& step, std::size_t from, std::size_t t
     return fmt::format("({}, {})-({}, {})", at[from][0], at[from][1], at[to][0], at[to][1]);
 }
 
-/// What lies between the ends of an edge: x or y, whichever it runs along more, is from that of
-/// one end to that of the other.
-ConvexRegion between_ends(const Position& from, const Position& to, const Grid& grid) {
-    const bool runs_along_x = abs(to.x - from.x) >= abs(to.y - from.y);
-    const auto [low, high] =
-        runs_along_x ? std::minmax<mpq_class>(from.x, to.x) : std::minmax<mpq_class>(from.y, to.y);
-    const mpq_class along_x = runs_along_x ? 1 : 0;
-    const mpq_class along_y = 1 - along_x;
-    return {half_plane(along_x, along_y, -low, grid), half_plane(-along_x, -along_y, high, grid)};
-}
-
 /// True if both triangles lie on one side of an edge that they share.
 bool lie_on_one_side(const EdgeUse& edge, const Cornered& one, const Cornered& other) {
     const auto [low, high] = edge.ends();
-    const Position& from = edge.triangles.front()->at[edge.from];
-    const Position& to = edge.triangles.front()->at[edge.to];
+    const ScreenPoint& from = edge.triangles.front()->at[edge.from];
+    const ScreenPoint& to = edge.triangles.front()->at[edge.to];
     const auto side_of = [&, low = low, high = high](const Cornered& triangle) {
         std::size_t i = 0;
         while (i < 2 && (triangle.corners[i] == low || triangle.corners[i] == high))
             ++i;
-        return sgn(area2({from, to, triangle.at[i]}));
+        return orientation(from, to, triangle.at[i]);
     };
     return side_of(one) == side_of(other);
 }
@@ -465,8 +300,8 @@ bool lie_on_one_side(const EdgeUse& edge, const Cornered& one, const Cornered& o
 /// The pixels of a triangle at one of its edges: so far from the other two that no rounding matters,
 /// and up to as far beyond this one as rounding may put it.
 ConvexRegion region_at_edge(const Cornered& triangle, std::size_t from) {
-    ConvexRegion region = triangle.interior;
-    region[from] = triangle.within_error[from];
+    ConvexRegion region = triangle.samples->regions().interior;
+    region[from] = triangle.samples->regions().within_error[from];
     return region;
 }
 
@@ -476,15 +311,15 @@ ConvexRegion region_at_edge(const EdgeUse& edge, const Cornered& triangle, bool 
     for (std::size_t i = 0; i < 3 && !is_fold; ++i)
         if (std::minmax({triangle.corners[i], triangle.corners[(i + 1) % 3]}) == edge.ends())
             return region_at_edge(triangle, i);
-    return triangle.interior;
+    return triangle.samples->regions().interior;
 }
 
 /// The pixels near an edge, between its ends and in `within`, that lie in one of some regions and that
 /// neither of two primitives drew. SharedEdge says which are near.
-std::vector<std::uint32_t> never_drawn(const Position& from, const Position& to,
+std::vector<std::uint32_t> never_drawn(const ScreenPoint& from, const ScreenPoint& to,
                                        ConvexRegion within, std::span<const ConvexRegion> regions,
                                        const DrawnPrimitive& one, const DrawnPrimitive& other,
-                                       const Grid& grid) {
+                                       const SampleGrid& grid) {
     const Canvas& canvas = grid.canvas;
 
     // a x + b y + c is b times the height above the edge, and a times the distance to its right.
@@ -496,8 +331,8 @@ std::vector<std::uint32_t> never_drawn(const Position& from, const Position& to,
     within.push_back(widened(opposite(side), reach));
 
     std::vector<std::uint32_t> never;
-    const auto [low, high] = std::minmax<mpq_class>(from.y, to.y);
-    const Span rows = rows_between(low - 1, high + 1, grid);
+    const auto [low, high] = std::minmax(from.y, to.y);
+    const Span rows = rows_between(Coordinate(low.exact() - 1), Coordinate(high.exact() + 1), grid);
     for (Index row = rows.first; row <= rows.last; ++row) {
         const int y = canvas.y_of(static_cast<int>(row));
         const Span close_by = span_on_row(within, y, whole_row(canvas));
@@ -546,19 +381,23 @@ PixelList drawn_by_both(const DrawnPrimitive& one, const DrawnPrimitive& other,
 }
 
 /// Every pair of the triangles at an edge.
-void compare_at_edge(const EdgeUse& edge, const Trace& trace, const Grid& grid, Stats& stats) {
+void compare_at_edge(const EdgeUse& edge, const Trace& trace, const SampleGrid& grid,
+                     Stats& stats) {
     const Cornered& first = *edge.triangles.front();
-    const Position& from = first.at[edge.from];
-    const Position& to = first.at[edge.to];
+    const ScreenPoint& from = first.at[edge.from];
+    const ScreenPoint& to = first.at[edge.to];
     const std::string name =
         edge_name(trace.step(first.drawn->step).as<PrimitiveStep>(), edge.from, edge.to);
     for (auto one = edge.triangles.begin(); one != edge.triangles.end(); ++one)
         for (auto other = one + 1; other != edge.triangles.end(); ++other) {
             const bool is_fold = lie_on_one_side(edge, **one, **other);
-            const std::array regions{region_at_edge(edge, **one, is_fold),
-                                     region_at_edge(edge, **other, is_fold)};
-            const auto never =
-                never_drawn(from, to, {}, regions, *(*one)->drawn, *(*other)->drawn, grid);
+            // Of two triangles that are drawn whole there is nothing to look for.
+            std::vector<std::uint32_t> never;
+            if (!(*one)->is_drawn_whole || !(*other)->is_drawn_whole)
+                never = never_drawn(from, to, {},
+                                    std::array{region_at_edge(edge, **one, is_fold),
+                                               region_at_edge(edge, **other, is_fold)},
+                                    *(*one)->drawn, *(*other)->drawn, grid);
             stats.edges.push_back(
                 {.name = name,
                  .one = stats.primitives[(*one)->place].name,
@@ -581,8 +420,8 @@ std::string vertex_name(const PrimitiveStep& step, std::size_t corner) {
 }
 
 /// Counts the pixels along a T-junction that its triangle and one beside it drew, or neither did.
-void count_pixels(const TJunction& junction, const std::vector<Cornered>& drawn, const Grid& grid,
-                  EdgeWithJunctions& result) {
+void count_pixels(const TJunction& junction, const std::vector<Cornered>& drawn,
+                  const SampleGrid& grid, EdgeWithJunctions& result) {
     const Cornered& owner = drawn[junction.edge.from.triangle];
     const auto covers = [](const Cornered& triangle, std::uint32_t offset) {
         const auto& covered = triangle.drawn->covering();
@@ -605,8 +444,8 @@ void count_pixels(const TJunction& junction, const std::vector<Cornered>& drawn,
             const Cornered& triangle = triangle_at(edge);
             const std::size_t from = edge.from.corner;
             ConvexRegion& inside = regions[&triangle == &owner ? 0 : 1];
-            inside = triangle.interior;
-            inside[from] = interior_of(triangle.closed)[from];
+            inside = triangle.samples->regions().interior;
+            inside[from] = interior_of(triangle.samples->regions().closed)[from];
             for (const HalfPlane& plane : region_at_edge(triangle, from))
                 regions[2].push_back(plane);
         }
@@ -631,7 +470,7 @@ void count_pixels(const TJunction& junction, const std::vector<Cornered>& drawn,
 /// The T-junctions among the triangles that are drawn. The edges of those that are not count too:
 /// whoever shares one has a neighbor.
 void find_junctions(const std::vector<Cornered>& drawn, const std::vector<Cornered>& not_drawn,
-                    const Trace& trace, const Grid& grid, Stats& stats) {
+                    const Trace& trace, const SampleGrid& grid, Stats& stats) {
     std::vector<ScreenTriangle> mesh;
     for (const Cornered& triangle : drawn)
         mesh.push_back({triangle.at, triangle.corners});
@@ -658,17 +497,25 @@ void find_junctions(const std::vector<Cornered>& drawn, const std::vector<Corner
     }
 }
 
+/// What one rounding puts a number of the trace off, relative to it.
+double one_rounding_of(const Trace& trace) {
+    const std::string scalar = trace.method_value("scalar");
+    const bool is_exact = scalar == "exact" || scalar == "adaptive" || scalar == "fixed";
+    return is_exact ? 0 : has_floats(trace) ? 0x1p-24 : 0x1p-53;
+}
+
 /// Judges all triangles with area by the samples of a grid.
-void judge_by_samples(const Grid& grid, const Trace& trace, std::vector<Cornered>& fills,
+void judge_by_samples(const SampleGrid& grid, const Trace& trace, std::vector<Cornered>& fills,
                       const std::vector<Cornered>& not_drawn, Stats& stats) {
     stats.edges.clear();
     stats.t_junctions.clear();
+    const double one_rounding = one_rounding_of(trace);
     for (Cornered& fill : fills) {
-        fill.error = rounding_error(fill.at, trace);
-        fill.closed = region_of(fill.at, grid);
-        fill.interior = interior_of(region_of(fill.at, grid, -fill.error));
-        fill.within_error = region_of(fill.at, grid, fill.error);
-        stats.primitives[fill.place].coverage = coverage_of(fill, trace, grid);
+        fill.samples.emplace(fill.at, grid, one_rounding);
+        const auto& coverage =
+            stats.primitives[fill.place].coverage.emplace(coverage_of(fill, trace, grid));
+        fill.is_drawn_whole =
+            coverage.holes.count == 0 && coverage.open_edge.count == 0 && fill.samples->is_clear();
     }
     for (const EdgeUse& edge : shared_edges(fills))
         compare_at_edge(edge, trace, grid, stats);
@@ -754,18 +601,21 @@ void keep_each_once(DrawnPrimitive& primitive) {
     put_in_order(primitive.covered);
 }
 
-std::optional<std::array<Position, 3>> positions_in(const PrimitiveStep& step,
-                                                    const Trace& header) {
+std::optional<std::array<ScreenPoint, 3>> positions_in(const PrimitiveStep& step,
+                                                       const Trace& header) {
     if (step.within)
         return std::nullopt;
-    std::vector<ScreenPoint> found;
-    for (const auto& place : step.at.values())
-        if (const auto position = position_in(place.json(), has_floats(header)))
-            found.push_back(*position);
-        else
+    const bool is_float = has_floats(header);
+    std::array<ScreenPoint, 3> found;
+    std::size_t count = 0;
+    JsonScanner places(step.at.json());
+    while (places.next_element()) {
+        const auto position = position_in(places.value(), is_float);
+        if (!position || count == found.size())
             return std::nullopt;
-    return found.size() == 3 ? std::optional(std::array{found[0], found[1], found[2]})
-                             : std::nullopt;
+        found[count++] = *position;
+    }
+    return count == found.size() ? std::optional(found) : std::nullopt;
 }
 
 void compare_with_corners(const Trace& trace, std::span<const DrawnPrimitive> drawn, Stats& stats) {
@@ -792,13 +642,13 @@ void compare_with_corners(const Trace& trace, std::span<const DrawnPrimitive> dr
     compare_outlines(outlines, fills, trace.canvas, stats);
 
     // A triangle without area covers nothing, and shares an edge with nobody.
-    const auto flat = std::stable_partition(
-        fills.begin(), fills.end(), [](const Cornered& fill) { return sgn(area2(fill.at)) != 0; });
+    const auto flat = std::stable_partition(fills.begin(), fills.end(), [](const Cornered& fill) {
+        return orientation(fill.at[0], fill.at[1], fill.at[2]) != 0;
+    });
     std::move(flat, fills.end(), std::back_inserter(not_drawn));
     fills.erase(flat, fills.end());
     const auto judge = [&](bool is_center) {
-        judge_by_samples({trace.canvas, is_center ? mpq_class(1, 2) : mpq_class(0)}, trace, fills,
-                         not_drawn, stats);
+        judge_by_samples({trace.canvas, is_center ? 0.5 : 0.0}, trace, fills, not_drawn, stats);
         return explains_all(stats);
     };
     if (tells_sample(trace)) {

@@ -21,22 +21,32 @@ void RowCheck::add(const Trace& trace, std::size_t n, const std::string& primiti
 }
 
 bool RowCheck::belongs(const StepView& step, std::optional<StepKind> kind) {
-    // A depth test that is passed is followed by its pixel.
-    if (kind == StepKind::depth && step.as<DepthStep>().pass.is_true())
+    if (kind == StepKind::pixel) {
+        const auto plotted = step.as<PixelStep>();
+        note(plotted.y, plotted.x, plotted.x);
         return true;
-    if (kind != StepKind::depth && kind != StepKind::pixel && kind != StepKind::reject)
+    }
+    if (kind == StepKind::depth) {
+        // A depth test that is passed is followed by its pixel.
+        const auto test = step.as<DepthStep>();
+        if (!test.pass.is_true())
+            note(test.y, test.x, test.x);
+        return true;
+    }
+    if (kind != StepKind::reject)
         return false;
-    const auto x = x_in(step);
-    const auto y = y_in(step);
-    const auto dropped = kind == StepKind::reject ? step.as<RejectStep>() : RejectStep{};
-    if (!x || !y || dropped.to_y)
+    const auto dropped = step.as<RejectStep>();
+    if (!dropped.x || !dropped.y || dropped.to_y)
         return false; // whole rows, or a part of a line
-    const Index to_x = dropped.to_x.value_or(*x);
-    if (*y == row_->y && *x <= to_x)
-        spans_.emplace_back(*x, to_x);
+    note(*dropped.y, *dropped.x, dropped.to_x.value_or(*dropped.x));
+    return true;
+}
+
+void RowCheck::note(Index y, Index from, Index to) {
+    if (y == row_->y && from <= to)
+        spans_.emplace_back(from, to);
     else
         ++elsewhere_;
-    return true;
 }
 
 void RowCheck::close() {

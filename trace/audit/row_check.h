@@ -35,6 +35,9 @@ private:
     /// Notes what a step did to pixels, if it belongs to a row.
     bool belongs(const StepView& step, std::optional<StepKind> kind);
 
+    /// Notes pixels that a step of the row is about.
+    void note(Index y, Index from, Index to);
+
     std::vector<WrongRow>& wrong_;
     std::optional<WrongRow> row_;                ///< the one that is open
     std::vector<std::pair<Index, Index>> spans_; ///< from x to x, of its own row

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "t_junctions.h"
 
+#include "triangle_samples.h"
+
 #include <algorithm>
 #include <map>
 #include <set>
@@ -16,15 +18,12 @@ namespace {
 using Line = std::tuple<bool, mpq_class, mpq_class>;
 
 Line line_through(const ScreenPoint& a, const ScreenPoint& b) {
+    const mpq_class x = a.x.exact();
+    const mpq_class y = a.y.exact();
     if (a.x == b.x)
-        return {true, 0, a.x};
-    const mpq_class slope = (b.y - a.y) / (b.x - a.x);
-    return {false, slope, a.y - slope * a.x};
-}
-
-/// The order of points along any line.
-bool comes_before(const ScreenPoint& a, const ScreenPoint& b) {
-    return std::tie(a.x, a.y) < std::tie(b.x, b.y);
+        return {true, 0, x};
+    const mpq_class slope = (b.y.exact() - y) / (b.x.exact() - x);
+    return {false, slope, y - slope * x};
 }
 
 /// An edge that one triangle has, and no other.
@@ -54,13 +53,12 @@ std::map<Line, std::vector<OpenEdge>> open_edges(std::span<const ScreenTriangle>
                 continue;
             const TriangleEdge edge{{i, from}, {i, to}};
             const auto& at = triangles[i].at;
-            const bool goes_on = comes_before(at[from], at[to]);
+            const bool goes_on = at[from] < at[to];
             const auto& [low, high] =
                 goes_on ? std::tie(at[from], at[to]) : std::tie(at[to], at[from]);
-            const ScreenPoint& apex = at[opposite];
             edges[line_through(low, high)].push_back(
                 {edge, goes_on ? std::array{edge.from, edge.to} : std::array{edge.to, edge.from},
-                 (high.x - low.x) * (apex.y - low.y) > (apex.x - low.x) * (high.y - low.y)});
+                 orientation(low, high, at[opposite]) > 0});
         }
     return edges;
 }
@@ -82,8 +80,7 @@ void add_junctions(const std::vector<OpenEdge>& edges, std::span<const ScreenTri
     std::sort(ends.begin(), ends.end(), [](const auto& a, const auto& b) {
         const auto& [a_at, a_begins, a_edge] = a;
         const auto& [b_at, b_begins, b_edge] = b;
-        return std::tie(a_at->x, a_at->y, a_begins, a_edge) <
-               std::tie(b_at->x, b_at->y, b_begins, b_edge);
+        return std::tie(*a_at, a_begins, a_edge) < std::tie(*b_at, b_begins, b_edge);
     });
 
     std::map<std::size_t, TJunction> junctions;   // by edge
@@ -96,7 +93,7 @@ void add_junctions(const std::vector<OpenEdge>& edges, std::span<const ScreenTri
             if (++compared > most_edges_at_vertex)
                 break;
             const auto& [other_low, other_high] = edges[other].ends;
-            if (!comes_before(at(other_low), *place) || !comes_before(*place, at(other_high)))
+            if (!(at(other_low) < *place) || !(*place < at(other_high)))
                 continue;
             auto& [of, vertices, beside] =
                 junctions.try_emplace(other, TJunction{edges[other].edge, {}, {}}).first->second;
@@ -104,7 +101,7 @@ void add_junctions(const std::vector<OpenEdge>& edges, std::span<const ScreenTri
             if (vertices.empty() || number(vertices.back()) != number(vertex))
                 vertices.push_back(vertex);
             // An edge with both ends on the other one is added at the first of them.
-            if (begins || !comes_before(at(other_low), at(low)))
+            if (begins || !(at(other_low) < at(low)))
                 beside.push_back(edge);
         }
         if (begins)

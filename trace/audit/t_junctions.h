@@ -12,7 +12,7 @@
 // edge with vertices strictly between its ends, of triangles that lie on its other side and have
 // open edges along it.
 
-#include <gmpxx.h>
+#include "screen_point.h"
 
 #include <array>
 #include <cstddef>
@@ -21,12 +21,6 @@
 #include <vector>
 
 namespace rastertrace {
-
-/// An exact point of the screen, in the scene's coordinates.
-struct ScreenPoint {
-    mpq_class x;
-    mpq_class y;
-};
 
 /// A triangle of a mesh, on the screen.
 struct ScreenTriangle {

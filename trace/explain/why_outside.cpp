@@ -28,6 +28,14 @@ struct Case {
     Pixel pixel;
     PrimitiveText primitive;
     Vec2 sample;
+
+    /// Where its corners are, exactly. Not every rule asks, and working it out takes most of the time.
+    const std::optional<std::array<Vec2, 3>>& corners() const {
+        if (!corners_)
+            corners_ = corners_of(primitive);
+        return *corners_;
+    }
+    mutable std::optional<std::optional<std::array<Vec2, 3>>> corners_ = {};
 };
 
 WhyNot outside(std::string sentence, const Rational& distance) {
@@ -130,7 +138,7 @@ std::optional<WhyNot> by_row(const Case& c) {
 
 /// The corner that lies highest in the picture, or lowest.
 std::size_t outermost_corner(const Case& c, bool is_top) {
-    const auto corners = *corners_of(c.primitive);
+    const auto& corners = *c.corners();
     const bool wants_largest = (c.trace.canvas.down() < 0) == is_top;
     std::size_t best = 0;
     for (std::size_t i = 1; i < 3; ++i)
@@ -163,7 +171,7 @@ std::optional<WhyNot> by_rows(const Case& c) {
                       .sentence = fmt::format("row y={} is missing among {}", c.pixel.y, rows)};
     if (!c.steps.may_lack.empty())
         return not_told(c.steps, fmt::format("the trace does not have row y={} of it", c.pixel.y));
-    const auto corners = corners_of(c.primitive);
+    const auto& corners = c.corners();
     if (!corners)
         return WhyNot{.reason = "outside",
                       .sentence = fmt::format("row y={} lies {} {}", c.pixel.y,
@@ -184,7 +192,6 @@ std::string side_across(const PrimitiveText& primitive, std::size_t corner) {
 
 /// `barycentric`: the corner of the most negative weight.
 std::optional<WhyNot> by_weight(const Case& c) {
-    const auto corners = corners_of(c.primitive);
     for (std::size_t n = c.steps.first; n <= c.steps.last; ++n) {
         if (c.trace.kind_of(n) != StepKind::sample)
             continue;
@@ -198,6 +205,7 @@ std::optional<WhyNot> by_weight(const Case& c) {
             if (weight && sgn(*weight) < 0 && (!worst || *weight < *weights[*worst].exact()))
                 worst = i;
         }
+        const auto& corners = c.corners();
         if (!worst || !corners)
             return WhyNot{.reason = "outside", .sentence = "its sample lies outside"};
         const auto& from = (*corners)[(*worst + 1) % 3];
@@ -221,9 +229,9 @@ Rational beyond(const Rational& number, const Rational& low, const Rational& hig
 
 /// `barycentric`: the box around the triangle, beyond which no sample is tested.
 std::optional<WhyNot> by_box(const Case& c) {
-    const auto corners = corners_of(c.primitive);
-    if (!corners || c.trace.method_value("fill") != "barycentric")
+    if (c.trace.method_value("fill") != "barycentric" || !c.corners())
         return std::nullopt;
+    const auto& corners = c.corners();
     const auto& [p, q, r] = *corners;
     const auto [left, right] = std::minmax({p.x, q.x, r.x});
     const auto [low, high] = std::minmax({p.y, q.y, r.y});

@@ -62,24 +62,31 @@ Rational as_stored(const Rational& number, std::string_view json, bool is_float)
     return std::isfinite(stored) ? Rational(stored) : number;
 }
 
-/// The number that is stored for a JSON number, without the exact one in between; nothing for what is none, or is out
-/// of range. The standard library for pages reads no floating-point numbers so.
+namespace {
+
+// The standard library for pages reads no floating-point numbers so.
 template <typename Stored>
-std::optional<Rational> stored_at_once([[maybe_unused]] std::string_view json) {
+std::optional<double> stored_at_once([[maybe_unused]] std::string_view json) {
 #ifdef __cpp_lib_to_chars
     Stored stored = 0;
     const char* const end = json.data() + json.size();
     const auto read = std::from_chars(json.data(), end, stored);
     const bool is_number = read.ec == std::errc() && read.ptr == end && std::isfinite(stored);
     if (is_number)
-        return Rational(static_cast<double>(stored));
+        return static_cast<double>(stored);
 #endif
     return std::nullopt;
 }
 
+} // namespace
+
+std::optional<double> stored_double_in(std::string_view json, bool is_float) {
+    return is_float ? stored_at_once<float>(json) : stored_at_once<double>(json);
+}
+
 std::optional<Rational> stored_number_in(std::string_view json, bool is_float) {
-    if (auto stored = is_float ? stored_at_once<float>(json) : stored_at_once<double>(json))
-        return stored;
+    if (const auto stored = stored_double_in(json, is_float))
+        return Rational(*stored);
     const auto number = number_in(plain_text(json));
     return number ? std::optional(as_stored(*number, json, is_float)) : std::nullopt;
 }

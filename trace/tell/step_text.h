@@ -60,6 +60,9 @@ std::optional<Rational> number_in(std::string_view text);
 Rational as_stored(const Rational& number, std::string_view json, bool is_float);
 std::optional<Rational> stored_number_in(std::string_view json, bool is_float);
 
+/// The same of a JSON number that a double or, of floats, a float stores; nothing for what has to be looked at closely.
+std::optional<double> stored_double_in(std::string_view json, bool is_float);
+
 /// The same for the coordinates of a point.
 using Vec2 = Vec<Rational, 2>;
 using Vec3 = Vec<Rational, 3>;

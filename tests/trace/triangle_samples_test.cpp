@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include <rastertrace/trace/audit/triangle_samples.h>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace rastertrace {
+namespace {
+
+const Canvas canvas{12, 9, Origin::bottom_left};
+
+/// A coordinate about the canvas, of those that doubles decide at once and of those that they do not.
+rc::Gen<Coordinate> coordinate() {
+    const auto whole = rc::gen::inRange(-4, 16);
+    const auto eighths =
+        rc::gen::map(rc::gen::inRange(-32, 128), [](int n) { return Coordinate(n / 8.0); });
+    const auto any = rc::gen::map(rc::gen::inRange(-4'000'000, 16'000'000),
+                                  [](int n) { return Coordinate(n / 1.0e6); });
+    const auto next_to_half = rc::gen::map(rc::gen::inRange(-8, 32), [](int n) {
+        return Coordinate(std::nextafter(n / 2.0, n % 3 == 0 ? 100.0 : -100.0));
+    });
+    const auto third =
+        rc::gen::map(rc::gen::inRange(-12, 48), [](int n) { return Coordinate(mpq_class(n, 3)); });
+    const auto hair = rc::gen::map(
+        whole, [](int n) { return Coordinate(mpq_class(n) + mpq_class(1, mpz_class(1) << 200)); });
+    const auto far =
+        rc::gen::map(rc::gen::inRange(-40, 40), [](int n) { return Coordinate(n * 1.0e15 / 3); });
+    return rc::gen::weightedOneOf<Coordinate>(
+        {{4, eighths}, {3, any}, {2, next_to_half}, {2, third}, {1, hair}, {1, far}});
+}
+
+struct Expected {
+    bool closed = true;
+    bool inside = true;
+    bool within_error = true;
+};
+
+/// The same of one sample by the edge functions themselves, in fractions.
+Expected expected_at(const std::array<ScreenPoint, 3>& at, int turn, const mpq_class& error,
+                     const mpq_class& x, const mpq_class& y) {
+    Expected expected;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const mpq_class from_x = at[i].x.exact();
+        const mpq_class from_y = at[i].y.exact();
+        const mpq_class dx = at[(i + 1) % 3].x.exact() - from_x;
+        const mpq_class dy = at[(i + 1) % 3].y.exact() - from_y;
+        const mpq_class value = turn * (dx * (y - from_y) - dy * (x - from_x));
+        expected.closed = expected.closed && value >= 0;
+        expected.inside = expected.inside && value > error;
+        expected.within_error = expected.within_error && value >= -error;
+    }
+    return expected;
+}
+
+RC_GTEST_PROP(TriangleSamples, AreThoseOfExactEdgeFunctions, ()) {
+    std::array<ScreenPoint, 3> at;
+    for (ScreenPoint& point : at)
+        point = {*coordinate(), *coordinate()};
+    const mpq_class area =
+        (at[1].x.exact() - at[0].x.exact()) * (at[2].y.exact() - at[0].y.exact()) -
+        (at[2].x.exact() - at[0].x.exact()) * (at[1].y.exact() - at[0].y.exact());
+    RC_ASSERT(orientation(at[0], at[1], at[2]) == sgn(area));
+    RC_PRE(sgn(area) != 0);
+
+    const double offset = *rc::gen::element(0.0, 0.5);
+    const double one_rounding = *rc::gen::element(0.0, 0x1p-53, 0x1p-24);
+    const TriangleSamples samples(at, {canvas, offset}, one_rounding);
+
+    // As docs/stats.md has it: 32 roundings of a product of the box's sides, and four of a coordinate, along a side.
+    const auto [left, right] = std::minmax({at[0].x, at[1].x, at[2].x});
+    const auto [low, high] = std::minmax({at[0].y, at[1].y, at[2].y});
+    const mpq_class width = right.exact() - left.exact();
+    const mpq_class height = high.exact() - low.exact();
+    const mpq_class farthest = std::max<mpq_class>(
+        {abs(left.exact()), abs(right.exact()), abs(low.exact()), abs(high.exact())});
+    const mpq_class error = one_rounding * (32 * width * height + 4 * (width + height) * farthest);
+
+    bool is_clear = true;
+    for (int y = 0; y < canvas.height; ++y) {
+        const auto row = samples.row(y);
+        for (int x = 0; x < canvas.width; ++x) {
+            const Expected expected =
+                expected_at(at, sgn(area), error, x + mpq_class(offset), y + mpq_class(offset));
+            RC_ASSERT(row.closed.has(x) == expected.closed);
+            RC_ASSERT(row.inside.has(x) == expected.inside);
+            RC_ASSERT(row.within_error.has(x) == expected.within_error);
+            is_clear = is_clear && expected.inside == expected.within_error;
+        }
+    }
+    RC_CLASSIFY(samples.is_clear());
+    if (samples.is_clear())
+        RC_ASSERT(is_clear);
+
+    const Span rows = rows_between(low, high, {canvas, offset});
+    for (int y = 0; y < canvas.height; ++y) {
+        const mpq_class sample_y = y + mpq_class(offset);
+        RC_ASSERT(rows.has(canvas.row_of(y)) ==
+                  (low.exact() <= sample_y && sample_y <= high.exact()));
+    }
+}
+
+TEST(TriangleSamples, OnAnEdgeNothingIsClear) {
+    const std::array<ScreenPoint, 3> at{{{Coordinate(0.0), Coordinate(0.0)},
+                                         {Coordinate(8.0), Coordinate(0.0)},
+                                         {Coordinate(0.0), Coordinate(8.0)}}};
+    EXPECT_FALSE(TriangleSamples(at, {canvas, 0.0}, 0).is_clear());
+    EXPECT_FALSE(TriangleSamples(at, {canvas, 0.5}, 0).is_clear()); // x + y = 8 along the long edge
+    const std::array<ScreenPoint, 3> between{{{Coordinate(0.25), Coordinate(0.25)},
+                                              {Coordinate(8.25), Coordinate(0.25)},
+                                              {Coordinate(0.25), Coordinate(7.75)}}};
+    EXPECT_TRUE(TriangleSamples(between, {canvas, 0.0}, 0).is_clear());
+}
+
+} // namespace
+} // namespace rastertrace
