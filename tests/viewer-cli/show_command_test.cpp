@@ -18,6 +18,30 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
+/// floor(-1/4) = -1 and so on: a cast rounds them toward 0.
+TEST_F(ProgramTest, SentencesOfWrongStepsSayWhatTheirNumbersGive) {
+    const std::string fast = "$examples/regression/fast.jsonl";
+    EXPECT_EQ(shell("$rastertrace show --all " + fast +
+                    " | grep -o 'scanline y=.* left\\|\\[!\\].*' | "
+                    "grep -B1 '!' | tr '\\n' ' '")
+                  .out,
+              "scanline y=2   left [!] its numbers give from = -1 -- "
+              "scanline y=0   left [!] its numbers give from = -2 "
+              "scanline y=-1   left [!] its numbers give from = -3 "
+              "scanline y=-2   left [!] its numbers give from = -4 ");
+    for (const std::string question : {"--step 11", "--scanline 2", "--pixel 0,2"}) {
+        EXPECT_THAT(shell("$rastertrace explain " + fast + " " + question).out,
+                    HasSubstr("-> 3   [!] its numbers give from = -1\n"))
+            << question;
+    }
+    EXPECT_THAT(shell("$rastertrace explain " + fast + " --step 11 --json").out,
+                HasSubstr("[!] its numbers give from = -1"));
+    EXPECT_THAT(shell("$rastertrace show --all --language pt " + fast).out,
+                HasSubstr("   [!] seus n\u00FAmeros d\u00E3o from = -1\n"));
+    EXPECT_THAT(shell("$rastertrace show --all $examples/regression/mine.jsonl").out,
+                Not(HasSubstr("[!]")));
+}
+
 TEST_F(ProgramTest, ShowLooksAtAFrameInManyWays) {
     const Outcome faces =
         shell("$rastertrace show $examples/t2-lines/points.json --bare --view faces");

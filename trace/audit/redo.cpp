@@ -47,9 +47,18 @@ Redone redo(const Trace& trace) {
     return redo_in_rationals(trace, false);
 }
 
+std::string WrongDecision::value() const {
+    return what.substr(std::min(what.find(": ") + 2, what.size()));
+}
+
 std::string WrongDecision::field() const {
-    const std::string field = what.substr(std::min(what.find(": ") + 2, what.size()));
-    return field.substr(0, field.find_first_of(" ,"));
+    return value().substr(0, value().find_first_of(" ,"));
+}
+
+void mark_wrong_steps(Trace& trace) {
+    if (!trace.is_partial)
+        trace.numbers_give =
+            std::make_shared<const std::map<std::size_t, std::string>>(redo(trace).wrong_steps);
 }
 
 Problem problem_of(const Redone& redone, const Trace& trace) {

@@ -24,8 +24,9 @@ struct WrongDecision {
     std::string redone; ///< the value, done again
     std::string told;   ///< the one in the trace
 
-    /// The field: "from".
+    /// The field: "from"; with which of several values.
     std::string field() const;
+    std::string value() const;
 };
 
 struct Redone {
@@ -33,11 +34,20 @@ struct Redone {
         count;               ///< how many values were done again, by kind and field
     std::uint64_t wrong = 0; ///< how many of them are others in the trace
     WrongDecision first;     ///< if there is one
+
+    /// Of the first steps with such values, by their number: what their numbers give, "from = -1, to = 2".
+    std::map<std::size_t, std::string> wrong_steps;
 };
+
+/// So many wrong steps are kept.
+inline constexpr std::size_t most_wrong_steps = 10'000;
 
 /// Does every step again by the rules of docs/trace-format.md, "Doing it again", in the scalar that the header names. What
 /// the trace does not tell the numbers or the rule of is left out. The trace must have all its steps.
 Redone redo(const Trace& trace);
+
+/// Does a trace again, if it has all its steps, and lets the sentences of its wrong steps say so (Trace::numbers_give).
+void mark_wrong_steps(Trace& trace);
 
 /// What is said of the first wrong decision, at its place in the file: what its numbers give, and the sentence that tells
 /// it. There has to be one.

@@ -85,8 +85,14 @@ private:
         ++redone_.count[what];
         if (redone == told)
             return;
+        const WrongDecision wrong{number_, what + std::string(of), in_words(redone),
+                                  in_words(told)};
         if (redone_.wrong++ == 0)
-            redone_.first = {number_, what + std::string(of), in_words(redone), in_words(told)};
+            redone_.first = wrong;
+        if (redone_.wrong_steps.size() < most_wrong_steps) {
+            std::string& values = redone_.wrong_steps[number_];
+            values += (values.empty() ? "" : ", ") + wrong.value() + " = " + wrong.redone;
+        }
     }
 
     void redo(const StepView& step, StepKind kind) {

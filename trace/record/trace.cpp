@@ -110,6 +110,7 @@ Trace Trace::without_steps() const {
     excerpt.is_partial = is_partial;
     excerpt.left_out = left_out;
     excerpt.end = end;
+    excerpt.numbers_give = numbers_give;
     return excerpt;
 }
 

@@ -128,6 +128,10 @@ public:
 
     NotFiniteSteps not_finite;
 
+    /// Of steps that do not tell what their numbers give: what these give, by the step's number in the whole trace. For
+    /// who has done them again (audit/redo.h).
+    std::shared_ptr<const std::map<std::size_t, std::string>> numbers_give;
+
     /// Known keys of the header and the end record that are not as the format says, and that nobody reads.
     std::vector<Problem> passed_over;
 

@@ -770,13 +770,26 @@ std::string_view unknown_placeholder(std::string_view pattern, const StepRow& ro
     return {};
 }
 
+/// Behind the sentence of a step that does not tell what its numbers give: what these give.
+static std::string what_numbers_give(const Replay& replay) {
+    constexpr Words numbers_give{"its numbers give", "seus n\u00FAmeros d\u00E3o"};
+    const Trace& trace = replay.trace();
+    if (!trace.numbers_give)
+        return {};
+    const auto found = trace.numbers_give->find(trace.number_of(replay.step()));
+    return found == trace.numbers_give->end()
+               ? std::string()
+               : fmt::format("   [!] {} {}", numbers_give.in(language_of_steps()),
+                             printable(found->second));
+}
+
 std::string describe_step(const Replay& replay) {
     const Sentence sentence = sentence_of_step(replay);
     const auto pieces = pieces_of(sentence.pattern);
     std::string text(pieces.front());
     for (std::size_t i = 0; i < sentence.fills.size(); ++i)
         text.append(sentence.fills[i]).append(pieces[i + 1]);
-    return text;
+    return text + what_numbers_give(replay);
 }
 
 } // namespace rastertrace

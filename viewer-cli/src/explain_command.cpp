@@ -78,14 +78,16 @@ ExitStatus tell(const ExplainCommand& command, const Trace& trace, const Trace* 
 } // namespace
 
 int run(const ExplainCommand& command) {
-    const SceneOptions options{
-        .method = command.method, .limits = command.input, .frames = command.frames};
+    const SceneOptions options{.method = command.method,
+                               .limits = command.input,
+                               .frames = command.frames,
+                               .tells_steps = true};
     if (!command.against.empty()) {
         InputFrames input(command.trace, options);
         const Trace against = trace_against(command, input);
         return tell(command, input.trace(input.first()), &against);
     }
-    if (command.question.about != Topic::pixel)
+    if (command.question.about != Topic::pixel || is_marked_file(command.trace))
         return tell(command, load_trace(command.trace, options));
     auto opened = open_input(command.trace, options);
     if (auto* const steps = std::get_if<StepStream>(&opened))

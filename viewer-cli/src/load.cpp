@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "load.h"
 
+#include <rastertrace/trace/audit/redo.h>
 #include <rastertrace/trace/scene/scene_file.h>
 #include <rastertrace/trace/text/process_files.h>
 #include <rastertrace/trace/text/trace_layout.h>
@@ -47,6 +48,12 @@ Trace titled(Trace trace, const std::string& path) {
 
 } // namespace
 
+bool is_marked_file(const std::string& path) {
+    std::error_code failed;
+    return std::filesystem::is_regular_file(path, failed) &&
+           std::filesystem::file_size(path, failed) <= largest_marked_trace;
+}
+
 void refuse_scene_options(const Source& source, const SceneOptions& options) {
     std::string option;
     if (!options.method.empty())
@@ -87,8 +94,14 @@ PlannedScene InputFrames::scene(std::size_t frame) {
 }
 
 Trace InputFrames::trace(std::size_t frame) {
-    if (!scenes_)
-        return titled(value_or_throw(read_trace(std::move(source_), options_.limits.steps)), path_);
+    if (!scenes_) {
+        const bool is_marked =
+            options_.tells_steps && source_.view().size() <= largest_marked_trace;
+        Trace trace = value_or_throw(read_trace(std::move(source_), options_.limits.steps));
+        if (is_marked)
+            mark_wrong_steps(trace);
+        return titled(std::move(trace), path_);
+    }
     return titled(drawn(scene(frame), source_.name, options_.limits), path_);
 }
 

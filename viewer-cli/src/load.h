@@ -16,6 +16,7 @@
 #include <rastertrace/trace/text/problem.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -37,7 +38,14 @@ struct SceneOptions {
     MethodOverrides method = {};
     InputLimits limits = {};
     FrameChoice frames = {};
+    bool tells_steps = false; ///< the sentences of wrong steps of a trace are marked
 };
+
+/// A larger trace is not done again for the sentences of its wrong steps: it would take too long. `validate --redo` does.
+inline constexpr std::uintmax_t largest_marked_trace = 16'000'000; // bytes
+
+/// True for a regular file that is not larger.
+bool is_marked_file(const std::string& path);
 
 /// What a command was given: a trace, or a scene, which has one frame or, if numbers vary, more.
 ///

@@ -188,9 +188,10 @@ ExitStatus show(const Trace& trace, const ShowCommand& command, FaceGroups& face
 } // namespace
 
 int run(const ShowCommand& command) {
-    InputFrames input(
-        command.trace,
-        {.method = command.method, .limits = command.input, .frames = command.frames});
+    InputFrames input(command.trace, {.method = command.method,
+                                      .limits = command.input,
+                                      .frames = command.frames,
+                                      .tells_steps = true});
     check_sequence(command, input);
     ExitStatus status = exit_fine;
     FaceGroups faces;
