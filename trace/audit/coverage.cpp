@@ -4,6 +4,7 @@
 #include "t_junctions.h"
 
 #include <rastertrace/core/numbers/number.h>
+#include <rastertrace/trace/tell/formula.h>
 #include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/text/json_scanner.h>
 #include <rastertrace/trace/text/primitive_name.h>
@@ -178,16 +179,11 @@ Span whole_row(const Canvas& canvas) {
     return {canvas.left(), canvas.right()};
 }
 
-/// Twice the signed area of a triangle.
-mpq_class area2(const std::array<Position, 3>& at) {
-    return (at[1].x - at[0].x) * (at[2].y - at[0].y) - (at[2].x - at[0].x) * (at[1].y - at[0].y);
-}
-
 /// The closed triangle, whichever way its vertices turn: the half planes of the edges from its
 /// first, second and third corner. Their edge functions are at least -`widening`.
 ConvexRegion region_of(const std::array<Position, 3>& at, const Grid& grid,
                        const mpq_class& widening = 0) {
-    const bool turns_left = sgn(area2(at)) > 0;
+    const bool turns_left = sgn(doubled_area(at[0], at[1], at[2])) > 0;
     ConvexRegion region;
     for (std::size_t i = 0; i < 3; ++i) {
         const Position& from = at[i];
@@ -457,7 +453,7 @@ bool lie_on_one_side(const EdgeUse& edge, const Cornered& one, const Cornered& o
         std::size_t i = 0;
         while (i < 2 && (triangle.corners[i] == low || triangle.corners[i] == high))
             ++i;
-        return sgn(area2({from, to, triangle.at[i]}));
+        return sgn(doubled_area(from, to, triangle.at[i]));
     };
     return side_of(one) == side_of(other);
 }
@@ -792,8 +788,9 @@ void compare_with_corners(const Trace& trace, std::span<const DrawnPrimitive> dr
     compare_outlines(outlines, fills, trace.canvas, stats);
 
     // A triangle without area covers nothing, and shares an edge with nobody.
-    const auto flat = std::stable_partition(
-        fills.begin(), fills.end(), [](const Cornered& fill) { return sgn(area2(fill.at)) != 0; });
+    const auto flat = std::stable_partition(fills.begin(), fills.end(), [](const Cornered& fill) {
+        return sgn(doubled_area(fill.at[0], fill.at[1], fill.at[2])) != 0;
+    });
     std::move(flat, fills.end(), std::back_inserter(not_drawn));
     fills.erase(flat, fills.end());
     const auto judge = [&](bool is_center) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "t_junctions.h"
 
+#include <rastertrace/trace/tell/formula.h>
+
 #include <algorithm>
 #include <map>
 #include <set>
@@ -60,7 +62,7 @@ std::map<Line, std::vector<OpenEdge>> open_edges(std::span<const ScreenTriangle>
             const ScreenPoint& apex = at[opposite];
             edges[line_through(low, high)].push_back(
                 {edge, goes_on ? std::array{edge.from, edge.to} : std::array{edge.to, edge.from},
-                 (high.x - low.x) * (apex.y - low.y) > (apex.x - low.x) * (high.y - low.y)});
+                 sgn(doubled_area(low, high, apex)) > 0});
         }
     return edges;
 }

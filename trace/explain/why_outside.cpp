@@ -5,6 +5,7 @@
 #include "why_not.h"
 
 #include <rastertrace/trace/record/traced_steps.h>
+#include <rastertrace/trace/tell/formula.h>
 #include <rastertrace/trace/tell/sheet.h>
 #include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/text/text.h>

@@ -127,10 +127,8 @@ std::string edge_function(const EdgeStep& step, const std::optional<EdgeEnds>& e
 std::string line_form(const EdgeEnds& ends) {
     const auto from = vec2_in(ends.from);
     const auto to = vec2_in(ends.to);
-    if (!from || !to || from->x == to->x)
-        return {};
-    const Rational slope = (to->y - from->y) / (to->x - from->x);
-    return fmt::format("; y = {} x {}", text(slope), plus(text(from->y - slope * from->x)));
+    const auto form = from && to ? slope_form_of({*from, *to}, true) : std::nullopt;
+    return form ? fmt::format("; y = {} x {}", text(form->m), plus(text(form->b))) : std::string();
 }
 
 std::string edge(const Context& context) {
