@@ -426,6 +426,9 @@ TEST(Working, TheDepthsAtTheEndsOfARow) {
     EXPECT_THAT(working(trace, row), Contains(HasSubstr("  depth = 1/5 + ")));
     EXPECT_THAT(working(trace, row), Contains("  depth per row on BG: (d2 - d1)/(y2 - y1) = "
                                               "(1/5 - 1/3)/(-2 - 3) = 2/75"));
+    Scene adding = scene_in(example_text("t0-hidden/cube-inverse-z.json"));
+    adding.method.lerp = LerpForm::incremental;
+    EXPECT_THAT(working(trace_of(adding), row), Contains(HasSubstr("  depth per row on BG: ")));
     EXPECT_THAT(working(trace, row), Contains(::testing::EndsWith(" = 17/75")));
 }
 
@@ -579,6 +582,8 @@ TEST(Working, WhyALineIsOfItsOctant) {
     });
     EXPECT_EQ(working(outline, side).back(),
               "(2, 5) to (-4, -3): dx = -6 < 0, dy = -8 < 0, |dx| < |dy|: octant 6");
+    EXPECT_THAT(working(colored_line("0, 0", "0, 5", ""), 1),
+                ElementsAre("(0, 0) to (0, 5): dx = 0 >= 0, dy = 5 >= 0, |dx| < |dy|: octant 2"));
     // From the end with the lower y, between the pixels of the ends.
     EXPECT_THAT(working(colored_line("2.5, 5", "4.4, 0", R"("from": "low")"), 1),
                 ElementsAre("(4, 0) to (3, 5): dx = -1 < 0, dy = 5 >= 0, |dx| < |dy|: octant 3"));
@@ -648,6 +653,21 @@ TEST(Working, WhereAnEdgeMeetsAPlane) {
                             "AB:1 = A + t (B - A):", "x = 0 + 1/2 (8192 - 0) = 4096",
                             "y = 0 + 1/2 (2 - 0) = 1", "z = 0 + 1/2 (0 - 0) = 0",
                             "w = 1 + 1/2 (1 - 1) = 1"));
+    // A canvas of 6 rows, 2 pixels per unit: half of it is 3/2 from the middle. The sides of an outline are cut one by
+    // one.
+    const Trace above = trace_of(scene_in(R"({
+  "canvas": {"width": 8, "height": 6},
+  "vertices": {"A": [0, 0, 1], "B": [0, 12288, 1], "C": [0, 0, -1], "D": [1, 0, 1]},
+  "lines": ["AB"], "outlines": ["ACD"],
+  "projection": {"type": "pinhole", "distance": 1, "near": "1/2"},
+  "viewport": {"pixels_per_unit": 2}, "method": {"scalar": "exact"}})"));
+    EXPECT_THAT(working(above, StepKind::vertex, "AB:1", "clip"),
+                IsSupersetOf(Working{"top plane: d = -y + 6144 w, inside where d >= 0",
+                                     "y = 0 + 1/2 (12288 - 0) = 6144"}));
+    EXPECT_THAT(working(above, StepKind::vertex, "ACD:2", "clip"),
+                IsSupersetOf(Working{"near plane: d = w - 1/2, inside where d >= 0",
+                                     "t = d1/(d1 - d2) = (1/2) / (1/2 + 3/2) = 1/4",
+                                     "ACD:2 = D + t (C - D):", "x = 1 + 1/4 (0 - 1) = 3/4"}));
 }
 
 /// What a working writes agrees with what is told, or it would not be there: of every scene.
@@ -687,6 +707,10 @@ TEST(Working, IsThereForEveryStepOfARandomScene) {
                         depths[ends->vertices[0]] != depths[ends->vertices[1]])
                         expect("  depth per row on " + end.edge.text() + ": ");
                 }
+            const auto line =
+                kind == StepKind::along ? ends_of_line(replay, primitive_of(replay)) : std::nullopt;
+            if (line && (line->from.x != line->to.x || line->from.y != line->to.y))
+                expect(" + b at both ends: ");
             if (kind == StepKind::matrix && step.as<MatrixStep>().factors.texts().size() > 1)
                 expect(", row times column:");
             if (kind == StepKind::clip)
@@ -753,6 +777,12 @@ TEST(Working, Alpha) {
     EXPECT_THAT(working(trace, over),
                 IsSupersetOf(Working{"alpha = 255 + 1 (127 - 255) / 4 = 223 -> 223",
                                      "alpha = 223 is stored: nothing of step 2 is mixed in"}));
+    const Trace triangle = trace_of(scene_in(R"({
+  "canvas": {"width": 4, "height": 4, "origin": "bottom-left"},
+  "vertices": {"A": [0, 0], "B": [3, 0], "C": [0, 3]},
+  "colors": {"A": "#00000080", "B": "#0000007f", "C": "#000000ff"}, "triangles": ["ABC"]})"));
+    EXPECT_THAT(working(triangle, StepKind::pixel, 1, 1),
+                Contains("alpha = 0.333333 (128) + 0.333333 (127) + 0.333333 (255) = 170 -> 170"));
 }
 
 /// Each channel that differs at the ends of a side, or of a line of the fan, leads to the level that is told.
