@@ -302,7 +302,8 @@ void begin_left(ColoredLine& line, const std::string& end_name) {
 }
 
 ColorOnLine color_at(const ColoredLine& line, GridPoint at, const Trace& trace) {
-    const auto& [from, to, from_color, to_color] = line.pixels;
+    const GridPoint from = line.pixels.from;
+    const GridPoint to = line.pixels.to;
     const auto square_of_distance = [](GridPoint a, GridPoint b) {
         const Rational dx = b.x - a.x;
         const Rational dy = b.y - a.y;
@@ -320,8 +321,8 @@ ColorOnLine color_at(const ColoredLine& line, GridPoint at, const Trace& trace) 
                               is_cut ? ColorRounding::truncate : ColorRounding::nearest};
     // The first and the last pixel have the colors of the ends, wherever rounding has put them.
     const Rational length = square_of_distance(from, to);
-    return {.from = from_color,
-            .to = to_color,
+    return {.from = line.pixels.from_color,
+            .to = line.pixels.to_color,
             .from_name = line.from_name,
             .step = step,
             .steps = steps,

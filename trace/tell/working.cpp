@@ -204,9 +204,10 @@ void put_boundaries(Sheet& sheet, const ScanlineStep& row) {
     const auto [top, middle, bottom] =
         sorted_from_top(Triangle<Rational>{*corners}, sheet.trace().canvas.down());
     const std::array<std::size_t, 3> t{bottom.index, middle.index, top.index};
+    constexpr std::array<std::array<std::size_t, 2>, 3> sides{{{0, 2}, {0, 1}, {1, 2}}};
     std::vector<std::string> ends;
     for (const EndOfRow& end : ends_of(row))
-        for (const auto& [from, to] : {std::pair(0, 2), std::pair(0, 1), std::pair(1, 2)})
+        for (const auto& [from, to] : sides)
             if (end.edge == edge_name(sheet.primitive, t[from], t[to]) ||
                 end.edge == edge_name(sheet.primitive, t[to], t[from]))
                 ends.push_back(

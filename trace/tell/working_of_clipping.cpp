@@ -81,8 +81,8 @@ Cut cut_before(const Sheet& sheet) {
     return cut;
 }
 
-/// How many halves of a canvas's width, or height, the planes at its sides lie from the middle, times x, or y, over w
-/// at its edge.
+/// The planes at the sides of the view are |x| = guard w, and |y| = guard w: so many times as far from the middle as the
+/// edge of the canvas.
 Rational guard_at(const Sheet& sheet, std::size_t axis) {
     const Canvas& canvas = sheet.trace().canvas;
     const Rational extent = axis == 0 ? canvas.width : canvas.height;
@@ -104,7 +104,8 @@ Plane plane_named(const Sheet& sheet, const std::string& name, const Matrix<Rati
     const Rational zero;
     const bool is_near = name == "near";
     if (is_near || name == "far") {
-        const auto& [a, b] = std::pair(projection.rows[2][2], projection.rows[2][3]);
+        const Rational& a = projection.rows[2][2];
+        const Rational& b = projection.rows[2][3];
         const Rational side = is_near ? 1 : -1;
         if (sgn(projection.rows[3][2]) == 0)
             return {"", {zero, zero, side, zero}, 1};
@@ -140,7 +141,8 @@ std::string distance_from(const Plane& plane, const Place* at = nullptr) {
     return sum;
 }
 
-/// Writes how the plane cuts an edge from a vertex inside to one outside; false if not in the sheet's vertex.
+/// Writes how the plane cuts the edge from p, inside, to q, outside. Returns false, and writes nothing, if that is not
+/// where the trace has the vertex.
 bool put_meeting(Sheet& sheet, const std::string& plane_name, const Plane& plane,
                  const ClipCorner& p, const ClipCorner& q, const ClipCorner& met) {
     const Rational d1 = plane.value_at(vector_of(p.at));
@@ -157,9 +159,8 @@ bool put_meeting(Sheet& sheet, const std::string& plane_name, const Plane& plane
     sheet.put(said({"{}: d1 = {} = {}, {}: d2 = {} = {}", "{}: d1 = {} = {}, {}: d2 = {} = {}"},
                    p.name, distance_from(plane, &p.at), text(d1), q.name,
                    distance_from(plane, &q.at), text(d2)));
-    sheet.put(fmt::format("t = d1/(d1 - d2) = {}",
-                          quotient(text(d1), fmt::format("({} {})", text(d1), minus(text(d2))))) +
-              " = " + text(t));
+    const std::string sum = fmt::format("({} {})", text(d1), minus(text(d2)));
+    sheet.put(fmt::format("t = d1/(d1 - d2) = {} = {}", quotient(text(d1), sum), text(t)));
     sheet.put(fmt::format("{0} = {1} + t ({2} - {1}):", met.name, p.name, q.name));
     for (std::size_t i = 0; i < 4; ++i)
         sheet.put(fmt::format("{} = {} + {} ({} {}) = {}", letters[i], text(p.at[i]), text(t),
