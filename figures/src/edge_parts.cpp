@@ -7,6 +7,7 @@
 
 #include <rastertrace/figures/corners.h>
 #include <rastertrace/trace/record/traced_steps.h>
+#include <rastertrace/trace/tell/formula.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -167,9 +168,7 @@ void add_half_planes(const Panel& panel, std::vector<Shape>& shapes) {
         const Place a = corners[i];
         const Place b = corners[(i + 1) % 3];
         const Place c = corners[(i + 2) % 3];
-        const auto side_of = [a, b](Place p) {
-            return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
-        };
+        const auto side_of = [a, b](Place p) { return doubled_area(a, b, p); };
         // The side of the third corner is the inner one.
         const double sign = side_of(c) < 0 ? -1 : 1;
         const Path all = corners_of(panel.lattice.frame());

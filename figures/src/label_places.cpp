@@ -3,6 +3,8 @@
 
 #include "clip.h"
 
+#include <rastertrace/trace/tell/formula.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,13 +15,9 @@ namespace rastertrace {
 
 namespace {
 
-/// Twice the signed area of a triangle: on which side of a-b c lies.
-double side_of(Place a, Place b, Place c) {
-    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
 bool do_cross(Place a, Place b, Place c, Place d) {
-    return side_of(a, b, c) * side_of(a, b, d) < 0 && side_of(c, d, a) * side_of(c, d, b) < 0;
+    return doubled_area(a, b, c) * doubled_area(a, b, d) < 0 &&
+           doubled_area(c, d, a) * doubled_area(c, d, b) < 0;
 }
 
 /// True if a segment passes through a box: it has an end in it, or crosses a diagonal.

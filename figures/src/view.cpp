@@ -4,6 +4,7 @@
 #include <rastertrace/figures/corners.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/describe.h>
+#include <rastertrace/trace/tell/formula.h>
 #include <rastertrace/trace/text/color_text.h>
 #include <rastertrace/trace/text/named_value.h>
 #include <rastertrace/trace/text/text.h>
@@ -67,9 +68,7 @@ std::string cleared_depth(const Trace& trace) {
 
 /// How far `p` lies from the line through two points; positive on the left side with y up.
 double distance_from_line(const Point& p, const Point& from, const Point& to) {
-    const double dx = to.x - from.x;
-    const double dy = to.y - from.y;
-    return (dx * (p.y - from.y) - dy * (p.x - from.x)) / std::hypot(dx, dy);
+    return doubled_area(from, to, p) / std::hypot(to.x - from.x, to.y - from.y);
 }
 
 } // namespace

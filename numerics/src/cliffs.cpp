@@ -8,6 +8,7 @@
 #include <rastertrace/numerics/drawing.h>
 #include <rastertrace/trace/audit/t_junctions.h>
 #include <rastertrace/trace/scene/scene_file.h>
+#include <rastertrace/trace/tell/formula.h>
 #include <rastertrace/trace/text/primitive_name.h>
 
 #include <fmt/core.h>
@@ -508,8 +509,7 @@ private:
         }
         const auto& [a, b, c] = piece.positions;
         triangle.name = names.piece;
-        triangle.is_drawn =
-            !piece.is_skipped && (b.x - a.x) * (c.y - a.y) != (c.x - a.x) * (b.y - a.y);
+        triangle.is_drawn = !piece.is_skipped && sgn(doubled_area(a, b, c)) != 0;
         triangles_.push_back(std::move(triangle));
     }
 

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "effort.h"
 #include "picture.h"
+#include "random_scene.h"
 #include "traces.h"
 
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/describe.h>
+#include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/tell/working.h>
 
 #include <fmt/core.h>
@@ -16,6 +19,7 @@
 #include <fstream>
 #include <functional>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -158,15 +162,27 @@ TEST(Working, EdgeFunctionsAtTheSamplesOfARow) {
 /// T4: the view moves by -4, and projection x view x model takes an object to its place in clip space.
 TEST(Working, OfMatricesAndVertices) {
     const Trace trace = example("t4-pipeline/six-spaces.json");
-    EXPECT_THAT(working(trace, StepKind::matrix, "projection"),
-                ElementsAre("perspective:  [1 0 0 0]  [0 1 0 0]  [0 0 1 0]  [0 0 -1 1]",
-                            "translate:  [1 0 0 0]  [0 1 0 0]  [0 0 1 1]  [0 0 0 1]",
-                            "projection x view x model:", "[0 -1 0 1]", "[2 0 0 0]", "[0 0 1 -3]",
-                            "[0 0 -1 4]"));
-    EXPECT_THAT(working(trace, StepKind::matrix, "viewport"),
-                ElementsAre("scale:  [20 0 0 0]  [0 10 0 0]  [0 0 1 0]  [0 0 0 1]",
-                            "translate:  [1 0 0 1]  [0 1 0 1]  [0 0 1 0]  [0 0 0 1]",
-                            "flip:  [1 0 0 0]  [0 -1 0 0]  [0 0 1 0]  [0 0 0 1]"));
+    EXPECT_THAT(
+        working(trace, StepKind::matrix, "projection"),
+        ElementsAre(
+            "perspective:  [1 0 0 0]  [0 1 0 0]  [0 0 1 0]  [0 0 -1 1]",
+            "translate:  [1 0 0 0]  [0 1 0 0]  [0 0 1 1]  [0 0 0 1]",
+            "perspective x translate, row times column:", "1 (1), 0, 0, 0 = [1 0 0 0]",
+            "0, 1 (1), 0, 0 = [0 1 0 0]", "0, 0, 1 (1), 1 (1) = [0 0 1 1]",
+            "0, 0, (-1) (1), (-1) (1) + 1 (1) = [0 0 -1 0]",
+            "projection x view x model, row times column:", "0, 1 (-1), 0, 1 (1) = [0 -1 0 1]",
+            "1 (2), 0, 0, 0 = [2 0 0 0]", "0, 0, 1 (1), 1 (-4) + 1 (1) = [0 0 1 -3]",
+            "0, 0, (-1) (1), (-1) (-4) = [0 0 -1 4]"));
+    EXPECT_THAT(
+        working(trace, StepKind::matrix, "viewport"),
+        ElementsAre("scale:  [20 0 0 0]  [0 10 0 0]  [0 0 1 0]  [0 0 0 1]",
+                    "translate:  [1 0 0 1]  [0 1 0 1]  [0 0 1 0]  [0 0 0 1]",
+                    "flip:  [1 0 0 0]  [0 -1 0 0]  [0 0 1 0]  [0 0 0 1]",
+                    "translate x flip, row times column:", "1 (1), 0, 0, 1 (1) = [1 0 0 1]",
+                    "0, 1 (-1), 0, 1 (1) = [0 -1 0 1]", "0, 0, 1 (1), 0 = [0 0 1 0]",
+                    "0, 0, 0, 1 (1) = [0 0 0 1]", "scale x translate x flip, row times column:",
+                    "20 (1), 0, 0, 20 (1) = [20 0 0 20]", "0, 10 (-1), 0, 10 (1) = [0 -10 0 10]",
+                    "0, 0, 1 (1), 0 = [0 0 1 0]", "0, 0, 0, 1 (1) = [0 0 0 1]"));
     EXPECT_THAT(working(trace, StepKind::vertex, "A", "camera"),
                 ElementsAre("x = 1 (0) + 0 (2) + 0 (1) + 0 (1) = 0",
                             "y = 0 (0) + 1 (2) + 0 (1) + 0 (1) = 2",
@@ -408,6 +424,11 @@ TEST(Working, TheDepthsAtTheEndsOfARow) {
                step.as<ScanlineStep>().right_depth.text() == "17/75";
     });
     EXPECT_THAT(working(trace, row), Contains(HasSubstr("  depth = 1/5 + ")));
+    EXPECT_THAT(working(trace, row), Contains("  depth per row on BG: (d2 - d1)/(y2 - y1) = "
+                                              "(1/5 - 1/3)/(-2 - 3) = 2/75"));
+    Scene adding = scene_in(example_text("t0-hidden/cube-inverse-z.json"));
+    adding.method.lerp = LerpForm::incremental;
+    EXPECT_THAT(working(trace_of(adding), row), Contains(HasSubstr("  depth per row on BG: ")));
     EXPECT_THAT(working(trace, row), Contains(::testing::EndsWith(" = 17/75")));
 }
 
@@ -489,7 +510,8 @@ TEST(Working, OfFactorsThatAreNone) {
                 names + R"(],"factor_rows":[)" + rows + "]}\n"),
             1);
     };
-    EXPECT_EQ(lines_of(2, "1").size(), 2u);
+    EXPECT_EQ(lines_of(2, "1").size(), 7u);
+    EXPECT_EQ(lines_of(9, "1").size(), 9u); // too many to multiply on the page
     EXPECT_THAT(lines_of(2, "2"), ElementsAre());
     EXPECT_THAT(lines_of(100'000, "1"), ElementsAre());
 }
@@ -545,6 +567,255 @@ TEST(Working, NewellsNormalEdgeByEdge) {
                     "D to A: ((4 - 0) (1 + 1), (1 - 1) (0 + 0), (0 - 0) (4 + 0)) = (8, 0, 0)",
                     "normal = the sum of these = (0, 0, 8), of length 8: twice the area",
                     "largest in z: the face is seen without it"));
+}
+
+/// T2's octants: by the signs of dx and dy, and which of them is longer.
+TEST(Working, WhyALineIsOfItsOctant) {
+    const Trace octants = example("t2-lines/octants.json");
+    EXPECT_THAT(working(octants, StepKind::primitive, "O3"),
+                ElementsAre("(0, 0) to (-2, 5): dx = -2 < 0, dy = 5 >= 0, |dx| < |dy|: octant 3"));
+    EXPECT_THAT(working(octants, StepKind::primitive, "O8"),
+                ElementsAre("(0, 0) to (5, -2): dx = 5 >= 0, dy = -2 < 0, |dx| >= |dy|: octant 8"));
+    const Trace outline = example("t2-lines/outline.json");
+    const std::size_t side = step_of(outline, [](const StepView& step) {
+        return step.kind() == StepKind::edge && step.as<EdgeStep>().octant.has_value();
+    });
+    EXPECT_EQ(working(outline, side).back(),
+              "(2, 5) to (-4, -3): dx = -6 < 0, dy = -8 < 0, |dx| < |dy|: octant 6");
+    EXPECT_THAT(working(colored_line("0, 0", "0, 5", ""), 1),
+                ElementsAre("(0, 0) to (0, 5): dx = 0 >= 0, dy = 5 >= 0, |dx| < |dy|: octant 2"));
+    // From the end with the lower y, between the pixels of the ends.
+    EXPECT_THAT(working(colored_line("2.5, 5", "4.4, 0", R"("from": "low")"), 1),
+                ElementsAre("(4, 0) to (3, 5): dx = -1 < 0, dy = 5 >= 0, |dx| < |dy|: octant 3"));
+}
+
+/// T0's line AB, x = (3 y - 7) / 4.
+TEST(Working, ALineThroughTwoPoints) {
+    const Trace trace = trace_of(scene_in(R"({
+  "canvas": {"width": 17, "height": 14},
+  "vertices": {"A": [2, 5], "B": [-4, -3], "C": [7, 3], "D": [0, 0]},
+  "lines": ["AB", "DC"], "method": {"line": "naive", "scalar": "exact"}})"));
+    EXPECT_THAT(working(trace, StepKind::along, 0, 1),
+                ElementsAre("x = m y + b at both ends: 2 = m (5) + b, -4 = m (-3) + b",
+                            "m = (x2 - x1)/(y2 - y1) = (-4 - 2)/(-3 - 5) = 3/4, "
+                            "b = x1 - m y1 = 2 - 3/4 (5) = -7/4",
+                            "x = m y + b = 3/4 (1) - 7/4 = -1"));
+    EXPECT_THAT(working(trace, step_of(trace,
+                                       [](const StepView& step) {
+                                           return step.kind() == StepKind::along &&
+                                                  step.as<AlongStep>().x == 2;
+                                       })),
+                ElementsAre("y = m x + b at both ends: 0 = m (0) + b, 3 = m (7) + b",
+                            "m = (y2 - y1)/(x2 - x1) = (3 - 0)/(7 - 0) = 3/7, "
+                            "b = y1 - m x1 = 0 - 3/7 (0) = 0",
+                            "y = m x + b = 3/7 (2) + 0 = 6/7"));
+}
+
+/// T3: boundary A is t0t2, boundary B t0t1, then t1t2; t0 is the lowest vertex of the picture.
+TEST(Working, TheBoundariesOfALineSweep) {
+    const std::string below = "t0, t1, t2 = A, B, C from below: left CA = t0t2 is boundary A, ";
+    const Trace trace = example("t3-sweep-and-box/two-halves.json");
+    EXPECT_THAT(working(trace, StepKind::scanline, 0, -2),
+                Contains(below + "right BA = t0t1 is boundary B"));
+    EXPECT_THAT(working(trace, StepKind::scanline, 0, 3),
+                Contains(below + "right CB = t1t2 is boundary B"));
+    Scene upside_down = triangle_scene({"1", "1", "11", "4", "5", "10"},
+                                       {.width = 13, .height = 11, .origin = Origin::top_left});
+    upside_down.method.fill = Fill::two_halves;
+    EXPECT_THAT(working(trace_of(upside_down), StepKind::scanline, 0, 2),
+                Contains("t0, t1, t2 = C, B, A from below: left AC = t0t2 is boundary A, right AB "
+                         "= t1t2 is boundary B"));
+    upside_down.method.fill = Fill::scanline;
+    EXPECT_THAT(working(trace_of(upside_down), StepKind::scanline, 0, 2),
+                Not(Contains(HasSubstr("boundary"))));
+}
+
+/// A frustum's near plane is w = 1: the edge from B (w 2) to C (w -2) is cut after 1/4 of it. At 4096 half canvases
+/// lies the right plane, half of the way to 8192.
+TEST(Working, WhereAnEdgeMeetsAPlane) {
+    const Trace wing = example("t4-pipeline/behind-the-eye.json");
+    EXPECT_THAT(working(wing, StepKind::vertex, "wing:1", "clip"),
+                ElementsAre("near plane: d = w - 1, inside where d >= 0",
+                            "B: d1 = 2 - 1 = 1, C: d2 = -2 - 1 = -3",
+                            "t = d1/(d1 - d2) = 1 / (1 + 3) = 1/4", "wing:1 = B + t (C - B):",
+                            "x = -1 + 1/4 (1 + 1) = -1/2", "y = -1 + 1/4 (-1 + 1) = -1",
+                            "z = 1/8 + 1/4 (-35/8 - 1/8) = -1", "w = 2 + 1/4 (-2 - 2) = 1"));
+    const Trace beside = trace_of(scene_in(R"({
+  "canvas": {"width": 9, "height": 9},
+  "vertices": {"A": [0, 0, 0], "B": [8192, 2, 0]}, "lines": ["AB"],
+  "projection": {"type": "orthographic", "left": -1, "right": 1, "bottom": -1, "top": 1},
+  "method": {"scalar": "exact"}})"));
+    EXPECT_THAT(working(beside, StepKind::vertex, "AB:1", "clip"),
+                ElementsAre("right plane: d = -x + 4096 w, inside where d >= 0",
+                            "A: d1 = (-1) (0) + 4096 (1) = 4096, B: d2 = (-1) (8192) + 4096 (1) = "
+                            "-4096",
+                            "t = d1/(d1 - d2) = 4096 / (4096 + 4096) = 1/2",
+                            "AB:1 = A + t (B - A):", "x = 0 + 1/2 (8192 - 0) = 4096",
+                            "y = 0 + 1/2 (2 - 0) = 1", "z = 0 + 1/2 (0 - 0) = 0",
+                            "w = 1 + 1/2 (1 - 1) = 1"));
+    // A canvas of 6 rows, 2 pixels per unit: half of it is 3/2 from the middle. The sides of an outline are cut one by
+    // one.
+    const Trace above = trace_of(scene_in(R"({
+  "canvas": {"width": 8, "height": 6},
+  "vertices": {"A": [0, 0, 1], "B": [0, 12288, 1], "C": [0, 0, -1], "D": [1, 0, 1]},
+  "lines": ["AB"], "outlines": ["ACD"],
+  "projection": {"type": "pinhole", "distance": 1, "near": "1/2"},
+  "viewport": {"pixels_per_unit": 2}, "method": {"scalar": "exact"}})"));
+    EXPECT_THAT(working(above, StepKind::vertex, "AB:1", "clip"),
+                IsSupersetOf(Working{"top plane: d = -y + 6144 w, inside where d >= 0",
+                                     "y = 0 + 1/2 (12288 - 0) = 6144"}));
+    EXPECT_THAT(working(above, StepKind::vertex, "ACD:2", "clip"),
+                IsSupersetOf(Working{"near plane: d = w - 1/2, inside where d >= 0",
+                                     "t = d1/(d1 - d2) = (1/2) / (1/2 + 3/2) = 1/4",
+                                     "ACD:2 = D + t (C - D):", "x = 1 + 1/4 (0 - 1) = 3/4"}));
+}
+
+/// What a working writes agrees with what is told, or it would not be there: of every scene.
+TEST(Working, IsThereForEveryStepOfARandomScene) {
+    std::map<std::string, int> worked_out;
+    for (std::uint64_t seed = 1; seed <= random_cases(400u); ++seed) {
+        auto read = read_scene({"scene.json", RandomScene(seed).text()});
+        if (!read)
+            continue;
+        Scene scene = read.value().scene;
+        scene.method.scalar = ScalarKind::exact;
+        const Trace trace = trace_of(scene);
+        Replay replay(trace);
+        std::size_t planes = 0;
+        const auto expect = [&](const std::string& part) {
+            EXPECT_THAT(working_of(replay), Contains(HasSubstr(part)))
+                << seed << " " << replay.step();
+            ++worked_out[part];
+        };
+        for (std::size_t n = 1; n <= trace.size(); ++n) {
+            replay.go_to(n);
+            const StepView step = trace.step(n);
+            const auto kind = trace.kind_of(n);
+            if (kind == StepKind::primitive && step.as<PrimitiveStep>().octant)
+                expect(fmt::format(": octant {}", *step.as<PrimitiveStep>().octant));
+            if (kind == StepKind::edge && step.as<EdgeStep>().octant)
+                expect(fmt::format(": octant {}", *step.as<EdgeStep>().octant));
+            if (kind == StepKind::scanline && scene.method.fill == Fill::two_halves) {
+                expect("t0t2 is boundary A");
+                expect("is boundary B");
+            }
+            if (kind == StepKind::scanline)
+                for (const EndOfRow& end : ends_of(step.as<ScanlineStep>())) {
+                    const auto ends = ends_of_edge(primitive_of(replay), end.edge.text());
+                    const auto depths = primitive_of(replay).depths.texts();
+                    if (end.depth && ends && ends->from[1] != ends->to[1] &&
+                        depths[ends->vertices[0]] != depths[ends->vertices[1]])
+                        expect("  depth per row on " + end.edge.text() + ": ");
+                }
+            const auto line =
+                kind == StepKind::along ? ends_of_line(replay, primitive_of(replay)) : std::nullopt;
+            if (line && (line->from.x != line->to.x || line->from.y != line->to.y))
+                expect(" + b at both ends: ");
+            if (kind == StepKind::matrix && step.as<MatrixStep>().factors.texts().size() > 1)
+                expect(", row times column:");
+            if (kind == StepKind::clip)
+                planes = trace.kind_of(n - 1) == StepKind::clip ? planes + 1 : 1;
+            if (kind == StepKind::vertex && planes == 1 && replay.primitive() != 0 &&
+                step.as<VertexStep>().space == Space::clip)
+                expect("t = d1/(d1 - d2) = ");
+        }
+    }
+    for (const std::string part :
+         {": octant 1", ": octant 6", "t0t2 is boundary A", "t = d1/(d1 - d2) = "})
+        EXPECT_GT(worked_out[part], 0) << part;
+}
+
+/// A scene of colored vertices: A black, B red, C blue.
+Trace colored(const std::string& vertices, const std::string& rest) {
+    return trace_of(scene_in(R"({"canvas": {"width": 8, "height": 8, "origin": "bottom-left"},
+"colors": {"A": "#000000", "B": "#ff0000", "C": "#0000ff"}, "vertices": )" +
+                             vertices + "," + rest + "}"));
+}
+
+/// T2's line of 5 steps, 51 a step, as the side of an outline: AB from black to red, CA from blue to black.
+TEST(Working, TheColorsOfAnOutline) {
+    const std::string vertices = R"({"A": [0, 0], "B": [5, 2], "C": [0, 2]})";
+    const Trace trace = colored(vertices, R"("outlines": ["ABC"])");
+    EXPECT_THAT(working(trace, StepKind::pixel, 1, 0),
+                Contains("red = 0 + 1 (255 - 0) / 5 = 51 -> 51"));
+    EXPECT_THAT(working(trace, StepKind::pixel, 0, 1),
+                Contains("blue = 255 + 1 (0 - 255) / 2 = 127.5 -> 128"));
+    const Trace low = colored(vertices, R"("outlines": ["ABC"], "method": {"from": "low"})");
+    EXPECT_THAT(working(low, StepKind::pixel, 0, 1),
+                Contains("blue = 0 + 1 (255 - 0) / 2 = 127.5 -> 128"));
+    // By the distance: sources.md.
+    const Trace by_distance =
+        colored(vertices, R"("outlines": ["ABC"], "method": {"color_lerp": "distance"})");
+    EXPECT_THAT(working(by_distance, StepKind::pixel, 2, 1),
+                Contains(HasSubstr(" = 105.258844 -> 105")));
+}
+
+/// From AB's pixel (1, 0), a quarter of the way from black to red, up to the blue C.
+TEST(Working, TheColorsOfAFan) {
+    const Trace trace = colored(R"({"A": [0, 0], "B": [4, 0], "C": [1, 2]})",
+                                R"("triangles": ["ABC"], "method": {"fill": "fan"})");
+    const Working start{"on AB at (1, 0): red = 0 + 1 (255 - 0) / 4 = 63.75 -> 64"};
+    EXPECT_EQ(working(trace, StepKind::ray, 1, 0), start);
+    const Working pixel = working(trace, step_of(trace, [&](const StepView& step) {
+                                      return step.kind() == StepKind::pixel && x_in(step) == 1 &&
+                                             y_in(step) == 1 &&
+                                             step.as<PixelStep>().color.text() == "#200080";
+                                  }));
+    EXPECT_THAT(pixel, IsSupersetOf(Working{start.front(), "red = 64 + 1 (0 - 64) / 2 = 32 -> 32",
+                                            "blue = 0 + 1 (255 - 0) / 2 = 127.5 -> 128"}));
+}
+
+/// Of 255 to 127 in four steps the first is 223; a pixel is replaced, whatever its alpha.
+TEST(Working, Alpha) {
+    const Trace trace = trace_of(scene_in(R"({
+  "canvas": {"width": 5, "height": 1, "origin": "bottom-left"},
+  "vertices": {"A": [0, 0], "B": [4, 0], "C": [1, 0], "D": [1, 0]},
+  "colors": {"A": "#000000ff", "B": "#0000007f"}, "lines": ["CD", "AB"]})"));
+    const std::size_t over = step_of(trace, [&](const StepView& step) {
+        return step.kind() == StepKind::pixel && step.as<PixelStep>().color.text() == "#000000df";
+    });
+    EXPECT_THAT(working(trace, over),
+                IsSupersetOf(Working{"alpha = 255 + 1 (127 - 255) / 4 = 223 -> 223",
+                                     "alpha = 223 is stored: nothing of step 2 is mixed in"}));
+    const Trace triangle = trace_of(scene_in(R"({
+  "canvas": {"width": 4, "height": 4, "origin": "bottom-left"},
+  "vertices": {"A": [0, 0], "B": [3, 0], "C": [0, 3]},
+  "colors": {"A": "#00000080", "B": "#0000007f", "C": "#000000ff"}, "triangles": ["ABC"]})"));
+    EXPECT_THAT(working(triangle, StepKind::pixel, 1, 1),
+                Contains("alpha = 0.333333 (128) + 0.333333 (127) + 0.333333 (255) = 170 -> 170"));
+}
+
+/// Each channel that differs at the ends of a side, or of a line of the fan, leads to the level that is told.
+RC_GTEST_PROP(Working, TheColorsOfOutlinesAndFansAreAlwaysExplained, ()) {
+    const auto point = [] {
+        return fmt::format("[{}.{}, {}]", *rc::gen::inRange(0, 30), *rc::gen::inRange(0, 10),
+                           *rc::gen::inRange(0, 30));
+    };
+    const bool is_fan = *rc::gen::arbitrary<bool>();
+    const Trace trace = trace_of(scene_in(fmt::format(
+        R"({{"canvas": {{"width": 32, "height": 32, "origin": "bottom-left"}},
+"vertices": {{"A": {}, "B": {}, "C": {}}}, "colors": {{"A": "#102030", "B": "#5060c7", "C": "#f8f9fa"}},
+"{}": ["ABC"], "method": {{"color_lerp": "{}", {}}}}})",
+        point(), point(), point(), is_fan ? "triangles" : "outlines",
+        *rc::gen::element<std::string>("axis", "distance"),
+        is_fan ? R"("fill": "fan")"
+               : fmt::format(R"("line": "{}", "from": "{}")",
+                             *rc::gen::element<std::string>("bresenham", "naive", "dda"),
+                             *rc::gen::element<std::string>("first", "low")))));
+    for (std::size_t n = 1; n <= trace.size(); ++n) {
+        Replay replay(trace);
+        if (trace.kind_of(n) != StepKind::pixel)
+            continue;
+        replay.go_to(n);
+        const auto line = color_on_line(replay, primitive_of(replay));
+        const auto color = trace.step(n).as<PixelStep>().color.color();
+        if (!line || !color)
+            continue; // the line is one pixel
+        const Working lines = working_of(replay);
+        RC_ASSERT(std::any_of(lines.begin(), lines.end(), [&](const std::string& one) {
+            return one.starts_with("red = ") && one.ends_with(fmt::format(" -> {}", color->red()));
+        }));
+    }
 }
 
 } // namespace

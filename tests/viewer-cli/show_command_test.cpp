@@ -29,9 +29,10 @@ TEST_F(ProgramTest, SentencesOfWrongStepsSayWhatTheirNumbersGive) {
               "scanline y=0   left [!] its numbers give from = -2 "
               "scanline y=-1   left [!] its numbers give from = -3 "
               "scanline y=-2   left [!] its numbers give from = -4 ");
-    for (const std::string question : {"--step 11", "--scanline 2", "--pixel 0,2"}) {
+    for (const std::string question :
+         {"--step 11", "--scanline 2", "--pixel 0,2", "--pixel=-1,2"}) {
         EXPECT_THAT(shell("$rastertrace explain " + fast + " " + question).out,
-                    HasSubstr("-> 3   [!] its numbers give from = -1\n"))
+                    HasSubstr("   [!] its numbers give from = -1\n"))
             << question;
     }
     EXPECT_THAT(shell("$rastertrace explain " + fast + " --step 11 --json").out,

@@ -2,6 +2,8 @@
 #include "triangle_samples.h"
 
 #include <rastertrace/core/numbers/number.h>
+#include <rastertrace/trace/tell/formula.h>
+#include <rastertrace/trace/tell/step_text.h>
 
 #include <algorithm>
 #include <cmath>
@@ -75,11 +77,9 @@ Index clamped(double value, Index low, Index high) {
         std::clamp(value, static_cast<double>(low), static_cast<double>(high)));
 }
 
-/// Twice the signed area of a triangle.
-mpq_class area2(const ScreenPoint& a, const ScreenPoint& b, const ScreenPoint& c) {
-    const mpq_class x = a.x.exact();
-    const mpq_class y = a.y.exact();
-    return (b.x.exact() - x) * (c.y.exact() - y) - (c.x.exact() - x) * (b.y.exact() - y);
+/// The same point in fractions.
+Vec2 exact_point(const ScreenPoint& point) {
+    return {point.x.exact(), point.y.exact()};
 }
 
 /// How far rounding may put an edge function of a triangle off, at a sample in its box, when all is worked out in the
@@ -101,8 +101,7 @@ Coordinate::Coordinate(const mpq_class& value) : nearest_(nearest_double(value))
 
 HalfPlane left_of(const ScreenPoint& from, const ScreenPoint& to, const SampleGrid& grid,
                   const mpq_class& widening) {
-    const mpq_class x = from.x.exact();
-    const mpq_class y = from.y.exact();
+    const auto [x, y] = exact_point(from);
     const mpq_class dx = to.x.exact() - x;
     const mpq_class dy = to.y.exact() - y;
     return half_plane(-dy, dx, dy * x - dx * y + widening, grid);
@@ -186,7 +185,8 @@ int orientation(const ScreenPoint& a, const ScreenPoint& b, const ScreenPoint& c
     const Bounded near = sum_of_products(
         b.x.nearest() - a.x.nearest(), c.y.nearest() - a.y.nearest(), a.x.nearest() - c.x.nearest(),
         b.y.nearest() - a.y.nearest(), spread_of(a, b, c));
-    return near.sign() != 0 ? near.sign() : sgn(area2(a, b, c));
+    return near.sign() != 0 ? near.sign()
+                            : sgn(doubled_area(exact_point(a), exact_point(b), exact_point(c)));
 }
 
 TriangleSamples::TriangleSamples(const std::array<ScreenPoint, 3>& at, const SampleGrid& grid,

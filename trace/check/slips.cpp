@@ -161,9 +161,8 @@ std::vector<Values> another_rounding(const Formula& formula) {
 
 std::vector<Values> integer_division(const Formula& formula) {
     Results results(formula);
-    if (const auto* edge = as<Slope>(formula))
-        if (const auto slope = divided(edge->to.x - edge->from.x, edge->to.y - edge->from.y))
-            results.add(truncated(*slope));
+    if (as<Slope>(formula) && !results.right().empty())
+        results.add(truncated(results.right().front()));
     if (const auto* lerp = as<Lerp>(formula))
         if (const auto slope = lerp->slope()) {
             Lerp whole = *lerp;
@@ -264,7 +263,7 @@ std::vector<Values> not_divided(const Formula& formula) {
         results.add(lerp->d1 + (lerp->d2 - lerp->d1) * (lerp->i - lerp->i1));
     if (const auto* triangle = as<Weights>(formula)) {
         const auto& [a, b, c] = triangle->corners;
-        const Rational area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
+        const Rational area = doubled_area(a, b, c);
         Values undivided = results.right();
         for (Rational& weight : undivided)
             weight *= area;

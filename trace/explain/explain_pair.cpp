@@ -145,12 +145,11 @@ private:
         const Vec2& a = pair_.from;
         const Vec2& b = pair_.to;
         const Rational along = sample(column_or_row);
-        const Rational begin = is_flat_ ? a.x : a.y;
-        const Rational end = is_flat_ ? b.x : b.y;
-        if (begin == end || along < std::min(begin, end) || along > std::max(begin, end))
+        const Lerp across = lerp_on({a, b}, is_flat_, along);
+        if (!across.slope() || along < std::min(across.i1, across.i2) ||
+            along > std::max(across.i1, across.i2))
             return std::nullopt;
-        const Rational share = (along - begin) / (end - begin);
-        return is_flat_ ? Rational(a.y + share * (b.y - a.y)) : Rational(a.x + share * (b.x - a.x));
+        return across.value();
     }
 
     /// Those of a column, or row, that are near: rows from `first` to `last`, or columns.

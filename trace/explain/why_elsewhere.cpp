@@ -3,7 +3,7 @@
 
 #include "why_not.h"
 
-#include <rastertrace/core/raster/rounding.h>
+#include <rastertrace/core/raster/line.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/text/text.h>
@@ -53,7 +53,7 @@ std::vector<LineSteps> lines_of(const Trace& trace, const PrimitiveSteps& steps)
     std::vector<LineSteps> lines;
     if (primitive.kind == "line") {
         const auto ends = primitive.positions.size() == 2
-                              ? ends_at({primitive.positions[0], primitive.positions[1]})
+                              ? ends_at({primitive.positions[0], primitive.positions[1], {0, 1}})
                               : std::nullopt;
         return {{"the line", steps.first, steps.last, ends,
                  is_x_major_line(step.as<PrimitiveStep>().octant, ends)}};
@@ -74,8 +74,8 @@ std::vector<LineSteps> lines_of(const Trace& trace, const PrimitiveSteps& steps)
 
 /// The nearest pixel to a point, a half up, as the ends of lines are rounded.
 Pixel pixel_at(const Vec2& point) {
-    return {static_cast<int>(nearest_index(point.x, Ties::up)),
-            static_cast<int>(nearest_index(point.y, Ties::up))};
+    const auto [x, y] = nearest_pixel(point.x, point.y);
+    return {static_cast<int>(x), static_cast<int>(y)};
 }
 
 /// The line has no pixel in the column, or the row: it ends before, or there its last pixel is left out.
@@ -151,8 +151,8 @@ WhyNot of_point(const Trace& trace, const PrimitiveSteps& steps, Pixel pixel) {
     const PrimitiveText primitive = primitive_in(trace.step(steps.first));
     const auto place =
         primitive.positions.empty() ? std::nullopt : vec2_in(primitive.positions.front());
-    const bool is_in_pixel = place && nearest_index(place->x, Ties::up) == pixel.x &&
-                             nearest_index(place->y, Ties::up) == pixel.y;
+    const bool is_in_pixel =
+        place && nearest_pixel(place->x, place->y) == GridPoint{pixel.x, pixel.y};
     if (!place || is_in_pixel)
         return {.reason = "unknown", .sentence = "no step of the trace says what became of it"};
     const auto drawn = find_step(trace, steps, StepKind::pixel);

@@ -5,6 +5,7 @@
 #include "why_not.h"
 
 #include <rastertrace/trace/record/traced_steps.h>
+#include <rastertrace/trace/tell/formula.h>
 #include <rastertrace/trace/tell/sheet.h>
 #include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/text/text.h>
@@ -92,8 +93,8 @@ std::optional<WhyNot> by_edge_function(const Case& c) {
 }
 
 /// The end of a row that a pixel lies beyond.
-WhyNot beyond_end(const Case& c, const StepView& step, bool is_left) {
-    const EndOfRow told = ends_of(step.as<ScanlineStep>())[is_left ? 0 : 1];
+WhyNot beyond_end(const Case& c, std::size_t n, bool is_left) {
+    const EndOfRow told = ends_of(c.trace.step(n).as<ScanlineStep>())[is_left ? 0 : 1];
     const auto end = told.x.exact();
     const Rational gap = !end      ? Rational(0)
                          : is_left ? Rational(*end - c.sample.x)
@@ -109,7 +110,8 @@ WhyNot beyond_end(const Case& c, const StepView& step, bool is_left) {
                                      edge.empty() ? is_left ? "left end" : "right end" : edge,
                                      made_by_clipping(edge), is_left ? "begins" : "ends", told.y,
                                      in_sentence(told.x.text()), rule_of_end(c.trace, told),
-                                     told.pixel, text(c.sample.x), where),
+                                     told.pixel, text(c.sample.x), where) +
+                             what_numbers_give(c.trace, n),
                          gap);
     for (const std::string& line : c.steps.working)
         if (line.starts_with(told.name() + " "))
@@ -122,12 +124,11 @@ std::optional<WhyNot> by_row(const Case& c) {
     for (std::size_t n = c.steps.first; n <= c.steps.last; ++n) {
         if (c.trace.kind_of(n) != StepKind::scanline)
             continue;
-        const StepView step = c.trace.step(n);
-        const auto row = step.as<ScanlineStep>();
+        const auto row = c.trace.step(n).as<ScanlineStep>();
         if (row.y != c.pixel.y)
             continue;
         if (c.pixel.x < row.from || c.pixel.x > row.to)
-            return beyond_end(c, step, c.pixel.x < row.from);
+            return beyond_end(c, n, c.pixel.x < row.from);
         return WhyNot{.reason = "unknown",
                       .sentence = fmt::format("row y={} has the pixels {} to {}, but no step of "
                                               "the trace says what became of this one",

@@ -127,10 +127,8 @@ std::string edge_function(const EdgeStep& step, const std::optional<EdgeEnds>& e
 std::string line_form(const EdgeEnds& ends) {
     const auto from = vec2_in(ends.from);
     const auto to = vec2_in(ends.to);
-    if (!from || !to || from->x == to->x)
-        return {};
-    const Rational slope = (to->y - from->y) / (to->x - from->x);
-    return fmt::format("; y = {} x {}", text(slope), plus(text(from->y - slope * from->x)));
+    const auto form = from && to ? slope_form_of({*from, *to}, true) : std::nullopt;
+    return form ? fmt::format("; y = {} x {}", text(form->m), plus(text(form->b))) : std::string();
 }
 
 std::string edge(const Context& context) {
@@ -770,26 +768,13 @@ std::string_view unknown_placeholder(std::string_view pattern, const StepRow& ro
     return {};
 }
 
-/// Behind the sentence of a step that does not tell what its numbers give: what these give.
-static std::string what_numbers_give(const Replay& replay) {
-    constexpr Words numbers_give{"its numbers give", "seus n\u00FAmeros d\u00E3o"};
-    const Trace& trace = replay.trace();
-    if (!trace.numbers_give)
-        return {};
-    const auto found = trace.numbers_give->find(trace.number_of(replay.step()));
-    return found == trace.numbers_give->end()
-               ? std::string()
-               : fmt::format("   [!] {} {}", numbers_give.in(language_of_steps()),
-                             printable(found->second));
-}
-
 std::string describe_step(const Replay& replay) {
     const Sentence sentence = sentence_of_step(replay);
     const auto pieces = pieces_of(sentence.pattern);
     std::string text(pieces.front());
     for (std::size_t i = 0; i < sentence.fills.size(); ++i)
         text.append(sentence.fills[i]).append(pieces[i + 1]);
-    return text + what_numbers_give(replay);
+    return text + what_numbers_give(replay.trace(), replay.step());
 }
 
 } // namespace rastertrace

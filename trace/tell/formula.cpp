@@ -26,13 +26,17 @@ Values value(const TakenOver& number) {
 }
 
 Values value(const Slope& edge) {
-    const Rational dy = edge.to.y - edge.from.y;
-    return sgn(dy) == 0 ? Values{} : Values{(edge.to.x - edge.from.x) / dy};
+    const auto slope = Lerp{.d1 = edge.from.x,
+                            .i1 = edge.from.y,
+                            .d2 = edge.to.x,
+                            .i2 = edge.to.y,
+                            .i = edge.from.y}
+                           .slope();
+    return slope ? Values{*slope} : Values{};
 }
 
 Values value(const Lerp& lerp) {
-    const auto slope = lerp.slope();
-    return {slope ? lerp.d1 + *slope * (lerp.i - lerp.i1) : lerp.d1};
+    return {lerp.value()};
 }
 
 Values value(const RoundedEnd& end) {
@@ -136,6 +140,11 @@ std::optional<Rational> Lerp::slope() const {
     if (step)
         return step;
     return i1 == i2 ? std::nullopt : std::optional<Rational>((d2 - d1) / (i2 - i1));
+}
+
+Rational Lerp::value() const {
+    const auto quotient = slope();
+    return quotient ? Rational(d1 + *quotient * (i - i1)) : d1;
 }
 
 Rational RoundedEnd::by(const SpanRounding& other) const {

@@ -14,10 +14,18 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
 namespace rastertrace {
+
+/// Twice the area of a triangle, AB x AC: above 0 if it is counter-clockwise where y points up. In exact numbers or in
+/// doubles.
+template <typename Point> auto doubled_area(const Point& a, const Point& b, const Point& c) {
+    using Result = std::remove_cvref_t<decltype(a.x)>;
+    return Result((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
+}
 
 /// What a formula comes to: a number, the components of a vector, or 1 and 0 for a decision.
 using Values = std::vector<Rational>;
@@ -40,6 +48,9 @@ struct Lerp {
 
     /// The quotient; nothing of a horizontal edge.
     std::optional<Rational> slope() const;
+
+    /// What it comes to.
+    Rational value() const;
 };
 
 /// A coordinate that becomes a pixel.

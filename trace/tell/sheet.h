@@ -6,6 +6,7 @@
 #include "step_text.h"
 
 #include <rastertrace/core/numbers/conversion.h>
+#include <rastertrace/core/transform/matrix.h>
 #include <rastertrace/trace/record/frame.h>
 
 #include <array>
@@ -77,8 +78,15 @@ void write_vertex(Sheet& sheet);
 void write_face(Sheet& sheet);
 void write_light(Sheet& sheet);
 
-/// The levels of a pixel's color (working_of_color.cpp).
+/// Where an edge meets the plane that cuts it, of a vertex that clipping made (working_of_clipping.cpp).
+void write_meeting_point(Sheet& sheet);
+
+/// The matrix of this name, if there is one before the current step.
+std::optional<Matrix<Rational>> matrix_named(const Sheet& sheet, std::string_view name);
+
+/// The levels of a pixel's color, and of the color that a line of a fan begins with (working_of_color.cpp).
 void write_color(Sheet& sheet);
+void write_ray(Sheet& sheet);
 
 /// How far the corners of a triangle are from the eye.
 struct CornerDistances {

@@ -2,6 +2,7 @@
 #include "step_text.h"
 
 #include <rastertrace/core/numbers/number.h>
+#include <rastertrace/core/raster/line.h>
 #include <rastertrace/core/raster/rounding.h>
 #include <rastertrace/trace/text/json_scanner.h>
 #include <rastertrace/trace/text/primitive_name.h>
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 #include <string_view>
 #include <system_error>
@@ -169,6 +171,17 @@ std::string point(std::vector<std::string> coordinates) {
     return fmt::format("({})", joined(coordinates, ", "));
 }
 
+std::string what_numbers_give(const Trace& trace, std::size_t step) {
+    constexpr Words numbers_give{"its numbers give", "seus n\u00FAmeros d\u00E3o"};
+    if (!trace.numbers_give)
+        return {};
+    const auto found = trace.numbers_give->find(trace.number_of(step));
+    return found == trace.numbers_give->end()
+               ? std::string()
+               : fmt::format("   [!] {} {}", numbers_give.in(language_of_steps()),
+                             printable(found->second));
+}
+
 PrimitiveText primitive_in(const StepView& step) {
     const auto told = step.as<PrimitiveStep>();
     return {told.kind,          told.name.text(), told.vertices.texts(),
@@ -195,7 +208,7 @@ std::optional<EdgeEnds> ends_of_edge(const PrimitiveText& primitive, const std::
                 primitive.positions[from].size() >= 2 && primitive.positions[to].size() >= 2;
             if (from != to && have_places &&
                 edge == fmt::format("{}{}{}", names[from], separator, names[to]))
-                return EdgeEnds{primitive.positions[from], primitive.positions[to]};
+                return EdgeEnds{primitive.positions[from], primitive.positions[to], {from, to}};
         }
     return std::nullopt;
 }
@@ -223,8 +236,19 @@ std::optional<LineEnds> line_between(const std::optional<Vec2>& from,
 
 /// A line as it is drawn between pixels: each end is rounded, a half up.
 LineEnds between_nearest_pixels(const LineEnds& ends) {
-    const auto nearest = [](const Rational& x) { return Rational(nearest_index(x, Ties::up)); };
-    return {{nearest(ends.from.x), nearest(ends.from.y)}, {nearest(ends.to.x), nearest(ends.to.y)}};
+    const auto nearest = [](const Vec2& end) {
+        const GridPoint pixel = nearest_pixel(end.x, end.y);
+        return Vec2{pixel.x, pixel.y};
+    };
+    return {nearest(ends.from), nearest(ends.to)};
+}
+
+/// The edge, or the side, that was set up last.
+std::optional<EdgeEnds> current_edge(const Replay& replay, const PrimitiveText& primitive) {
+    if (replay.edges().empty())
+        return std::nullopt;
+    const auto edge = replay.trace().step(replay.edges().back()).as<EdgeStep>();
+    return ends_of_edge(primitive, edge.edge.text());
 }
 
 } // namespace
@@ -237,10 +261,7 @@ std::optional<LineEnds> ends_of_line(const Replay& replay, const PrimitiveText& 
     };
     if (primitive.kind == PrimitiveKind::line && positions.size() == 2)
         return as_drawn(line_between(vec2_in(positions[0]), vec2_in(positions[1])), is_bresenham);
-    if (replay.edges().empty())
-        return std::nullopt;
-    const auto edge = replay.trace().step(replay.edges().back()).as<EdgeStep>();
-    const auto ends = ends_of_edge(primitive, edge.edge.text());
+    const auto ends = current_edge(replay, primitive);
     if (!ends)
         return std::nullopt;
     if (primitive.kind == PrimitiveKind::outline)
@@ -260,49 +281,142 @@ double ColorOnLine::share() const {
     return nearest_double(step / steps);
 }
 
-std::optional<ColorOnLine> color_on_line(const Replay& replay, const PrimitiveText& primitive) {
+namespace {
+
+/// A line between two colors as it is drawn, from where it starts.
+struct ColoredLine {
+    GridLine pixels;
+    std::string from_name;
+    bool is_along_x;
+};
+
+/// Between two of a primitive's vertices, from the first one.
+std::optional<ColoredLine> colored_line(const LineEnds& ends, const PrimitiveText& primitive,
+                                        const std::array<std::size_t, 2>& vertices) {
     const auto colors = primitive.colors.values();
-    if (primitive.kind != PrimitiveKind::line || primitive.vertices.size() != 2 ||
-        colors.size() != 2)
+    const auto color_of = [&colors](std::size_t i) {
+        return i < colors.size() ? colors[i].color() : std::nullopt;
+    };
+    const auto [first, second] = vertices;
+    const auto from = color_of(first);
+    const auto to = color_of(second);
+    if (!from || !to || primitive.vertices.size() != colors.size())
         return std::nullopt;
-    const auto exact_ends = ends_of_line(replay, primitive);
-    const auto first = colors[0].color();
-    const auto second = colors[1].color();
-    if (!exact_ends || !first || !second)
-        return std::nullopt;
-    const auto pixel = replay.trace().step(replay.step()).as<PixelStep>();
-    const Vec2 at{pixel.x, pixel.y};
-    // Which direction is the longer one, the step that led to the pixel says: doubles may not tell.
-    const auto& [from, to] = *exact_ends;
-    const std::size_t reason = reason_of_pixel(replay);
-    const bool along_x = reason != 0 && replay.trace().kind_of(reason) == StepKind::along
-                             ? replay.trace().step(reason).as<AlongStep>().x.has_value()
-                             : abs(to.x - from.x) >= abs(to.y - from.y);
-    // Colors are mixed between the pixels of the ends, from the one that is drawn first.
-    auto [start, end] = between_nearest_pixels(*exact_ends);
-    const bool runs_down = along_x ? to.x < from.x : to.y < from.y;
-    const bool is_reversed = replay.trace().method_value("from") == "low" && runs_down;
-    if (is_reversed)
-        std::swap(start, end);
-    const auto square_of = [](const Rational& dx, const Rational& dy) {
+    return ColoredLine{
+        {nearest_pixel(ends.from.x, ends.from.y), nearest_pixel(ends.to.x, ends.to.y), *from, *to},
+        primitive.vertices[first],
+        abs(ends.to.x - ends.from.x) >= abs(ends.to.y - ends.from.y)};
+}
+
+void reverse(ColoredLine& line, const std::string& end_name) {
+    line.pixels = reversed(line.pixels);
+    line.from_name = end_name;
+}
+
+/// A fan draws its edges and its lines from the end with the lower x.
+void begin_left(ColoredLine& line, const std::string& end_name) {
+    if (line.pixels.to.x < line.pixels.from.x)
+        reverse(line, end_name);
+}
+
+ColorOnLine color_at(const ColoredLine& line, GridPoint at, const Trace& trace) {
+    const GridPoint from = line.pixels.from;
+    const GridPoint to = line.pixels.to;
+    const auto square_of_distance = [](GridPoint a, GridPoint b) {
+        const Rational dx = b.x - a.x;
+        const Rational dy = b.y - a.y;
         return Rational(dx * dx + dy * dy);
     };
-    ColorOnLine color{.from = is_reversed ? *second : *first,
-                      .to = is_reversed ? *first : *second,
-                      .from_name = primitive.vertices[is_reversed ? 1 : 0],
-                      .step = along_x ? abs(at.x - start.x) : abs(at.y - start.y),
-                      .steps = along_x ? abs(end.x - start.x) : abs(end.y - start.y),
-                      .to_end = square_of(end.x - at.x, end.y - at.y),
-                      .length = square_of(end.x - start.x, end.y - start.y),
-                      .is_by_distance = replay.trace().method_value("color_lerp") == "distance"};
+    const auto steps_to = [&](GridPoint p) {
+        return line.is_along_x ? std::abs(p.x - from.x) : std::abs(p.y - from.y);
+    };
+    const Index step = steps_to(at);
+    const Index steps = steps_to(to);
+    const bool is_by_distance = trace.method_value("color_lerp") == "distance";
+    const bool is_cut = trace.method_value("color_rounding") == "truncate";
+    const LineRules rules{.color_lerp = is_by_distance ? ColorLerp::distance : ColorLerp::axis,
+                          .color_rounding =
+                              is_cut ? ColorRounding::truncate : ColorRounding::nearest};
     // The first and the last pixel have the colors of the ends, wherever rounding has put them.
-    if (color.step == 0)
-        color.to_end = color.length;
-    if (color.step == color.steps)
-        color.to_end = 0;
-    if (sgn(color.steps) == 0)
+    const Rational length = square_of_distance(from, to);
+    return {.from = line.pixels.from_color,
+            .to = line.pixels.to_color,
+            .from_name = line.from_name,
+            .step = step,
+            .steps = steps,
+            .to_end = step == 0       ? length
+                      : step == steps ? Rational(0)
+                                      : square_of_distance(at, to),
+            .length = length,
+            .is_by_distance = is_by_distance,
+            .color = color_on_line(line.pixels, rules, at, step, steps)};
+}
+
+/// The edge that the current lines of a fan begin in.
+std::optional<ColoredLine> edge_of_fan(const PrimitiveText& primitive, const EdgeEnds& edge) {
+    const auto ends = line_between(vec2_in(edge.from), vec2_in(edge.to));
+    auto line =
+        ends ? colored_line(between_nearest_pixels(*ends), primitive, edge.vertices) : std::nullopt;
+    if (line)
+        begin_left(*line, primitive.vertices[edge.vertices[1]]);
+    return line;
+}
+
+/// The line of a fan that is being drawn: from a pixel of its edge, in the color that is there, to the vertex beyond.
+std::optional<ColoredLine> line_of_fan(const Replay& replay, const PrimitiveText& primitive,
+                                       const LineEnds& ends) {
+    const auto edge = current_edge(replay, primitive);
+    const auto start = color_on_edge_of_fan(replay, primitive);
+    if (!edge || !start)
         return std::nullopt;
-    return color;
+    const std::size_t apex = 3 - edge->vertices[0] - edge->vertices[1];
+    auto line = colored_line(ends, primitive, {apex, apex});
+    if (!line)
+        return std::nullopt;
+    line->pixels.from_color = start->color;
+    line->from_name = text(ends.from);
+    begin_left(*line, primitive.vertices[apex]);
+    return line;
+}
+
+} // namespace
+
+std::optional<ColorOnLine> color_on_edge_of_fan(const Replay& replay,
+                                                const PrimitiveText& primitive) {
+    const auto edge = current_edge(replay, primitive);
+    const bool is_fan = primitive.kind == PrimitiveKind::triangle && replay.ray() != 0;
+    const auto line = edge && is_fan ? edge_of_fan(primitive, *edge) : std::nullopt;
+    if (!line)
+        return std::nullopt;
+    const auto ray = replay.trace().step(replay.ray()).as<RayStep>();
+    return color_at(*line, {ray.x, ray.y}, replay.trace());
+}
+
+std::optional<ColorOnLine> color_on_line(const Replay& replay, const PrimitiveText& primitive) {
+    const auto ends = ends_of_line(replay, primitive);
+    if (!ends)
+        return std::nullopt;
+    std::optional<ColoredLine> line;
+    if (primitive.kind == PrimitiveKind::triangle) {
+        line = line_of_fan(replay, primitive, *ends);
+    } else {
+        const auto side = current_edge(replay, primitive);
+        const auto [first, second] = side ? side->vertices : std::array<std::size_t, 2>{0, 1};
+        line = colored_line(*ends, primitive, {first, second});
+        // Which direction is the longer one, the step that led to the pixel says: doubles may not tell.
+        const std::size_t reason = reason_of_pixel(replay);
+        if (line && reason != 0 && replay.trace().kind_of(reason) == StepKind::along)
+            line->is_along_x = replay.trace().step(reason).as<AlongStep>().x.has_value();
+        const bool runs_down =
+            line && line->is_along_x ? ends->to.x < ends->from.x : ends->to.y < ends->from.y;
+        if (line && runs_down && replay.trace().method_value("from") == "low")
+            reverse(*line, primitive.vertices[second]);
+    }
+    if (!line)
+        return std::nullopt;
+    const auto pixel = replay.trace().step(replay.step()).as<PixelStep>();
+    const ColorOnLine color = color_at(*line, {pixel.x, pixel.y}, replay.trace());
+    return sgn(color.steps) == 0 ? std::nullopt : std::optional(color);
 }
 
 std::optional<bool> is_x_major_octant(std::optional<Index> octant) {
@@ -326,14 +440,16 @@ bool covers(const StepView& step, Pixel pixel) {
            (is_whole_row || lies_between(pixel.x, run.x, run.to_x));
 }
 
+Lerp lerp_on(const LineEnds& ends, bool is_x_major, const Rational& at) {
+    const auto& [a, b] = ends;
+    return is_x_major ? Lerp{.d1 = a.y, .i1 = a.x, .d2 = b.y, .i2 = b.x, .i = at}
+                      : Lerp{.d1 = a.x, .i1 = a.y, .d2 = b.x, .i2 = b.y, .i = at};
+}
+
 std::optional<SlopeForm> slope_form_of(const LineEnds& ends, bool is_x_major) {
-    const Rational dx = ends.to.x - ends.from.x;
-    const Rational dy = ends.to.y - ends.from.y;
-    if (sgn(is_x_major ? dx : dy) == 0)
-        return std::nullopt;
-    const Rational m = is_x_major ? dy / dx : dx / dy;
-    return SlopeForm{m, is_x_major ? Rational(ends.from.y - m * ends.from.x)
-                                   : Rational(ends.from.x - m * ends.from.y)};
+    const Lerp at_0 = lerp_on(ends, is_x_major, 0);
+    const auto m = at_0.slope();
+    return m ? std::optional(SlopeForm{*m, at_0.value()}) : std::nullopt;
 }
 
 bool steps_at_ties(const Trace& trace) {
@@ -356,10 +472,6 @@ std::string_view matrix_into(std::string_view space) {
            : space == "clip"   ? "projection"
            : space == "screen" ? "viewport"
                                : "";
-}
-
-Rational doubled_area(const Vec2& a, const Vec2& b, const Vec2& c) {
-    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
 std::optional<CrossOfPoint> cross_of_point(const std::array<Vec2, 3>& corners, const Vec2& p) {

@@ -4,6 +4,8 @@
 // What sentences and workings write alike: numbers as they stand in a formula, and the primitive that
 // the formulas are about.
 
+#include "formula.h"
+
 #include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/core/numbers/vec.h>
 #include <rastertrace/core/raster/image.h>
@@ -105,6 +107,10 @@ struct PrimitiveText {
     TracedList<TracedColor> colors;
 };
 
+/// What is said behind the sentence of a step that does not tell what its numbers give (Trace::numbers_give): what these
+/// give; "" for any other.
+std::string what_numbers_give(const Trace& trace, std::size_t step);
+
 /// What a `primitive` step says.
 PrimitiveText primitive_in(const StepView& step);
 
@@ -121,6 +127,7 @@ std::optional<std::array<Vec2, 3>> corners_of(const PrimitiveText& primitive);
 struct EdgeEnds {
     std::vector<std::string> from;
     std::vector<std::string> to;
+    std::array<std::size_t, 2> vertices; ///< which of the primitive's they are
 };
 
 std::optional<EdgeEnds> ends_of_edge(const PrimitiveText& primitive, const std::string& edge);
@@ -145,17 +152,25 @@ struct ColorOnLine {
     Rational to_end = {}; ///< squares of the distance to the far end, and of the line's length
     Rational length = {};
     bool is_by_distance = false;
+    Color color = {}; ///< what they make
 
     /// What part of the color is that of the end `to`.
     double share() const;
 };
 std::optional<ColorOnLine> color_on_line(const Replay& replay, const PrimitiveText& primitive);
 
+/// The same in the pixel of a fan's edge that the current line begins in.
+std::optional<ColorOnLine> color_on_edge_of_fan(const Replay& replay,
+                                                const PrimitiveText& primitive);
+
 /// True for a line of octant 1, 4, 5 or 8, which goes from column to column; `nullopt` if its step tells none.
 std::optional<bool> is_x_major_octant(std::optional<Index> octant);
 
 /// True if a step is about a pixel, or about a run of pixels that it is one of.
 bool covers(const StepView& step, Pixel pixel);
+
+/// Where a line is at an x, in y; or, where y is the longer direction, at a y, in x.
+Lerp lerp_on(const LineEnds& ends, bool is_x_major, const Rational& at);
 
 /// A line as y = m x + b, or, where y is the longer direction, as x = m y + b.
 struct SlopeForm {
@@ -172,9 +187,6 @@ bool steps_at_ties(const Trace& trace);
 
 /// The name of the matrix that leads into a space; "" if none does.
 std::string_view matrix_into(std::string_view space);
-
-/// Twice the area of a triangle, above 0 if it is counter-clockwise where y points up.
-Rational doubled_area(const Vec2& a, const Vec2& b, const Vec2& c);
 
 /// T3's weights of a point: (ABx, ACx, PAx) x (ABy, ACy, PAy), its third part twice the area.
 struct CrossOfPoint {

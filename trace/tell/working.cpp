@@ -1,19 +1,25 @@
 // SPDX-License-Identifier: MIT
 #include "working.h"
 
+#include "formula.h"
 #include "sheet.h"
 
 #include <rastertrace/core/draw/plan/stages.h>
 #include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/core/numbers/vec.h>
+#include <rastertrace/core/raster/edge.h>
+#include <rastertrace/core/raster/line.h>
+#include <rastertrace/core/raster/triangle.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 namespace rastertrace {
 
@@ -33,8 +39,31 @@ void order(Sheet& sheet) {
             said({"{}. {} at {}", "{}. {} a {}"}, i + 1, names[i], in_sentence(distances[i])));
 }
 
+/// Why a line is of its octant (T2): between the pixels of its ends, from the one where it starts.
+void put_octant(Sheet& sheet, const std::optional<LineEnds>& ends, std::optional<Index> told) {
+    if (!ends || !told)
+        return;
+    const GridPoint a = nearest_pixel(ends->from.x, ends->from.y);
+    const GridPoint b = nearest_pixel(ends->to.x, ends->to.y);
+    for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)}) {
+        if (octant_of(from, to) != *told)
+            continue;
+        const Index dx = to.x - from.x;
+        const Index dy = to.y - from.y;
+        const auto sign_of = [](Index d) { return d < 0 ? "< 0" : ">= 0"; };
+        return sheet.put(
+            said({"({}, {}) to ({}, {}): dx = {} {}, dy = {} {}, |dx| {} |dy|: octant {}",
+                  "({}, {}) a ({}, {}): dx = {} {}, dy = {} {}, |dx| {} |dy|: octante {}"},
+                 from.x, from.y, to.x, to.y, dx, sign_of(dx), dy, sign_of(dy),
+                 std::abs(dx) >= std::abs(dy) ? ">=" : "<", *told));
+    }
+}
+
 /// Which way a triangle is turned: each vertex against the edge before it.
 void primitive(Sheet& sheet) {
+    const auto octant = sheet.step.as<PrimitiveStep>().octant;
+    if (sheet.primitive.kind == PrimitiveKind::line)
+        return put_octant(sheet, ends_of_line(sheet.replay, sheet.primitive), octant);
     const auto corners = corners_of(sheet.primitive);
     if (!corners)
         return;
@@ -102,16 +131,14 @@ void edge(Sheet& sheet) {
     const Rational dy = to->y - from->y;
     sheet.put(fmt::format("dx = {} {} = {}, dy = {} {} = {}", text(to->x), minus(text(from->x)),
                           text(dx), text(to->y), minus(text(from->y)), text(dy)));
-    if (sgn(dy) != 0) {
-        const Rational slope = dx / dy;
-        sheet.put(fmt::format("x = {} {} (y {})", text(from->x), plus(text(slope)),
-                              minus(text(from->y))));
-        sheet.put(fmt::format("  = {} y {}", text(slope), plus(text(from->x - slope * from->y))));
+    if (const auto x = slope_form_of({*from, *to}, false)) {
+        sheet.put(
+            fmt::format("x = {} {} (y {})", text(from->x), plus(text(x->m)), minus(text(from->y))));
+        sheet.put(fmt::format("  = {} y {}", text(x->m), plus(text(x->b))));
     }
-    if (sgn(dx) != 0) {
-        const Rational slope = dy / dx;
-        sheet.put(fmt::format("y = {} x {}", text(slope), plus(text(from->y - slope * from->x))));
-    }
+    if (const auto y = slope_form_of({*from, *to}, true))
+        sheet.put(fmt::format("y = {} x {}", text(y->m), plus(text(y->b))));
+    put_octant(sheet, LineEnds{*from, *to}, step.octant);
     const auto corners = corners_of(sheet.primitive);
     const auto function = edge_function_in(step, sheet.primitive);
     if (!corners || !function)
@@ -129,43 +156,68 @@ void put_crossing(Sheet& sheet, const EndOfRow& end) {
     const auto from = ends ? vec2_in(ends->from) : std::nullopt;
     const auto to = ends ? vec2_in(ends->to) : std::nullopt;
     const auto told = end.x.exact();
-    // A row that adds to the one before says so in its sentence.
-    const bool adds = sheet.trace().method_value("lerp") == "incremental";
-    if (adds || !from || !to || !told || sgn(to->y - from->y) == 0)
+    if (!from || !to || sgn(to->y - from->y) == 0)
         return;
     const Rational y = end.y + sample_offset(sheet.trace());
-    const Rational slope = (to->x - from->x) / (to->y - from->y);
-    const Rational way = slope * (y - from->y);
-    if (!sheet.agrees(from->x + way, *told))
-        return;
-    sheet.put(fmt::format(
-        "{} {}: x = (x2 - x1)/(y2 - y1) (y - y1) + x1 = ({} {})/({} {}) ({} {}) {} = {} {} = {}{} "
-        "-> {}",
-        end.name(), end.edge.text(), text(to->x), minus(text(from->x)), text(to->y),
-        minus(text(from->y)), text(y), minus(text(from->y)), plus(text(from->x)),
-        product(slope, y - from->y), plus(text(from->x)), text(*told),
-        rule_of_end(sheet.trace(), end), end.pixel));
+    const Lerp x{.d1 = from->x, .i1 = from->y, .d2 = to->x, .i2 = to->y, .i = y};
+    // A row that adds to the one before says so in its sentence.
+    const bool adds = sheet.trace().method_value("lerp") == "incremental";
+    if (told && !adds && sheet.agrees(x.value(), *told))
+        sheet.put(fmt::format(
+            "{} {}: x = (x2 - x1)/(y2 - y1) (y - y1) + x1 = ({} {})/({} {}) ({} {}) {} = {} {} = "
+            "{}{} -> {}",
+            end.name(), end.edge.text(), text(to->x), minus(text(from->x)), text(to->y),
+            minus(text(from->y)), text(y), minus(text(from->y)), plus(text(from->x)),
+            product(*x.slope(), y - from->y), plus(text(from->x)), text(*told),
+            rule_of_end(sheet.trace(), end), end.pixel));
 
     // The same LERP for the depth there.
-    const auto depth_of = [&](const std::vector<std::string>& place) -> std::optional<Rational> {
-        const auto& positions = sheet.primitive.positions;
-        const auto depths = sheet.primitive.depths.values();
-        const auto corner = std::find(positions.begin(), positions.end(), place);
-        const auto i = static_cast<std::size_t>(corner - positions.begin());
-        return i < depths.size() ? depths[i].exact() : std::nullopt;
-    };
-    const auto d1 = depth_of(ends->from);
-    const auto d2 = depth_of(ends->to);
+    const auto depths = sheet.primitive.depths.values();
+    const auto& [first, second] = ends->vertices;
     const auto depth = end.depth.exact();
-    if (!d1 || !d2 || !depth)
+    if (!depth || std::max(first, second) >= depths.size())
         return;
-    const Rational depth_slope = (*d2 - *d1) / (to->y - from->y);
-    const Rational depth_way = depth_slope * (y - from->y);
-    if (sheet.agrees(*d1 + depth_way, *depth))
-        sheet.put(said(
-            {"  depth = {} {} ({} {}) = {} {} = {}", "  profundidade = {} {} ({} {}) = {} {} = {}"},
-            text(*d1), plus(text(depth_slope)), text(y), minus(text(from->y)), text(*d1),
-            plus(text(depth_way)), text(*depth)));
+    const auto d1 = depths[first].exact();
+    const auto d2 = depths[second].exact();
+    if (!d1 || !d2)
+        return;
+    const Lerp d{.d1 = *d1, .i1 = from->y, .d2 = *d2, .i2 = to->y, .i = y};
+    if (!sheet.agrees(d.value(), *depth))
+        return;
+    if (*d1 != *d2)
+        sheet.put(
+            said({"  depth per row on {}: (d2 - d1)/(y2 - y1) = ({} {})/({} {}) = {}",
+                  "  profundidade por linha em {}: (d2 - d1)/(y2 - y1) = ({} {})/({} {}) = {}"},
+                 end.edge.text(), text(*d2), minus(text(*d1)), text(to->y), minus(text(from->y)),
+                 text(*d.slope())));
+    sheet.put(said(
+        {"  depth = {} {} ({} {}) = {} {} = {}", "  profundidade = {} {} ({} {}) = {} {} = {}"},
+        text(*d1), plus(text(*d.slope())), text(y), minus(text(from->y)), text(*d1),
+        plus(text(Rational(*d.slope() * (y - from->y)))), text(*depth)));
+}
+
+/// Which boundary each end of a row lies on (T3): A leads from the lowest vertex t0 to the highest t2, B by way of t1.
+void put_boundaries(Sheet& sheet, const ScanlineStep& row) {
+    const auto corners = corners_of(sheet.primitive);
+    if (sheet.trace().method_value("fill") != "two-halves" || !corners)
+        return;
+    const auto [top, middle, bottom] =
+        sorted_from_top(Triangle<Rational>{*corners}, sheet.trace().canvas.down());
+    const std::array<std::size_t, 3> t{bottom.index, middle.index, top.index};
+    constexpr std::array<std::array<std::size_t, 2>, 3> sides{{{0, 2}, {0, 1}, {1, 2}}};
+    std::vector<std::string> ends;
+    for (const EndOfRow& end : ends_of(row))
+        for (const auto& [from, to] : sides)
+            if (end.edge == edge_name(sheet.primitive, t[from], t[to]) ||
+                end.edge == edge_name(sheet.primitive, t[to], t[from]))
+                ends.push_back(
+                    said({"{} {} = t{}t{} is boundary {}", "{} {} = t{}t{} é a fronteira {}"},
+                         end.name(), end.edge.text(), from, to, from + 2 == to ? "A" : "B"));
+    const auto& names = sheet.primitive.vertices;
+    if (ends.size() == 2)
+        sheet.put(said({"t0, t1, t2 = {}, {}, {} from below: {}, {}",
+                        "t0, t1, t2 = {}, {}, {} de baixo para cima: {}, {}"},
+                       names[t[0]], names[t[1]], names[t[2]], ends[0], ends[1]));
 }
 
 /// What the edge function of an end of a row says of the sample of its pixel, where there are such functions.
@@ -187,6 +239,7 @@ void scanline(Sheet& sheet) {
         put_crossing(sheet, end);
     for (const EndOfRow& end : ends_of(row))
         put_edge_function(sheet, end);
+    put_boundaries(sheet, row);
     const auto left = row.left.exact();
     const auto right = row.right.exact();
     if (left && right && row.left_edge && *left != *right)
@@ -256,7 +309,7 @@ void put_depth_on_line(Sheet& sheet) {
         std::clamp(Rational(is_x_major ? test.x : test.y), std::min(from, to), std::max(from, to));
     if (from == to)
         return;
-    const Rational value = d1 + (d2 - d1) * (at - from) / (to - from);
+    const Rational value = Lerp{.d1 = d1, .i1 = from, .d2 = d2, .i2 = to, .i = at}.value();
     if (sheet.agrees(value, *told))
         sheet.put(said({"depth = {} + ({} {}) ({} {}) / ({} {}) = {}",
                         "profundidade = {} + ({} {}) ({} {}) / ({} {}) = {}"},
@@ -337,10 +390,19 @@ void along(Sheet& sheet) {
     const auto& [m, b] = *form;
     const std::string_view major = is_x_major ? "x" : "y";
     const std::string_view minor = is_x_major ? "y" : "x";
-    sheet.put(fmt::format("m = d{} / d{} = {} = {}, b = {} - {} = {}", minor, major,
-                          quotient(text(is_x_major ? dy : dx), text(is_x_major ? dx : dy)), text(m),
-                          text(is_x_major ? ends->from.y : ends->from.x),
-                          product(m, is_x_major ? ends->from.x : ends->from.y), text(b)));
+    const auto place_of = [is_x_major](const Vec2& end) {
+        return is_x_major ? end : Vec2{end.y, end.x};
+    };
+    const Vec2 first = place_of(ends->from);
+    const Vec2 second = place_of(ends->to);
+    sheet.put(said({"{} = m {} + b at both ends: {} = m ({}) + b, {} = m ({}) + b",
+                    "{} = m {} + b nos dois extremos: {} = m ({}) + b, {} = m ({}) + b"},
+                   minor, major, text(first.y), text(first.x), text(second.y), text(second.x)));
+    sheet.put(fmt::format("m = ({0}2 - {0}1)/({1}2 - {1}1) = ({2} {3})/({4} {5}) = {6}, "
+                          "b = {0}1 - m {1}1 = {7} - {8} = {9}",
+                          minor, major, text(second.y), minus(text(first.y)), text(second.x),
+                          minus(text(first.x)), text(m), text(first.y), product(m, first.x),
+                          text(b)));
     const std::size_t before =
         sheet.trace().method_value("line") == "dda" ? along_before(sheet.replay, sheet.number) : 0;
     const auto step_before = before == 0 ? AlongStep{} : sheet.trace().step(before).as<AlongStep>();
@@ -370,7 +432,8 @@ void pixel(Sheet& sheet) {
         Sheet of_reason{sheet.replay, reason, sheet.trace().step(reason), sheet.primitive};
         write_working(of_reason);
         sheet.put(
-            said({"because of step {}", "por causa do passo {}"}, sheet.trace().number_of(reason)));
+            said({"because of step {}", "por causa do passo {}"}, sheet.trace().number_of(reason)) +
+            what_numbers_give(sheet.trace(), reason));
         for (std::string& line : of_reason.lines)
             sheet.put(std::move(line));
     }
@@ -396,6 +459,7 @@ constexpr Row rows_of_kinds[] = {
     {StepKind::along, along},         {StepKind::decide, decide},
     {StepKind::sample, sample},       {StepKind::depth, depth},
     {StepKind::pixel, pixel},         {StepKind::triangulate, write_triangulation},
+    {StepKind::ray, write_ray},
 };
 
 /// The working of the sheet's step.

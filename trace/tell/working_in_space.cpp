@@ -7,6 +7,7 @@
 #include <rastertrace/core/numbers/number.h>
 #include <rastertrace/core/numbers/vec.h>
 #include <rastertrace/core/transform/matrix.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 
@@ -115,6 +116,38 @@ std::string row_text(const std::array<Rational, 4>& row) {
     return fmt::format("[{} {} {} {}]", text(row[0]), text(row[1]), text(row[2]), text(row[3]));
 }
 
+/// A product entry by entry, row times column, without the terms that are 0: 1 (0), 1 (-1), 0, 1 (1) = [0 -1 0 1]
+void put_product(Sheet& sheet, const Matrix<Rational>& left, const Matrix<Rational>& right) {
+    const Matrix<Rational> together = left * right;
+    for (std::size_t i = 0; i < 4; ++i) {
+        std::vector<std::string> entries;
+        for (std::size_t j = 0; j < 4; ++j) {
+            std::vector<std::string> terms;
+            for (std::size_t k = 0; k < 4; ++k)
+                if (sgn(left.rows[i][k]) != 0 && sgn(right.rows[k][j]) != 0)
+                    terms.push_back(product(left.rows[i][k], right.rows[k][j]));
+            entries.push_back(terms.empty() ? "0" : joined(terms, " + "));
+        }
+        sheet.put(fmt::format("{} = {}", joined(entries, ", "), row_text(together.rows[i])));
+    }
+}
+
+/// The product of a step's factors, from the one that moves a point first on.
+void put_factors(Sheet& sheet, const std::vector<std::string>& names,
+                 const std::vector<Matrix<Rational>>& factors) {
+    constexpr std::size_t most_shown = 8;
+    if (factors.size() < 2 || factors.size() > most_shown || names.size() != factors.size())
+        return;
+    Matrix<Rational> product = factors.back();
+    std::string name = names.back();
+    for (std::size_t i = factors.size() - 1; i-- > 0;) {
+        name = names[i] + " x " + name;
+        sheet.put(said({"{}, row times column:", "{}, linha vezes coluna:"}, name));
+        put_product(sheet, factors[i], product);
+        product = factors[i] * product;
+    }
+}
+
 /// (y1 z2 - z1 y2, z1 x2 - x1 z2, x1 y2 - y1 x2)
 std::string cross_written_out(const Vec3& a, const Vec3& b) {
     return fmt::format("({} - {}, {} - {}, {} - {})", product(a.y, b.z), product(a.z, b.y),
@@ -125,6 +158,8 @@ std::string cross_written_out(const Vec3& a, const Vec3& b) {
 struct Product {
     std::string names;
     Matrix<Rational> matrix;
+    Matrix<Rational> last;   ///< the one that was multiplied last ...
+    Matrix<Rational> before; ///< ... with these
 };
 
 /// None if there is but one matrix, or if several objects have models, and so several products.
@@ -145,8 +180,9 @@ std::optional<Product> product_so_far(const Sheet& sheet) {
         const std::string named =
             step.object ? said({"{} of {}", "{} de {}"}, matrix_name, step.object.text())
                         : matrix_name;
-        product = product ? Product{named + " x " + product->names, *matrix * product->matrix}
-                          : Product{named, *matrix};
+        product = product ? Product{named + " x " + product->names, *matrix * product->matrix,
+                                    *matrix, product->matrix}
+                          : Product{named, *matrix, {}, {}};
         ++count;
     }
     return count > 1 ? product : std::nullopt;
@@ -232,14 +268,6 @@ void put_normal(Sheet& sheet, const Vec3& normal) {
                    plus(text(normal.y)), plus(text(normal.z)), minus(text(dot(normal, a)))));
 }
 
-/// The matrix of this name, if there is one before the current step.
-std::optional<Matrix<Rational>> matrix_named(const Sheet& sheet, std::string_view name) {
-    for (const std::size_t n : sheet.replay.matrices())
-        if (const auto step = sheet.trace().step(n).as<MatrixStep>(); step.name == name)
-            return matrix_in(step);
-    return std::nullopt;
-}
-
 /// All matrices at once, from object space to clip space.
 void put_whole_way(Sheet& sheet, const VertexStep& vertex) {
     const auto together = product_so_far(sheet);
@@ -278,6 +306,13 @@ std::string newells_product(const Rational& y1, const Rational& y2, const Ration
 }
 
 } // namespace
+
+std::optional<Matrix<Rational>> matrix_named(const Sheet& sheet, std::string_view name) {
+    for (const std::size_t n : sheet.replay.matrices())
+        if (const auto step = sheet.trace().step(n).as<MatrixStep>(); step.name == name)
+            return matrix_in(step);
+    return std::nullopt;
+}
 
 /// Newell's normal, edge by edge.
 void write_triangulation(Sheet& sheet) {
@@ -334,18 +369,19 @@ void write_matrix(Sheet& sheet) {
         sheet.put(fmt::format("{}:  {}  {}  {}  {}", factor_names[i], row_text(rows[0]),
                               row_text(rows[1]), row_text(rows[2]), row_text(rows[3])));
     }
+    put_factors(sheet, factor_names, factors);
     if (step.name == "viewport" || step.name == "model")
         return;
     const auto together = product_so_far(sheet);
     if (!together)
         return;
-    sheet.put(fmt::format("{}:", together->names));
-    for (const auto& row : together->matrix.rows)
-        sheet.put(row_text(row));
+    sheet.put(said({"{}, row times column:", "{}, linha vezes coluna:"}, together->names));
+    put_product(sheet, together->last, together->before);
 }
 
 /// A matrix times a vertex, or a division by w.
 void write_vertex(Sheet& sheet) {
+    write_meeting_point(sheet);
     if (sheet.replay.vertex_before() == 0)
         return;
     const auto before = sheet.trace().step(sheet.replay.vertex_before()).as<VertexStep>();

@@ -30,7 +30,8 @@ struct Channel {
 };
 constexpr Channel channels[] = {{{"red", "vermelho"}, &Color::red},
                                 {{"green", "verde"}, &Color::green},
-                                {{"blue", "azul"}, &Color::blue}};
+                                {{"blue", "azul"}, &Color::blue},
+                                {{"alpha", "alfa"}, &Color::alpha}};
 
 /// True if a level rounds to the one that the trace tells, as its header says that levels are rounded.
 bool rounds_to(const Trace& trace, double level, int told) {
@@ -39,16 +40,19 @@ bool rounds_to(const Trace& trace, double level, int told) {
     return std::abs(is_cut ? of_told - 0.5 : of_told) <= 0.5 + 1e-6;
 }
 
-/// The levels of a pixel on a line with a color at each end: step by step (T2), or by its distance.
-void put_color_on_line(Sheet& sheet, const ColorOnLine& line, Color told) {
+/// The levels of a pixel on a line with a color at each end: step by step (T2), or by its distance. None if the pixel
+/// has others.
+std::vector<std::string> levels_on_line(const Trace& trace, const ColorOnLine& line, Color told) {
     std::vector<std::string> lines;
+    if (sgn(line.steps) == 0)
+        return lines;
     for (const Channel& channel : channels) {
         const int from = (line.from.*channel.of)();
         const int to = (line.to.*channel.of)();
         const int level = (told.*channel.of)();
         const double worked_out = from + line.share() * (to - from);
-        if (!rounds_to(sheet.trace(), worked_out, level))
-            return;
+        if (!rounds_to(trace, worked_out, level))
+            return {};
         if (from != to)
             lines.push_back(
                 line.is_by_distance
@@ -61,12 +65,13 @@ void put_color_on_line(Sheet& sheet, const ColorOnLine& line, Color told) {
                                   from, text(line.steps), six_places(worked_out), level));
     }
     if (line.is_by_distance && !lines.empty())
-        sheet.put(said(
-            {"to the far end sqrt({}), the whole line sqrt({}): {} of the color of {}",
-             "até o outro extremo sqrt({}), o segmento inteiro sqrt({}): {} da cor de {}"},
-            text(line.to_end), text(line.length), six_places(1 - line.share()), line.from_name));
-    for (std::string& one : lines)
-        sheet.put(std::move(one));
+        lines.insert(
+            lines.begin(),
+            said({"to the far end sqrt({}), the whole line sqrt({}): {} of the color of {}",
+                  "até o outro extremo sqrt({}), o segmento inteiro sqrt({}): {} da cor de {}"},
+                 text(line.to_end), text(line.length), six_places(1 - line.share()),
+                 line.from_name));
+    return lines;
 }
 
 /// What the corners of a triangle weigh in a pixel, and how that is found out.
@@ -110,18 +115,24 @@ std::vector<std::string> levels_mixed(const Sheet& sheet, const std::array<Ratio
         const int level = (told.*channel.of)();
         std::vector<std::string> terms;
         double worked_out = 0;
+        bool is_mixed = false;
         for (std::size_t i = 0; i < 3; ++i) {
             const auto corner = i < colors.size() ? colors[i].color() : std::nullopt;
             if (!corner)
                 return {};
             const double weight = nearest_double(weights[i]);
+            is_mixed =
+                is_mixed || ((*corner).*channel.of)() != ((*colors[0].color()).*channel.of)();
             worked_out += weight * ((*corner).*channel.of)();
             terms.push_back(fmt::format("{} ({})", six_places(weight), ((*corner).*channel.of)()));
         }
-        if (!rounds_to(sheet.trace(), worked_out, level))
+        // No pixel is all transparent: that would be one that nothing has drawn.
+        const bool is_alpha = channel.of == &Color::alpha;
+        if (!rounds_to(sheet.trace(), is_alpha ? std::max(worked_out, 1.0) : worked_out, level))
             return {};
-        lines.push_back(fmt::format("{} = {} = {} -> {}", channel.name.in(language_of_steps()),
-                                    joined(terms, " + "), six_places(worked_out), level));
+        if (!is_alpha || is_mixed)
+            lines.push_back(fmt::format("{} = {} = {} -> {}", channel.name.in(language_of_steps()),
+                                        joined(terms, " + "), six_places(worked_out), level));
     }
     return lines;
 }
@@ -149,16 +160,41 @@ void put_mixed_color(Sheet& sheet, Color told) {
             sheet.put(std::move(line));
 }
 
+/// Alpha is a channel like any other: a pixel is replaced, and nothing of it shines through.
+void put_alpha(Sheet& sheet, Color told) {
+    if (told.alpha() != 255 && sheet.replay.drew_over() != 0)
+        sheet.put(said({"alpha = {} is stored: nothing of step {} is mixed in",
+                        "alfa = {} é guardado: nada do passo {} é misturado"},
+                       told.alpha(), sheet.trace().number_of(sheet.replay.drew_over())));
+}
+
 } // namespace
 
-void write_color(Sheet& sheet) {
-    const auto told = sheet.step.as<PixelStep>().color.color();
-    if (!told)
+void write_ray(Sheet& sheet) {
+    const auto start = color_on_edge_of_fan(sheet.replay, sheet.primitive);
+    if (!start)
         return;
-    if (const auto line = color_on_line(sheet.replay, sheet.primitive))
-        put_color_on_line(sheet, *line, *told);
-    else if (sheet.primitive.kind == PrimitiveKind::triangle && sheet.replay.ray() == 0)
-        put_mixed_color(sheet, *told);
+    const auto ray = sheet.trace().step(sheet.replay.ray()).as<RayStep>();
+    const auto edge = sheet.trace().step(sheet.replay.edges().back()).as<EdgeStep>();
+    for (const std::string& level : levels_on_line(sheet.trace(), *start, start->color))
+        sheet.put(said({"on {} at ({}, {}): {}", "sobre {} em ({}, {}): {}"}, edge.edge.text(),
+                       ray.x, ray.y, level));
+}
+
+void write_color(Sheet& sheet) {
+    const auto color = sheet.step.as<PixelStep>().color.color();
+    const Color told = color.value_or(sheet.replay.color());
+    const bool is_triangle = sheet.primitive.kind == PrimitiveKind::triangle;
+    if (const auto line = color ? color_on_line(sheet.replay, sheet.primitive) : std::nullopt) {
+        std::vector<std::string> levels = levels_on_line(sheet.trace(), *line, *color);
+        if (is_triangle && !levels.empty())
+            write_ray(sheet);
+        for (std::string& level : levels)
+            sheet.put(std::move(level));
+    } else if (color && is_triangle && sheet.replay.ray() == 0) {
+        put_mixed_color(sheet, *color);
+    }
+    put_alpha(sheet, told);
 }
 
 } // namespace rastertrace
