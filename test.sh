@@ -13,7 +13,7 @@ fi
 
 [ "$all" = OFF ] || scripts/install-packages.sh emscripten node-acorn
 scripts/install-packages.sh g++ cmake ninja-build binutils libglm-dev nlohmann-json3-dev \
-    libfmt-dev libcli11-dev libgif-dev libgmp-dev libpng-dev libunistring-dev zlib1g-dev libgtest-dev libgmock-dev \
+    libfmt-dev libcli11-dev libgif-dev libgmp-dev libpng-dev libstb-dev libunistring-dev zlib1g-dev libgtest-dev libgmock-dev \
     librapidcheck-dev libtinyobjloader-dev tmux git
 [ "$all" = OFF ] || scripts/install-packages.sh asciinema chromium clang fonts-dejavu-core gdb libbenchmark-dev librsvg2-bin mkdocs \
     poppler-utils python3-jsonschema python3-pil python3-pymdownx texlive-latex-base texlive-pictures
@@ -29,7 +29,7 @@ if [ "$all" = OFF ]; then
 Left out, as they
 - build other projects: Consumer.*, Algorithms.ANewOneIsMissedInEveryTable
 - renew whole pages: docs-are-up-to-date, stress
-- need another compiler: ClangAcceptsTheSources, NullSinkCostsNothing.clang++, wasm-*
+- need another compiler: BitmapsAreTheSameByAnyCompiler, ClangAcceptsTheSources, NullSinkCostsNothing.clang++, wasm-*
 - need other programs: schemas (jsonschema), walk (gdb), benchmarks, figures-in-other-programs, figures-in-tex, pages, site
 ./test.sh --all installs what these need (also a browser, TeX and Emscripten), and runs all tests.
 END

@@ -1,14 +1,21 @@
-# Writes text files into a C++ source, so that a program has them without looking for them.
+# Writes files into a C++ source, so that a program has them without looking for them.
 #
 #   cmake -DOUTPUT=page_parts.cpp -DFILES=page.html,page.css -P embed.cmake
 #
-# FILES are ASCII. Each becomes a function that returns its text: page.html is std::string page_html().
+# A font becomes an array of its bytes: Sans.ttf is const unsigned char Sans_ttf[]. Other FILES are ASCII; each becomes
+# a function that returns its text: page.html is std::string page_html().
 cmake_minimum_required(VERSION 3.25)
 string(REPLACE "," ";" files "${FILES}")
 set(code "// Written by cmake/embed.cmake.\n#include <string>\n\nnamespace rastertrace {\n")
 foreach(path IN LISTS files)
   get_filename_component(name "${path}" NAME)
-  string(REPLACE "." "_" name "${name}")
+  string(REGEX REPLACE "[.-]" "_" name "${name}")
+  if(path MATCHES "\\.ttf$")
+    file(READ "${path}" bytes HEX)
+    string(REGEX REPLACE "(..)" "0x\\1," bytes "${bytes}")
+    string(APPEND code "\nextern const unsigned char ${name}[];\nconst unsigned char ${name}[] = {${bytes}};\n")
+    continue()
+  endif()
   string(APPEND code "\nstd::string ${name}() {\n    std::string text;\n")
   file(READ "${path}" text)
   string(LENGTH "${text}" length)

@@ -149,8 +149,7 @@ public:
     void paint(const Label& label) {
         if (label.has_rim) {
             constexpr double rim_units = 1.5;
-            add_lettering(label, scale_,
-                          std::max(1, static_cast<int>(std::floor(rim_units * scale_))), coverage_);
+            add_lettering(label, scale_, rim_units * scale_, coverage_);
             paint_covered(color_of(Role::paper));
         }
         add_lettering(label, scale_, 0, coverage_);

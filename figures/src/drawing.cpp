@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/figures/drawing.h>
 
+#include "font.h"
+
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <iterator>
@@ -14,6 +17,9 @@
 namespace rastertrace {
 
 namespace {
+
+/// Of letters of fixed width, in ems: DejaVu Sans Mono has 0.602.
+constexpr double fixed_advance = 0.61;
 
 Role role_behind(Role first, std::size_t n, std::size_t count) {
     return static_cast<Role>(static_cast<std::size_t>(first) + n % count);
@@ -134,10 +140,21 @@ void add_arrow(Place from, Place to, Role role, double head_length, std::vector<
                             {neck.x + slimness * along_y, neck.y - slimness * along_x}}}});
 }
 
-double width_of(std::string_view text, double size) {
-    // Of the widest letters of fixed width that our formats have: DejaVu Sans Mono has 0.602.
-    constexpr double advance = 0.61;
-    return advance * size * static_cast<double>(columns_in(text));
+double width_of(std::string_view text, double size, bool is_bold) {
+    double ems = 0;
+    while (!text.empty()) {
+        const std::size_t length = first_code_point(text).length;
+        const char32_t character = first_code_point(text).value;
+        const auto advance = advance_of(character, is_bold ? Face::bold : Face::regular);
+        ems += advance.value_or(fixed_advance *
+                                static_cast<double>(columns_in(text.substr(0, length))));
+        text.remove_prefix(length);
+    }
+    return ems * size;
+}
+
+std::size_t letters_in(double width, double size) {
+    return static_cast<std::size_t>(std::max(width / (fixed_advance * size), 1.0));
 }
 
 } // namespace rastertrace

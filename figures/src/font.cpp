@@ -1,286 +1,127 @@
 // SPDX-License-Identifier: MIT
 #include "font.h"
 
+#include "font_parts.h"
+
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
-#include <map>
-#include <string_view>
-#include <vector>
+
+#define STBTT_STATIC
+#define STB_TRUETYPE_IMPLEMENTATION
+#include <stb/stb_truetype.h>
 
 namespace rastertrace {
 
 namespace {
 
-/// The rows that are drawn below: a capital's, and two below the line.
-constexpr int drawn_rows = 9;
-constexpr int accent_rows = glyph_rows - drawn_rows;
+/// Units of the font: all heights are measured in them, from the line that letters stand on.
+constexpr double units_per_em = 2048;
 
-/// Letters beside one another, a blank between them.
-struct Block {
-    std::u32string_view letters;
-    std::array<std::string_view, drawn_rows> rows;
-};
-
-constexpr std::array blocks{
-    Block{U" !\"#$%&'()",
-          {"..... ..#.. .#.#. .#.#. ..#.. ##... .##.. ..#.. ...#. .#...",
-           "..... ..#.. .#.#. .#.#. .#### ##..# #..#. ..#.. ..#.. ..#..",
-           "..... ..#.. ..... ##### #.#.. ...#. #..#. ..... .#... ...#.",
-           "..... ..#.. ..... .#.#. .###. ..#.. .##.. ..... .#... ...#.",
-           "..... ..#.. ..... ##### ..#.# .#... #.#.# ..... .#... ...#.",
-           "..... ..... ..... .#.#. ####. #..## #..#. ..... ..#.. ..#..",
-           "..... ..#.. ..... .#.#. ..#.. ...## .##.# ..... ...#. .#...",
-           "..... ..... ..... ..... ..... ..... ..... ..... ..... .....",
-           "..... ..... ..... ..... ..... ..... ..... ..... ..... ....."}},
-    Block{U"*+,-./:;<=",
-          {"..... ..... ..... ..... ..... ....# ..... ..... ..... .....",
-           "..#.. ..#.. ..... ..... ..... ....# ..... ..... ...#. .....",
-           "#.#.# ..#.. ..... ..... ..... ...#. .##.. .##.. ..#.. #####",
-           ".###. ##### ..... .###. ..... ..#.. .##.. .##.. .#... .....",
-           "#.#.# ..#.. ..... ..... ..... .#... ..... ..... ..#.. #####",
-           "..#.. ..#.. .##.. ..... .##.. #.... .##.. .##.. ...#. .....",
-           "..... ..... .##.. ..... .##.. #.... .##.. .##.. ..... .....",
-           "..... ..... ..#.. ..... ..... ..... ..... ..#.. ..... .....",
-           "..... ..... .#... ..... ..... ..... ..... .#... ..... ....."}},
-    Block{U"0123456789",
-          {".###. ..#.. .###. .###. ...#. ##### ..##. ##### .###. .###.",
-           "#...# .##.. #...# #...# ..##. #.... .#... ....# #...# #...#",
-           "#..## ..#.. ....# ....# .#.#. ####. #.... ...#. #...# #...#",
-           "#.#.# ..#.. ...#. ..##. #..#. ....# ####. ...#. .###. .####",
-           "##..# ..#.. ..#.. ....# ##### ....# #...# ..#.. #...# ....#",
-           "#...# ..#.. .#... #...# ...#. #...# #...# ..#.. #...# ...#.",
-           ".###. .###. ##### .###. ...#. .###. .###. ..#.. .###. .##..",
-           "..... ..... ..... ..... ..... ..... ..... ..... ..... .....",
-           "..... ..... ..... ..... ..... ..... ..... ..... ..... ....."}},
-    Block{U"ABCDEFGHI",
-          {"..#.. ####. .###. ####. ##### ##### .###. #...# .###.",
-           ".#.#. #...# #...# #...# #.... #.... #...# #...# ..#..",
-           "#...# #...# #.... #...# #.... #.... #.... #...# ..#..",
-           "#...# ####. #.... #...# ####. ####. #.### ##### ..#..",
-           "##### #...# #.... #...# #.... #.... #...# #...# ..#..",
-           "#...# #...# #...# #...# #.... #.... #...# #...# ..#..",
-           "#...# ####. .###. ####. ##### #.... .###. #...# .###.",
-           "..... ..... ..... ..... ..... ..... ..... ..... .....",
-           "..... ..... ..... ..... ..... ..... ..... ..... ....."}},
-    Block{U"JKLMNOPQR",
-          {"....# #...# #.... #...# #...# .###. ####. .###. ####.",
-           "....# #..#. #.... ##.## ##..# #...# #...# #...# #...#",
-           "....# #.#.. #.... #.#.# ##..# #...# #...# #...# #...#",
-           "....# ##... #.... #.#.# #.#.# #...# ####. #...# ####.",
-           "....# #.#.. #.... #...# #..## #...# #.... #.#.# #.#..",
-           "#...# #..#. #.... #...# #..## #...# #.... #..#. #..#.",
-           ".###. #...# ##### #...# #...# .###. #.... .##.# #...#",
-           "..... ..... ..... ..... ..... ..... ..... ..... .....",
-           "..... ..... ..... ..... ..... ..... ..... ..... ....."}},
-    Block{U"STUVWXYZ",
-          {".###. ##### #...# #...# #...# #...# #...# #####",
-           "#...# ..#.. #...# #...# #...# #...# #...# ....#",
-           "#.... ..#.. #...# #...# #...# .#.#. .#.#. ...#.",
-           ".###. ..#.. #...# #...# #.#.# ..#.. ..#.. ..#..",
-           "....# ..#.. #...# .#.#. #.#.# .#.#. ..#.. .#...",
-           "#...# ..#.. #...# .#.#. ##.## #...# ..#.. #....",
-           ".###. ..#.. .###. ..#.. #...# #...# ..#.. #####",
-           "..... ..... ..... ..... ..... ..... ..... .....",
-           "..... ..... ..... ..... ..... ..... ..... ....."}},
-    Block{U"abcdefghi",
-          {"..... #.... ..... ....# ..... ..##. ..... #.... ..#..",
-           "..... #.... ..... ....# ..... .#... ..... #.... .....",
-           ".###. ####. .###. .#### .###. ####. .#### #.##. .##..",
-           "....# #...# #...# #...# #...# .#... #...# ##..# ..#..",
-           ".#### #...# #.... #...# ##### .#... #...# #...# ..#..",
-           "#...# #...# #...# #...# #.... .#... #...# #...# ..#..",
-           ".#### ####. .###. .#### .###. .#... .#### #...# .###.",
-           "..... ..... ..... ..... ..... ..... ....# ..... .....",
-           "..... ..... ..... ..... ..... ..... .###. ..... ....."}},
-    Block{U"jklmnopqr",
-          {"...#. #.... .##.. ..... ..... ..... ..... ..... .....",
-           "..... #.... ..#.. ..... ..... ..... ..... ..... .....",
-           "..##. #..#. ..#.. ##.#. #.##. .###. ####. .#### #.##.",
-           "...#. #.#.. ..#.. #.#.# ##..# #...# #...# #...# ##..#",
-           "...#. ##... ..#.. #.#.# #...# #...# #...# #...# #....",
-           "...#. #.#.. ..#.. #.#.# #...# #...# #...# #...# #....",
-           "...#. #..#. .###. #.#.# #...# .###. ####. .#### #....",
-           "#..#. ..... ..... ..... ..... ..... #.... ....# .....",
-           ".##.. ..... ..... ..... ..... ..... #.... ....# ....."}},
-    Block{U"stuvwxyz",
-          {"..... .#... ..... ..... ..... ..... ..... .....",
-           "..... .#... ..... ..... ..... ..... ..... .....",
-           ".#### ####. #...# #...# #...# #...# #...# #####",
-           "#.... .#... #...# #...# #.#.# .#.#. #...# ...#.",
-           ".###. .#... #...# #...# #.#.# ..#.. #...# ..#..",
-           "....# .#... #..## .#.#. #.#.# .#.#. #...# .#...",
-           "####. ..##. .##.# ..#.. .#.#. #...# .#### #####",
-           "..... ..... ..... ..... ..... ..... ....# .....",
-           "..... ..... ..... ..... ..... ..... .###. ....."}},
-    Block{U">?@[\\]^_`",
-          {"..... .###. .###. .###. #.... .###. ..#.. ..... .#...",
-           ".#... #...# #...# .#... #.... ...#. .#.#. ..... ..#..",
-           "..#.. ....# #.### .#... .#... ...#. #...# ..... .....",
-           "...#. ...#. #.#.# .#... ..#.. ...#. ..... ..... .....",
-           "..#.. ..#.. #.##. .#... ...#. ...#. ..... ..... .....",
-           ".#... ..... #.... .#... ....# ...#. ..... ..... .....",
-           "..... ..#.. .#### .###. ....# .###. ..... ..... .....",
-           "..... ..... ..... ..... ..... ..... ..... ##### .....",
-           "..... ..... ..... ..... ..... ..... ..... ..... ....."}},
-    Block{U"{|}~¡¿§ßªº",
-          {"..##. ..#.. .##.. ..... ..#.. ..#.. .###. .##.. .##.. .##..",
-           ".#... ..#.. ...#. ..... ..... ..... #.... #..#. ...#. #..#.",
-           ".#... ..#.. ...#. ..... ..#.. ..#.. .##.. #..#. .###. #..#.",
-           "#.... ..#.. ....# .##.# ..#.. .#... #..#. #.#.. #..#. .##..",
-           ".#... ..#.. ...#. #..#. ..#.. #.... .##.. #..#. .###. .....",
-           ".#... ..#.. ...#. ..... ..#.. #...# ...#. #..#. ..... ####.",
-           "..##. ..#.. .##.. ..... ..#.. .###. ###.. #.##. ####. .....",
-           "..... ..#.. ..... ..... ..... ..... ..... #.... ..... .....",
-           "..... ..... ..... ..... ..... ..... ..... ..... ..... ....."}},
-    Block{U"ÆæŒœØø°²³¹",
-          {".#### ..... .#### ..... .###. ..... .##.. ##... ##... .#...",
-           "#.#.. ..... #.#.. ..... #..## ..... #..#. ..#.. ..#.. ##...",
-           "#.#.. ##.#. #.#.. .#.#. #.#.# .###. #..#. .#... .#... .#...",
-           "####. ..#.# #.##. #.#.# #.#.# #..## .##.. #.... ..#.. .#...",
-           "#.#.. .#### #.#.. #.### #.#.# #.#.# ..... ###.. ##... ###..",
-           "#.#.. #.#.. #.#.. #.#.. ##..# ##..# ..... ..... ..... .....",
-           "#.### .#.## .#### .#.## .###. .###. ..... ..... ..... .....",
-           "..... ..... ..... ..... ..... ..... ..... ..... ..... .....",
-           "..... ..... ..... ..... ..... ..... ..... ..... ..... ....."}},
-    Block{U"«»‹›–—…•·€",
-          {"..... ..... ..... ..... ..... ..... ..... ..... ..... ..##.",
-           "..... ..... ..... ..... ..... ..... ..... ..... ..... .#..#",
-           "..#.# #.#.. ..#.. .#... ..... ..... ..... .###. ..... ###..",
-           ".#.#. .#.#. .#... ..#.. ..... ..... ..... .###. .##.. .#...",
-           "#.#.. ..#.# #.... ...#. ####. ##### ..... .###. .##.. ###..",
-           ".#.#. .#.#. .#... ..#.. ..... ..... ..... ..... ..... .#..#",
-           "..#.# #.#.. ..#.. .#... ..... ..... #.#.# ..... ..... ..##.",
-           "..... ..... ..... ..... ..... ..... ..... ..... ..... .....",
-           "..... ..... ..... ..... ..... ..... ..... ..... ..... ....."}},
-    Block{U"“”„‘’‚µπ′´",
-          {".#.#. .#.#. ..... ..#.. ..#.. ..... ..... ..... ..#.. ...#.",
-           "#.#.. ..#.# ..... .#... ...#. ..... ..... ..... ..#.. ..#..",
-           "..... #.#.. ..... ..... ..#.. ..... #...# ##### .#... .....",
-           "..... ..... ..... ..... ..... ..... #...# .#.#. ..... .....",
-           "..... ..... ..... ..... ..... ..... #...# .#.#. ..... .....",
-           "..... ..... .#.#. ..... ..... ..#.. #..## .#.#. ..... .....",
-           "..... ..... .#.#. ..... ..... ..#.. ###.# .#..# ..... .....",
-           "..... ..... #.#.. ..... ..... .#... #.... ..... ..... .....",
-           "..... ..... ..... ..... ..... ..... #.... ..... ..... ....."}},
-    Block{U"−×÷±≤≥≠≈√∞",
-          {"..... ..... ..... ..... ...#. .#... ..... ..... ..### .....",
-           "..... #...# ..#.. ..#.. ..#.. ..#.. ....# ..... ..#.. .....",
-           "..... .#.#. ..... ..#.. .#... ...#. ##### .##.# ..#.. .#.#.",
-           "##### ..#.. ##### ##### ..#.. ..#.. ...#. #..#. ..#.. #.#.#",
-           "..... .#.#. ..... ..#.. ...#. .#... ##### ..... #.#.. #.#.#",
-           "..... #...# ..#.. ..#.. ..... ..... .#... .##.# .##.. .#.#.",
-           "..... ..... ..... ##### .###. .###. ..... #..#. ..#.. .....",
-           "..... ..... ..... ..... ..... ..... ..... ..... ..... .....",
-           "..... ..... ..... ..... ..... ..... ..... ..... ..... ....."}},
-    Block{U"→←↑↓½¼¾Δ",
-          {"..... ..... ..#.. ..#.. #...# #...# ##..# ..#..",
-           "..... ..... .###. ..#.. #..#. #..#. .#.#. ..#..",
-           "..#.. ..#.. #.#.# ..#.. #.#.. #.#.. ##.#. .#.#.",
-           "...#. .#... ..#.. ..#.. .###. .#.#. .#.#. .#.#.",
-           "##### ##### ..#.. #.#.# .#..# .#.#. ##.#. #...#",
-           "...#. .#... ..#.. .###. #..#. #.### .#.## #...#",
-           "..#.. ..#.. ..#.. ..#.. #.### #...# #...# #####",
-           "..... ..... ..... ..... ..... ..... ..... .....",
-           "..... ..... ..... ..... ..... ..... ..... ....."}},
-};
-
-constexpr bool blocks_are_even() {
-    for (const Block& block : blocks)
-        for (const std::string_view row : block.rows)
-            if (row.size() + 1 != block.letters.size() * (glyph_columns + 1))
-                return false;
-    return true;
-}
-static_assert(blocks_are_even());
-
-/// A mark on a letter, or below it.
-struct Accent {
-    int first_row; ///< of a glyph, on a small letter; on a capital it is two higher
-    std::vector<std::string_view> rows;
-};
-
-const Accent acute{2, {"...#.", "..#.."}};
-const Accent grave{2, {".#...", "..#.."}};
-const Accent circumflex{2, {"..#..", ".#.#."}};
-const Accent tilde{2, {".##.#", "#.##."}};
-const Accent dieresis{3, {".#.#."}};
-const Accent ring{1, {"..#..", ".#.#.", "..#.."}};
-const Accent cedilla{glyph_rows_above_line, {"..#..", ".##.."}};
-
-/// An i without its dot, to put an accent on.
-constexpr char32_t dotless_i = U'ı';
-
-/// Letters with an accent, and the letters below it.
-struct Accented {
-    const Accent& accent;
-    std::u32string_view letters;
-    std::u32string_view bases;
-};
-
-const std::array accented{
-    Accented{acute, U"áéíóúýÁÉÍÓÚÝ", U"aeıouyAEIOUY"},
-    Accented{grave, U"àèìòùÀÈÌÒÙ", U"aeıouAEIOU"},
-    Accented{circumflex, U"âêîôûÂÊÎÔÛ", U"aeıouAEIOU"},
-    Accented{tilde, U"ãñõÃÑÕ", U"anoANO"},
-    Accented{dieresis, U"äëïöüÿÄËÏÖÜŸ", U"aeıouyAEIOUY"},
-    Accented{ring, U"åÅ", U"aA"},
-    Accented{cedilla, U"çÇ", U"cC"},
-};
-
-std::uint8_t bits_of(std::string_view row) {
-    unsigned bits = 0;
-    for (std::size_t i = 0; i < row.size(); ++i)
-        bits |= row[i] == '#' ? 1U << i : 0U;
-    return static_cast<std::uint8_t>(bits);
+stbtt_fontinfo font_in(const unsigned char* file) {
+    stbtt_fontinfo font{};
+    stbtt_InitFont(&font, file, 0);
+    return font;
 }
 
-Glyph with_accent(Glyph glyph, const Accent& accent, bool is_capital) {
-    const bool is_higher = is_capital && accent.first_row < glyph_rows_above_line;
-    auto row = static_cast<std::size_t>(std::max(accent.first_row - (is_higher ? 2 : 0), 0));
-    for (const std::string_view dots : accent.rows)
-        glyph.rows[row++] |= bits_of(dots);
-    return glyph;
+const stbtt_fontinfo& font_of(Face face) {
+    static const std::array fonts{font_in(DejaVuSans_ttf), font_in(DejaVuSans_Bold_ttf),
+                                  font_in(DejaVuSansMono_ttf)};
+    return fonts[static_cast<std::size_t>(face)];
 }
 
-std::map<char32_t, Glyph> all_glyphs() {
-    std::map<char32_t, Glyph> glyphs;
-    for (const Block& block : blocks)
-        for (std::size_t i = 0; i < block.letters.size(); ++i) {
-            Glyph glyph;
-            for (std::size_t row = 0; row < drawn_rows; ++row)
-                glyph.rows[accent_rows + row] =
-                    bits_of(block.rows[row].substr(i * (glyph_columns + 1), glyph_columns));
-            glyphs[block.letters[i]] = glyph;
+/// Puts heights on whole pixels: the foot of letters, the top of an x, and that of an H. What a round letter has
+/// beyond these is left out, else it would be a faint row of pixels.
+class Heights {
+public:
+    explicit Heights(double pixels_per_unit)
+        : scale_(pixels_per_unit), small_(std::floor(x_height * scale_ + 0.5)),
+          capital_(std::floor(capital_height * scale_ + 0.5)) {}
+
+    /// In pixels, upward.
+    double fitted(double y) const {
+        if (y <= -overshoot)
+            return (y + overshoot) * scale_;
+        if (y <= x_height)
+            return std::max(y, 0.0) / x_height * small_;
+        if (y <= x_height + overshoot)
+            return small_;
+        if (y <= capital_height) {
+            const double begin = x_height + overshoot;
+            return small_ + (y - begin) / (capital_height - begin) * (capital_ - small_);
         }
+        return capital_ + std::max(y - ascender, 0.0) * scale_;
+    }
 
-    Glyph i_without_dot = glyphs[U'i'];
-    i_without_dot.rows[accent_rows] = 0;
-    glyphs[dotless_i] = i_without_dot;
-    for (const Accented& group : accented)
-        for (std::size_t i = 0; i < group.letters.size(); ++i) {
-            const char32_t base = group.bases[i];
-            glyphs[group.letters[i]] =
-                with_accent(glyphs[base], group.accent, U'A' <= base && base <= U'Z');
-        }
-    constexpr char32_t no_break_space = 0xA0;
-    glyphs[no_break_space] = glyphs[U' '];
-    return glyphs;
+private:
+    static constexpr double overshoot = 29;
+    static constexpr double x_height = 1120;
+    static constexpr double capital_height = 1493;
+    static constexpr double ascender = 1556;
+
+    double scale_;
+    double small_;
+    double capital_;
+};
+
+/// Adds a quadratic curve from the path's last place on, as pieces that are a 16th of a pixel away from it at most.
+void add_curve(Place control, Place to, Path& path) {
+    const Place from = path.back();
+    const double away_x =
+        (from.x - 2 * control.x + to.x) / 4; // of the chord's middle from the curve
+    const double away_y = (from.y - 2 * control.y + to.y) / 4;
+    constexpr double pieces_per_pixel = 16;
+    const double pieces =
+        std::ceil(std::sqrt(pieces_per_pixel * std::sqrt(away_x * away_x + away_y * away_y)));
+    for (double piece = 1; piece < pieces; ++piece) {
+        const double t = piece / pieces;
+        const auto at = [t](double a, double b, double c) {
+            return (1 - t) * (1 - t) * a + 2 * t * (1 - t) * b + t * t * c;
+        };
+        path.push_back({at(from.x, control.x, to.x), at(from.y, control.y, to.y)});
+    }
+    path.push_back(to);
+}
+
+int units_to_next(const stbtt_fontinfo& font, int glyph) {
+    int advance = 0;
+    stbtt_GetGlyphHMetrics(&font, glyph, &advance, nullptr);
+    return advance;
 }
 
 } // namespace
 
-Glyph glyph_of(char32_t character) {
-    static const std::map<char32_t, Glyph> glyphs = all_glyphs();
-    static const Glyph box = [] {
-        Glyph glyph;
-        for (int row = accent_rows; row < glyph_rows_above_line; ++row)
-            glyph.rows[static_cast<std::size_t>(row)] = bits_of("#...#");
-        glyph.rows[accent_rows] = bits_of("#####");
-        glyph.rows[glyph_rows_above_line - 1] = bits_of("#####");
-        return glyph;
-    }();
-    const auto found = glyphs.find(character);
-    return found == glyphs.end() ? box : found->second;
+std::optional<double> advance_of(char32_t character, Face face) {
+    const stbtt_fontinfo& font = font_of(face);
+    const int glyph = stbtt_FindGlyphIndex(&font, static_cast<int>(character));
+    if (glyph == 0)
+        return std::nullopt;
+    return units_to_next(font, glyph) / units_per_em;
+}
+
+Outline outline_of(char32_t character, Face face, double size) {
+    const stbtt_fontinfo& font = font_of(face);
+    const int glyph = stbtt_FindGlyphIndex(&font, static_cast<int>(character));
+    const double scale = size / units_per_em;
+    const Heights heights(scale);
+    const auto place = [&](short x, short y) { return Place{x * scale, -heights.fitted(y)}; };
+
+    Outline outline{.advance = units_to_next(font, glyph) * scale};
+    stbtt_vertex* vertices = nullptr;
+    const int count = stbtt_GetGlyphShape(&font, glyph, &vertices);
+    for (int i = 0; i < count; ++i) {
+        const stbtt_vertex& vertex = vertices[i]; // NOLINT: an array of C
+        const Place at = place(vertex.x, vertex.y);
+        if (vertex.type == STBTT_vmove)
+            outline.contours.push_back({at});
+        else if (vertex.type == STBTT_vline)
+            outline.contours.back().push_back(at);
+        else
+            add_curve(place(vertex.cx, vertex.cy), at, outline.contours.back());
+    }
+    stbtt_FreeShape(&font, vertices);
+    return outline;
 }
 
 } // namespace rastertrace

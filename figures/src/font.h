@@ -1,33 +1,31 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The letters of our bitmaps: dots in 5 columns and 12 rows, drawn for this program. ASCII, what Portuguese,
-// Spanish, German and French are written with, and some signs of mathematics.
+// The letters of our bitmaps: DejaVu Sans (figures/font), as outlines that stb_truetype reads. It has Latin, Greek,
+// and signs of mathematics.
 //
-//     glyph_of(U'A').has(2, 3)  // true: the tip
+//     outline_of(U'A', Face::regular, 20).advance  // 13.68: where the next letter begins
 
-#include <array>
+#include <rastertrace/figures/drawing.h>
+
 #include <cstdint>
+#include <optional>
+#include <vector>
 
 namespace rastertrace {
 
-/// Rows from the top: three for accents on capitals, seven of a capital, two below the line.
-inline constexpr int glyph_columns = 5;
-inline constexpr int glyph_rows = 12;
-inline constexpr int glyph_rows_above_line = 10;
+enum class Face : std::uint8_t { regular, bold, fixed_width };
 
-/// The dots of a letter.
-struct Glyph {
-    std::array<std::uint8_t, glyph_rows> rows = {}; ///< bit 0 is the leftmost column
-
-    /// False outside of the glyph.
-    bool has(int column, int row) const {
-        return 0 <= column && column < glyph_columns && 0 <= row && row < glyph_rows &&
-               (rows[static_cast<std::size_t>(row)] >> column & 1) != 0;
-    }
+/// A letter that begins at (0, 0), on the line that letters stand on; y goes down.
+struct Outline {
+    std::vector<Path> contours = {}; ///< closed; clockwise around what is filled
+    double advance = 0;              ///< to the next letter
 };
 
-/// A box for a character that the font has not.
-Glyph glyph_of(char32_t character);
+/// From a letter to the next one, in ems; nothing if the font has not the character.
+std::optional<double> advance_of(char32_t character, Face face);
+
+/// In pixels, for letters of `size` pixels an em. A character that the font has not is a box.
+Outline outline_of(char32_t character, Face face, double size);
 
 } // namespace rastertrace

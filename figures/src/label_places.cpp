@@ -68,15 +68,10 @@ double badness_of(const Rectangle& box, const Obstacles& obstacles) {
 
 } // namespace
 
-double bold_width_of(std::string_view words, double size) {
-    constexpr double bold = 1.1; // against regular letters
-    return bold * width_of(words, size);
-}
-
 std::optional<Rectangle> words_beside(const WordsWish& wish, const Obstacles& obstacles) {
     constexpr double gap = 5;
     const auto& [mark, inside, words, size] = wish;
-    const double width = bold_width_of(words, size);
+    const double width = width_of(words, size, true);
     const double away_x = mark.x - inside.x;
     const double away_y = mark.y - inside.y;
     const double away = std::max(1.0, std::sqrt(away_x * away_x + away_y * away_y));

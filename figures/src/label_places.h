@@ -44,9 +44,6 @@ struct LabelPlace {
     std::optional<Path> leader = {}; ///< from the mark, if it does not stand beside it
 };
 
-/// How wide bold letters are, about.
-double bold_width_of(std::string_view words, double size);
-
 /// Words that look for their place beside a mark.
 struct WordsWish {
     Place mark;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A text as the boxes and slanted strokes of its letters.
+// A text as the outlines of its letters.
 //
 //     add_lettering(label, 2, 0, coverage);
 
@@ -9,7 +9,7 @@
 
 namespace rastertrace {
 
-/// Adds a text to what is covered, `scale` pixels per unit, each stroke wider by `rim` pixels on every side.
-void add_lettering(const Label& label, double scale, int rim, PixelCoverage& coverage);
+/// Adds a text to what is covered, `scale` pixels per unit, each letter larger by `rim` pixels on every side.
+void add_lettering(const Label& label, double scale, double rim, PixelCoverage& coverage);
 
 } // namespace rastertrace

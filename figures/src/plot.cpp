@@ -41,7 +41,7 @@ constexpr double same_place = 7;
 
 /// Text in lines of at most `width` units.
 std::vector<std::string> lines_of(std::string_view text, double size, double width) {
-    return wrapped(text, static_cast<std::size_t>(width / width_of("x", size)));
+    return wrapped(text, letters_in(width, size));
 }
 
 // Marks. Their outlines are filled, not drawn: a curve's dashes would cut them up.

@@ -179,7 +179,7 @@ double length_of_normals(const SpatialScene& space) {
 
 /// A label, which other words keep away from.
 void add_words(Label label, Obstacles& obstacles, std::vector<Shape>& shapes) {
-    const double width = width_of(label.text, label.size);
+    const double width = width_of(label.text, label.size, label.is_bold);
     const double left = label.at.x - (label.anchor == Anchor::end      ? width
                                       : label.anchor == Anchor::middle ? width / 2
                                                                        : 0);
@@ -236,7 +236,8 @@ void add_normals(const SpatialScene& space, const SideView& side, const TipOf& t
         constexpr double away = 4;
         const bool is_below = side.at(face.middle).y < tip.y;
         const Place at_left{tip.x, tip.y + (is_below ? away + text_size : -2 * away)};
-        const bool fits = tip.x + away + bold_width_of(angle, text_size) <= obstacles.sheet.right();
+        const bool fits =
+            tip.x + away + width_of(angle, text_size, true) <= obstacles.sheet.right();
         add_words({.role = Role::normal,
                    .at = fits ? Place{tip.x + away, tip.y - 3} : at_left,
                    .text = angle,

@@ -34,12 +34,6 @@ constexpr double gap = 5;
 /// A legend with more groups than this says nothing any more.
 constexpr std::size_t most_entries = 24;
 
-/// How many letters of a size have room.
-std::size_t letters_in(double width, double size) {
-    const double count = width / width_of("x", size);
-    return count < 1 ? 1 : static_cast<std::size_t>(count);
-}
-
 /// Which steps are shown; nothing for the whole picture.
 std::string shown_steps_text(const Panel& panel) {
     const std::size_t first = panel.frame.steps.first;

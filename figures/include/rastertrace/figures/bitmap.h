@@ -2,7 +2,7 @@
 #pragma once
 
 // A drawing as pixels, drawn by a rasterizer of our own: coverage is worked out in whole numbers, and letters
-// are those of a font of our own, so that every machine gets the same bytes.
+// are outlines of a font that the program holds, so that every machine gets the same bytes.
 //
 //     const Bitmap bitmap = bitmap_of(drawing, Theme::light, 2);  // a unit is 2 x 2 pixels
 //     const Color corner = bitmap.at(0, 0);

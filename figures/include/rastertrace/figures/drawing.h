@@ -200,7 +200,10 @@ std::string decimal(double value);
 /// A line to `to` with a head there.
 void add_arrow(Place from, Place to, Role role, double head_length, std::vector<Shape>& shapes);
 
-/// How wide a text is at most, in units, in the letters that our formats have.
-double width_of(std::string_view text, double size);
+/// How wide a line of text is, in units, in letters that need not be of fixed width. (Those of TeX are narrower.)
+double width_of(std::string_view text, double size, bool is_bold = false);
+
+/// How many letters of a text have room in a line, at least one; of fixed width, or as wide on the average.
+std::size_t letters_in(double width, double size);
 
 } // namespace rastertrace
