@@ -88,6 +88,8 @@ void StepWriter::end_primitive_line(const PrimitiveBegan<Quantity>& step) {
         put(R"(,"part":true)");
     if (!step.is_painted)
         put(R"(,"painted":false)");
+    if (step.kind == PrimitiveKind::circle)
+        put(R"(,"radius":)", step.radius);
     put("}");
 }
 
@@ -173,7 +175,7 @@ void StepWriter::operator()(const RayBegan& step) {
 }
 
 void StepWriter::operator()(const LineDecided& step) {
-    if (!wants(StepKind::decide) || !is_in_region(step.pixel))
+    if (!wants(StepKind::decide) || !(is_circle_ || is_in_region(step.pixel)))
         return;
     begin_line(StepKind::decide);
     put(R"({"step":"decide","x":)", step.pixel.x, R"(,"y":)", step.pixel.y, R"(,"d":)", step.d,

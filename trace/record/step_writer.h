@@ -130,6 +130,7 @@ public:
         vertex_count_ = step.vertices.size();
         std::copy(step.vertices.begin(), step.vertices.end(), vertices_.begin());
         has_labels_ = false;
+        is_circle_ = step.kind == PrimitiveKind::circle;
         if (!wants(StepKind::primitive))
             return;
         begin_primitive_line(step.kind, step.name, step.vertices);
@@ -525,6 +526,7 @@ private:
     Color color_;      ///< of the current primitive
     std::string name_; ///< of the same
     std::size_t vertex_count_ = 0;
+    bool is_circle_ = false; ///< then each decision is about pixels in all eight octants
     std::array<std::string_view, most_vertices> vertices_;          ///< its vertices' names
     std::array<std::string, most_vertices * most_vertices> labels_; ///< its edges' quoted names,
     bool has_labels_ = false;                                       ///< once one was asked for
