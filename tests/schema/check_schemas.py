@@ -160,6 +160,7 @@ FLAT = {
     "triangles": ["ABC", ["A", "B", "P1"], {"vertices": "ACB", "name": "roof", "color": "#ff8000"}],
     "outlines": [["A", "B", "P1"], {"vertices": ["A", "B", "C"], "name": "frame", "color": "red"}],
     "lines": ["AB", ["A", "P1"], {"vertices": "AC", "name": "ridge", "color": "red"}],
+    "circles": [{"center": "A", "radius": 5}, {"center": "P1", "radius": 0, "name": "rim", "color": "red"}],
     "points": ["A", ["P1"], {"vertices": ["P1"], "name": "dot", "color": "red"}],
     "method": {"scalar": "double", "line": "naive", "from": "first", "ends": "both", "fill": "scanline",
                "fan_passes": 1, "rounding": "floor", "ties": "up", "sample": "center", "lerp": "direct",

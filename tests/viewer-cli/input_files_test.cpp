@@ -30,8 +30,8 @@ TEST_F(ProgramTest, ErrorsHaveFileLineColumnAndCaret) {
     EXPECT_EQ(outcome.out, "");
     EXPECT_EQ(outcome.err, "rastertrace: bad.json:2:2: expected a key out of title, canvas, "
                            "background, vertices, colors, triangles, "
-                           "outlines, lines, points, meshes, model, camera, projection, viewport, "
-                           "light, method, keep, vary, found \"trinagles\"\n"
+                           "outlines, lines, circles, points, meshes, model, camera, projection, "
+                           "viewport, light, method, keep, vary, found \"trinagles\"\n"
                            " \"trinagles\": [\"AAA\"]}\n"
                            " ^\n"
                            "hint: did you mean \"triangles\"?\n");
@@ -369,8 +369,8 @@ TEST_F(ProgramTest, CaretsAndTitlesCountColumns) {
     EXPECT_EQ(shell("$rastertrace plan scene.json").err,
               "rastertrace: scene.json:1:17: expected a key out of title, canvas, background, "
               "vertices, colors, "
-              "triangles, outlines, lines, points, meshes, model, camera, projection, viewport, "
-              "light, method, keep, vary, found \"tile\"\n"
+              "triangles, outlines, lines, circles, points, meshes, model, camera, projection, "
+              "viewport, light, method, keep, vary, found \"tile\"\n"
               "{\"title\":\"三e\u0301\", \"tile\":1}\n"
               "                ^\n"
               "hint: did you mean \"title\"?\n");

@@ -211,8 +211,16 @@ private:
         };
         const bool is_straight = step.move.text().size() == 1;
         const Rational d = exactly(step.d);
-        expect(in_words(rules_.lines.ties == Ties::step ? d < 0 : d <= 0), in_words(is_straight),
-               "decide: move");
+        const bool is_circle = kind_ == "circle";
+        expect(in_words(is_circle || rules_.lines.ties == Ties::step ? d < 0 : d <= 0),
+               in_words(is_straight), "decide: move");
+        if (!is_circle || has_long_numbers_ || !radius_)
+            return;
+        const At& center = told_at(at_, 0);
+        const Rational x = step.x - nearest_of(exactly(center[0]), Ties::up);
+        const Rational y = step.y - nearest_of(exactly(center[1]), Ties::up);
+        const Rational r = *radius_;
+        expect(Rational((x + 1) * (x + 1) + y * y - y - r * r), d, "decide: d");
     }
 
     void redo_vertex(const VertexStep& step) {
@@ -287,6 +295,7 @@ private:
             at_.push_back({told_at(place, 0), told_at(place, 1)});
         }
         depths_ = numbers_of<Depth>(step.depths);
+        radius_ = step.radius;
         color_ = step.color.color().value_or(Color());
         colors_.clear();
         for (const TracedColor& color : step.colors.values())
@@ -820,6 +829,7 @@ private:
     std::vector<std::string> names_;
     std::vector<At> at_;
     std::vector<Depth> depths_;
+    std::optional<Index> radius_; ///< of a circle
     Color color_;
     std::vector<Color> colors_;
     std::map<std::string, std::optional<Real>> edges_; ///< dx/dy; none of a horizontal one

@@ -148,7 +148,8 @@ std::set<std::string> passing_through(const Trace& trace, int y) {
     for_each_step(trace, [&](const StepOf& one) {
         if (one.kind == StepKind::primitive) {
             const auto kind = one.step.as<PrimitiveStep>().kind;
-            is_line = kind == PrimitiveKind::line || kind == PrimitiveKind::outline;
+            is_line = kind == PrimitiveKind::line || kind == PrimitiveKind::outline ||
+                      kind == PrimitiveKind::circle;
         }
         if (is_line && one.kind == StepKind::pixel && y_in(one.step) == y)
             names.insert(one.whole);
@@ -204,7 +205,8 @@ std::vector<std::string> triangles_of_face(const Trace& trace, const std::string
         }
         if (one.kind == StepKind::primitive) {
             const auto kind = one.step.as<PrimitiveStep>().kind;
-            const bool is_face = kind != PrimitiveKind::line && kind != PrimitiveKind::point;
+            const bool is_face = kind != PrimitiveKind::line && kind != PrimitiveKind::point &&
+                                 kind != PrimitiveKind::circle;
             if (is_face || one.primitive != one.whole)
                 known.insert(one.primitive);
         }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a point, a line, or the sides of an outline are, if not in a pixel.
+// Where a point, a line, a circle, or the sides of an outline are, if not in a pixel.
 
 #include "why_not.h"
 
@@ -11,6 +11,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -164,12 +165,37 @@ WhyNot of_point(const Trace& trace, const PrimitiveSteps& steps, Pixel pixel) {
     return {.reason = "elsewhere", .sentence = fmt::format("{}: pixel ({}, {})", at, x, y)};
 }
 
+/// The pixels of a circle are nearer to it, in their row or column, than those inside and outside: of the
+/// distances a <= b from the center, (b - 1/2)^2 + a^2 < r^2 < (b + 1/2)^2 + a^2.
+WhyNot of_circle(const Trace& trace, const PrimitiveSteps& steps, Pixel pixel) {
+    const PrimitiveText primitive = primitive_in(trace.step(steps.first));
+    const auto center = center_of(primitive);
+    if (!center || !primitive.radius)
+        return {.reason = "unknown", .sentence = "no step of the trace says where it is"};
+    const auto [a, b] =
+        std::minmax({Rational(abs(pixel.x - center->x)), Rational(abs(pixel.y - center->y))});
+    const Rational r = *primitive.radius;
+    const Rational square = a * a + b * b;
+    const bool is_inside = square + b < r * r;
+    const bool is_outside = square - b >= r * r && sgn(b) > 0;
+    if (!is_inside && !is_outside)
+        return {.reason = "unknown", .sentence = "no step of the trace says what became of it"};
+    return {.reason = "elsewhere",
+            .sentence = fmt::format(
+                "it lies {} from ({}, {}), and the square of the pixel's distance is {}: {}",
+                text(r), text(center->x), text(center->y), text(square),
+                is_inside ? "inside" : "outside"),
+            .distance = std::abs(std::sqrt(nearest_double(square)) - nearest_double(r))};
+}
+
 } // namespace
 
 WhyNot why_elsewhere(const Trace& trace, const PrimitiveSteps& steps, Pixel pixel) {
     const auto kind = trace.step(steps.first).as<PrimitiveStep>().kind;
     if (kind == PrimitiveKind::point)
         return of_point(trace, steps, pixel);
+    if (kind == PrimitiveKind::circle)
+        return of_circle(trace, steps, pixel);
     if (trace.lacks(StepKind::pixel))
         return {.reason = "unknown",
                 .sentence = "the trace has no pixel steps, which would say where it is"};

@@ -27,8 +27,8 @@ const std::array<StepRow, step_kinds> table{{
       "o pintor desenha, do mais distante ao mais próximo:{@farthest_first}"}},
 
     {StepKind::primitive, "a primitive begins",
-     {"{#kind} {name}{@corners}{@octant}{@painted}",
-      "{#kind} {name}{@corners}{@octant}{@painted}"}},
+     {"{#kind} {name}{@corners}{@radius}{@octant}{@painted}",
+      "{#kind} {name}{@corners}{@radius}{@octant}{@painted}"}},
 
     {StepKind::face, "a face is tested",
      {"face {@primitive}: normal {normal} . {@toward} {view} = {dot}{@cosine}: {culled?culled:drawn}",

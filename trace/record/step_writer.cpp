@@ -157,6 +157,7 @@ void StepWriter::operator()(const PrimitiveBegan<Quantity>& step) {
     vertex_count_ = step.vertices.size();
     std::copy(step.vertices.begin(), step.vertices.end(), vertices_.begin());
     has_labels_ = false;
+    is_circle_ = step.kind == PrimitiveKind::circle;
     if (!wants(StepKind::primitive))
         return;
     // Who looks for pixels that are wrong has to know just where the corners are.
@@ -174,7 +175,7 @@ void StepWriter::operator()(const PrimitiveBegan<Quantity>& step) {
         ListIfAny{step.depths, [](const Quantity& depth) { return Exactly{depth}; }},
         ColorText(step.color), ListIfAny{step.colors, [](Color color) { return ColorText(color); }},
         only_if(step.octant != 0, step.octant), only_if(step.is_part, is_part),
-        only_if(!step.is_painted, is_painted));
+        only_if(!step.is_painted, is_painted), only_if(is_circle_, step.radius));
 }
 
 void StepWriter::operator()(const FaceTested<Quantity>& step) {
@@ -244,7 +245,7 @@ void StepWriter::operator()(const LineSampled<Quantity>& step) {
 }
 
 void StepWriter::operator()(const LineDecided& step) {
-    if (wants(StepKind::decide) && is_in_region(step.pixel))
+    if (wants(StepKind::decide) && (is_circle_ || is_in_region(step.pixel)))
         put_step<DecideStep>(step.pixel.x, step.pixel.y, step.d, Word{word_of(step.move)});
 }
 

@@ -462,6 +462,7 @@ private:
     Color color_;      ///< of the current primitive
     std::string name_; ///< of the same
     std::size_t vertex_count_ = 0;
+    bool is_circle_ = false; ///< then each decision is about pixels in all eight octants
     std::array<std::string_view, most_vertices> vertices_;          ///< its vertices' names
     std::array<std::string, most_vertices * most_vertices> labels_; ///< its edges' quoted names,
     bool has_labels_ = false;                                       ///< once one was asked for

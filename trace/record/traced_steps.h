@@ -280,6 +280,7 @@ struct PrimitiveStep {
     std::optional<Index> octant;
     TracedFlag part;
     TracedFlag painted;
+    std::optional<Index> radius;
 
     using Fields = FieldTable<
         field::Told<"kind", &PrimitiveStep::kind, field::required>,
@@ -290,7 +291,8 @@ struct PrimitiveStep {
         field::Told<"color", &PrimitiveStep::color>,
         field::Reason<"colors", &PrimitiveStep::colors>,
         field::Decision<"octant", &PrimitiveStep::octant>,
-        field::Told<"part", &PrimitiveStep::part>, field::Told<"painted", &PrimitiveStep::painted>>;
+        field::Told<"part", &PrimitiveStep::part>, field::Told<"painted", &PrimitiveStep::painted>,
+        field::Reason<"radius", &PrimitiveStep::radius>>;
 };
 
 /// A face is tested.

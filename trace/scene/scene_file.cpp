@@ -12,6 +12,7 @@
 #include <rastertrace/core/draw/list/pieces.h>
 #include <rastertrace/core/draw/plan/plan.h>
 #include <rastertrace/core/draw/scene/fit.h>
+#include <rastertrace/core/raster/circle.h>
 #include <rastertrace/trace/text/canvas_json.h>
 #include <rastertrace/trace/text/color_text.h>
 #include <rastertrace/trace/text/json_document.h>
@@ -106,6 +107,8 @@ public:
         take_faces(PrimitiveKind::outline);
         read_primitives(root.find("lines"), PrimitiveKind::line);
         take_faces(PrimitiveKind::line);
+        if (const auto circles = root.find("circles"))
+            read_circles(*circles);
         read_primitives(root.find("points"), PrimitiveKind::point);
         if (scene_.primitives.empty())
             json_.fail(
@@ -568,6 +571,10 @@ private:
                     ? R"(the fan has no depths, the painter no buffer; "depth": "linear-z" has one)"
                     : R"(say "projection": {...}, or "method": {"depth": "linear-z"})");
         }
+        if (place_of_circle_ && scene_.has_depth_buffer())
+            json_.fail(*place_of_circle_, "expected no depth buffer beside a circle, found one",
+                       R"(a circle is drawn in the picture, and has no depth there; )"
+                       R"("method": {"depth": "none"} draws without a buffer)");
     }
 
     /// How vertices come to the screen.
@@ -653,6 +660,7 @@ private:
         case PrimitiveKind::outline:
             return {R"(a list of outlines, like ["ABC"])",
                     R"(three vertices, "ABC" or ["P1", "P2", "P3"])"};
+        case PrimitiveKind::circle: // has no list of vertices: read_circles
         case PrimitiveKind::triangle:
             break;
         }
@@ -730,24 +738,64 @@ private:
                 if (!vertices)
                     json_.fail(value, R"(expected the key "vertices", found none)");
                 read_corners(*vertices, primitive);
-                if (const auto color = value.find("color"))
-                    primitive.color = color_in(*color);
-                if (const auto name = value.find("name")) {
-                    primitive.name = json_.string_in(*name, "a name in quotes");
-                    if (!names_of_primitives_.insert(primitive.name).second)
-                        json_.fail_expecting(*name, "a name that no other primitive has");
-                }
+                read_color_and_name(value, primitive);
             } else {
                 read_corners(value, primitive);
             }
-            if (primitive.name.empty()) {
-                std::vector<std::string_view> names;
-                for (const std::size_t vertex : primitive.corners())
-                    names.push_back(scene_.vertices[vertex].name);
-                primitive.name = joined_names(names);
-            }
-            scene_.primitives.push_back(std::move(primitive));
+            add_named(std::move(primitive));
         }
+    }
+
+    void read_circles(const JsonValue& list) {
+        const JsonElements values =
+            json_.array_in(list, R"(a list of circles, like [{"center": "A", "radius": 5}])");
+        for (const JsonValue& value : values) {
+            if (value.kind != JsonValue::Kind::object)
+                json_.fail_expecting(value, R"(a circle, like {"center": "A", "radius": 5})");
+            json_.allow_keys(value, circle_keys);
+            const JsonValue center = json_.member(value, "center");
+            ScenePrimitive circle;
+            circle.kind = PrimitiveKind::circle;
+            circle.vertices[0] =
+                vertex_named(json_.string_in(center, "the name of a vertex"), center.begin);
+            circle.radius = radius_in(json_.member(value, "radius"));
+            read_color_and_name(value, circle);
+            add_named(std::move(circle));
+            place_of_circle_ = place_of_circle_.value_or(value.begin);
+        }
+    }
+
+    /// The decision of a circle is one of whole numbers.
+    std::int32_t radius_in(const JsonValue& value) const {
+        const auto whole = value.kind == JsonValue::Kind::number
+                               ? json_.number_in(value).numerator_over(1)
+                               : std::nullopt;
+        if (!whole || *whole < 0 || *whole > largest_radius)
+            json_.fail_expecting(
+                value, fmt::format("a whole number of pixels from 0 to {}", largest_radius));
+        return static_cast<std::int32_t>(*whole);
+    }
+
+    /// What a primitive that is written as an object may have beside its vertices.
+    void read_color_and_name(const JsonValue& value, ScenePrimitive& primitive) {
+        if (const auto color = value.find("color"))
+            primitive.color = color_in(*color);
+        if (const auto name = value.find("name")) {
+            primitive.name = json_.string_in(*name, "a name in quotes");
+            if (!names_of_primitives_.insert(primitive.name).second)
+                json_.fail_expecting(*name, "a name that no other primitive has");
+        }
+    }
+
+    /// Adds a primitive, called by its vertices if it has no name.
+    void add_named(ScenePrimitive&& primitive) {
+        if (primitive.name.empty()) {
+            std::vector<std::string_view> names;
+            for (const std::size_t vertex : primitive.corners())
+                names.push_back(scene_.vertices[vertex].name);
+            primitive.name = joined_names(names);
+        }
+        scene_.primitives.push_back(std::move(primitive));
     }
 
     void read_canvas(const std::optional<JsonValue>& canvas, const JsonValue& root) {
@@ -805,10 +853,12 @@ private:
         std::visit(
             [&](const auto& list) {
                 for_each_piece(scene_, list, [&](const auto& piece) {
-                    for (std::size_t i = 0; i < piece.count; ++i) {
-                        reach(0, to_double(piece.positions[i].x));
-                        reach(1, to_double(piece.positions[i].y));
-                    }
+                    const auto radius = static_cast<double>(piece.radius);
+                    for (std::size_t i = 0; i < piece.count; ++i)
+                        for (const double way : {-radius, radius}) {
+                            reach(0, to_double(piece.positions[i].x) + way);
+                            reach(1, to_double(piece.positions[i].y) + way);
+                        }
                 });
             },
             screen_list_for(scene_));
@@ -841,6 +891,7 @@ private:
     std::vector<Model>& models_;
     Scene scene_;
     std::optional<std::size_t> place_of_fit_;     ///< offset of a camera that is to be fitted
+    std::optional<std::size_t> place_of_circle_;  ///< offset of the first circle
     std::optional<std::size_t> place_of_camera_;  ///< offset of a camera without a projection
     std::vector<std::size_t> places_of_vertices_; ///< offsets of their names in the source
     std::vector<float> units_;                    ///< of each vertex: see typed_digits.h

@@ -26,6 +26,7 @@ inline constexpr std::array scene_keys{
     JsonKey{"triangles", "triangles", "Triangles, which are filled"},
     JsonKey{"outlines", "outlines", "Triangles of which the three sides are drawn"},
     JsonKey{"lines", "lines", "Lines"},
+    JsonKey{"circles", "circles", "Circles around vertices"},
     JsonKey{"points", "points", "Points: the pixel nearest to each"},
     JsonKey{"meshes", "meshes", "Solids from OBJ files, or written out"},
     JsonKey{"model", "model", "Moves the scene's own vertices: steps, in the order of the list"},
@@ -45,6 +46,14 @@ inline constexpr JsonKey primitive_vertices{"vertices", "", "Its vertices, by na
 inline constexpr std::array primitive_keys{
     primitive_vertices,
     JsonKey{"name", "text", "How steps and messages call it; without it, by its vertices"},
+    JsonKey{"color", "color", "Its color; without it, black"},
+};
+
+/// Of a circle.
+inline constexpr std::array circle_keys{
+    JsonKey{"center", "text", "The vertex in its middle, by name", true},
+    JsonKey{"radius", "radius", "How far it is from there, in whole pixels", true},
+    JsonKey{"name", "text", "How steps and messages call it; without it, by its center"},
     JsonKey{"color", "color", "Its color; without it, black"},
 };
 

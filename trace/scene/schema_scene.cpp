@@ -6,6 +6,7 @@
 #include "scene_file.h"
 #include "scene_keys.h"
 
+#include <rastertrace/core/raster/circle.h>
 #include <rastertrace/trace/text/method_names.h>
 #include <rastertrace/trace/text/pipeline_names.h>
 #include <rastertrace/trace/text/schema_parts.h>
@@ -136,7 +137,7 @@ Json positive() {
 /// At least one list has a primitive.
 Json has_primitives() {
     Json cases = Json::array();
-    for (const char* const list : {"triangles", "outlines", "lines", "points", "meshes"})
+    for (const char* const list : {"triangles", "outlines", "lines", "circles", "points", "meshes"})
         cases.push_back({{"required", {list}}, {"properties", {{list, {{"minItems", 1}}}}}});
     return cases;
 }
@@ -165,6 +166,9 @@ std::string scene_schema() {
     define_primitives(definitions, "outlines", 3);
     define_primitives(definitions, "lines", 2);
     define_primitives(definitions, "points", 1);
+    definitions["circles"] = list_of("circle");
+    definitions["circle"] = object_with(circle_keys);
+    definitions["radius"] = {{"type", "integer"}, {"minimum", 0}, {"maximum", largest_radius}};
 
     definitions["meshes"] = list_of("mesh");
     definitions["mesh"] = mesh();

@@ -406,8 +406,10 @@ std::string slope_form(const Context& context) {
 std::string next_d(const Context& context) {
     const auto d = context.as<DecideStep>().d.exact();
     const auto ends = ends_of_line(context.replay, context.primitive);
-    const auto increment =
-        d && ends ? increment_of(context.replay.trace(), *ends, *d) : std::nullopt;
+    const auto circle = circle_decision(context.primitive, context.as<DecideStep>());
+    const auto increment = circle      ? std::optional(circle->increment)
+                           : d && ends ? increment_of(context.replay.trace(), *ends, *d)
+                                       : std::nullopt;
     return increment ? fmt::format("; d {} = {}", plus(text(*increment)), text(*d + *increment))
                      : std::string();
 }
@@ -429,16 +431,17 @@ std::string level(const Context& context) {
                 brightest, share_of_light(brightest));
 }
 
-/// Which side of 0 Bresenham's d lies on, and where it goes for that.
-std::string sign_of_d(const Trace& trace, const DecideStep& step) {
+/// Which side of 0 Bresenham's d lies on, and where it goes for that. A circle goes diagonally at 0.
+std::string sign_of_d(const Context& context, const DecideStep& step) {
     const std::string d = step.d.text();
     if (d == "NaN")
         return said({"(neither above 0 nor below)", "(nem acima de 0 nem abaixo)"});
-    const bool is_diagonal =
-        steps_at_ties(trace) ? !d.starts_with('-') : !d.starts_with('-') && d != "0";
-    const std::string_view compared = steps_at_ties(trace) ? is_diagonal ? ">= 0" : "< 0"
-                                      : is_diagonal        ? "> 0"
-                                                           : "<= 0";
+    const bool steps_at_0 =
+        steps_at_ties(context.replay.trace()) || context.primitive.kind == PrimitiveKind::circle;
+    const bool is_diagonal = steps_at_0 ? !d.starts_with('-') : !d.starts_with('-') && d != "0";
+    const std::string_view compared = steps_at_0    ? is_diagonal ? ">= 0" : "< 0"
+                                      : is_diagonal ? "> 0"
+                                                    : "<= 0";
     return is_diagonal ? said({"{}, diagonally", "{}, na diagonal"}, compared)
                        : said({"{}, straight on", "{}, em frente"}, compared);
 }
@@ -476,7 +479,7 @@ std::string reason(const Context& context) {
     }
     case StepKind::decide: {
         const auto decision = step.as<DecideStep>();
-        return fmt::format("   d = {} {}", decision.d.text(), sign_of_d(trace, decision));
+        return fmt::format("   d = {} {}", decision.d.text(), sign_of_d(context, decision));
     }
     case StepKind::sample:
         return said({"   no weight is negative", "   nenhum peso é negativo"});
@@ -544,6 +547,11 @@ constexpr Part parts[] = {
      }},
     {"farthest_first", farthest_first},
     {"corners", corners},
+    {"radius",
+     [](const Context& context) {
+         const auto radius = context.as<PrimitiveStep>().radius;
+         return radius ? said({"   radius {}", "   raio {}"}, *radius) : std::string();
+     }},
     {"octant",
      [](const Context& context) {
          const auto octant = context.as<PrimitiveStep>().octant;
@@ -623,9 +631,7 @@ constexpr Part parts[] = {
                            context.as<AlongStep>().value.exact());
      }},
     {"sign_of_d",
-     [](const Context& context) {
-         return sign_of_d(context.replay.trace(), context.as<DecideStep>());
-     }},
+     [](const Context& context) { return sign_of_d(context, context.as<DecideStep>()); }},
     {"next_d", next_d},
     {"weights", weights},
     {"against", against},

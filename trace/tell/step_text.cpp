@@ -184,8 +184,8 @@ std::string what_numbers_give(const Trace& trace, std::size_t step) {
 
 PrimitiveText primitive_in(const StepView& step) {
     const auto told = step.as<PrimitiveStep>();
-    return {told.kind,          told.name.text(), told.vertices.texts(),
-            text_rows(told.at), told.depths,      told.colors};
+    return {told.kind,   told.name.text(), told.vertices.texts(), text_rows(told.at), told.depths,
+            told.colors, told.radius};
 }
 
 std::string edge_name(const PrimitiveText& primitive, std::size_t from, std::size_t to) {
@@ -464,6 +464,24 @@ std::optional<Rational> increment_of(const Trace& trace, const LineEnds& ends, c
     const Rational straight = 2 * std::min(dx, dy);
     return sgn(d) >= (steps_at_ties(trace) ? 0 : 1) ? Rational(straight - 2 * std::max(dx, dy))
                                                     : straight;
+}
+
+std::optional<Vec2> center_of(const PrimitiveText& primitive) {
+    const auto at =
+        primitive.positions.empty() ? std::nullopt : vec2_in(primitive.positions.front());
+    return at ? std::optional(between_nearest_pixels({*at, *at}).from) : std::nullopt;
+}
+
+std::optional<CircleDecision> circle_decision(const PrimitiveText& primitive,
+                                              const DecideStep& step) {
+    const auto center = center_of(primitive);
+    const auto d = step.d.exact();
+    if (primitive.kind != PrimitiveKind::circle || !center || !d)
+        return std::nullopt;
+    const Rational x = step.x - center->x;
+    const Rational y = step.y - center->y;
+    return CircleDecision{
+        .x = x, .y = y, .increment = sgn(*d) < 0 ? Rational(2 * x + 3) : Rational(2 * (x - y) + 5)};
 }
 
 std::string_view matrix_into(std::string_view space) {

@@ -105,6 +105,7 @@ struct PrimitiveText {
     std::vector<std::vector<std::string>> positions;
     TracedList<TracedNumber> depths;
     TracedList<TracedColor> colors;
+    std::optional<Index> radius;
 };
 
 /// What is said behind the sentence of a step that does not tell what its numbers give (Trace::numbers_give): what these
@@ -184,6 +185,18 @@ std::optional<Rational> increment_of(const Trace& trace, const LineEnds& ends, c
 
 /// True if Bresenham goes diagonally at d = 0.
 bool steps_at_ties(const Trace& trace);
+
+/// Where a circle decides, seen from the pixel of its center.
+struct CircleDecision {
+    Rational x;
+    Rational y;
+    Rational increment; ///< what is added to d
+};
+std::optional<CircleDecision> circle_decision(const PrimitiveText& primitive,
+                                              const DecideStep& step);
+
+/// The pixel of a circle's center: the nearest one, a half up.
+std::optional<Vec2> center_of(const PrimitiveText& primitive);
 
 /// The name of the matrix that leads into a space; "" if none does.
 std::string_view matrix_into(std::string_view space);

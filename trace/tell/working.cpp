@@ -351,8 +351,34 @@ void depth(Sheet& sheet) {
     write_plane_in_camera_space(sheet, *p, *told);
 }
 
+/// d of a circle as the square of a distance, and what is added to it.
+void put_circle_decision(Sheet& sheet, const CircleDecision& circle) {
+    const Rational d = *sheet.step.as<DecideStep>().d.exact();
+    const Rational r = sheet.primitive.radius.value_or(0);
+    const auto& [x, y, increment] = circle;
+    if ((x + 1) * (x + 1) + y * y - y - r * r == d)
+        sheet.put(
+            said({"x = {}, y = {} from the center: d = (x + 1)^2 + y^2 - y - r^2 = {} = {}",
+                  "x = {}, y = {} a partir do centro: d = (x + 1)^2 + y^2 - y - r^2 = {} = {}"},
+                 text(x), text(y),
+                 fmt::format("{}^2 + {}^2 - {} - {}^2", text(Rational(x + 1)), text(y), text(y),
+                             text(r)),
+                 text(d)));
+    sheet.put(said({"the midpoint ({}, {} - 1/2) lies {} the circle",
+                    "o ponto médio ({}, {} - 1/2) fica {} da circunferência"},
+                   text(Rational(x + 1)), text(y),
+                   sgn(d) < 0 ? said({"inside", "dentro"}) : said({"outside", "fora"})));
+    sheet.put(said({"E adds 2 x + 3 = {}, SE 2 (x - y) + 5 = {}",
+                    "E soma 2 x + 3 = {}, SE 2 (x - y) + 5 = {}"},
+                   text(Rational(2 * x + 3)), text(Rational(2 * (x - y) + 5))));
+    sheet.put(said({"next d = {} {} = {}", "próximo d = {} {} = {}"}, text(d),
+                   plus(text(increment)), text(Rational(d + increment))));
+}
+
 /// Bresenham's increments, if the ends are pixels.
 void decide(Sheet& sheet) {
+    if (const auto circle = circle_decision(sheet.primitive, sheet.step.as<DecideStep>()))
+        return put_circle_decision(sheet, *circle);
     const auto ends = ends_of_line(sheet.replay, sheet.primitive);
     const auto d = sheet.step.as<DecideStep>().d.exact();
     const auto increment = d && ends ? increment_of(sheet.trace(), *ends, *d) : std::nullopt;

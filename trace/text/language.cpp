@@ -31,6 +31,7 @@ constexpr TraceWord words_of_traces[] = {
     {"point", "ponto"},
     {"line", "segmento"},
     {"outline", "contorno"},
+    {"circle", "circunferência"},
     {"triangle", "triângulo"},
     {"primitive", "elemento"},
 

@@ -15,6 +15,8 @@ std::string_view name_of(PrimitiveKind kind) {
         return "line";
     case PrimitiveKind::outline:
         return "outline";
+    case PrimitiveKind::circle:
+        return "circle";
     case PrimitiveKind::triangle:
         break;
     }

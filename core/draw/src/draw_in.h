@@ -19,6 +19,7 @@
 #include <rastertrace/core/draw/paint/sample_walk.h>
 #include <rastertrace/core/draw/plan/plan.h>
 #include <rastertrace/core/draw/scene/scene.h>
+#include <rastertrace/core/raster/circle.h>
 #include <rastertrace/core/raster/depth_interpolation.h>
 #include <rastertrace/core/raster/flat_painter.h>
 #include <rastertrace/core/raster/image.h>
@@ -199,15 +200,23 @@ private:
     std::optional<DepthPlane<DepthOf<Scalar>>> plane_;
 };
 
-/// Draws a point, a line, or the three lines of an outline. `painter_of(side)` makes the painter of
-/// each. The side of a point leads from its corner to itself.
+/// Draws a point, a line, a circle, or the three lines of an outline. `painter_of(side)` makes the
+/// painter of each. The side of a point, or of a circle, leads from its corner to itself.
 template <typename Scalar, typename PainterOf>
 void draw_lines(const Piece<Scalar>& primitive, const Method& method, const Canvas& canvas,
                 PainterOf&& painter_of) {
+    const Vec<Scalar, 2>& first = primitive.positions[0];
     switch (primitive.kind) {
     case PrimitiveKind::point:
-        return draw_point(nearest_pixel(primitive.positions[0].x, primitive.positions[0].y),
-                          primitive.colors[0], canvas, painter_of(EdgeName{0, 0}));
+        return draw_point(nearest_pixel(first.x, first.y), primitive.colors[0], canvas,
+                          painter_of(EdgeName{0, 0}));
+    case PrimitiveKind::circle: {
+        auto&& painter = painter_of(EdgeName{0, 0});
+        if (!draw_circle({nearest_pixel(first.x, first.y), primitive.radius}, primitive.colors[0],
+                         canvas, painter))
+            painter(PrimitiveSkipped{.why = SkipReason::off_canvas});
+        return;
+    }
     case PrimitiveKind::line: {
         auto&& painter = painter_of(EdgeName{0, 1});
         if (!draw_line(primitive, {0, 1}, method, canvas, painter))
@@ -244,7 +253,8 @@ void tell_beginning(const Piece<Scalar>& piece, const PieceNames& names, const P
         .octant = piece.kind == PrimitiveKind::line ? octant_of(piece, {0, 1}, method) : 0,
         .is_part = piece.is_part,
         .depths = std::span(told.depths).first(has_depths ? piece.count : 0),
-        .is_painted = plan.stages.pixels[piece.primitive].is_painted});
+        .is_painted = plan.stages.pixels[piece.primitive].is_painted,
+        .radius = piece.radius});
 }
 
 /// Draws a point, a line or an outline, with or without depth tests.

@@ -193,7 +193,8 @@ Piece<Coordinate> piece_without_corners(const Scene& scene, const ScreenPrimitiv
             .color = one.color,
             .is_part = is_part,
             .is_skipped = one.state == State::skipped,
-            .colors = {}};
+            .colors = {},
+            .radius = scene.primitives[one.primitive].radius};
 }
 
 template <typename Scalar>
@@ -276,7 +277,8 @@ void tell_pieces(const Scene& scene, const ScreenList<Scalar>& list, std::size_t
                                 .vertices = std::span(names).first(corners.size()),
                                 .positions = {},
                                 .color = found.color,
-                                .colors = {}});
+                                .colors = {},
+                                .radius = primitive.radius});
     if (!tell_face(found.face, sink))
         return;
     int made = 0;

@@ -73,7 +73,7 @@ template <typename Scalar> void tell(const PrimitiveBegan<Scalar>& step, const L
     listener(PrimitiveBegan<Quantity>{
         step.kind, step.name, step.vertices, std::span(positions).first(step.positions.size()),
         step.color, step.colors, step.octant, step.is_part,
-        std::span(depths).first(step.depths.size()), step.is_painted});
+        std::span(depths).first(step.depths.size()), step.is_painted, step.radius});
 }
 
 template <typename Scalar> void tell(const EdgeSetUp<Scalar>& step, const Listener& listener) {

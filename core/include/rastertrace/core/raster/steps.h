@@ -24,7 +24,7 @@
 namespace rastertrace {
 
 /// What kind of thing is drawn.
-enum class PrimitiveKind { triangle, outline, line, point };
+enum class PrimitiveKind { triangle, outline, line, point, circle };
 
 /// A face that is not convex has been cut into triangles: it was seen along an axis, and its ears
 /// were cut (triangulate.h). Whatever the Scalar of a scene, this is decided in exact numbers.
@@ -110,6 +110,7 @@ template <typename Scalar> struct PrimitiveBegan {
     bool is_part = false;                       ///< of the primitive that began before it
     std::span<const DepthOf<Scalar>> depths = {}; ///< of the vertices, if there is a depth buffer
     bool is_painted = true; ///< false: a triangle that hides what lies behind it, and is not seen
+    Index radius = 0;       ///< of a circle, in pixels; else 0
 };
 
 /// Two vertices of the current primitive, by their place in PrimitiveBegan::vertices.
@@ -179,10 +180,11 @@ template <typename Scalar> struct LineSampled {
 /// Where a line goes next: E is x + 1, N is y + 1, whichever way y points on the canvas.
 enum class Move { e, ne, n, nw, w, sw, s, se };
 
-/// Bresenham's line has decided where to go from a pixel.
+/// Bresenham's line has decided where to go from a pixel, or a circle from one of its octant that
+/// begins at the largest y; that one may lie off the canvas.
 struct LineDecided {
     Pixel pixel;
-    std::int64_t d; ///< straight on if d <= 0, else diagonally
+    std::int64_t d; ///< straight on if d <= 0, of a circle if d < 0; else diagonally
     Move move;
 };
 

@@ -93,6 +93,7 @@ template <typename Coordinate> struct Piece {
     /// Indices in the scene. A vertex that clipping has made has the first vertex of what was
     /// clipped.
     std::array<std::size_t, 3> vertices{};
+    Index radius = 0; ///< of a circle, in pixels
 };
 
 /// A piece with other numbers: all of `piece` but its positions, depths and 1/w.
@@ -105,7 +106,8 @@ Piece<Coordinate> without_numbers(const Piece<Other>& piece) {
             .is_skipped = piece.is_skipped,
             .count = piece.count,
             .colors = piece.colors,
-            .vertices = piece.vertices};
+            .vertices = piece.vertices,
+            .radius = piece.radius};
 }
 
 /// The names of a piece and of its corners: "ABC/1" for a part, "ABC:1" for a vertex that clipping

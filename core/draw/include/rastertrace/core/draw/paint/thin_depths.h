@@ -23,6 +23,7 @@ inline Thickness thickness_of(PrimitiveKind kind) {
         return Thickness::point;
     case PrimitiveKind::line:
     case PrimitiveKind::outline:
+    case PrimitiveKind::circle:
         return Thickness::line;
     case PrimitiveKind::triangle:
         break;

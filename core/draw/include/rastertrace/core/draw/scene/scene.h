@@ -35,7 +35,7 @@ struct SceneObject {
     Model model;                ///< from its space to the world
 };
 
-/// A point, a line, a triangle to fill, or the outline of a triangle.
+/// A point, a line, a circle, a triangle to fill, or the outline of a triangle.
 struct ScenePrimitive {
     PrimitiveKind kind = PrimitiveKind::triangle;
     bool is_painted = true; ///< false: a triangle that hides what lies behind it, and is not seen
@@ -45,10 +45,12 @@ struct ScenePrimitive {
     Color color = {};
     std::uint32_t polygon = 0; ///< successive triangles with the same number above 0 make a face
 
+    std::int32_t radius = 0; ///< of a circle around its vertex, in pixels
+
     /// Its vertices: the first one, two or three of `vertices`.
     std::span<const std::size_t> corners() const {
-        const bool is_point = kind == PrimitiveKind::point;
-        return std::span(vertices).first(is_point ? 1 : kind == PrimitiveKind::line ? 2 : 3);
+        const bool is_single = kind == PrimitiveKind::point || kind == PrimitiveKind::circle;
+        return std::span(vertices).first(is_single ? 1 : kind == PrimitiveKind::line ? 2 : 3);
     }
 };
 
