@@ -303,7 +303,7 @@ private:
     template <typename... Values> std::size_t size_of(const Tuple<Values...>& tuple) const {
         return std::apply(
             [this](const auto&... values) {
-                return (size_of(values) + ... + 1) + sizeof...(values);
+                return (this->size_of(values) + ... + 1) + sizeof...(values);
             },
             tuple.values);
     }

@@ -69,13 +69,13 @@ requires SinkFor<Sink, LineDecided, PixelPlotted, PixelsRejected>
 bool draw_circle(const GridCircle& circle, Color color, const Canvas& canvas, Sink&& sink) {
     if (!meets(circle, canvas))
         return false;
-    const auto& [center, radius] = circle;
+    const GridPoint& center = circle.center;
     const auto plot = [&](GridPoint p) {
         draw_point({center.x + p.x, center.y + p.y}, color, canvas, sink);
     };
 
-    GridPoint at{0, radius};
-    std::int64_t d = 1 - radius;
+    GridPoint at{0, circle.radius};
+    std::int64_t d = 1 - circle.radius;
     for_each_mirror_image(at, plot);
     while (at.x < at.y) {
         // Is the midpoint of the next two pixels inside?
