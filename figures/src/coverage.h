@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// How much of each pixel of a bitmap polygons cover, together. All machines find the same: doubles are added,
-// multiplied and compared here, nothing else, and coverage is counted in whole numbers.
+// How much of each pixel of a bitmap shapes cover, together, by the rasterizer of AGG (Anti-Grain Geometry). It counts
+// in 256ths of a pixel, so that all machines find the same.
 //
 //     PixelCoverage coverage(width, height);
 //     coverage.add(places);
@@ -10,10 +10,11 @@
 
 #include <rastertrace/figures/drawing.h>
 
-#include <cstdint>
+#include <agg2/agg_rasterizer_scanline_aa.h>
+#include <agg2/agg_scanline_p.h>
+
 #include <functional>
 #include <span>
-#include <vector>
 
 namespace rastertrace {
 
@@ -38,17 +39,24 @@ struct CoveredBox {
 
 class PixelCoverage {
 public:
-    PixelCoverage(int width, int height) : width_(width), height_(height) {}
+    PixelCoverage(int width, int height);
 
     /// A polygon, its places in pixels. Where polygons overlap, what winds around a place counts: two that wind
     /// the same way cover as one.
     void add(std::span<const Place> polygon);
 
-    /// One that winds to the right, however its places are given.
-    void add_positive(std::span<const Place> polygon);
-
     /// A box winds to the right.
     void add(const CoveredBox& box);
+
+    /// What AGG makes of lines and ellipses.
+    template <typename Outline> void add_outline(Outline& outline) {
+        double x = 0;
+        double y = 0;
+        outline.rewind(0);
+        for (unsigned command = outline.vertex(&x, &y); !agg::is_stop(command);
+             command = outline.vertex(&x, &y))
+            rasterizer_.add_vertex(x, y, command);
+    }
 
     /// Tells what is covered, row by row from the top, and forgets it.
     void for_each_run(const std::function<void(const CoverageRun&)>& tell);
@@ -57,31 +65,10 @@ public:
     int height() const { return height_; }
 
 private:
-    /// From the top down.
-    struct Edge {
-        double x; ///< at the top
-        double y; ///< of the top
-        double slope;
-        std::int64_t first; ///< line of samples
-        std::int64_t end;   ///< the one behind the last one
-        int winding;        ///< 1 for an edge that was given downward, -1 for one upward
-    };
-    /// Where an edge meets a line of samples, in 256ths of a pixel.
-    struct Crossing {
-        std::int64_t x;
-        int winding;
-    };
-
-    void add_edge(Place from, Place to);
-    void add_line(std::int64_t line, int weight);
-    void tell_row(int y, const std::function<void(const CoverageRun&)>& tell);
-
     int width_;
     int height_;
-    std::vector<Edge> edges_;
-    std::vector<Edge> active_;
-    std::vector<Crossing> crossings_;
-    std::vector<int> steps_; ///< what each pixel of the row covers more than the one before
+    agg::rasterizer_scanline_aa<agg::rasterizer_sl_clip_dbl> rasterizer_;
+    agg::scanline_p8 line_;
 };
 
 } // namespace rastertrace
