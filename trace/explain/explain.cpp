@@ -58,7 +58,7 @@ Explanation explain_step(const Trace& trace, const std::string& selector) {
 Explanation answer_to(const Question& question, const Trace& trace) {
     switch (question.about) {
     case Topic::pixel:
-        return explain_pixel(trace, question.pixel);
+        return explain_pixel(trace, question);
     case Topic::scanline:
         return explain_scanline(trace, question.pixel.y);
     case Topic::face:

@@ -15,6 +15,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -40,6 +41,9 @@ struct Question {
     Topic about = Topic::pixel;
     Pixel pixel = {};   ///< of Topic::pixel; of Topic::scanline its y
     std::string text{}; ///< the name of a face, vertex or edge; `ABC,ACD` of a pair; a selector
+
+    /// So many of the primitives that have not drawn a pixel, the nearest, are told of in sentences at least.
+    std::size_t most_why_not = std::numeric_limits<std::size_t>::max();
 };
 
 /// The question in words: `pixel (4, 2)`.
@@ -61,7 +65,7 @@ struct WhyNot {
     std::string primitive{};
     std::string
         reason{}; ///< outside, elsewhere, hidden, culled, clipped, skipped, unpainted, rejected, unknown
-    std::string sentence{};           ///< the rule and its numbers
+    std::string sentence{}; ///< the rule and its numbers; "" of one too far away to be told of
     std::optional<double> distance{}; ///< how far outside the pixel's sample lies, in pixels
     std::vector<std::string> working{};
 };

@@ -246,7 +246,7 @@ private:
 
 /// Who has a pixel, and how each of the two came to have it or not.
 PixelAlongEdge pixel_of(const Trace& excerpt, const Pair& pair, Pixel pixel) {
-    const Explanation story = explain_pixel(excerpt, pixel);
+    const Explanation story = explain_pixel(excerpt, {.pixel = pixel});
     PixelAlongEdge found{.pixel = pixel};
     for (const std::string& name : pair.names) {
         const auto why_not =

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <queue>
 #include <utility>
 
 namespace rastertrace {
@@ -27,8 +28,10 @@ class PixelStory {
 public:
     /// Given the sentences of the steps, by their numbers in the whole trace, it tells neither tries nor workings,
     /// which need a replay.
-    PixelStory(const Trace& trace, Pixel pixel, const std::vector<std::string>* sentences = nullptr)
-        : trace_(trace), pixel_(pixel), sentences_(sentences) {}
+    PixelStory(const Trace& trace, const Question& question,
+               const std::vector<std::string>* sentences = nullptr)
+        : trace_(trace), pixel_(question.pixel), most_why_not_(question.most_why_not),
+          sentences_(sentences) {}
 
     Explanation tell() {
         for (std::size_t n = 1; n <= trace_.size(); ++n)
@@ -208,7 +211,13 @@ private:
 
     WhyNot why_not_of(PrimitiveSteps& steps) {
         steps.may_lack = why_steps_may_lack(trace_, is_at_end_);
+        if (nearest_.size() == most_why_not_)
+            steps.farthest_told = nearest_.top();
         WhyNot why = why_not(trace_, steps, pixel_);
+        if (why.distance)
+            nearest_.push(*why.distance);
+        if (nearest_.size() > most_why_not_)
+            nearest_.pop();
         const bool only_hides = why.reason == "unpainted" && steps.has_passed;
         if (only_hides || why.reason == "hidden" || why.reason == "rejected")
             covering_.push_back(why);
@@ -269,6 +278,8 @@ private:
 
     const Trace& trace_;
     Pixel pixel_;
+    std::size_t most_why_not_;
+    std::priority_queue<double> nearest_; ///< so many distances, the largest on top
     const std::vector<std::string>* sentences_;
     std::optional<Replay> replay_;
     Explanation explanation_;
@@ -324,9 +335,9 @@ bool may_be_quoted(StepKind kind) {
 
 } // namespace
 
-Explanation explain_pixel(const Trace& trace, Pixel pixel) {
-    const Trace excerpt = steps_about(trace, pixel);
-    return PixelStory(excerpt, pixel).tell();
+Explanation explain_pixel(const Trace& trace, const Question& question) {
+    const Trace excerpt = steps_about(trace, question.pixel);
+    return PixelStory(excerpt, question).tell();
 }
 
 PixelExplainer::PixelExplainer(const Trace& trace) : trace_(trace) {
@@ -346,7 +357,7 @@ Explanation PixelExplainer::explain(Pixel pixel) {
         row_ = steps_about_row(trace_, pixel.y);
     y_ = pixel.y;
     const Trace excerpt = steps_about(*row_, pixel);
-    return PixelStory(excerpt, pixel, &sentences_).tell();
+    return PixelStory(excerpt, {.pixel = pixel}, &sentences_).tell();
 }
 
 } // namespace rastertrace

@@ -43,7 +43,7 @@ std::vector<std::string> what_lacks(const Trace& trace, std::initializer_list<St
 std::string why_steps_may_lack(const Trace& trace, bool is_last);
 
 /// Answers by topic. A name that is not there is thrown as a Problem.
-Explanation explain_pixel(const Trace& trace, Pixel pixel);
+Explanation explain_pixel(const Trace& trace, const Question& question);
 Explanation explain_scanline(const Trace& trace, int y);
 Explanation explain_face(const Trace& trace, const std::string& name);
 Explanation explain_vertex(const Trace& trace, const std::string& name);

@@ -31,7 +31,7 @@ void StepsOfPixel::take(const StepView& step, std::optional<StepKind> kind, std:
         ray_ = reason_before_ = reason_ = {};
         break;
     case StepKind::ray:
-        ray_ = {std::string(step.json()), kind, number};
+        ray_ = waiting(step, *kind, number);
         reason_before_ = reason_ = {};
         return;
     case StepKind::scanline:
@@ -53,6 +53,13 @@ void StepsOfPixel::take(const StepView& step, std::optional<StepKind> kind, std:
     keep(step, kind, number);
 }
 
+StepsOfPixel::Waiting StepsOfPixel::waiting(const StepView& step, StepKind kind,
+                                            std::size_t number) const {
+    const std::string_view json = step.json();
+    return excerpt_.is_in_file(json) ? Waiting{json, {}, kind, number}
+                                     : Waiting{{}, std::string(json), kind, number};
+}
+
 void StepsOfPixel::begin_primitive(const StepView& step) {
     const auto primitive = step.as<PrimitiveStep>();
     is_line_ = primitive.kind != PrimitiveKind::triangle;
@@ -67,13 +74,13 @@ void StepsOfPixel::take_scanline(const StepView& step, std::size_t number) {
     if (!has_row_ || y_in(step) == pixel_.y)
         keep(step, StepKind::scanline, number);
     else
-        row_ = {std::string(step.json()), StepKind::scanline, number};
+        row_ = waiting(step, StepKind::scanline, number);
     has_row_ = true;
 }
 
 void StepsOfPixel::take_reason(const StepView& step, StepKind kind, std::size_t number) {
     reason_before_ = std::move(reason_);
-    reason_ = {std::string(step.json()), kind, number};
+    reason_ = waiting(step, kind, number);
 }
 
 /// Of a line, also where it is in the pixel's column or row, and what of it the canvas does not have.
@@ -113,7 +120,8 @@ void StepsOfPixel::keep(const StepView& step, std::optional<StepKind> kind, std:
 
 void StepsOfPixel::keep(Waiting& waiting) {
     if (waiting.number != 0)
-        excerpt_.add_to_excerpt(StepView(waiting.json), waiting.kind, waiting.number);
+        excerpt_.add_to_excerpt(StepView(waiting.copy.empty() ? waiting.in_file : waiting.copy),
+                                waiting.kind, waiting.number);
     waiting.number = 0;
 }
 

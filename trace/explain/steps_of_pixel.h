@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace rastertrace {
 
@@ -35,10 +36,12 @@ public:
 private:
     /// A step that matters only if a later one does.
     struct Waiting {
-        std::string json{};
+        std::string_view in_file{}; ///< its text, if that stays where it is
+        std::string copy{};         ///< else
         std::optional<StepKind> kind{};
         std::size_t number = 0; ///< 0: none waits
     };
+    Waiting waiting(const StepView& step, StepKind kind, std::size_t number) const;
 
     void begin_primitive(const StepView& step);
     void take_scanline(const StepView& step, std::size_t number);

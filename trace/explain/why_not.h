@@ -11,6 +11,7 @@
 #include <rastertrace/trace/record/trace.h>
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,6 +32,8 @@ struct PrimitiveSteps {
     bool is_whole = false;              ///< clipping cuts it; its parts follow
     std::string may_lack{};             ///< why steps of it may be missing; "" if all are there
     std::vector<std::string> working{}; ///< of its row, or its sample, in the pixel
+    double farthest_told =
+        std::numeric_limits<double>::infinity(); ///< in pixels; beyond, no words are needed
 };
 
 /// The first step of a kind among some.

@@ -28,6 +28,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <functional>
 #include <limits>
 #include <span>
 #include <utility>
@@ -111,16 +112,30 @@ Trace Trace::without_steps() const {
     excerpt.left_out = left_out;
     excerpt.end = end;
     excerpt.numbers_give = numbers_give;
+    if (text_of_file_.data() != nullptr) {
+        excerpt.source_ = source_;
+        excerpt.text_of_file_ = text_of_file_;
+    }
     return excerpt;
+}
+
+bool Trace::is_in_file(std::string_view json) const {
+    const std::less_equal<> is_not_behind; // also of pointers to different texts
+    return text_of_file_.data() != nullptr && is_not_behind(text_of_file_.data(), json.data()) &&
+           is_not_behind(json.data() + json.size(), text_of_file_.data() + text_of_file_.size());
 }
 
 void Trace::add_to_excerpt(const StepView& step, std::optional<StepKind> kind, std::size_t number) {
     const std::string_view json = step.json();
-    steps_->add({.offset = source_.text.size(),
+    const bool is_mapped = text_of_file_.data() != nullptr;
+    assert(!is_mapped || is_in_file(json));
+    steps_->add({.offset = is_mapped ? static_cast<std::size_t>(json.data() - text_of_file_.data())
+                                     : source_.text.size(),
                  .length = static_cast<std::uint32_t>(json.size()),
                  .kind = kind});
     numbers_.push_back(number);
-    source_.text += json;
+    if (!is_mapped)
+        source_.text += json;
 }
 
 bool Trace::lacks(StepKind kind) const {

@@ -162,8 +162,12 @@ public:
         return numbers_.empty() || n == 0 ? n : numbers_[n - 1];
     }
 
-    /// The header and the end of this trace, without a step: the beginning of an excerpt.
+    /// The header and the end of this trace, without a step: the beginning of an excerpt. It looks at the same file, if
+    /// that is mapped, and copies no step from there.
     Trace without_steps() const;
+
+    /// True for the text of a step that an excerpt need not copy.
+    bool is_in_file(std::string_view json) const;
 
     /// Adds a step to an excerpt: step `number` of the whole trace.
     void add_to_excerpt(const StepView& step, std::optional<StepKind> kind, std::size_t number);

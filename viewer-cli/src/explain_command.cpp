@@ -14,11 +14,13 @@
 
 #include <fmt/core.h>
 
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <variant>
 
@@ -32,6 +34,11 @@ Trace trace_against(const ExplainCommand& command, const InputFrames& input) {
     MethodOverrides method = command.method;
     method.insert(method.end(), changes.begin(), changes.end());
     return input.trace_by(input.first(), method);
+}
+
+bool is_regular_file(const std::string& path) {
+    std::error_code failed;
+    return std::filesystem::is_regular_file(path, failed);
 }
 
 /// The steps of a trace that its pixel needs; none of the others is kept.
@@ -87,7 +94,8 @@ int run(const ExplainCommand& command) {
         const Trace against = trace_against(command, input);
         return tell(command, input.trace(input.first()), &against);
     }
-    if (command.question.about != Topic::pixel || is_marked_file(command.trace))
+    // A pipe is read step by step, and only what the pixel needs is held.
+    if (command.question.about != Topic::pixel || is_regular_file(command.trace))
         return tell(command, load_trace(command.trace, options));
     auto opened = open_input(command.trace, options);
     if (auto* const steps = std::get_if<StepStream>(&opened))
@@ -147,6 +155,8 @@ public:
     void read() override {
         command_.json = is_json(format_, command_.json);
         command_.question = explain_question();
+        if (!command_.json)
+            command_.question.most_why_not = most_why_not_told;
         drawing_.read_into(command_);
     }
 

@@ -15,6 +15,7 @@
 #include <cerrno>
 #include <csignal>
 #include <filesystem>
+#include <limits>
 #include <utility>
 
 namespace rastertrace {
@@ -47,12 +48,6 @@ Trace titled(Trace trace, const std::string& path) {
 }
 
 } // namespace
-
-bool is_marked_file(const std::string& path) {
-    std::error_code failed;
-    return std::filesystem::is_regular_file(path, failed) &&
-           std::filesystem::file_size(path, failed) <= largest_marked_trace;
-}
 
 void refuse_scene_options(const Source& source, const SceneOptions& options) {
     std::string option;
@@ -97,7 +92,10 @@ Trace InputFrames::trace(std::size_t frame) {
     if (!scenes_) {
         const bool is_marked =
             options_.tells_steps && source_.view().size() <= largest_marked_trace;
-        Trace trace = value_or_throw(read_trace(std::move(source_), options_.limits.steps));
+        // What is mapped is not held.
+        const std::size_t most_steps =
+            source_.mapped ? std::numeric_limits<std::size_t>::max() : options_.limits.steps;
+        Trace trace = value_or_throw(read_trace(std::move(source_), most_steps));
         if (is_marked)
             mark_wrong_steps(trace);
         return titled(std::move(trace), path_);

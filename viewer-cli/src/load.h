@@ -44,9 +44,6 @@ struct SceneOptions {
 /// A larger trace is not done again for the sentences of its wrong steps: it would take too long. `validate --redo` does.
 inline constexpr std::uintmax_t largest_marked_trace = 16'000'000; // bytes
 
-/// True for a regular file that is not larger.
-bool is_marked_file(const std::string& path);
-
 /// What a command was given: a trace, or a scene, which has one frame or, if numbers vary, more.
 ///
 ///     InputFrames input("scene.json", {});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A drawing as pixels, drawn by a rasterizer of our own: coverage is worked out in whole numbers, and letters
+// A drawing as pixels, drawn with AGG's coverage, which counts in whole numbers, and letters
 // are outlines of a font that the program holds, so that every machine gets the same bytes.
 //
 //     const Bitmap bitmap = bitmap_of(drawing, Theme::light, 2);  // a unit is 2 x 2 pixels
