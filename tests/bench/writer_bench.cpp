@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Writing a trace: ten million steps (80 % pixel, 10 % depth-like, 10 % scanline) to memory, by the
+// Writing a trace: ten million steps (80 % pixel, 10 % depth, 10 % scanline) to memory, by the
 // StepWriter and by nlohmann-json's dump() of the same steps. "dyadic": quantities are multiples of
 // 1/1024; "full": any 53-bit double.
 
@@ -79,10 +79,7 @@ void write_with_step_writer(benchmark::State& state, bool dyadic) {
                 writer(PixelPlotted{{n.x, n.y}, {}});
             },
             [&](const Numbers& n) {
-                // A step of a kind that the core does not have yet, as an extension would write it.
-                writer.begin_line(StepKind::pixel);
-                writer.put(R"({"step":"depth","x":)", n.x, R"(,"y":)", n.y, R"(,"depth":)", n.a,
-                           R"(,"stored":)", n.b, R"(,"pass":true})");
+                writer(DepthTested<Quantity>{{n.x, n.y}, n.a, n.b, true});
             },
             [&](const Numbers& n) {
                 writer(ScanlineSpanned<Quantity>{n.y, n.a, n.b, n.x, n.x + 9, {0, 1}, {0, 2}});

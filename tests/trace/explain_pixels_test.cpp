@@ -54,6 +54,43 @@ Rational floor_of(const Rational& number) {
     return whole;
 }
 
+// Whoever asks for the nearest gets the same of them as of all, and as many primitives for each reason.
+TEST(ExplainPixel, TheNearestAreToldOfAsAmongAll) {
+    const auto in_order = [](std::vector<WhyNot> all) {
+        std::stable_sort(all.begin(), all.end(), was_nearer_to_drawing);
+        return all;
+    };
+    const auto in_words = [](const WhyNot& why) {
+        return why.primitive + " " + why.reason + " " + why.sentence;
+    };
+    int without_words = 0;
+    for (int seed = 0; seed < random_cases(300); ++seed) {
+        const Trace trace =
+            trace_of(scene_in(RandomScene(static_cast<std::uint64_t>(seed)).text()));
+        const std::vector<Pixel> pixels = pixels_of(trace.canvas);
+        for (std::size_t i = 0; i < pixels.size(); i += 37) {
+            const std::size_t most = 1 + i % 2;
+            const auto all = in_order(about(trace, pixels[i]).why_not);
+            auto answer = explain(trace, {.pixel = pixels[i], .most_why_not = most});
+            ASSERT_TRUE(answer);
+            const auto nearest = in_order(answer.value().why_not);
+            ASSERT_EQ(nearest.size(), all.size());
+            std::map<std::string, int> reasons;
+            for (std::size_t k = 0; k < all.size(); ++k) {
+                if (k < most) {
+                    EXPECT_EQ(in_words(nearest[k]), in_words(all[k])) << "seed " << seed;
+                }
+                without_words += nearest[k].sentence.empty() ? 1 : 0;
+                ++reasons[all[k].reason];
+                --reasons[nearest[k].reason];
+            }
+            for (const auto& [reason, count] : reasons)
+                EXPECT_EQ(count, 0) << reason << ", seed " << seed;
+        }
+    }
+    EXPECT_GT(without_words, random_cases(300));
+}
+
 // The worked triangle of T0: AB is x = (3y - 7)/4, AC is x = (31 - 3y)/8, rows y = 5 to -3.
 TEST(ExplainPixel, EveryPixelOfTheWorkedTriangle) {
     const Trace trace = trace_of(first_triangle());
