@@ -65,8 +65,11 @@ TEST(ExplainPixel, TheNearestAreToldOfAsAmongAll) {
     };
     int without_words = 0;
     for (int seed = 0; seed < random_cases(300); ++seed) {
-        const Trace trace =
-            trace_of(scene_in(RandomScene(static_cast<std::uint64_t>(seed)).text()));
+        auto scene =
+            read_scene({"scene.json", RandomScene(static_cast<std::uint64_t>(seed)).text()});
+        if (!scene)
+            continue;
+        const Trace trace = trace_of(scene.value().scene);
         const std::vector<Pixel> pixels = pixels_of(trace.canvas);
         for (std::size_t i = 0; i < pixels.size(); i += 37) {
             const std::size_t most = 1 + i % 2;
