@@ -7,7 +7,11 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <new>
 
+// Memory that is not there ends the figure: by itself, stb leaves a letter out.
+#define STBTT_malloc(size, user) ((void)(user), ::operator new(size))
+#define STBTT_free(memory, user) ((void)(user), ::operator delete(memory))
 #define STBTT_STATIC
 #define STB_TRUETYPE_IMPLEMENTATION
 #include <stb/stb_truetype.h>
