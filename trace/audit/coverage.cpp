@@ -139,7 +139,7 @@ void add_missing(Coverage& coverage, int y, const Span& gap, const Span& inside)
 
 /// Why the step that found a row's ends, or the pixel itself, has led to a pixel outside: `step`, 0 if
 /// there is none.
-std::string cause_of(const Trace& trace, std::size_t step, int x, const SampleGrid& grid) {
+std::string cause_of(const Trace& trace, std::size_t step, int x, const CanvasSamples& grid) {
     const auto kind = step == 0 ? std::nullopt : trace.kind_of(step);
     if (kind == StepKind::sample)
         return "the weights of the sample were rounded";
@@ -165,7 +165,7 @@ std::string cause_of(const Trace& trace, std::size_t step, int x, const SampleGr
 /// ascending order.
 std::vector<PixelCause> causes_of(const std::vector<std::uint32_t>& outside,
                                   const DrawnPrimitive& primitive, const Trace& trace,
-                                  const SampleGrid& grid) {
+                                  const CanvasSamples& grid) {
     std::vector<PixelCause> causes;
     std::vector<bool> has_cause(outside.size());
     std::size_t decisive = 0;
@@ -198,7 +198,7 @@ std::vector<PixelCause> causes_of(const std::vector<std::uint32_t>& outside,
     return causes;
 }
 
-Coverage coverage_of(const Cornered& triangle, const Trace& trace, const SampleGrid& grid) {
+Coverage coverage_of(const Cornered& triangle, const Trace& trace, const CanvasSamples& grid) {
     const Canvas& canvas = grid.canvas;
     const auto& [a, b, c] = triangle.at;
     const auto& drawn = triangle.drawn->covering();
@@ -319,7 +319,7 @@ ConvexRegion region_at_edge(const EdgeUse& edge, const Cornered& triangle, bool 
 std::vector<std::uint32_t> never_drawn(const ScreenPoint& from, const ScreenPoint& to,
                                        ConvexRegion within, std::span<const ConvexRegion> regions,
                                        const DrawnPrimitive& one, const DrawnPrimitive& other,
-                                       const SampleGrid& grid) {
+                                       const CanvasSamples& grid) {
     const Canvas& canvas = grid.canvas;
 
     // a x + b y + c is b times the height above the edge, and a times the distance to its right.
@@ -381,7 +381,7 @@ PixelList drawn_by_both(const DrawnPrimitive& one, const DrawnPrimitive& other,
 }
 
 /// Every pair of the triangles at an edge.
-void compare_at_edge(const EdgeUse& edge, const Trace& trace, const SampleGrid& grid,
+void compare_at_edge(const EdgeUse& edge, const Trace& trace, const CanvasSamples& grid,
                      Stats& stats) {
     const Cornered& first = *edge.triangles.front();
     const ScreenPoint& from = first.at[edge.from];
@@ -421,7 +421,7 @@ std::string vertex_name(const PrimitiveStep& step, std::size_t corner) {
 
 /// Counts the pixels along a T-junction that its triangle and one beside it drew, or neither did.
 void count_pixels(const TJunction& junction, const std::vector<Cornered>& drawn,
-                  const SampleGrid& grid, EdgeWithJunctions& result) {
+                  const CanvasSamples& grid, EdgeWithJunctions& result) {
     const Cornered& owner = drawn[junction.edge.from.triangle];
     const auto covers = [](const Cornered& triangle, std::uint32_t offset) {
         const auto& covered = triangle.drawn->covering();
@@ -470,7 +470,7 @@ void count_pixels(const TJunction& junction, const std::vector<Cornered>& drawn,
 /// The T-junctions among the triangles that are drawn. The edges of those that are not count too:
 /// whoever shares one has a neighbor.
 void find_junctions(const std::vector<Cornered>& drawn, const std::vector<Cornered>& not_drawn,
-                    const Trace& trace, const SampleGrid& grid, Stats& stats) {
+                    const Trace& trace, const CanvasSamples& grid, Stats& stats) {
     std::vector<ScreenTriangle> mesh;
     for (const Cornered& triangle : drawn)
         mesh.push_back({triangle.at, triangle.corners});
@@ -505,7 +505,7 @@ double one_rounding_of(const Trace& trace) {
 }
 
 /// Judges all triangles with area by the samples of a grid.
-void judge_by_samples(const SampleGrid& grid, const Trace& trace, std::vector<Cornered>& fills,
+void judge_by_samples(const CanvasSamples& grid, const Trace& trace, std::vector<Cornered>& fills,
                       const std::vector<Cornered>& not_drawn, Stats& stats) {
     stats.edges.clear();
     stats.t_junctions.clear();

@@ -52,7 +52,7 @@ template <typename... Points> double spread_of(const Points&... points) {
 
 /// The pixels whose sample points have a x + b y + c >= 0.
 HalfPlane half_plane(const mpq_class& a, const mpq_class& b, const mpq_class& c,
-                     const SampleGrid& grid) {
+                     const CanvasSamples& grid) {
     // From the sample point to the pixel that it belongs to.
     const mpq_class at_pixel = c + (a + b) * mpq_class(grid.offset);
 
@@ -99,7 +99,7 @@ Coordinate::Coordinate(const mpq_class& value) : nearest_(nearest_double(value))
         fraction_ = std::make_shared<const mpq_class>(value);
 }
 
-HalfPlane left_of(const ScreenPoint& from, const ScreenPoint& to, const SampleGrid& grid,
+HalfPlane left_of(const ScreenPoint& from, const ScreenPoint& to, const CanvasSamples& grid,
                   const mpq_class& widening) {
     const auto [x, y] = exact_point(from);
     const mpq_class dx = to.x.exact() - x;
@@ -121,7 +121,8 @@ ConvexRegion interior_of(ConvexRegion region) {
     return region;
 }
 
-ConvexRegion between_ends(const ScreenPoint& from, const ScreenPoint& to, const SampleGrid& grid) {
+ConvexRegion between_ends(const ScreenPoint& from, const ScreenPoint& to,
+                          const CanvasSamples& grid) {
     const bool runs_along_x =
         abs(to.x.exact() - from.x.exact()) >= abs(to.y.exact() - from.y.exact());
     const auto [low, high] = runs_along_x ? std::minmax(from.x, to.x) : std::minmax(from.y, to.y);
@@ -155,7 +156,7 @@ Span span_on_row(const ConvexRegion& region, int y, const Span& within) {
     return span;
 }
 
-Span rows_between(const Coordinate& low, const Coordinate& high, const SampleGrid& grid) {
+Span rows_between(const Coordinate& low, const Coordinate& high, const CanvasSamples& grid) {
     const auto [lowest, highest] = std::minmax<Index>({grid.canvas.top(), grid.canvas.bottom()});
     const auto sample_at = [&grid](Index y) {
         return Coordinate(static_cast<double>(y) + grid.offset);
@@ -189,7 +190,7 @@ int orientation(const ScreenPoint& a, const ScreenPoint& b, const ScreenPoint& c
                             : sgn(doubled_area(exact_point(a), exact_point(b), exact_point(c)));
 }
 
-TriangleSamples::TriangleSamples(const std::array<ScreenPoint, 3>& at, const SampleGrid& grid,
+TriangleSamples::TriangleSamples(const std::array<ScreenPoint, 3>& at, const CanvasSamples& grid,
                                  double one_rounding)
     : at_(&at), grid_(grid), one_rounding_(one_rounding),
       orientation_(orientation(at[0], at[1], at[2])), spread_(spread_of(at[0], at[1], at[2])) {

@@ -21,7 +21,7 @@
 namespace rastertrace {
 
 /// Where sample points are.
-struct SampleGrid {
+struct CanvasSamples {
     Canvas canvas;
     double offset; ///< from a pixel's integer point to its sample point, in x and in y: 0 or 1/2
 };
@@ -48,7 +48,7 @@ using ConvexRegion = std::vector<HalfPlane>;
 
 /// Left of the line from one point to another, where y points up: the edge function, twice the
 /// signed area that a sample point makes with the edge, is at least -`widening`. Pineda 1988.
-HalfPlane left_of(const ScreenPoint& from, const ScreenPoint& to, const SampleGrid& grid,
+HalfPlane left_of(const ScreenPoint& from, const ScreenPoint& to, const CanvasSamples& grid,
                   const mpq_class& widening = 0);
 
 /// The other side of the line.
@@ -62,14 +62,15 @@ ConvexRegion interior_of(ConvexRegion region);
 
 /// What lies between the ends of an edge: x or y, whichever it runs along more, is from that of
 /// one end to that of the other.
-ConvexRegion between_ends(const ScreenPoint& from, const ScreenPoint& to, const SampleGrid& grid);
+ConvexRegion between_ends(const ScreenPoint& from, const ScreenPoint& to,
+                          const CanvasSamples& grid);
 
 /// The pixels of `within`, a part of row `y`, that lie in a region. Where there are none, the
 /// result begins one behind the end of `within`.
 Span span_on_row(const ConvexRegion& region, int y, const Span& within);
 
 /// The rows of the canvas, counted from its top, whose sample points have a y from `low` to `high`.
-Span rows_between(const Coordinate& low, const Coordinate& high, const SampleGrid& grid);
+Span rows_between(const Coordinate& low, const Coordinate& high, const CanvasSamples& grid);
 
 /// All pixels of a row.
 Span whole_row(const Canvas& canvas);
@@ -82,7 +83,7 @@ class TriangleSamples {
 public:
     /// `one_rounding` is what one rounding of the numbers of the trace may put a number off, relative to it: 2^-53 of
     /// doubles, 0 of exact ones.
-    TriangleSamples(const std::array<ScreenPoint, 3>& at, const SampleGrid& grid,
+    TriangleSamples(const std::array<ScreenPoint, 3>& at, const CanvasSamples& grid,
                     double one_rounding);
 
     struct Row {
@@ -113,7 +114,7 @@ private:
     std::optional<Span> clear_span(int y) const;
 
     const std::array<ScreenPoint, 3>* at_;
-    SampleGrid grid_;
+    CanvasSamples grid_;
     double one_rounding_;
     int orientation_;
     double error_; ///< at least what rounding may put an edge function off
