@@ -279,7 +279,7 @@ char* write_quoted(char* out, std::string_view text) {
         else if (character.value == not_a_character)
             write("\\ufffd");
         else if (is_unsafe(character.value))
-            out = fmt::format_to(out, "\\u{:04x}", static_cast<unsigned>(character.value));
+            write(fmt::format("\\u{:04x}", static_cast<unsigned>(character.value)));
         else
             write(bytes);
         text.remove_prefix(character.length);
