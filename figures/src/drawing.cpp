@@ -145,7 +145,7 @@ double width_of(std::string_view text, double size, bool is_bold) {
     while (!text.empty()) {
         const std::size_t length = first_code_point(text).length;
         const char32_t character = first_code_point(text).value;
-        const auto advance = advance_of(character, is_bold ? Face::bold : Face::regular);
+        const auto advance = advance_of(character, is_bold ? Typeface::bold : Typeface::regular);
         ems += advance.value_or(fixed_advance *
                                 static_cast<double>(columns_in(text.substr(0, length))));
         text.remove_prefix(length);

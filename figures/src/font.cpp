@@ -29,7 +29,7 @@ stbtt_fontinfo font_in(const unsigned char* file) {
     return font;
 }
 
-const stbtt_fontinfo& font_of(Face face) {
+const stbtt_fontinfo& font_of(Typeface face) {
     static const std::array fonts{font_in(DejaVuSans_ttf), font_in(DejaVuSans_Bold_ttf),
                                   font_in(DejaVuSansMono_ttf)};
     return fonts[static_cast<std::size_t>(face)];
@@ -96,7 +96,7 @@ int units_to_next(const stbtt_fontinfo& font, int glyph) {
 
 } // namespace
 
-std::optional<double> advance_of(char32_t character, Face face) {
+std::optional<double> advance_of(char32_t character, Typeface face) {
     const stbtt_fontinfo& font = font_of(face);
     const int glyph = stbtt_FindGlyphIndex(&font, static_cast<int>(character));
     if (glyph == 0)
@@ -104,7 +104,7 @@ std::optional<double> advance_of(char32_t character, Face face) {
     return units_to_next(font, glyph) / units_per_em;
 }
 
-Outline outline_of(char32_t character, Face face, double size) {
+Outline outline_of(char32_t character, Typeface face, double size) {
     const stbtt_fontinfo& font = font_of(face);
     const int glyph = stbtt_FindGlyphIndex(&font, static_cast<int>(character));
     const double scale = size / units_per_em;

@@ -4,7 +4,7 @@
 // The letters of our bitmaps: DejaVu Sans (figures/font), as outlines that stb_truetype reads. It has Latin, Greek,
 // and signs of mathematics.
 //
-//     outline_of(U'A', Face::regular, 20).advance  // 13.68: where the next letter begins
+//     outline_of(U'A', Typeface::regular, 20).advance  // 13.68: where the next letter begins
 
 #include <rastertrace/figures/drawing.h>
 
@@ -14,7 +14,7 @@
 
 namespace rastertrace {
 
-enum class Face : std::uint8_t { regular, bold, fixed_width };
+enum class Typeface : std::uint8_t { regular, bold, fixed_width };
 
 /// A letter that begins at (0, 0), on the line that letters stand on; y goes down.
 struct Outline {
@@ -23,9 +23,9 @@ struct Outline {
 };
 
 /// From a letter to the next one, in ems; nothing if the font has not the character.
-std::optional<double> advance_of(char32_t character, Face face);
+std::optional<double> advance_of(char32_t character, Typeface face);
 
 /// In pixels, for letters of `size` pixels an em. A character that the font has not is a box.
-Outline outline_of(char32_t character, Face face, double size);
+Outline outline_of(char32_t character, Typeface face, double size);
 
 } // namespace rastertrace

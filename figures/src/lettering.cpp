@@ -18,9 +18,9 @@ void add_lettering(const Label& label, double scale, double rim, PixelCoverage& 
     const double size = label.size * scale;
     if (size <= 0)
         return;
-    const Face face = label.is_fixed_width ? Face::fixed_width
-                      : label.is_bold      ? Face::bold
-                                           : Face::regular;
+    const Typeface face = label.is_fixed_width ? Typeface::fixed_width
+                          : label.is_bold      ? Typeface::bold
+                                               : Typeface::regular;
     // Letters beside one another from x = 0 on.
     std::vector<Path> contours;
     double width = 0;
