@@ -264,8 +264,9 @@ void FrameCells::set_up_depths(std::size_t room) {
         const double share = range > 0 ? (*depth.value - *least) / range : 1;
         return std::optional(larger ? share : 1 - share);
     };
-    if (width_ > room) {
-        // A ramp.
+    const bool is_ramp = width_ > room;
+    if (is_ramp) {
+        width_ = 1;
         if (least)
             legend_.push_back(fmt::format("far {:.4g} {} {:.4g} near", larger ? *least : *largest,
                                           ramp, larger ? *largest : *least));
@@ -273,7 +274,7 @@ void FrameCells::set_up_depths(std::size_t room) {
                         [](const auto& depth) { return !depth.second.value; }))
             legend_.emplace_back("? not finite");
     }
-    cell_ = [&frame, brightness, depths = std::move(depths), is_ramp = width_ > room,
+    cell_ = [&frame, brightness, depths = std::move(depths), is_ramp,
              clear = cleared_depth(trace)](std::size_t offset, Pixel) {
         const auto depth = depths.find(frame.stored_by[offset]);
         if (depth == depths.end())
@@ -283,8 +284,6 @@ void FrameCells::set_up_depths(std::size_t room) {
                                      : std::string(1, share ? ramp_at(*share) : '?'),
                     .brightness = share};
     };
-    if (width_ > room)
-        width_ = 1;
 }
 
 void FrameCells::set_up_coverage() {

@@ -20,7 +20,6 @@
 #include <set>
 #include <span>
 #include <tuple>
-#include <unordered_map>
 #include <utility>
 
 namespace rastertrace {
@@ -503,9 +502,7 @@ private:
             const auto& [x, y] = piece.positions[i];
             triangle.at[i] = {Coordinate(x), Coordinate(y)};
             triangle.names[i] = names.corners[i];
-            const auto next = static_cast<std::uint32_t>(position_numbers_.size());
-            triangle.corners[i] =
-                position_numbers_.emplace(x.get_str() + "," + y.get_str(), next).first->second;
+            triangle.corners[i] = position_numbers_.of(triangle.at[i]);
         }
         const auto& [a, b, c] = piece.positions;
         triangle.name = names.piece;
@@ -541,7 +538,7 @@ private:
     std::set<std::tuple<bool, std::size_t, std::size_t>>
         seen_edges_; ///< filled or not, and its ends
     std::vector<NamedTriangle> triangles_;
-    std::unordered_map<std::string, std::uint32_t> position_numbers_;
+    PointNumbers position_numbers_;
     std::array<std::vector<Cliff>, cliff_kind_count> found_;
     std::array<std::uint64_t, cliff_kind_count> more_{};
 };

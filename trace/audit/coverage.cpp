@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <iterator>
 #include <map>
 #include <optional>
@@ -69,16 +68,6 @@ struct Cornered {
     bool is_drawn_whole = false; ///< it has all its samples, and rounding matters for none of them
 };
 
-/// Numbers positions: equal ones have the same number.
-struct HashOfPoint {
-    std::size_t operator()(const ScreenPoint& point) const {
-        const std::hash<double> hash;
-        constexpr std::size_t odd = 0x9E3779B97F4A7C15; // 2^64 over the golden ratio
-        return (hash(point.x.nearest()) * odd) ^ hash(point.y.nearest());
-    }
-};
-using PositionNumbers = std::unordered_map<ScreenPoint, std::uint32_t, HashOfPoint>;
-
 /// A number of a step as it is stored, if it is one.
 std::optional<Coordinate> coordinate_in(std::string_view json, bool is_float) {
     if (const auto stored = stored_double_in(json, is_float))
@@ -100,14 +89,13 @@ std::optional<ScreenPoint> position_in(std::string_view json, bool is_float) {
 
 /// The corners that a primitive's step gives, numbered.
 std::optional<Cornered> corners_of(const PrimitiveStep& step, const Trace& trace,
-                                   PositionNumbers& numbers) {
+                                   PointNumbers& numbers) {
     const auto at = positions_in(step, trace);
     if (!at)
         return std::nullopt;
     Cornered result{.at = *at};
     for (std::size_t i = 0; i < 3; ++i) {
-        const auto next = static_cast<std::uint32_t>(numbers.size());
-        result.corners[i] = numbers.emplace(result.at[i], next).first->second;
+        result.corners[i] = numbers.of(result.at[i]);
     }
     return result;
 }
@@ -620,7 +608,7 @@ std::optional<std::array<ScreenPoint, 3>> positions_in(const PrimitiveStep& step
 
 void compare_with_corners(const Trace& trace, std::span<const DrawnPrimitive> drawn, Stats& stats) {
     // The triangles and the outlines whose corners are known.
-    PositionNumbers numbers;
+    PointNumbers numbers;
     std::vector<Cornered> fills;
     std::vector<Cornered> not_drawn;
     std::vector<Cornered> outlines;

@@ -10,7 +10,11 @@
 #include <gmpxx.h>
 
 #include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <memory>
+#include <unordered_map>
 
 namespace rastertrace {
 
@@ -46,6 +50,25 @@ struct ScreenPoint {
 
     /// The order of points along any line.
     friend auto operator<=>(const ScreenPoint&, const ScreenPoint&) = default;
+};
+
+/// Numbers points from 0 on: equal ones have the same number.
+class PointNumbers {
+public:
+    std::uint32_t of(const ScreenPoint& point) {
+        const auto next = static_cast<std::uint32_t>(numbers_.size());
+        return numbers_.emplace(point, next).first->second;
+    }
+
+private:
+    struct Hash {
+        std::size_t operator()(const ScreenPoint& point) const {
+            const std::hash<double> hash;
+            constexpr std::size_t odd = 0x9E3779B97F4A7C15; // 2^64 over the golden ratio
+            return (hash(point.x.nearest()) * odd) ^ hash(point.y.nearest());
+        }
+    };
+    std::unordered_map<ScreenPoint, std::uint32_t, Hash> numbers_;
 };
 
 } // namespace rastertrace

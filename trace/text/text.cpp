@@ -271,7 +271,7 @@ char* write_quoted(char* out, std::string_view text) {
         const CodePoint character = first_code_point(text);
         const std::string_view bytes = text.substr(0, character.length);
         if (bytes == "\"" || bytes == "\\")
-            write("\\"), write(bytes);
+            write(std::string("\\").append(bytes));
         else if (bytes == "\n")
             write("\\n");
         else if (bytes == "\t")

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A drawing as pixels, drawn with AGG's coverage, which counts in whole numbers, and letters
-// are outlines of a font that the program holds, so that every machine gets the same bytes.
+// A drawing as pixels. AGG finds how much of each pixel a shape covers, in whole numbers, and letters are outlines
+// of a font that the program holds, so that every machine gets the same bytes.
 //
 //     const Bitmap bitmap = bitmap_of(drawing, Theme::light, 2);  // a unit is 2 x 2 pixels
 //     const Color corner = bitmap.at(0, 0);
