@@ -60,15 +60,16 @@ std::vector<ShownSteps> film_of(const Trace& trace, std::size_t most) {
     for (std::size_t n = 1; n <= trace.size() && frames.size() <= most; ++n) {
         const auto kind = trace.kind_of(n);
         if (kind == StepKind::primitive) {
-            is_fill = trace.step(n).as<PrimitiveStep>().kind == PrimitiveKind::triangle;
+            is_fill = is_filled(trace.step(n).as<PrimitiveStep>().kind);
             row = no_row;
         } else if (kind == StepKind::vertex || (kind == StepKind::pixel && !is_fill)) {
             frames.push_back({n, n});
         } else if (kind == StepKind::ray) {
             frames.push_back({n, end_of(trace, n)});
             n = frames.back().last;
-        } else if (is_fill && (kind == StepKind::scanline || kind == StepKind::sample ||
-                               kind == StepKind::depth || kind == StepKind::pixel)) {
+        } else if (is_fill && (kind == StepKind::crossings || kind == StepKind::scanline ||
+                               kind == StepKind::sample || kind == StepKind::depth ||
+                               kind == StepKind::pixel)) {
             const Index y = y_in(trace.step(n)).value_or(0);
             if (row != y)
                 frames.push_back({n, n});

@@ -114,7 +114,7 @@ View default_view(const Trace& trace) {
         const auto primitive = trace.step(n).as<PrimitiveStep>();
         if (primitive.colors)
             return View::shade;
-        if (primitive.kind != PrimitiveKind::triangle || primitive.painted.is_false())
+        if (!is_filled(primitive.kind) || primitive.painted.is_false())
             continue;
         colors.insert(primitive.color.text());
         if (faces.size() <= face_letters.size())

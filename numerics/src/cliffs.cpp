@@ -239,9 +239,8 @@ private:
             if (primitive.kind != PrimitiveKind::triangle)
                 continue;
             const auto [a, b, c] = primitive.vertices;
-            const auto face =
-                face_of<Rational>(tested, geometry.list.transforms, primitive,
-                                  {geometry.world[a], geometry.world[b], geometry.world[c]});
+            const std::array world{geometry.world[a], geometry.world[b], geometry.world[c]};
+            const auto face = face_of<Rational>(tested, geometry.list.transforms, primitive, world);
             if (!face.tested || !face.tested->cosine)
                 continue;
             const double cosine = std::abs(*face.tested->cosine);

@@ -635,7 +635,7 @@ private:
     template <typename Scalar>
     static PainterOrder<Scalar> order_by(const Scene& scene, const std::vector<Scalar>& distances) {
         return sorted_by_distance(
-            scene, keys_of_triangles<Scalar>(scene, [&](std::size_t vertex) -> const Scalar& {
+            scene, keys_of_faces<Scalar>(scene, [&](std::size_t vertex) -> const Scalar& {
                 return distances[vertex];
             }));
     }

@@ -176,7 +176,7 @@ template <typename Scalar>
 Scalar facing(const Point3<Scalar>& a, const Point3<Scalar>& b, const Point3<Scalar>& c,
               const Point3<Scalar>& eye, const Point3<Scalar>& v) {
     const Point3<Scalar> view = eye - v;
-    return dot(normal_of<Scalar>(a, b, c), view);
+    return dot(normal_of<Scalar>(std::array{a, b, c}), view);
 }
 
 /// A point whose coordinates are so many tenths, rounded to Scalar.

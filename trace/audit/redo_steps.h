@@ -113,6 +113,8 @@ private:
             return redo_edge(step.as<EdgeStep>());
         case StepKind::half:
             return walks_.clear();
+        case StepKind::crossings:
+            return redo_crossings(step.as<CrossingsStep>());
         case StepKind::scanline:
             return redo_scanline(step.as<ScanlineStep>());
         case StepKind::along:
@@ -303,6 +305,7 @@ private:
         edges_.clear();
         functions_.clear();
         walks_.clear();
+        spans_.clear();
         row_.reset();
         side_ = {0, kind_ == "point" ? 0U : 1U};
         if (kind_ == "triangle" && at_.size() == 3 && depths_.size() == 3) {
@@ -319,8 +322,9 @@ private:
     Ends ends_of(const std::string& name) const {
         const std::vector<std::string_view> views(names_.begin(), names_.end());
         const std::string separator(name_separator(views));
-        for (std::size_t from = 0; from < names_.size(); ++from)
-            for (std::size_t to = 0; to < names_.size(); ++to)
+        const std::size_t count = names_.size();
+        for (std::size_t from = 0; from < count; ++from)
+            for (const std::size_t to : {(from + 1) % count, (from + count - 1) % count})
                 if (from != to && names_[from] + separator + names_[to] == name &&
                     std::max(from, to) < at_.size())
                     return {from, to};
@@ -402,12 +406,86 @@ private:
         std::optional<Depth> right_depth;
     };
 
+    /// A span of a polygon in a row.
+    struct Span {
+        std::string left_edge;
+        std::string right_edge;
+        Real left;
+        Real right;
+    };
+
+    /// Which ways a polygon runs along an edge, as seen in the picture: down 1, up -1. It may do both.
+    std::set<int> turns_of(const std::string& edge) const {
+        std::set<int> turns;
+        const std::vector<std::string_view> views(names_.begin(), names_.end());
+        const std::string separator(name_separator(views));
+        for (std::size_t i = 0; i < names_.size(); ++i) {
+            const std::string& next = names_[(i + 1) % names_.size()];
+            if (names_[i] + separator + next == edge)
+                turns.insert(1);
+            if (next + separator + names_[i] == edge)
+                turns.insert(-1);
+        }
+        return turns;
+    }
+
+    void redo_crossings(const CrossingsStep& step) {
+        spans_.clear();
+        const auto edges = step.edges.texts();
+        const auto x = numbers_of<Real>(step.x);
+        const auto told = numbers_of<Rational>(step.winding);
+        std::size_t left = edges.size(); // of a span that is open
+        Rational winding = 0;
+        for (std::size_t i = 0; i < edges.size(); ++i) {
+            const Rational before = winding;
+            winding = told_at(told, i);
+            const Rational turn = winding - before;
+            const auto turns = turns_of(edges[i]);
+            if (std::none_of(turns.begin(), turns.end(), [&](int one) { return turn == one; }))
+                expect(turns.empty() ? throw NotTold() : Rational(before + *turns.begin()), winding,
+                       "crossings: winding");
+            if (knows_all)
+                expect(x_of(edges[i], step.y), told_at(x, i), "crossings: x");
+            if (i > 0)
+                expect(!(told_at(x, i) < x[i - 1]), true, "crossings: x", " in order");
+            const bool is_in = is_inside(static_cast<int>(winding.get_d()), method_.fill_rule);
+            if (left == edges.size() && is_in)
+                left = i;
+            if (left != edges.size() && !is_in) {
+                spans_.push_back({edges[left], edges[i], told_at(x, left), told_at(x, i)});
+                left = edges.size();
+            }
+        }
+        expect(winding, Rational(0), "crossings: winding", " behind the last edge");
+    }
+
+    /// A span of a polygon is one of those between its row's crossings.
+    void redo_span(const Row& row, const std::string& left_edge, const std::string& right_edge) {
+        if (rules_.says("rounding")) {
+            const SpanRounding rule = span_rounding(method_);
+            expect(pixel_of(exactly(row.left), rule, false), row.from, "scanline: from");
+            expect(pixel_of(exactly(row.right), rule, true), row.to, "scanline: to");
+        }
+        if (spans_.empty() || !rules_.says("fill_rule"))
+            return;
+        const auto found = std::find_if(spans_.begin(), spans_.end(), [&](const Span& span) {
+            return span.left_edge == left_edge && span.right_edge == right_edge;
+        });
+        expect(found != spans_.end(), true, "scanline: is inside");
+        if (found == spans_.end())
+            return;
+        expect(found->left, row.left, "scanline: left");
+        expect(found->right, row.right, "scanline: right");
+    }
+
     void redo_scanline(const ScanlineStep& step) {
         Row row{step.y, step.from, step.to, number_of<Real>(step.left), number_of<Real>(step.right),
                 {},     {}};
         const std::string left_edge = step.left_edge.text();
         const std::string right_edge = step.right_edge.text();
         row_ = row;
+        if (kind_ == "polygon")
+            return redo_span(row, left_edge, right_edge);
         if (!rules_.says("fill"))
             return;
         if (method_.fill == Fill::top_left) {
@@ -830,6 +908,7 @@ private:
     std::vector<At> at_;
     std::vector<Depth> depths_;
     std::optional<Index> radius_; ///< of a circle
+    std::vector<Span> spans_;     ///< of a polygon, in the row of the crossings before
     Color color_;
     std::vector<Color> colors_;
     std::map<std::string, std::optional<Real>> edges_; ///< dx/dy; none of a horizontal one

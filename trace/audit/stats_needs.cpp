@@ -17,10 +17,11 @@ void StatsNeeds::begin(const PrimitiveStep& step, std::size_t number) {
                                         printable(step.name.text()), number)};
     primitive_.is_judged = step.kind != PrimitiveKind::line && step.kind != PrimitiveKind::point &&
                            step.kind != PrimitiveKind::outline &&
-                           step.kind != PrimitiveKind::circle && !step.painted.is_false();
+                           step.kind != PrimitiveKind::circle &&
+                           step.kind != PrimitiveKind::polygon && !step.painted.is_false();
     if (step.kind != PrimitiveKind::triangle)
-        primitive_.lacks =
-            "expected a triangle, outline, line, circle or point, found " + primitive_.called;
+        primitive_.lacks = "expected a triangle, polygon, outline, line, circle or point, found " +
+                           primitive_.called;
     else if (step.within)
         primitive_.lacks =
             R"(expected an exact "at" of )" + primitive_.called + R"(, found one with "within")";

@@ -59,7 +59,8 @@ struct FieldWords {
     std::string_view field;
     std::string_view words;
 };
-constexpr std::array<FieldWords, 13> field_words{{{"left", "left end"},
+constexpr std::array<FieldWords, 14> field_words{{{"left", "left end"},
+                                                  {"x", "ends of the row"},
                                                   {"right", "right end"},
                                                   {"from", "first pixel"},
                                                   {"to", "last pixel"},
@@ -133,7 +134,7 @@ private:
             line_.fail(second, fmt::format("what is claimed of {}", name.text), std::string(forms));
     }
 
-    /// [ABC ]y=2: -1/4, 25/8 -> -1..3
+    /// [ABC ]y=2: -1/4, 25/8 -> -1..3, or the ends of all spans of a polygon in the row.
     void read_row(const std::optional<ClaimWord>& primitive) {
         begin("scanline", primitive);
         line_.next();
@@ -141,24 +142,30 @@ private:
         put("y", line_.next());
         const bool is_depth = line_.take("depth");
         line_.expect(":", "`:`");
-        if (is_depth)
-            return read_ends("left_depth", "right_depth", line_.next());
+        if (is_depth) {
+            put("left_depth", line_.next());
+            line_.expect(",", "a comma between left_depth and right_depth");
+            return put("right_depth", line_.next());
+        }
         if (!line_.take("->")) {
-            const ClaimWord first = line_.next();
+            std::vector<ClaimWord> ends{line_.next()};
             if (line_.peek().is(".."))
-                return read_pixels_of_row(first);
-            read_ends("left", "right", first);
+                return read_pixels_of_row(ends.front());
+            while (line_.take(","))
+                ends.push_back(line_.next());
+            if (ends.size() > 2) {
+                claim_.step = "crossings"; // of a polygon
+                return put_list("x", ends);
+            }
+            put("left", ends.front());
+            if (ends.size() < 2)
+                line_.expect(",", "a comma between left and right");
+            put("right", ends.back());
             if (line_.at_end())
                 return;
             line_.expect("->", "`->` and the pixels, or the end of the line");
         }
         read_pixels_of_row(line_.next());
-    }
-
-    void read_ends(std::string_view left, std::string_view right, const ClaimWord& first) {
-        put(left, first);
-        line_.expect(",", fmt::format("a comma between {} and {}", left, right));
-        put(right, line_.next());
     }
 
     void read_pixels_of_row(const ClaimWord& from) {

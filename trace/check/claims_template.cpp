@@ -74,6 +74,7 @@ private:
             const auto primitive = step.as<PrimitiveStep>();
             primitive_ = primitive.name.text();
             is_line_ = primitive.kind == PrimitiveKind::line;
+            has_spans_ = false;
             return;
         }
         case StepKind::face:
@@ -88,6 +89,8 @@ private:
                                            name_in_table(edge.edge.text())));
             return;
         }
+        case StepKind::crossings:
+            return add_crossings(step.as<CrossingsStep>());
         case StepKind::scanline:
             return add_row(step.as<ScanlineStep>());
         case StepKind::decide:
@@ -115,7 +118,18 @@ private:
         add_line(StepKind::face, fmt::format("dot {}: ? ?", name));
     }
 
+    /// The ends of all spans of a row, if there is more than one.
+    void add_crossings(const CrossingsStep& row) {
+        const std::size_t count = row.x.values().size();
+        has_spans_ = count > 2;
+        if (has_spans_)
+            add_line(StepKind::crossings,
+                     fmt::format("{}y={}: {}", of_primitive(), row.y, open_values(count, ", ")));
+    }
+
     void add_row(const ScanlineStep& row) {
+        if (has_spans_)
+            return;
         const std::string name = fmt::format("{}y={}", of_primitive(), row.y);
         add_line(StepKind::scanline, name + ": ?, ? -> ?..?");
         if (row.left_depth)
@@ -170,7 +184,8 @@ private:
     std::map<std::pair<Index, Index>, std::size_t> tests_; ///< depth tests of each pixel
     std::string primitive_;                                ///< the name of the current one
     bool is_line_ = false;                                 ///< and if it is a line
-    std::size_t decisions_ = 0;                            ///< of the current line
+    bool has_spans_ = false;    ///< the row has more than one, which are claimed by its ends
+    std::size_t decisions_ = 0; ///< of the current line
     std::string text_;
     std::set<std::string> lines_;
     std::size_t left_out_ = 0;

@@ -309,19 +309,19 @@ Trace steps_about(const Trace& trace, Pixel pixel) {
     return excerpt;
 }
 
-/// The trace without what is about pixels of triangles in other rows.
+/// The trace without what is about pixels of fills in other rows.
 Trace steps_about_row(const Trace& trace, int y) {
     Trace excerpt = trace.without_steps();
     excerpt.damage = trace.damage;
-    bool is_triangle = false;
+    bool is_fill = false;
     for (std::size_t n = 1; n <= trace.size(); ++n) {
         const StepView step = trace.step(n);
         const auto kind = trace.kind_of(n);
         if (kind == StepKind::primitive)
-            is_triangle = step.as<PrimitiveStep>().kind == PrimitiveKind::triangle;
+            is_fill = is_filled(step.as<PrimitiveStep>().kind);
         const bool is_of_pixel =
             kind == StepKind::pixel || kind == StepKind::depth || kind == StepKind::sample;
-        if (!is_triangle || !is_of_pixel || y_in(step) == y)
+        if (!is_fill || !is_of_pixel || y_in(step) == y)
             excerpt.add_to_excerpt(step, kind, trace.number_of(n));
     }
     return excerpt;

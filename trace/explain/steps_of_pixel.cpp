@@ -43,6 +43,10 @@ void StepsOfPixel::take(const StepView& step, std::optional<StepKind> kind, std:
         if (is_at_pixel(step))
             keep(step, kind, number);
         return;
+    case StepKind::crossings:
+        if (y_in(step) == pixel_.y)
+            keep(step, kind, number);
+        return;
     case StepKind::depth:
     case StepKind::pixel:
     case StepKind::reject:
@@ -62,7 +66,7 @@ StepsOfPixel::Waiting StepsOfPixel::waiting(const StepView& step, StepKind kind,
 
 void StepsOfPixel::begin_primitive(const StepView& step) {
     const auto primitive = step.as<PrimitiveStep>();
-    is_line_ = primitive.kind != PrimitiveKind::triangle;
+    is_line_ = !is_filled(primitive.kind);
     is_point_ = primitive.kind == PrimitiveKind::point;
     is_x_major_ = is_x_major_octant(primitive.octant);
     has_row_ = false;

@@ -85,7 +85,7 @@ WhyNot why_not(const Trace& trace, const PrimitiveSteps& steps, Pixel pixel) {
         why = {.reason = "hidden", .sentence = steps.hidden};
     else if (!steps.rejected.empty())
         why = {.reason = "rejected", .sentence = steps.rejected};
-    else if (primitive.kind == PrimitiveKind::triangle)
+    else if (is_filled(primitive.kind))
         why = why_outside(trace, steps, pixel);
     else
         why = why_elsewhere(trace, steps, pixel);

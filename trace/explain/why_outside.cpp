@@ -119,22 +119,53 @@ WhyNot beyond_end(const Case& c, std::size_t n, bool is_left) {
     return why;
 }
 
-/// The row of the pixel, if the triangle has one there.
+/// What the crossings of a polygon's row say of the pixel: `; the winding number there is -2`.
+std::string winding_there(const Case& c) {
+    for (std::size_t n = c.steps.first; n <= c.steps.last; ++n) {
+        if (c.trace.kind_of(n) != StepKind::crossings)
+            continue;
+        const auto row = c.trace.step(n).as<CrossingsStep>();
+        if (row.y != c.pixel.y)
+            continue;
+        const auto x = row.x.values();
+        const auto winding = row.winding.texts();
+        std::string there = "0";
+        for (std::size_t i = 0; i < std::min(x.size(), winding.size()); ++i)
+            if (const auto at = x[i].exact(); at && *at <= c.sample.x)
+                there = winding[i];
+        return fmt::format("; the winding number there is {}", there);
+    }
+    return {};
+}
+
+/// The row of the pixel, if the primitive has one there: of a polygon's spans, the one that ends nearest to it.
 std::optional<WhyNot> by_row(const Case& c) {
+    std::size_t nearest = 0;
+    Index least = 0;
+    bool is_before = false;
     for (std::size_t n = c.steps.first; n <= c.steps.last; ++n) {
         if (c.trace.kind_of(n) != StepKind::scanline)
             continue;
         const auto row = c.trace.step(n).as<ScanlineStep>();
         if (row.y != c.pixel.y)
             continue;
-        if (c.pixel.x < row.from || c.pixel.x > row.to)
-            return beyond_end(c, n, c.pixel.x < row.from);
-        return WhyNot{.reason = "unknown",
-                      .sentence = fmt::format("row y={} has the pixels {} to {}, but no step of "
-                                              "the trace says what became of this one",
-                                              c.pixel.y, row.from, row.to)};
+        const Index gap = std::max(row.from - c.pixel.x, c.pixel.x - row.to);
+        if (gap <= 0)
+            return WhyNot{.reason = "unknown",
+                          .sentence = fmt::format("row y={} has the pixels {} to {}, but no step "
+                                                  "of the trace says what became of this one",
+                                                  c.pixel.y, row.from, row.to)};
+        if (nearest != 0 && gap >= least)
+            continue;
+        nearest = n;
+        least = gap;
+        is_before = c.pixel.x < row.from;
     }
-    return std::nullopt;
+    if (nearest == 0)
+        return std::nullopt;
+    WhyNot why = beyond_end(c, nearest, is_before);
+    why.sentence += winding_there(c);
+    return why;
 }
 
 /// The corner that lies highest in the picture, or lowest.

@@ -346,6 +346,7 @@ template ClipStep StepView::as() const;
 template EdgeStep StepView::as() const;
 template HalfStep StepView::as() const;
 template RayStep StepView::as() const;
+template CrossingsStep StepView::as() const;
 template ScanlineStep StepView::as() const;
 template AlongStep StepView::as() const;
 template DecideStep StepView::as() const;

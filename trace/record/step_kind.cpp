@@ -54,6 +54,10 @@ const std::array<StepRow, step_kinds> table{{
      {"a line begins at ({x}, {y}){@line_to}",
       "um segmento começa em ({x}, {y}){@line_to}"}},
 
+    {StepKind::crossings, "a row of a polygon meets its edges",
+     {"row y={y}{@crossings}: inside where the winding number is {@fill_rule}",
+      "linha y={y}{@crossings}: dentro onde o número de voltas é {@fill_rule}"}},
+
     {StepKind::scanline, "the two ends of a row are known",
      {"scanline y={y}{@samples}   {@left_end}   {@right_end}{@depths_of_row}{@empty}",
       "linha y={y}{@samples}   {@left_end}   {@right_end}{@depths_of_row}{@empty}"}},

@@ -31,6 +31,7 @@ enum class StepKind : std::uint8_t {
     edge,
     half,
     ray,
+    crossings,
     scanline,
     along,
     decide,
@@ -43,10 +44,10 @@ enum class StepKind : std::uint8_t {
 };
 
 /// The value of "step" of each.
-inline constexpr std::array<std::string_view, 20> step_names{
-    "triangulate", "matrix", "vertex", "order",  "primitive", "face",     "light",
-    "clip",        "edge",   "half",   "ray",    "scanline",  "along",    "decide",
-    "sample",      "depth",  "pixel",  "reject", "skip",      "undecided"};
+inline constexpr std::array<std::string_view, 21> step_names{
+    "triangulate", "matrix", "vertex", "order", "primitive", "face",     "light",
+    "clip",        "edge",   "half",   "ray",   "crossings", "scanline", "along",
+    "decide",      "sample", "depth",  "pixel", "reject",    "skip",     "undecided"};
 
 inline constexpr std::size_t step_kinds = step_names.size();
 

@@ -46,15 +46,17 @@ void StepWriter::flush() {
 }
 
 void StepWriter::write_labels() {
-    const std::span vertices = std::span(vertices_).first(vertex_count_);
-    const std::string_view separator = name_separator(vertices);
-    std::array<std::string, most_vertices> quoted;
-    for (std::size_t i = 0; i < vertices.size(); ++i)
-        quoted[i] = json_quoted(vertices[i]);
-    for (std::size_t from = 0; from < vertices.size(); ++from)
-        for (std::size_t to = 0; to < vertices.size(); ++to) {
+    const std::size_t count = vertices_.size();
+    const std::string_view separator = name_separator(vertices_);
+    std::vector<std::string> quoted;
+    for (const std::string_view name : vertices_)
+        quoted.push_back(json_quoted(name));
+    labels_.resize(2 * count);
+    for (std::size_t from = 0; from < count; ++from)
+        for (const std::size_t to : {(from + 1) % count, (from + count - 1) % count}) {
             // "A" and "B" become "AB": the inner quotes give way to the separator.
-            std::string& label = labels_[from * most_vertices + to];
+            std::string& label = labels_[label_of(
+                {static_cast<std::uint16_t>(from), static_cast<std::uint16_t>(to)})];
             label.assign(quoted[from], 0, quoted[from].size() - 1);
             label += separator;
             label.append(quoted[to], 1);
@@ -154,8 +156,7 @@ void StepWriter::operator()(const PrimitiveBegan<Quantity>& step) {
     is_in_primitive_ = !primitive_ || is_part_of(step.name, *primitive_);
     color_ = step.color;
     name_ = step.name;
-    vertex_count_ = step.vertices.size();
-    std::copy(step.vertices.begin(), step.vertices.end(), vertices_.begin());
+    vertices_.assign(step.vertices.begin(), step.vertices.end());
     has_labels_ = false;
     is_circle_ = step.kind == PrimitiveKind::circle;
     if (!wants(StepKind::primitive))
@@ -227,6 +228,14 @@ void StepWriter::operator()(const HalfBegan& step) {
 void StepWriter::operator()(const RayBegan& step) {
     if (wants(StepKind::ray))
         put_step<RayStep>(step.x, step.y);
+}
+
+void StepWriter::operator()(const RowCrossed<Quantity>& step) {
+    if (!wants(StepKind::crossings) || (region_ && !region_->has_row(step.y)))
+        return;
+    put_step<CrossingsStep>(step.y, List{step.edges, [this](EdgeName edge) { return label(edge); }},
+                            List{step.x, [](const Quantity& x) { return Deciding{x}; }},
+                            List{step.winding, [](int number) { return std::int64_t{number}; }});
 }
 
 void StepWriter::operator()(const ScanlineSpanned<Quantity>& step) {

@@ -105,6 +105,7 @@ public:
     void operator()(const SideBegan& step);
     void operator()(const HalfBegan& step);
     void operator()(const RayBegan& step);
+    void operator()(const RowCrossed<Quantity>& step);
     void operator()(const ScanlineSpanned<Quantity>& step);
     void operator()(const LineSampled<Quantity>& step);
     void operator()(const LineDecided& step);
@@ -136,6 +137,7 @@ private:
     static StepKind kind_of(const FaceLit<Quantity>*) { return StepKind::light; }
     static StepKind kind_of(const EdgeSetUp<Quantity>*) { return StepKind::edge; }
     static StepKind kind_of(const EdgeFunctionSetUp<Quantity>*) { return StepKind::edge; }
+    static StepKind kind_of(const RowCrossed<Quantity>*) { return StepKind::crossings; }
     static StepKind kind_of(const ScanlineSpanned<Quantity>*) { return StepKind::scanline; }
     static StepKind kind_of(const LineSampled<Quantity>*) { return StepKind::along; }
     static StepKind kind_of(const SampleTested<Quantity>*) { return StepKind::sample; }
@@ -277,7 +279,14 @@ private:
     std::string_view label(EdgeName edge) {
         if (!has_labels_)
             write_labels();
-        return labels_[edge.from * most_vertices + edge.to];
+        return labels_[label_of(edge)];
+    }
+
+    /// Where the label of an edge stands: from each vertex the way to the next one, and back to the one before.
+    std::size_t label_of(EdgeName edge) const {
+        const bool leads_on =
+            edge.to == edge.from + 1 || (edge.to == 0 && edge.from + 1U == vertices_.size());
+        return 2U * edge.from + (leads_on ? 0 : 1);
     }
 
     /// A place in the buffer with room for `size` bytes.
@@ -446,7 +455,6 @@ private:
 
     static constexpr std::string_view null = "null";
     static constexpr std::size_t longest_flag = 5; ///< false
-    static constexpr std::size_t most_vertices = 3;
 
     Output& output_;
     std::vector<char> buffer_;
@@ -459,13 +467,12 @@ private:
     std::optional<std::string> primitive_;
     bool is_in_primitive_;
     std::array<std::uint64_t, step_kinds> counts_{};
-    Color color_;      ///< of the current primitive
-    std::string name_; ///< of the same
-    std::size_t vertex_count_ = 0;
+    Color color_;            ///< of the current primitive
+    std::string name_;       ///< of the same
     bool is_circle_ = false; ///< then each decision is about pixels in all eight octants
-    std::array<std::string_view, most_vertices> vertices_;          ///< its vertices' names
-    std::array<std::string, most_vertices * most_vertices> labels_; ///< its edges' quoted names,
-    bool has_labels_ = false;                                       ///< once one was asked for
+    std::vector<std::string_view> vertices_; ///< its vertices' names
+    std::vector<std::string> labels_;        ///< its edges' quoted names,
+    bool has_labels_ = false;                ///< once one was asked for
 };
 
 } // namespace rastertrace

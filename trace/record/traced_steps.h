@@ -116,6 +116,11 @@ public:
     }
 };
 
+/// True of a kind whose inside is drawn.
+inline bool is_filled(const TracedWord<PrimitiveKind>& kind) {
+    return kind == PrimitiveKind::triangle || kind == PrimitiveKind::polygon;
+}
+
 /// The values of a JSON array, as they stand in it; none of what is no array.
 std::vector<std::string_view> elements_of(std::string_view json);
 
@@ -392,7 +397,22 @@ struct RayStep {
                               field::Key<"y", &RayStep::y, field::required>>;
 };
 
-/// The two ends of a row are known.
+/// A row of a polygon meets its edges, from left to right.
+struct CrossingsStep {
+    static constexpr StepKind step_kind = StepKind::crossings;
+
+    Index y = 0;
+    TracedList<TracedText> edges;
+    TracedList<TracedNumber> x;
+    TracedList<TracedNumber> winding;
+
+    using Fields = FieldTable<field::Key<"y", &CrossingsStep::y, field::required>,
+                              field::Reason<"edges", &CrossingsStep::edges>,
+                              field::Reason<"x", &CrossingsStep::x>,
+                              field::Decision<"winding", &CrossingsStep::winding>>;
+};
+
+/// The two ends of a row are known, or of one of the spans of a polygon.
 struct ScanlineStep {
     static constexpr StepKind step_kind = StepKind::scanline;
 
@@ -535,10 +555,10 @@ struct UndecidedStep {
 };
 
 /// A step of a known kind.
-using AnyStep =
-    std::variant<TriangulateStep, MatrixStep, VertexStep, OrderStep, PrimitiveStep, FaceStep,
-                 LightStep, ClipStep, EdgeStep, HalfStep, RayStep, ScanlineStep, AlongStep,
-                 DecideStep, SampleStep, DepthStep, PixelStep, RejectStep, SkipStep, UndecidedStep>;
+using AnyStep = std::variant<TriangulateStep, MatrixStep, VertexStep, OrderStep, PrimitiveStep,
+                             FaceStep, LightStep, ClipStep, EdgeStep, HalfStep, RayStep,
+                             CrossingsStep, ScanlineStep, AlongStep, DecideStep, SampleStep,
+                             DepthStep, PixelStep, RejectStep, SkipStep, UndecidedStep>;
 
 /// The name of the primitive that a part was cut from: ABC of ABC/1. Of one that is no part, its own.
 std::string name_of_whole(const PrimitiveStep& primitive);

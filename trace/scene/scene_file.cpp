@@ -103,6 +103,8 @@ public:
         // Drawn in this order: what is thin comes last and stays visible.
         read_primitives(root.find("triangles"), PrimitiveKind::triangle);
         take_faces(PrimitiveKind::triangle);
+        read_primitives(root.find("polygons"), PrimitiveKind::polygon);
+        take_faces(PrimitiveKind::polygon);
         read_primitives(root.find("outlines"), PrimitiveKind::outline);
         take_faces(PrimitiveKind::outline);
         read_primitives(root.find("lines"), PrimitiveKind::line);
@@ -285,10 +287,14 @@ private:
         if (const auto draw = mesh.find("draw")) {
             const std::vector<std::string_view> known(draw_words.begin(), draw_words.end());
             if (std::find(known.begin(), known.end(), draw->text) == known.end())
-                json_.fail_expecting(*draw, "triangles, outlines or hidden-lines",
+                json_.fail_expecting(*draw, "triangles, polygons, outlines or hidden-lines",
                                      did_you_mean(draw->text, known, "\""));
             if (draw->text == "outlines")
                 face.kind = PrimitiveKind::outline;
+            if (draw->text == "polygons") {
+                face.kind = PrimitiveKind::polygon;
+                place_of_flat_ = place_of_flat_.value_or(draw->begin);
+            }
             if (draw->text == "hidden-lines") {
                 face.is_painted = false;
                 place_of_hidden_lines_ = place_of_hidden_lines_.value_or(draw->begin);
@@ -332,12 +338,18 @@ private:
         return corners.size() > 3 ? ++polygons_ : 0;
     }
 
-    /// Adds a face: its sides if they are drawn, and its triangles, a fan or ears. `name_of_face()` calls the whole face, `name_of_part` the
+    /// Adds a face: as a polygon, or its sides if they are drawn, and its triangles, a fan or ears. `name_of_face()` calls the whole face, `name_of_part` the
     /// k-th of its triangles.
     template <typename NameOfFace, typename NameOfPart>
     void add_face(std::span<const std::size_t> corners, const std::string& prefix,
                   const ScenePrimitive& like, FaceCuts& cuts, const JsonValue& blamed,
                   NameOfFace&& name_of_face, NameOfPart&& name_of_part) {
+        if (like.kind == PrimitiveKind::polygon) {
+            ScenePrimitive& face = faces_.emplace_back(like);
+            set_ring(face, {corners.begin(), corners.end()}, blamed);
+            face.name = name_of_face();
+            return;
+        }
         const std::uint32_t polygon = begin_face(corners, prefix, like);
         const auto add = [&](std::size_t a, std::size_t b, std::size_t c, std::size_t k) {
             ScenePrimitive& face = faces_.emplace_back(like);
@@ -396,7 +408,7 @@ private:
                 json_.fail_expecting(value, expected);
             add_face(
                 corners, prefix, like, cuts, value, [&] { return name_of(corners); },
-                [&](ScenePrimitive& part, std::size_t) { part.name = name_of(part.vertices); });
+                [&](ScenePrimitive& part, std::size_t) { part.name = name_of(part.corners()); });
         }
         keep_remarks(cuts);
         if (faces.elements().empty())
@@ -547,9 +559,10 @@ private:
                 "expected a rounding that lines can have, found \"half-open\": a line has no "
                 "right end",
                 R"(say "line": "bresenham", which needs none, or another rounding)");
-        const bool rounds_spans = scene_.has(PrimitiveKind::triangle) &&
-                                  traits_of(method.fill).rule == PixelRule::row_ends &&
-                                  method.rounding == Rounding::nearest;
+        const bool fills_rows = scene_.has(PrimitiveKind::polygon) ||
+                                (scene_.has(PrimitiveKind::triangle) &&
+                                 traits_of(method.fill).rule == PixelRule::row_ends);
+        const bool rounds_spans = fills_rows && method.rounding == Rounding::nearest;
         if (method.ties == Ties::step && (rounds_spans || method.snap == Snap::nearest))
             json_.fail(blamed,
                        fmt::format("expected ties that {} can have, found \"step\": only a line "
@@ -571,10 +584,24 @@ private:
                     ? R"(the fan has no depths, the painter no buffer; "depth": "linear-z" has one)"
                     : R"(say "projection": {...}, or "method": {"depth": "linear-z"})");
         }
-        if (place_of_circle_ && scene_.has_depth_buffer())
-            json_.fail(*place_of_circle_, "expected no depth buffer beside a circle, found one",
-                       R"(a circle is drawn in the picture, and has no depth there; )"
-                       R"("method": {"depth": "none"} draws without a buffer)");
+        // The rows of one trace have one rule.
+        if (scene_.has(PrimitiveKind::polygon) && scene_.has(PrimitiveKind::triangle) &&
+            traits_of(method.fill).rule != PixelRule::row_ends)
+            json_.fail(
+                blamed,
+                fmt::format(
+                    R"(expected triangles that are filled by rows beside polygons, found "fill": "{}")",
+                    traits_of(method.fill).name),
+                R"("fill": "scanline" does that; or write the triangles as polygons)");
+        if (place_of_flat_ && scene_.has_depth_buffer()) {
+            const std::string_view kind = name_of(
+                scene_.has(PrimitiveKind::circle) ? PrimitiveKind::circle : PrimitiveKind::polygon);
+            json_.fail(*place_of_flat_,
+                       fmt::format("expected no depth buffer beside a {}, found one", kind),
+                       fmt::format(R"(a {} is drawn in the picture, and has no depth there; )"
+                                   R"("method": {{"depth": "none"}} draws without a buffer)",
+                                   kind));
+        }
     }
 
     /// How vertices come to the screen.
@@ -660,6 +687,9 @@ private:
         case PrimitiveKind::outline:
             return {R"(a list of outlines, like ["ABC"])",
                     R"(three vertices, "ABC" or ["P1", "P2", "P3"])"};
+        case PrimitiveKind::polygon:
+            return {R"(a list of polygons, like ["ABCDE"])",
+                    R"(three vertices or more, "ABCDE" or ["P1", ...])"};
         case PrimitiveKind::circle: // has no list of vertices: read_circles
         case PrimitiveKind::triangle:
             break;
@@ -691,9 +721,26 @@ private:
         return corners;
     }
 
+    /// The vertices of a polygon.
+    void set_ring(ScenePrimitive& polygon, std::vector<std::size_t> corners,
+                  const JsonValue& blamed) const {
+        if (corners.size() > most_corners)
+            json_.fail(blamed, fmt::format("expected a polygon of at most {} vertices, found {}",
+                                           most_corners, corners.size()));
+        polygon.ring = std::move(corners);
+    }
+
     /// The vertices of a primitive: as many as its kind has.
-    void read_corners(const JsonValue& value, ScenePrimitive& primitive) const {
+    void read_corners(const JsonValue& value, ScenePrimitive& primitive) {
         const std::string_view expected = form_of(primitive.kind).vertices;
+        if (primitive.kind == PrimitiveKind::polygon) {
+            auto ring = corners_in(value, {}, expected);
+            if (ring.size() < 3)
+                json_.fail_expecting(value, expected);
+            set_ring(primitive, std::move(ring), value);
+            place_of_flat_ = place_of_flat_.value_or(value.begin);
+            return;
+        }
         const std::size_t count = primitive.corners().size();
         if (value.kind == JsonValue::Kind::string && characters_in(value.text) != count)
             json_.fail_expecting(value, expected);
@@ -761,7 +808,7 @@ private:
             circle.radius = radius_in(json_.member(value, "radius"));
             read_color_and_name(value, circle);
             add_named(std::move(circle));
-            place_of_circle_ = place_of_circle_.value_or(value.begin);
+            place_of_flat_ = place_of_flat_.value_or(value.begin);
         }
     }
 
@@ -891,7 +938,7 @@ private:
     std::vector<Model>& models_;
     Scene scene_;
     std::optional<std::size_t> place_of_fit_;     ///< offset of a camera that is to be fitted
-    std::optional<std::size_t> place_of_circle_;  ///< offset of the first circle
+    std::optional<std::size_t> place_of_flat_;    ///< offset of the first circle or polygon
     std::optional<std::size_t> place_of_camera_;  ///< offset of a camera without a projection
     std::vector<std::size_t> places_of_vertices_; ///< offsets of their names in the source
     std::vector<float> units_;                    ///< of each vertex: see typed_digits.h

@@ -24,6 +24,7 @@ inline constexpr std::array scene_keys{
     JsonKey{"vertices", "vertices", "Name of a vertex to its place"},
     JsonKey{"colors", "colors", "Name of a vertex to its color; pixels between vertices are mixed"},
     JsonKey{"triangles", "triangles", "Triangles, which are filled"},
+    JsonKey{"polygons", "polygons", "Polygons of any shape, which are filled"},
     JsonKey{"outlines", "outlines", "Triangles of which the three sides are drawn"},
     JsonKey{"lines", "lines", "Lines"},
     JsonKey{"circles", "circles", "Circles around vertices"},
@@ -63,10 +64,10 @@ inline constexpr std::array mesh_keys{
     JsonKey{"faces", "faces", "And its faces, three vertices or more each"},
     JsonKey{"name", "text", "Vertices are called NAME.VERTEX, faces NAME.FACE"},
     JsonKey{"color", "color", "Of all faces; without it, black"},
-    JsonKey{"draw", "draw", "Faces as triangles or outlines, or their hidden lines"},
+    JsonKey{"draw", "draw", "Faces as triangles, polygons or outlines, or their hidden lines"},
     JsonKey{"model", "model", "Moves the mesh's vertices: steps, in the order of the list"},
 };
-inline constexpr std::array<std::string_view, 3> draw_words{"triangles", "outlines",
+inline constexpr std::array<std::string_view, 4> draw_words{"triangles", "polygons", "outlines",
                                                             "hidden-lines"};
 
 /// A step of a model has one of them.

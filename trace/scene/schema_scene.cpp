@@ -48,10 +48,11 @@ Json corners(std::size_t least, std::size_t most) {
     return {{"anyOf", Json::array({std::move(letters), std::move(names)})}};
 }
 
-/// A list of primitives of so many vertices, which `list` is the name of.
-void define_primitives(Json& definitions, const std::string& list, std::size_t count) {
+/// A list of primitives of so many vertices, which `list` is the name of; `most` 0: or more.
+void define_primitives(Json& definitions, const std::string& list, std::size_t least,
+                       std::size_t most) {
     const std::string of_one = "vertices-of-" + list;
-    definitions[of_one] = corners(count, count);
+    definitions[of_one] = corners(least, most);
     Json written_out = object_with(primitive_keys);
     written_out["properties"][std::string(primitive_vertices.name)] =
         reference_to(of_one, primitive_vertices.meaning);
@@ -137,7 +138,8 @@ Json positive() {
 /// At least one list has a primitive.
 Json has_primitives() {
     Json cases = Json::array();
-    for (const char* const list : {"triangles", "outlines", "lines", "circles", "points", "meshes"})
+    for (const char* const list :
+         {"triangles", "polygons", "outlines", "lines", "circles", "points", "meshes"})
         cases.push_back({{"required", {list}}, {"properties", {{list, {{"minItems", 1}}}}}});
     return cases;
 }
@@ -162,10 +164,11 @@ std::string scene_schema() {
     definitions["vertices"] = map_to("place");
     definitions["vertices"]["propertyNames"] = {{"minLength", 1}};
     definitions["colors"] = map_to("color");
-    define_primitives(definitions, "triangles", 3);
-    define_primitives(definitions, "outlines", 3);
-    define_primitives(definitions, "lines", 2);
-    define_primitives(definitions, "points", 1);
+    define_primitives(definitions, "triangles", 3, 3);
+    define_primitives(definitions, "polygons", 3, most_corners);
+    define_primitives(definitions, "outlines", 3, 3);
+    define_primitives(definitions, "lines", 2, 2);
+    define_primitives(definitions, "points", 1, 1);
     definitions["circles"] = list_of("circle");
     definitions["circle"] = object_with(circle_keys);
     definitions["radius"] = {{"type", "integer"}, {"minimum", 0}, {"maximum", largest_radius}};

@@ -344,6 +344,8 @@ template <std::size_t which> std::string end_of_row(const Context& context) {
     const auto slope = slope_of(replay, end.edge);
     const auto ends = ends_of_edge(primitive, end.edge.text());
     const bool adds = replay.trace().method_value("lerp") == "incremental";
+    // Between two rows of a polygon there may be other spans: it adds up all the same.
+    const bool has_formula = !adds || primitive.kind != PrimitiveKind::polygon;
     std::string x_before;
     bool goes_up = false;
     if (adds && replay.scanline_before() != 0) {
@@ -356,11 +358,24 @@ template <std::size_t which> std::string end_of_row(const Context& context) {
     if (slope && !x_before.empty())
         text += fmt::format("{} {} = ", in_formula(x_before),
                             goes_up ? plus(in_formula(*slope)) : minus(in_formula(*slope)));
-    else if (slope && ends)
+    else if (slope && ends && has_formula)
         text += fmt::format("{} {} ({} {}) = ", in_formula(ends->from[0]), plus(in_formula(*slope)),
                             end.y, minus(in_formula(ends->from[1])));
     return text + fmt::format("{}{} -> {}", with_fraction(end.x.text()),
                               rule_of_end(replay.trace(), end), end.pixel);
+}
+
+/// The edges that a row of a polygon meets: `   AB at 1/2, winding number 1`.
+std::string crossings(const Context& context) {
+    const auto step = context.as<CrossingsStep>();
+    const auto edges = step.edges.texts();
+    const auto x = step.x.texts();
+    const auto winding = step.winding.texts();
+    std::string text;
+    for (std::size_t i = 0; i < std::min({edges.size(), x.size(), winding.size()}); ++i)
+        text += said({"   {} at {}, winding {}", "   {} em {}, voltas {}"}, edges[i],
+                     in_sentence(x[i]), winding[i]);
+    return text;
 }
 
 /// Depths at the ends of a row: `   depth 1/3 to 1/5`.
@@ -607,6 +622,13 @@ constexpr Part parts[] = {
                     ? said({", samples at y = {} + 1/2", ", amostras em y = {} + 1/2"},
                            context.as<ScanlineStep>().y)
                     : std::string();
+     }},
+    {"crossings", crossings},
+    {"fill_rule",
+     [](const Context& context) {
+         return context.replay.trace().method_value("fill_rule") == "non-zero"
+                    ? said({"not 0", "diferente de 0"})
+                    : said({"odd", "ímpar"});
      }},
     {"left_end", end_of_row<0>},
     {"right_end", end_of_row<1>},

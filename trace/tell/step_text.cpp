@@ -201,12 +201,13 @@ PrimitiveText primitive_of(const Replay& replay) {
 std::optional<EdgeEnds> ends_of_edge(const PrimitiveText& primitive, const std::string& edge) {
     const std::vector<std::string_view> names(primitive.vertices.begin(), primitive.vertices.end());
     const std::string_view separator = name_separator(names);
-    for (std::size_t from = 0; from < names.size(); ++from)
-        for (std::size_t to = 0; to < names.size(); ++to) {
+    const std::size_t count = names.size();
+    for (std::size_t from = 0; from < count; ++from)
+        for (const std::size_t to : {(from + 1) % count, (from + count - 1) % count}) {
             const bool have_places =
                 from < primitive.positions.size() && to < primitive.positions.size() &&
                 primitive.positions[from].size() >= 2 && primitive.positions[to].size() >= 2;
-            if (from != to && have_places &&
+            if (from != to && have_places && edge.starts_with(names[from]) &&
                 edge == fmt::format("{}{}{}", names[from], separator, names[to]))
                 return EdgeEnds{primitive.positions[from], primitive.positions[to], {from, to}};
         }

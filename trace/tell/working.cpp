@@ -270,6 +270,38 @@ void scanline(Sheet& sheet) {
                        counted(static_cast<std::uint64_t>(row.to - row.from + 1), "pixel")));
 }
 
+/// Where a row of a polygon meets each edge, and what that adds to the winding number.
+void crossings(Sheet& sheet) {
+    const auto step = sheet.step.as<CrossingsStep>();
+    const auto edges = step.edges.texts();
+    const auto x = step.x.values();
+    const auto winding = step.winding.values();
+    Rational before = 0;
+    for (std::size_t i = 0; i < std::min({edges.size(), x.size(), winding.size()}); ++i) {
+        const auto ends = ends_of_edge(sheet.primitive, edges[i]);
+        const auto from = ends ? vec2_in(ends->from) : std::nullopt;
+        const auto to = ends ? vec2_in(ends->to) : std::nullopt;
+        const auto told = x[i].exact();
+        const auto after = winding[i].exact();
+        if (!from || !to || !told || !after)
+            return;
+        const Lerp lerp{.d1 = from->x, .i1 = from->y, .d2 = to->x, .i2 = to->y, .i = step.y};
+        if (sheet.agrees(lerp.value(), *told))
+            sheet.put(fmt::format("{}: x = (x2 - x1)/(y2 - y1) (y - y1) + x1 = ({} {})/({} {}) ({} "
+                                  "{}) {} = {} {} = {}",
+                                  edges[i], text(to->x), minus(text(from->x)), text(to->y),
+                                  minus(text(from->y)), step.y, minus(text(from->y)),
+                                  plus(text(from->x)), product(*lerp.slope(), step.y - from->y),
+                                  plus(text(from->x)), text(*told)));
+        const Rational turn = *after - before;
+        sheet.put(said(
+            {"  the polygon runs {} along {}: {} {} = {}", "  o polígono {} por {}: {} {} = {}"},
+            sgn(turn) > 0 ? said({"down", "desce"}) : said({"up", "sobe"}), edges[i], text(before),
+            plus(text(turn)), text(*after)));
+        before = *after;
+    }
+}
+
 /// Twice the areas that a point makes with the edges of a triangle, by one cross product (T3).
 void sample(Sheet& sheet) {
     const auto p = sample_of(sheet.trace(), sheet.step);
@@ -478,13 +510,21 @@ struct Row {
     void (*write)(Sheet& sheet);
 };
 constexpr Row rows_of_kinds[] = {
-    {StepKind::matrix, write_matrix}, {StepKind::vertex, write_vertex},
-    {StepKind::order, order},         {StepKind::primitive, primitive},
-    {StepKind::face, write_face},     {StepKind::light, write_light},
-    {StepKind::edge, edge},           {StepKind::scanline, scanline},
-    {StepKind::along, along},         {StepKind::decide, decide},
-    {StepKind::sample, sample},       {StepKind::depth, depth},
-    {StepKind::pixel, pixel},         {StepKind::triangulate, write_triangulation},
+    {StepKind::matrix, write_matrix},
+    {StepKind::vertex, write_vertex},
+    {StepKind::order, order},
+    {StepKind::primitive, primitive},
+    {StepKind::face, write_face},
+    {StepKind::light, write_light},
+    {StepKind::edge, edge},
+    {StepKind::crossings, crossings},
+    {StepKind::scanline, scanline},
+    {StepKind::along, along},
+    {StepKind::decide, decide},
+    {StepKind::sample, sample},
+    {StepKind::depth, depth},
+    {StepKind::pixel, pixel},
+    {StepKind::triangulate, write_triangulation},
     {StepKind::ray, write_ray},
 };
 

@@ -32,6 +32,7 @@ constexpr TraceWord words_of_traces[] = {
     {"line", "segmento"},
     {"outline", "contorno"},
     {"circle", "circunferência"},
+    {"polygon", "polígono"},
     {"triangle", "triângulo"},
     {"primitive", "elemento"},
 

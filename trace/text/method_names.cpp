@@ -36,6 +36,8 @@ constexpr auto lines = names_of(all_lines);
 constexpr std::array starts{Word{LineStart::first, "first"}, Word{LineStart::low, "low"}};
 constexpr std::array end_pixels{Word{EndPixels::both, "both"}, Word{EndPixels::first, "first"}};
 constexpr auto fills = names_of(all_fills);
+constexpr std::array fill_rules{Word{FillRule::even_odd, "even-odd"},
+                                Word{FillRule::non_zero, "non-zero"}};
 constexpr std::array passes{Word{1, "1"}, Word{2, "2"}, Word{3, "3"}};
 constexpr std::array roundings{Word{Rounding::floor, "floor"}, Word{Rounding::nearest, "nearest"},
                                Word{Rounding::truncate, "truncate"},
@@ -90,8 +92,11 @@ bool has_lines(const Scene& scene) {
 bool fills_by(const Scene& scene, PixelRule rule) {
     return has_triangles(scene) && traits_of(scene.method.fill).rule == rule;
 }
+bool has_polygons(const Scene& scene) {
+    return scene.has(PrimitiveKind::polygon);
+}
 bool fills_spans(const Scene& scene) {
-    return fills_by(scene, PixelRule::row_ends);
+    return fills_by(scene, PixelRule::row_ends) || has_polygons(scene);
 }
 bool rounds_lines(const Scene& scene) {
     return !traits_of(scene.method.line).is_on_grid && has_lines(scene);
@@ -180,6 +185,8 @@ std::span<const MethodKey> method_keys() {
         key<&Method::from, starts>("from", "the end that lines are drawn from", has_lines),
         key<&Method::ends, end_pixels>("ends", "which of its end pixels a line draws", has_lines),
         key<&Method::fill, fills>("fill", "the algorithm that fills triangles", has_triangles),
+        key<&Method::fill_rule, fill_rules>(
+            "fill_rule", "what lies inside a polygon that crosses itself", has_polygons),
         key<&Method::fan_passes, passes>(
             "fan_passes", "from how many edges the fan is drawn",
             [](const Scene& scene) { return fills_by(scene, PixelRule::lines); }),
@@ -200,7 +207,7 @@ std::span<const MethodKey> method_keys() {
                                   [](const Scene& scene) { return scene.has_transforms(); }),
         key<&Method::cull, culls>("cull", "which faces are not drawn",
                                   [](const Scene& scene) {
-                                      return has_triangles(scene) &&
+                                      return scene.has_faces() &&
                                              (scene.has_transforms() || scene.tests_faces());
                                   }),
         key<&Method::depth, depth_kinds>(
@@ -241,7 +248,7 @@ std::span<const MethodKey> method_keys() {
             "color_rounding", "what becomes of a channel that is no whole level",
             [](const Scene& scene) {
                 return scene.mixes_colors() ||
-                       (has_triangles(scene) && scene.shade() == Shade::lambert);
+                       (scene.has_faces() && scene.shade() == Shade::lambert);
             }),
     };
     return keys;

@@ -17,6 +17,8 @@ std::string_view name_of(PrimitiveKind kind) {
         return "outline";
     case PrimitiveKind::circle:
         return "circle";
+    case PrimitiveKind::polygon:
+        return "polygon";
     case PrimitiveKind::triangle:
         break;
     }

@@ -21,6 +21,7 @@
 #include <rastertrace/core/draw/scene/scene.h>
 #include <rastertrace/core/raster/circle.h>
 #include <rastertrace/core/raster/depth_interpolation.h>
+#include <rastertrace/core/raster/fill_edge_table.h>
 #include <rastertrace/core/raster/flat_painter.h>
 #include <rastertrace/core/raster/image.h>
 #include <rastertrace/core/raster/line_bresenham.h>
@@ -235,8 +236,19 @@ void draw_lines(const Piece<Scalar>& primitive, const Method& method, const Canv
         return;
     }
     case PrimitiveKind::triangle:
+    case PrimitiveKind::polygon:
         break;
     }
+}
+
+/// Fills a polygon. `sink` is its painter.
+template <typename Scalar, typename Sink>
+void fill_polygon(const Piece<Scalar>& polygon, const Method& method, const Canvas& canvas,
+                  Sink&& sink) {
+    fill_edge_table<Scalar>(polygon.corners(),
+                            {.fill_rule = method.fill_rule,
+                             .rows = {.lerp = method.lerp, .span = span_rounding(method)}},
+                            canvas, sink);
 }
 
 /// Emits PrimitiveBegan. `told` has the corners in the numbers that are emitted.
@@ -246,8 +258,8 @@ void tell_beginning(const Piece<Scalar>& piece, const PieceNames& names, const P
     sink(PrimitiveBegan<Told>{
         .kind = piece.kind,
         .name = names.piece,
-        .vertices = std::span(names.corners).first(piece.count),
-        .positions = std::span(told.positions).first(piece.count),
+        .vertices = names.corners,
+        .positions = told.corners(),
         .color = piece.color,
         .colors = std::span(piece.colors).first(plan.mixes_colors ? piece.count : 0),
         .octant = piece.kind == PrimitiveKind::line ? octant_of(piece, {0, 1}, method) : 0,
@@ -277,9 +289,13 @@ void draw_thin(const Piece<Scalar>& piece, SceneDrawing<Scalar, OfPixels>& drawi
 template <typename Scalar, typename OfPixels, typename Sink>
 void draw_piece(const Piece<Scalar>& piece, SceneDrawing<Scalar, OfPixels>& drawing,
                 const Sink& sink) {
+    const Scene& scene = drawing.scene;
+    if (piece.kind == PrimitiveKind::polygon)
+        return fill_polygon(piece, scene.method, scene.canvas,
+                            FlatPainter(drawing.image, piece.color, sink,
+                                        drawing.stages_of(piece.primitive).tests_canvas));
     if (piece.kind != PrimitiveKind::triangle)
         return draw_thin(piece, drawing, sink);
-    const Scene& scene = drawing.scene;
     const Triangle<Scalar> triangle{piece.positions};
     TrianglePaint<Scalar, OfPixels> paint(piece, drawing);
     if constexpr (!keeps_steps<Sink>) {

@@ -239,6 +239,9 @@ private:
             paint_with(paint->flat_painter(filtered_.image));
         } else if (paint && paint->has_work()) {
             paint_with(paint->row_painter(filtered_, NullSink{}));
+        } else if (piece.kind == PrimitiveKind::polygon) {
+            paint_with(FlatPainter(filtered_.image, piece.color, NullSink{},
+                                   filtered_.stages_of(piece.primitive).tests_canvas));
         } else if (!paint) {
             draw_thin(piece, filtered_, NullSink{});
         }
@@ -250,6 +253,8 @@ private:
         if (piece.kind == PrimitiveKind::triangle)
             fill(Triangle<Adaptive>{piece.positions}, piece.colors, scene_.method, filtered_.grid,
                  canvas, decisions);
+        else if (piece.kind == PrimitiveKind::polygon)
+            fill_polygon(piece, scene_.method, canvas, decisions);
         else
             draw_lines(piece, scene_.method, canvas, [&](EdgeName side) -> Decisions& {
                 if (plan_.stages.pixels[piece.primitive].tests_depth) {

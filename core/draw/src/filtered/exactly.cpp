@@ -83,11 +83,11 @@ Piece<Rational> ExactPieces::piece(const PieceIndex& piece) {
     return piece_of(scene_, list(), part);
 }
 
-Rational exact_depth_at(const Scene& scene, const Piece<Rational>& piece, std::uint8_t side, int x,
+Rational exact_depth_at(const Scene& scene, const Piece<Rational>& piece, std::uint16_t side, int x,
                         int y) {
     const bool larger_passes = depth_rule<Rational>(scene).larger_passes;
     if (piece.kind != PrimitiveKind::triangle) {
-        const auto end = static_cast<std::uint8_t>((side + 1U) % piece.count);
+        const auto end = static_cast<std::uint16_t>((side + 1U) % piece.count);
         return line_points(piece, {side, end}, larger_passes).depth_at({x, y});
     }
     const Triangle<Rational> triangle{piece.positions};

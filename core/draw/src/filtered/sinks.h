@@ -63,6 +63,7 @@ public:
     void operator()(const ScanlineSpanned<Quantity>& step) const {
         require(step.left, step.right, step.left_depth, step.right_depth);
     }
+    void operator()(const RowCrossed<Quantity>& step) const { require(step.x); }
     void operator()(const LineSampled<Quantity>& step) const { require(step.value); }
     void operator()(const SampleTested<Quantity>& step) const {
         require(std::span<const Quantity>(step.weights));
@@ -145,11 +146,11 @@ public:
 private:
     double slope_of(EdgeName edge) const {
         if (const auto slope =
-                nearest_slope(piece_.positions[edge.from], piece_.positions[edge.to]))
+                nearest_slope(piece_.corners()[edge.from], piece_.corners()[edge.to]))
             return *slope;
         const auto exact = exactness_.pieces.piece(exactness_.drawn.back());
-        const auto& from = exact.positions[edge.from];
-        const auto& to = exact.positions[edge.to];
+        const auto& from = exact.corners()[edge.from];
+        const auto& to = exact.corners()[edge.to];
         return nearest_double(Rational((to.x - from.x) / (to.y - from.y)));
     }
 

@@ -7,6 +7,12 @@
 
 #include <rastertrace/core/raster/clip.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
 #include <vector>
 
 namespace rastertrace {
@@ -28,9 +34,8 @@ Color color_of(const Scene& scene, std::size_t primitive, const Face<Coordinate>
 
 /// A primitive before it is clipped.
 template <typename Scalar> struct UnclippedPrimitive {
-    std::size_t index;                                           ///< in the scene
-    std::array<const ClipSpaceVertex<Scalar>*, 3> vertices = {}; ///< they must live as long
-    bool is_in_view = true;                                      ///< all of its vertices are
+    std::size_t index;      ///< in the scene
+    bool is_in_view = true; ///< all of its vertices are
     Face<Scalar> face = {};
     Color color = {};
 };
@@ -43,16 +48,16 @@ UnclippedPrimitive<Scalar> unclipped(const Scene& scene, const ScreenList<Scalar
                                      InClipSpace&& in_clip_space) {
     UnclippedPrimitive<Scalar> result{.index = index};
     const ScenePrimitive& primitive = scene.primitives[index];
-    const bool needs_world = has_face(scene, primitive);
-    std::array<Vec<Scalar, 3>, 3> world;
-    for (std::size_t i = 0; i < primitive.corners().size(); ++i) {
-        if (needs_world)
-            world[i] = world_of(i);
-        const ClipSpaceVertex<Scalar>& vertex = in_clip_space(i);
-        result.vertices[i] = &vertex;
-        result.is_in_view = result.is_in_view && vertex.is_in_view;
+    const std::size_t count = primitive.corners().size();
+    std::vector<Vec<Scalar, 3>> world;
+    for (std::size_t i = 0; i < count; ++i)
+        result.is_in_view = result.is_in_view && in_clip_space(i).is_in_view;
+    if (has_face(scene, primitive)) {
+        world.reserve(count);
+        for (std::size_t i = 0; i < count; ++i)
+            world.push_back(world_of(i));
     }
-    result.face = face_in(scene, list, index, world);
+    result.face = face_in<Scalar>(scene, list, index, world);
     result.color = color_of(scene, index, result.face);
     return result;
 }
@@ -92,12 +97,11 @@ std::optional<SkipReason> clip_at_planes(std::string_view name,
             }))
             continue;
 
-        // A triangle has 3 vertices, and each of the planes may add one to it.
-        std::array<bool, 16> is_inside{};
         const std::size_t count = polygon.size();
+        const auto is_inside = std::make_unique<bool[]>(count);
         for (std::size_t i = 0; i < count; ++i)
             is_inside[i] = plane.has_inside(polygon[i].position);
-        if (std::all_of(is_inside.begin(), is_inside.begin() + static_cast<std::ptrdiff_t>(count),
+        if (std::all_of(is_inside.get(), is_inside.get() + count,
                         [](bool inside) { return inside; }))
             continue;
 
@@ -106,7 +110,7 @@ std::optional<SkipReason> clip_at_planes(std::string_view name,
             left.clear();
         listener(PrimitiveClipped{.name = name,
                                   .plane = plane.name,
-                                  .is_inside = std::span(is_inside).first(count),
+                                  .is_inside = {is_inside.get(), count},
                                   .left = static_cast<int>(left.size())});
         const SkipReason reason = reason_of(plane, polygon);
         polygon = std::move(left);
@@ -116,15 +120,17 @@ std::optional<SkipReason> clip_at_planes(std::string_view name,
     return std::nullopt;
 }
 
-/// Clips a primitive, or the sides of an outline one by one. Calls `take(side, polygon)` with what
-/// is left of each: the index of the first corner, and a point, a line or a polygon. Returns the
-/// reason if nothing is left of all.
-template <typename Scalar, typename Take>
+/// Clips a primitive, or the sides of an outline one by one. `in_clip_space(i)` yields its vertex
+/// number i. Calls `take(side, polygon)` with what is left of each: the index of the first corner,
+/// and a point, a line or a polygon. Returns the reason if nothing is left of all.
+template <typename Scalar, typename InClipSpace, typename Take>
 std::optional<SkipReason> clip_primitive(const Scene& scene, const ScreenList<Scalar>& list,
                                          const UnclippedPrimitive<Scalar>& unclipped,
-                                         const Listener& listener, Take&& take) {
+                                         InClipSpace&& in_clip_space, const Listener& listener,
+                                         Take&& take) {
     const ScenePrimitive& primitive = scene.primitives[unclipped.index];
-    const std::size_t count = primitive.corners().size();
+    const auto corners = primitive.corners();
+    const std::size_t count = corners.size();
     const bool is_outline = primitive.kind == PrimitiveKind::outline;
     std::optional<SkipReason> reason;
     bool is_left = false;
@@ -132,11 +138,11 @@ std::optional<SkipReason> clip_primitive(const Scene& scene, const ScreenList<Sc
         std::vector<ClipVertex<Scalar>> polygon;
         for (std::size_t i = 0; i < (is_outline ? 2 : count); ++i) {
             const std::size_t corner = (side + i) % count;
-            polygon.push_back({unclipped.vertices[corner]->clip,
-                               unclipped.vertices[corner]->distance,
-                               color_of_vertex(scene, list.mixes_colors, primitive.vertices[corner],
-                                               unclipped.color),
-                               static_cast<int>(corner)});
+            const ClipSpaceVertex<Scalar>& vertex = in_clip_space(corner);
+            polygon.push_back(
+                {vertex.clip, vertex.distance,
+                 color_of_vertex(scene, list.mixes_colors, corners[corner], unclipped.color),
+                 static_cast<int>(corner)});
         }
         reason = clip_at_planes(primitive.name, polygon, list.transforms.planes,
                                 scene.method.color_rounding, listener);

@@ -17,11 +17,11 @@ std::vector<bool> culled_sides_of(const Scene& scene,
     const auto face_number = [&primitives](std::size_t i) {
         return primitives[i].polygon == 0 ? i : primitives.size() + primitives[i].polygon;
     };
-    std::vector<std::size_t> triangles;
+    std::vector<std::size_t> filled;
     std::vector<std::size_t> faces;
     for (std::size_t i = 0; i < primitives.size(); ++i)
-        if (primitives[i].kind == PrimitiveKind::triangle) {
-            triangles.push_back(i);
+        if (is_filled(primitives[i].kind)) {
+            filled.push_back(i);
             if (is_drawn(i))
                 faces.push_back(face_number(i));
         }
@@ -33,11 +33,12 @@ std::vector<bool> culled_sides_of(const Scene& scene,
         auto operator<=>(const SideOfFace&) const = default;
     };
     std::vector<SideOfFace> sides;
-    for (const std::size_t i : triangles)
+    for (const std::size_t i : filled)
         if (std::binary_search(faces.begin(), faces.end(), face_number(i)))
-            for (std::size_t k = 0; k < 3; ++k) {
-                const std::size_t from = primitives[i].vertices[k];
-                const std::size_t to = primitives[i].vertices[(k + 1) % 3];
+            for (std::size_t k = 0; k < primitives[i].corners().size(); ++k) {
+                const auto corners = primitives[i].corners();
+                const std::size_t from = corners[k];
+                const std::size_t to = corners[(k + 1) % corners.size()];
                 sides.push_back({std::min(from, to), std::max(from, to), face_number(i)});
             }
     std::sort(sides.begin(), sides.end());

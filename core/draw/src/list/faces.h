@@ -14,17 +14,17 @@
 #include <rastertrace/core/raster/facing.h>
 #include <rastertrace/core/raster/shading.h>
 
-#include <array>
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace rastertrace {
 
-/// True if a primitive is a triangle whose face is tested or lit.
+/// True if a primitive has a face that is tested or lit.
 inline bool has_face(const Scene& scene, const ScenePrimitive& primitive) {
-    return primitive.kind == PrimitiveKind::triangle &&
+    return is_filled(primitive.kind) &&
            (scene.method.cull != Cull::none || scene.method.shade == Shade::lambert);
 }
 
@@ -79,12 +79,11 @@ FaceLit<Scalar> lit_face(const Scene& scene, Color color, const Vec<Scalar, 3>& 
 
 template <typename Scalar>
 Face<Scalar> face_of(const Scene& scene, const Transforms<Scalar>& transforms,
-                     const ScenePrimitive& primitive, const std::array<Vec<Scalar, 3>, 3>& world) {
-    const auto& [a, b, c] = world;
-    const Vec<Scalar, 3> normal = normal_of<Scalar>(a, b, c);
+                     const ScenePrimitive& primitive, std::span<const Vec<Scalar, 3>> world) {
+    const Vec<Scalar, 3> normal = normal_of<Scalar>(world);
     if (has_no_length<Scalar>(normal))
         return {.skip = SkipReason::zero_area};
-    const Vec<Scalar, 3> centroid = centroid_of<Scalar>(a, b, c);
+    const Vec<Scalar, 3> centroid = centroid_of<Scalar>(world);
 
     Face<Scalar> face;
     if (scene.method.cull != Cull::none) {
@@ -103,7 +102,7 @@ Face<Scalar> face_of(const Scene& scene, const Transforms<Scalar>& transforms,
 /// side of faces and none of them is drawn.
 template <typename Scalar>
 Face<Scalar> face_in(const Scene& scene, const ScreenList<Scalar>& list, std::size_t index,
-                     const std::array<Vec<Scalar, 3>, 3>& world) {
+                     std::span<const Vec<Scalar, 3>> world) {
     const ScenePrimitive& primitive = scene.primitives[index];
     if (has_face(scene, primitive))
         return face_of(scene, list.transforms, primitive, world);

@@ -144,12 +144,11 @@ template <typename Scalar> void find_planes(const Scene& scene, Geometry<Scalar>
     geometry.list.transforms.planes = std::move(kept);
 }
 
-/// Sorts the triangles for the painter, unless the farthest come first already.
+/// Sorts the faces for the painter, unless the farthest come first already.
 template <typename Scalar> void find_order(const Scene& scene, Geometry<Scalar>& geometry) {
-    const auto keys =
-        keys_of_triangles<Scalar>(scene, [&geometry](std::size_t index) -> const Scalar& {
-            return geometry.vertices[index].distance;
-        });
+    const auto keys = keys_of_faces<Scalar>(scene, [&geometry](std::size_t index) -> const Scalar& {
+        return geometry.vertices[index].distance;
+    });
     StageSet& needed = geometry.list.transforms.needed;
     if (!std::is_sorted(keys.begin(), keys.end(),
                         [](const Scalar& a, const Scalar& b) { return b < a; }))

@@ -31,10 +31,11 @@ Scalar depth_at(Depth depth, const Scalar& distance, const Vec<Scalar, 4>& clip)
     return scalar_from<Scalar>(0);
 }
 
-/// The number of parts that a polygon is drawn as: itself if it is a point or a line, else a fan of
-/// triangles.
-std::size_t part_count(std::size_t corners) {
-    return corners < 3 ? std::min<std::size_t>(corners, 1) : corners - 2;
+/// The number of parts that what clipping has left is drawn as: itself if it is a point, a line or
+/// a polygon of the scene, else a fan of triangles.
+std::size_t part_count(PrimitiveKind kind, std::size_t corners) {
+    return corners < 3 || kind == PrimitiveKind::polygon ? std::min<std::size_t>(corners, 1)
+                                                         : corners - 2;
 }
 
 /// Sets the depth of a vertex on the screen, and 1/w.
@@ -59,17 +60,18 @@ template <typename Scalar> void find_depth(Geometry<Scalar>& geometry, std::size
 /// Adds the parts of a polygon that clipping has left to the list. `corners` are indices in
 /// ScreenList::vertices, `parts` counts the parts of the primitive.
 template <typename Scalar>
-void add_parts(const std::vector<std::size_t>& corners, const ScreenPrimitive& primitive,
-               ScreenList<Scalar>& list, int& parts) {
-    for (std::size_t i = 0; i < part_count(corners.size()); ++i) {
-        ScreenPart part{{corners[0], 0, 0}, ++parts};
-        for (std::size_t k = 1; k < std::min<std::size_t>(corners.size(), 3); ++k)
-            part.corners[k] = corners[i + k];
+void add_parts(PrimitiveKind kind, const std::vector<std::size_t>& corners,
+               const ScreenPrimitive& primitive, ScreenList<Scalar>& list, int& parts) {
+    const std::size_t count = part_count(kind, corners.size());
+    for (std::size_t i = 0; i < count; ++i) {
+        ScreenPart part{corners, ++parts};
+        if (count > 1)
+            part.corners = {corners[0], corners[i + 1], corners[i + 2]};
         list.primitives.push_back({.primitive = primitive.primitive,
                                    .index = static_cast<std::uint32_t>(list.parts.size()),
                                    .color = primitive.color,
                                    .state = ScreenPrimitive::State::part});
-        list.parts.push_back(part);
+        list.parts.push_back(std::move(part));
     }
 }
 
@@ -78,6 +80,7 @@ template <typename Scalar>
 void add_clipped(const Scene& scene, Geometry<Scalar>& geometry,
                  const UnclippedPrimitive<Scalar>& unclipped, const ScreenPrimitive& primitive) {
     ScreenList<Scalar>& list = geometry.list;
+    const PrimitiveKind kind = scene.primitives[unclipped.index].kind;
     const auto originals = scene.primitives[unclipped.index].corners();
     int made = 0;
     int parts = 0;
@@ -93,13 +96,16 @@ void add_clipped(const Scene& scene, Geometry<Scalar>& geometry,
         find_depth(vertex.position, vertex.distance, list, on_screen);
         return list.vertices.size() - 1;
     };
-    clip_primitive(scene, list, unclipped, {},
-                   [&](std::size_t side, const std::vector<ClipVertex<Scalar>>& polygon) {
-                       std::vector<std::size_t> corners;
-                       for (const ClipVertex<Scalar>& vertex : polygon)
-                           corners.push_back(corner_of(side, vertex));
-                       add_parts(corners, primitive, list, parts);
-                   });
+    clip_primitive(
+        scene, list,
+        unclipped, [&](std::size_t i) -> const auto& { return geometry.vertices[originals[i]]; },
+        {},
+        [&](std::size_t side, const std::vector<ClipVertex<Scalar>>& polygon) {
+            std::vector<std::size_t> corners;
+            for (const ClipVertex<Scalar>& vertex : polygon)
+                corners.push_back(corner_of(side, vertex));
+            add_parts(kind, corners, primitive, list, parts);
+        });
 }
 
 template <typename Scalar>
@@ -131,15 +137,17 @@ void add_primitive(const Scene& scene, Geometry<Scalar>& geometry, std::size_t i
     }
 }
 
-/// True if a triangle is not culled and has an area. `exact` holds the exact matrices once doubles
+/// True if a face is not culled and has an area. `exact` holds the exact matrices once doubles
 /// have left that open.
 template <typename Scalar>
 bool has_drawn_face(const Scene& scene, const Geometry<Scalar>& geometry, std::size_t index,
                     std::optional<Transforms<Rational>>& exact) {
-    const ScenePrimitive& triangle = scene.primitives[index];
-    const auto is_drawn = [&](const auto& transforms, auto&& world_of) {
-        const auto& [a, b, c] = triangle.vertices;
-        return !face_of(scene, transforms, triangle, {world_of(a), world_of(b), world_of(c)}).skip;
+    const ScenePrimitive& primitive = scene.primitives[index];
+    const auto is_drawn = [&]<typename Real>(const Transforms<Real>& transforms, auto&& world_of) {
+        std::vector<Vec<Real, 3>> world;
+        for (const std::size_t corner : primitive.corners())
+            world.push_back(world_of(corner));
+        return !face_of<Real>(scene, transforms, primitive, world).skip;
     };
     try {
         return is_drawn(geometry.list.transforms,
@@ -201,7 +209,17 @@ template <typename Scalar>
 Piece<Scalar> piece_of(const Scene& scene, const ScreenList<Scalar>& list,
                        const ScreenPrimitive& one) {
     auto piece = piece_without_corners<Scalar>(scene, one);
-    for (const std::size_t index : corners_of(scene, list.parts, one)) {
+    const auto corners = corners_of(scene, list.parts, one);
+    if (piece.kind == PrimitiveKind::polygon) {
+        for (const std::size_t index : corners) {
+            const bool is_made = index >= scene.vertices.size();
+            piece.ring.push_back(list.vertices[index].position);
+            piece.ring_vertices.push_back(is_made ? list.made[index - scene.vertices.size()].side
+                                                  : index);
+        }
+        return piece;
+    }
+    for (const std::size_t index : corners) {
         const std::size_t i = piece.count++;
         const ScreenVertex<Scalar>& vertex = list.vertices[index];
         piece.positions[i] = vertex.position;
@@ -220,7 +238,14 @@ Piece<Scalar> piece_of(const Scene& scene, const ScreenList<Scalar>& list,
 }
 Piece<Number> piece_of(const Scene& scene, const TypedVertices& typed, const ScreenPrimitive& one) {
     auto piece = piece_without_corners<Number>(scene, one);
-    for (const std::size_t index : scene.primitives[one.primitive].corners()) {
+    const ScenePrimitive& primitive = scene.primitives[one.primitive];
+    if (piece.kind == PrimitiveKind::polygon) {
+        for (const std::size_t index : primitive.ring)
+            piece.ring.push_back({scene.vertices[index].x, scene.vertices[index].y});
+        piece.ring_vertices = primitive.ring;
+        return piece;
+    }
+    for (const std::size_t index : primitive.corners()) {
         const std::size_t i = piece.count++;
         piece.positions[i] = {scene.vertices[index].x, scene.vertices[index].y};
         piece.colors[i] = color_of_vertex(scene, typed.mixes_colors, index, one.color);
@@ -238,15 +263,18 @@ PieceNames::PieceNames(const Scene& scene, const std::vector<MadeVertex>& made,
                        const std::vector<ScreenPart>& parts, const ScreenPrimitive& one)
     : piece(scene.primitives[one.primitive].name) {
     const std::string& name = scene.primitives[one.primitive].name;
-    std::size_t i = 0;
-    for (const std::size_t index : corners_of(scene, parts, one)) {
-        if (index >= scene.vertices.size())
-            made_[i] = name_of_made(name, made[index - scene.vertices.size()].ordinal);
-        corners[i] = index < scene.vertices.size() ? scene.vertices[index].name : made_[i];
-        ++i;
-    }
-    if (one.state == ScreenPrimitive::State::part)
-        piece = made_[3] = name + "/" + std::to_string(parts[one.index].ordinal);
+    const auto indices = corners_of(scene, parts, one);
+    corners.reserve(indices.size());
+    const bool is_part = one.state == ScreenPrimitive::State::part;
+    if (is_part)
+        made_.reserve(indices.size() + 1); // no name may move
+    for (const std::size_t index : indices)
+        corners.push_back(index < scene.vertices.size()
+                              ? std::string_view(scene.vertices[index].name)
+                              : made_.emplace_back(name_of_made(
+                                    name, made[index - scene.vertices.size()].ordinal)));
+    if (is_part)
+        piece = made_.emplace_back(name + "/" + std::to_string(parts[one.index].ordinal));
 }
 
 template <typename Scalar>
@@ -258,23 +286,27 @@ void tell_pieces(const Scene& scene, const ScreenList<Scalar>& list, std::size_t
         return draw_next(face_in<Scalar>(scene, list, index, {}));
 
     const auto corners = primitive.corners();
-    std::array<VertexInSpace<Scalar>, 3> vertices;
-    for (std::size_t i = 0; i < corners.size(); ++i)
-        vertices[i] = vertex_in_space(scene, list.transforms, corners[i]);
+    std::vector<VertexInSpace<Scalar>> vertices;
+    vertices.reserve(corners.size());
+    for (const std::size_t corner : corners)
+        vertices.push_back(vertex_in_space(scene, list.transforms, corner));
+    const auto in_clip_space = [&](std::size_t i) -> const auto& {
+        return vertices[i].in_clip_space;
+    };
     const auto found = unclipped<Scalar>(
         scene, list, index, [&](std::size_t i) -> const auto& { return vertices[i].world; },
-        [&](std::size_t i) -> const auto& { return vertices[i].in_clip_space; });
+        in_clip_space);
     if (found.is_in_view)
         return draw_next(found.face);
 
     // Clipped.
     const ListenerSink sink(listener);
-    std::array<std::string_view, 3> names;
-    for (std::size_t i = 0; i < corners.size(); ++i)
-        names[i] = scene.vertices[corners[i]].name;
+    std::vector<std::string_view> names;
+    for (const std::size_t corner : corners)
+        names.push_back(scene.vertices[corner].name);
     sink(PrimitiveBegan<Scalar>{.kind = primitive.kind,
                                 .name = primitive.name,
-                                .vertices = std::span(names).first(corners.size()),
+                                .vertices = names,
                                 .positions = {},
                                 .color = found.color,
                                 .colors = {},
@@ -283,7 +315,7 @@ void tell_pieces(const Scene& scene, const ScreenList<Scalar>& list, std::size_t
         return;
     int made = 0;
     const auto reason = clip_primitive(
-        scene, list, found, listener,
+        scene, list, found, in_clip_space, listener,
         [&](std::size_t, const std::vector<ClipVertex<Scalar>>& polygon) {
             for (const ClipVertex<Scalar>& vertex : polygon)
                 if (vertex.original < 0) {
@@ -291,7 +323,7 @@ void tell_pieces(const Scene& scene, const ScreenList<Scalar>& list, std::size_t
                     tell_position<Scalar>(name, Space::clip, vertex.position, 4, listener);
                     tell_positions_on_screen(name, vertex.position, list.transforms, listener);
                 }
-            for (std::size_t i = 0; i < part_count(polygon.size()); ++i)
+            for (std::size_t i = 0; i < part_count(primitive.kind, polygon.size()); ++i)
                 draw_next({});
         });
     if (reason)
@@ -299,7 +331,7 @@ void tell_pieces(const Scene& scene, const ScreenList<Scalar>& list, std::size_t
 }
 
 template Face<Rational> face_of(const Scene&, const Transforms<Rational>&, const ScenePrimitive&,
-                                const std::array<Vec<Rational, 3>, 3>&);
+                                std::span<const Vec<Rational, 3>>);
 template void add_primitive(const Scene&, Geometry<Rational>&, std::size_t);
 
 #define INSTANTIATE(Coordinate)                                                                    \

@@ -97,7 +97,7 @@ void tell_geometry(const Scene& scene, const ScreenList<Scalar>& list, const Lis
         std::vector<std::string_view> names;
         std::vector<std::size_t> indices;
         for (const std::size_t i : list.order->primitives)
-            if (scene.primitives[i].kind == PrimitiveKind::triangle) {
+            if (is_filled(scene.primitives[i].kind)) {
                 names.push_back(scene.primitives[i].name);
                 indices.push_back(i);
             }

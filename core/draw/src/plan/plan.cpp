@@ -52,7 +52,8 @@ AnyScreenList screen_list_for(const Scene& scene) {
 ///     so   |numerator| < 2^(2b + d + 3),   denominator < 2^(b + 2d + 1)
 ///
 /// and comparing it with a vertex, or its distance to a sample with a half, multiplies by 2D or
-/// by 8. A line may need more (LineTraits). Mixing colors multiplies a weight, a
+/// by 8. In a polygon two edges are compared, with both denominators multiplied. A line may need
+/// more (LineTraits). Mixing colors multiplies a weight, a
 /// quotient of two areas, by 255 three times.
 int bits_of_drawing(const Scene& scene, int numerator_bits, int denominator_bits) {
     const int of_edges = 2 * numerator_bits + 2 * denominator_bits + 8;
@@ -60,7 +61,9 @@ int bits_of_drawing(const Scene& scene, int numerator_bits, int denominator_bits
     const bool has_lines = scene.has(PrimitiveKind::line) || scene.has(PrimitiveKind::outline);
     const int of_lines =
         has_lines ? traits_of(scene.method.line).fraction.of(numerator_bits, denominator_bits) : 0;
-    return std::max({of_edges, of_weights, of_lines});
+    const int of_crossings =
+        scene.has(PrimitiveKind::polygon) ? 3 * numerator_bits + 3 * denominator_bits + 8 : 0;
+    return std::max({of_edges, of_weights, of_lines, of_crossings});
 }
 
 /// Calls `is_fine` with every coordinate until one is not; true if all are.

@@ -11,6 +11,11 @@ namespace rastertrace {
 
 namespace {
 
+/// What the faces of a scene are called.
+std::string faces_of(const Scene& scene) {
+    return scene.has(PrimitiveKind::polygon) ? "face" : "triangle";
+}
+
 /// The stages of each primitive's pixels.
 std::vector<PixelStages> pixel_stages(const Scene& scene,
                                       const std::vector<PrimitiveSurvey>& surveys) {
@@ -74,7 +79,7 @@ VertexStages vertex_stages(const Scene& scene, const AnyScreenList& any) {
 /// Decides about the stages of vertices.
 void decide_vertex_stages(const Scene& scene, const VertexStages& stages,
                           std::vector<StageDecision>& decisions) {
-    const auto decide = [&](Stage stage, const char* why, std::uint64_t saved_steps) {
+    const auto decide = [&](Stage stage, const std::string& why, std::uint64_t saved_steps) {
         decisions.push_back({stage, "", stages.runs.has(stage), why, {.steps = saved_steps}});
     };
     decide(Stage::model,
@@ -99,9 +104,10 @@ void decide_vertex_stages(const Scene& scene, const VertexStages& stages,
            stages.projects ? stages.vertices : 0);
     const bool paints = scene.depth() == Depth::painter;
     decide(Stage::order,
-           !paints                           ? "the method has no painter"
-           : stages.needed.has(Stage::order) ? "the farthest triangles do not come first"
-                                             : "the farthest triangles come first already",
+           !paints ? "the method has no painter"
+           : stages.needed.has(Stage::order)
+               ? "the farthest " + faces_of(scene) + "s do not come first"
+               : "the farthest " + faces_of(scene) + "s come first already",
            paints ? 1 : 0);
 }
 
@@ -110,14 +116,14 @@ void decide_vertex_stages(const Scene& scene, const VertexStages& stages,
 void decide_face_stages(const Scene& scene, std::vector<StageDecision>& decisions) {
     const bool culls = scene.method.cull != Cull::none;
     const bool lights = scene.method.shade == Shade::lambert;
-    const bool has_triangles = scene.has(PrimitiveKind::triangle);
-    const auto why = [has_triangles](bool is_asked) {
-        return !is_asked        ? "the method does not ask for it"
-               : !has_triangles ? "there is no triangle"
-                                : "the method asks for it";
+    const bool has_faces = scene.has_faces();
+    const auto why = [has_faces](bool is_asked) {
+        return !is_asked    ? "the method does not ask for it"
+               : !has_faces ? "there is no triangle"
+                            : "the method asks for it";
     };
-    decisions.push_back({Stage::cull, "", culls && has_triangles, why(culls)});
-    decisions.push_back({Stage::light, "", lights && has_triangles, why(lights)});
+    decisions.push_back({Stage::cull, "", culls && has_faces, why(culls)});
+    decisions.push_back({Stage::light, "", lights && has_faces, why(lights)});
 }
 
 /// Why depths are tested, or not. What is only asked to be kept does not count.
@@ -161,7 +167,7 @@ struct StageCount {
     }
 };
 struct PixelStageCounts {
-    std::uint64_t triangles = 0;
+    std::uint64_t faces = 0;
     StageCount canvas, depth, perspective, colors;
     PixelBox tested; ///< the pixels whose depths are tested
 };
@@ -178,11 +184,10 @@ PixelStageCounts counts_of(const std::vector<PrimitiveSurvey>& surveys,
         const ColorStage colors = stages[i].colors;
         if (tests_depth && !box.is_empty())
             counts.tested = counts.tested.joined(box);
-        const bool is_triangle = survey.kind == PrimitiveKind::triangle;
-        counts.depth.add(false, tests_depth, is_triangle ? box.area() : 0);
-        if (!is_triangle)
+        counts.depth.add(false, tests_depth, is_filled(survey.kind) ? box.area() : 0);
+        if (!is_filled(survey.kind))
             continue;
-        ++counts.triangles;
+        ++counts.faces;
         counts.canvas.add(!canvas.contains(survey.box), stages[i].tests_canvas, box.area());
         counts.perspective.add(survey.w_differs, colors == ColorStage::perspective, box.area());
         counts.colors.add(survey.colors_differ, colors != ColorStage::flat, box.area());
@@ -208,15 +213,16 @@ void decide_pixel_stages(const Scene& scene, const std::vector<PrimitiveSurvey>&
                                     why,
                                     {.bytes = bytes, .pixels = applies ? count.saved_pixels : 0}});
     };
-    const auto of_all = [&counts](const StageCount& count) {
-        return std::to_string(count.needed) + " of " + counted(counts.triangles, "triangle");
+    const std::string face = faces_of(scene);
+    const auto of_all = [&](const StageCount& count) {
+        return std::to_string(count.needed) + " of " + counted(counts.faces, face);
     };
-    const bool fills = counts.triangles > 0;
+    const bool fills = counts.faces > 0;
     const bool mixes = fills && scene.mixes_colors();
     const bool mixes_in_space = fills && scene.mixes_in_perspective();
     decide(Stage::canvas, counts.canvas,
            counts.canvas.needed > 0 ? of_all(counts.canvas) + " may reach beyond the canvas"
-           : fills                  ? "every triangle lies on the canvas"
+           : fills                  ? "every " + face + " lies on the canvas"
                                     : "no triangle is filled",
            true);
     decide(Stage::depth, counts.depth,
@@ -225,12 +231,12 @@ void decide_pixel_stages(const Scene& scene, const std::vector<PrimitiveSurvey>&
     decide(Stage::perspective, counts.perspective,
            !mixes_in_space                 ? "no colors are mixed in a perspective"
            : counts.perspective.needed > 0 ? "w differs in " + of_all(counts.perspective)
-                                           : "w is the same all over each triangle",
+                                           : "w is the same all over each " + face,
            mixes_in_space);
     decide(Stage::colors, counts.colors,
            !mixes                     ? "no colors are mixed"
            : counts.colors.needed > 0 ? "the vertices differ in " + of_all(counts.colors)
-                                      : "the vertices of each triangle agree",
+                                      : "the vertices of each " + face + " agree",
            mixes);
 }
 

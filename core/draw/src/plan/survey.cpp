@@ -49,19 +49,24 @@ WholeBounds whole_bounds(const Coordinate& coordinate, const Method& method, dou
     return {floor_index(x - off), ceil_index(x + off)};
 }
 
-/// The bounds of three coordinates.
-template <typename Coordinate>
-WholeBounds whole_bounds(const Coordinate& a, const Coordinate& b, const Coordinate& c,
+/// The bounds of the coordinates `coordinate(corner)` of all corners.
+template <typename Coordinate, typename CoordinateOf>
+WholeBounds whole_bounds(std::span<const Vec<Coordinate, 2>> corners, CoordinateOf&& coordinate,
                          const Method& method, double slack) {
     if constexpr (std::floating_point<Coordinate>) {
-        const auto [low, high] = std::minmax({a, b, c});
-        return {whole_bounds(low, method, slack).low, whole_bounds(high, method, slack).high};
+        const auto [low, high] =
+            std::minmax_element(corners.begin(), corners.end(), [&](const auto& a, const auto& b) {
+                return coordinate(a) < coordinate(b);
+            });
+        return {whole_bounds(coordinate(*low), method, slack).low,
+                whole_bounds(coordinate(*high), method, slack).high};
     } else {
-        const auto of_a = whole_bounds(a, method, slack);
-        const auto of_b = whole_bounds(b, method, slack);
-        const auto of_c = whole_bounds(c, method, slack);
-        return {std::min({of_a.low, of_b.low, of_c.low}),
-                std::max({of_a.high, of_b.high, of_c.high})};
+        WholeBounds all = whole_bounds(coordinate(corners[0]), method, slack);
+        for (const Vec<Coordinate, 2>& corner : corners.subspan(1)) {
+            const WholeBounds bounds = whole_bounds(coordinate(corner), method, slack);
+            all = {std::min(all.low, bounds.low), std::max(all.high, bounds.high)};
+        }
+        return all;
     }
 }
 
@@ -69,20 +74,19 @@ WholeBounds whole_bounds(const Coordinate& a, const Coordinate& b, const Coordin
 /// pixel up, and a rounded end of a row, or a pixel of a line, lies less than a pixel away.
 template <typename Coordinate> PixelBox box_of(const Piece<Coordinate>& piece, const Scene& scene) {
     double farthest = 1;
-    for (std::size_t i = 0; i < piece.count; ++i)
-        farthest = std::max({farthest, std::abs(to_double(piece.positions[i].x)),
-                             std::abs(to_double(piece.positions[i].y))});
+    const auto corners = piece.corners();
+    for (const Vec<Coordinate, 2>& at : corners)
+        farthest = std::max({farthest, std::abs(to_double(at.x)), std::abs(to_double(at.y))});
     const double slack = slack_of(scene.method, farthest);
-    const auto& a = piece.positions[0];
-    const auto& b = piece.positions[piece.count > 1 ? 1 : 0];
-    const auto& c = piece.positions[piece.count > 2 ? 2 : 0];
-    const WholeBounds x = whole_bounds(a.x, b.x, c.x, scene.method, slack);
-    const WholeBounds y = whole_bounds(a.y, b.y, c.y, scene.method, slack);
+    const WholeBounds x = whole_bounds<Coordinate>(
+        corners, [](const auto& at) -> const Coordinate& { return at.x; }, scene.method, slack);
+    const WholeBounds y = whole_bounds<Coordinate>(
+        corners, [](const auto& at) -> const Coordinate& { return at.y; }, scene.method, slack);
     const auto [top, bottom] =
         std::minmax({scene.canvas.row_of(y.low), scene.canvas.row_of(y.high)});
     // A face may hide a point of a line although the line draws only the next pixel
     // (line_painter.h).
-    const Index around = piece.kind == PrimitiveKind::triangle ? 0 : 1;
+    const Index around = is_filled(piece.kind) ? 0 : 1;
     const auto side = [](Index at) {
         constexpr Index limit = Index{1} << 30;
         return static_cast<std::int32_t>(std::clamp(at, -limit, limit));
@@ -240,7 +244,7 @@ std::vector<PrimitiveSurvey> survey_of(const Scene& scene, const AnyScreenList& 
                 return;
             }
             const auto piece = piece_of(scene, primitives, one);
-            if ((kind == PrimitiveKind::triangle || has_depth_buffer) && !piece.is_skipped)
+            if ((is_filled(kind) || has_depth_buffer) && !piece.is_skipped)
                 survey_piece(scene, piece, has_depth_buffer ? &rule : nullptr,
                              result[one.primitive]);
         });

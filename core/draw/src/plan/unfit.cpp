@@ -40,7 +40,7 @@ PieceUse use_of(const Piece<double>& piece, const Method& method, bool mixes_col
     const bool is_fan = is_triangle && rule == PixelRule::lines;
     return {.is_rounded = is_rounded,
             .is_fan = is_fan,
-            .is_on_grid = is_fan || (!is_triangle && traits_of(method.line).is_on_grid),
+            .is_on_grid = is_fan || (!is_filled(piece.kind) && traits_of(method.line).is_on_grid),
             .has_weights =
                 is_rounded && is_triangle && (mixes_colors || rule == PixelRule::samples)};
 }
@@ -52,9 +52,9 @@ double extent_of(const Vec<double, 2>& at) {
 
 Unfit unfit_between(What what, const Piece<double>& piece, std::size_t from, std::size_t to,
                     double limit = 0) {
-    const auto& a = piece.positions[from];
-    const auto& b = piece.positions[to];
-    return {what, piece.vertices[from], piece.vertices[to], {a.x, a.y}, {b.x, b.y}, limit};
+    const auto& a = piece.corners()[from];
+    const auto& b = piece.corners()[to];
+    return {what, piece.vertex(from), piece.vertex(to), {a.x, a.y}, {b.x, b.y}, limit};
 }
 
 /// The first coordinate beyond a limit of what is done with it.
@@ -67,8 +67,8 @@ std::optional<Unfit> unfit_coordinate(const Piece<double>& piece, const PieceUse
     constexpr double largest_of_fixed = 0x1p36;
     constexpr double largest_of_lines = 0x1p51;
     constexpr auto largest_index = static_cast<double>(farthest_index);
-    for (std::size_t i = 0; i < piece.count; ++i) {
-        const Vec<double, 2>& at = piece.positions[i];
+    for (std::size_t i = 0; i < piece.corners().size(); ++i) {
+        const Vec<double, 2>& at = piece.corners()[i];
         if (!std::isfinite(at.x) || !std::isfinite(at.y))
             return unfit_between(What::position, piece, i, i);
         const double extent = extent_of(at);
@@ -101,16 +101,19 @@ template <typename Real> std::optional<Unfit> unfit_depth(const Piece<double>& p
 /// An area that is too small for weights, or the first edge that is too steep or too long.
 template <typename Real>
 std::optional<Unfit> unfit_edge(const Piece<double>& piece, const PieceUse& use) {
-    Triangle<Real> triangle{};
-    for (std::size_t i = 0; i < piece.count; ++i)
-        triangle.vertices[i] = {static_cast<Real>(piece.positions[i].x),
-                                static_cast<Real>(piece.positions[i].y)};
-    if (use.has_weights && weights_may_overflow(triangle))
+    const auto corners = piece.corners();
+    const auto in_real = [](const Vec<double, 2>& at) {
+        return Vec<Real, 2>{static_cast<Real>(at.x), static_cast<Real>(at.y)};
+    };
+    if (use.has_weights && weights_may_overflow(Triangle<Real>{
+                               {in_real(corners[0]), in_real(corners[1]), in_real(corners[2])}}))
         return unfit_between(What::area_of_weights, piece, 0, 2);
-    for (std::size_t from = 0; from < piece.count; ++from) {
-        const std::size_t to = (from + 1) % piece.count;
-        const Real dx = triangle.vertices[to].x - triangle.vertices[from].x;
-        const Real dy = triangle.vertices[to].y - triangle.vertices[from].y;
+    for (std::size_t from = 0; from < corners.size(); ++from) {
+        const std::size_t to = (from + 1) % corners.size();
+        const auto a = in_real(corners[from]);
+        const auto b = in_real(corners[to]);
+        const Real dx = b.x - a.x;
+        const Real dy = b.y - a.y;
         if (use.is_rounded && dy != 0 && !std::isfinite(dx / dy))
             return unfit_between(What::slope, piece, from, to);
         const auto longest = static_cast<Real>(longest_fan_edge);

@@ -18,6 +18,8 @@ std::optional<Unfit> unfit_of(const Piece<double>& piece, const Method& method, 
 /// The piece in doubles.
 template <typename Coordinate> Piece<double> in_doubles(const Piece<Coordinate>& piece) {
     auto result = without_numbers<double>(piece);
+    for (const auto& at : piece.ring)
+        result.ring.push_back({to_double(at.x), to_double(at.y)});
     for (std::size_t i = 0; i < piece.count; ++i) {
         result.positions[i] = {to_double(piece.positions[i].x), to_double(piece.positions[i].y)};
         result.depths[i] = to_double(piece.depths[i]);
@@ -53,8 +55,8 @@ std::optional<Unfit> unfit_face(const Scene& scene, const ScreenList<Coordinate>
     if (!list.infinite_face)
         return std::nullopt;
     const auto& [primitive, at] = *list.infinite_face;
-    const auto& vertices = scene.primitives[primitive].vertices;
-    return Unfit{Unfit::What::face, vertices[0], vertices[2], at, at, 0};
+    const auto corners = scene.primitives[primitive].corners();
+    return Unfit{Unfit::What::face, corners[0], corners[2], at, at, 0};
 }
 inline std::optional<Unfit> unfit_face(const Scene&, const TypedVertices&) {
     return std::nullopt;
@@ -86,7 +88,7 @@ std::optional<Unfit> unfit_vertex(const Scene& scene, const Geometry<Coordinate>
     const bool tests_all = scene.has_depth_buffer();
     if (scene.depth() == Depth::inverse_z && !is_perspective(scene.projection.type))
         for (const ScenePrimitive& primitive : scene.primitives)
-            if (primitive.kind == PrimitiveKind::triangle || tests_all)
+            if (is_filled(primitive.kind) || tests_all)
                 for (const std::size_t i : primitive.corners()) {
                     const Coordinate& exact = geometry.vertices[i].distance;
                     const double distance = to_double(exact);

@@ -65,19 +65,23 @@ template <typename Scalar> void tell(const FaceLit<Scalar>& step, const Listener
 }
 
 template <typename Scalar> void tell(const PrimitiveBegan<Scalar>& step, const Listener& listener) {
-    std::array<Vec<Quantity, 2>, 3> positions;
-    std::transform(step.positions.begin(), step.positions.end(), positions.begin(),
-                   [](const auto& at) { return quantities<Scalar>(at); });
-    std::array<Quantity, 3> depths;
-    std::copy(step.depths.begin(), step.depths.end(), depths.begin());
-    listener(PrimitiveBegan<Quantity>{
-        step.kind, step.name, step.vertices, std::span(positions).first(step.positions.size()),
-        step.color, step.colors, step.octant, step.is_part,
-        std::span(depths).first(step.depths.size()), step.is_painted, step.radius});
+    std::vector<Vec<Quantity, 2>> positions;
+    positions.reserve(step.positions.size());
+    for (const Vec<Scalar, 2>& at : step.positions)
+        positions.push_back(quantities<Scalar>(at));
+    const std::vector<Quantity> depths(step.depths.begin(), step.depths.end());
+    listener(PrimitiveBegan<Quantity>{step.kind, step.name, step.vertices, positions, step.color,
+                                      step.colors, step.octant, step.is_part, depths,
+                                      step.is_painted, step.radius});
 }
 
 template <typename Scalar> void tell(const EdgeSetUp<Scalar>& step, const Listener& listener) {
     listener(EdgeSetUp<Quantity>{step.edge, step.is_horizontal, step.dx_dy});
+}
+
+template <typename Scalar> void tell(const RowCrossed<Scalar>& step, const Listener& listener) {
+    const std::vector<Quantity> x(step.x.begin(), step.x.end());
+    listener(RowCrossed<Quantity>{step.y, step.edges, x, step.winding});
 }
 
 template <typename Scalar>

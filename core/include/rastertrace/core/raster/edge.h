@@ -27,7 +27,7 @@ enum class LerpForm {
 /// A vertex of a triangle, with its index in the order in which the scene names the vertices.
 template <typename Scalar> struct Vertex {
     Vec<Scalar, 2> position;
-    std::uint8_t index = 0;
+    std::uint16_t index = 0;
 };
 
 /// A line from one vertex to another: x as a function of y.

@@ -13,8 +13,12 @@
 //
 //     is_culled(Cull::back, dot(normal, view));
 
+#include <rastertrace/core/numbers/index.h>
 #include <rastertrace/core/numbers/scalar.h>
 #include <rastertrace/core/numbers/vec.h>
+
+#include <cstddef>
+#include <span>
 
 namespace rastertrace {
 
@@ -28,20 +32,26 @@ enum class Cull {
     light, ///< faces turned from the light: wrong, and shown as such
 };
 
-/// (b - a) x (c - a): at a right angle to the face, as long as twice its area.
-template <typename Scalar>
-Vec<Scalar, 3> normal_of(const Vec<Scalar, 3>& a, const Vec<Scalar, 3>& b,
-                         const Vec<Scalar, 3>& c) {
-    return cross(b - a, c - a);
+/// The normal of a face with these corners: at a right angle to it, as long as twice its area. The
+/// sum of (P2 - P1) x (P3 - P1) over the triangles of the fan from its first corner, which is
+/// Newell's normal: it is right for a concave polygon, and of corners in no plane their mean.
+///
+/// Source: Sutherland, Sproull and Schumacker 1974 (Newell's normal).
+template <typename Scalar> Vec<Scalar, 3> normal_of(std::span<const Vec<Scalar, 3>> corners) {
+    const Vec<Scalar, 3>& first = corners[0];
+    Vec<Scalar, 3> normal = cross(corners[1] - first, corners[2] - first);
+    for (std::size_t i = 3; i < corners.size(); ++i)
+        normal = normal + cross(corners[i - 1] - first, corners[i] - first);
+    return normal;
 }
 
-/// The mean of three points.
-template <typename Scalar>
-Vec<Scalar, 3> centroid_of(const Vec<Scalar, 3>& a, const Vec<Scalar, 3>& b,
-                           const Vec<Scalar, 3>& c) {
-    const Scalar three = scalar_from<Scalar>(3);
-    return {Scalar((a.x + b.x + c.x) / three), Scalar((a.y + b.y + c.y) / three),
-            Scalar((a.z + b.z + c.z) / three)};
+/// The mean of a face's corners.
+template <typename Scalar> Vec<Scalar, 3> centroid_of(std::span<const Vec<Scalar, 3>> corners) {
+    Vec<Scalar, 3> sum = corners[0];
+    for (const Vec<Scalar, 3>& corner : corners.subspan(1))
+        sum = sum + corner;
+    const Scalar count = scalar_from<Scalar>(static_cast<Index>(corners.size()));
+    return {Scalar(sum.x / count), Scalar(sum.y / count), Scalar(sum.z / count)};
 }
 
 template <typename Scalar> bool has_no_length(const Vec<Scalar, 3>& vector) {

@@ -21,27 +21,32 @@
 
 namespace rastertrace {
 
-/// Which distance of a triangle the painter sorts by.
+/// Which distance of a face the painter sorts by.
 enum class PainterKey { nearest, farthest, mean };
 
-/// The distance that a triangle is sorted by, from those of its vertices.
-template <typename Scalar>
-Scalar painter_key(PainterKey key, const Scalar& a, const Scalar& b, const Scalar& c) {
+/// The distance that a face is sorted by, from those of its vertices.
+template <typename Scalar> Scalar painter_key(PainterKey key, std::span<const Scalar> distances) {
     switch (key) {
     case PainterKey::nearest:
-        return std::min({a, b, c});
+        return *std::min_element(distances.begin(), distances.end());
     case PainterKey::farthest:
-        return std::max({a, b, c});
+        return *std::max_element(distances.begin(), distances.end());
     case PainterKey::mean:
         break;
     }
-    const Scalar three = scalar_from<Scalar>(3);
-    const Scalar sum = a + b + c;
+    const Scalar count = scalar_from<Scalar>(static_cast<Index>(distances.size()));
+    Scalar sum = distances[0];
+    for (const Scalar& distance : distances.subspan(1))
+        sum = sum + distance;
     require_finite(sum);
     if constexpr (std::floating_point<Scalar>)
-        if (!std::isfinite(sum))
-            return a / three + b / three + c / three;
-    return sum / three;
+        if (!std::isfinite(sum)) {
+            sum = distances[0] / count;
+            for (const Scalar& distance : distances.subspan(1))
+                sum += distance / count;
+            return sum;
+        }
+    return sum / count;
 }
 
 /// The indices of these distances from the eye, the farthest first. Equal distances keep their

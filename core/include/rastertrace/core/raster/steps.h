@@ -24,7 +24,12 @@
 namespace rastertrace {
 
 /// What kind of thing is drawn.
-enum class PrimitiveKind { triangle, outline, line, point, circle };
+enum class PrimitiveKind { triangle, polygon, outline, line, point, circle };
+
+/// True if its inside is drawn: it has a face, which is tested, lit and sorted.
+constexpr bool is_filled(PrimitiveKind kind) {
+    return kind == PrimitiveKind::triangle || kind == PrimitiveKind::polygon;
+}
 
 /// A face that is not convex has been cut into triangles: it was seen along an axis, and its ears
 /// were cut (triangulate.h). Whatever the Scalar of a scene, this is decided in exact numbers.
@@ -115,8 +120,8 @@ template <typename Scalar> struct PrimitiveBegan {
 
 /// Two vertices of the current primitive, by their place in PrimitiveBegan::vertices.
 struct EdgeName {
-    std::uint8_t from = 0;
-    std::uint8_t to = 0;
+    std::uint16_t from = 0;
+    std::uint16_t to = 0;
 
     friend bool operator==(const EdgeName&, const EdgeName&) = default;
 };
@@ -156,7 +161,16 @@ struct RayBegan {
     Index y;
 };
 
-/// The two ends of a row are known.
+/// The edges of a polygon that a row meets are known, from left to right. The polygon's inside lies
+/// between two of them where the winding number says so.
+template <typename Scalar> struct RowCrossed {
+    int y;
+    std::span<const EdgeName> edges; ///< each from its upper to its lower vertex
+    std::span<const Scalar> x;       ///< of each on this row
+    std::span<const int> winding;    ///< right of each: how often the polygon runs around
+};
+
+/// The two ends of a row are known, or of one of the spans that a polygon has in a row.
 template <typename Scalar> struct ScanlineSpanned {
     int y;
     Scalar left;  ///< x of the left edge on this row

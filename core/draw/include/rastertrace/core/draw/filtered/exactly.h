@@ -39,7 +39,7 @@ struct PieceIndex {
     std::uint32_t primitive = 0;
     std::uint32_t part = 0;
     std::optional<std::uint32_t> listed = {}; ///< its index in the plan's list, if it is there
-    std::uint8_t side = 0;                    ///< of an outline: the index of its first corner
+    std::uint16_t side = 0;                   ///< of an outline: the index of its first corner
 };
 
 /// The list of what is drawn, in exact numbers. A primitive is added when it is needed.
@@ -74,7 +74,7 @@ private:
 
 /// The turned depth of a piece (of an outline: of a side) in the pixel at (x, y), by the scene's
 /// method.
-Rational exact_depth_at(const Scene& scene, const Piece<Rational>& piece, std::uint8_t side, int x,
+Rational exact_depth_at(const Scene& scene, const Piece<Rational>& piece, std::uint16_t side, int x,
                         int y);
 
 /// The two vertices of the edge whose depth a triangle's pixel has, because it lies at an end of

@@ -30,7 +30,7 @@
 
 namespace rastertrace {
 
-/// The tests of a triangle's face, before it is clipped.
+/// The tests of a face, before it is clipped.
 template <typename Coordinate> struct Face {
     std::optional<FaceTested<Coordinate>> tested = {};
     std::optional<FaceLit<Coordinate>> lit = {};
@@ -78,7 +78,8 @@ template <typename Scalar> DepthRule<Scalar> depth_rule(const Scene& scene) {
     return rule;
 }
 
-/// A primitive on the screen, or a part of one: the first `count` elements of each array.
+/// A primitive on the screen, or a part of one: the first `count` elements of each array. A polygon
+/// has its corners in the rings; it has neither depths nor colors of vertices.
 template <typename Coordinate> struct Piece {
     PrimitiveKind kind;        ///< a line, if it is a part of an outline
     std::size_t primitive = 0; ///< its index in the scene
@@ -93,7 +94,16 @@ template <typename Coordinate> struct Piece {
     /// Indices in the scene. A vertex that clipping has made has the first vertex of what was
     /// clipped.
     std::array<std::size_t, 3> vertices{};
-    Index radius = 0; ///< of a circle, in pixels
+    Index radius = 0;                          ///< of a circle, in pixels
+    std::vector<Vec<Coordinate, 2>> ring = {}; ///< of a polygon: the positions of all its corners
+    std::vector<std::size_t> ring_vertices = {};
+
+    std::span<const Vec<Coordinate, 2>> corners() const {
+        return kind == PrimitiveKind::polygon ? std::span(ring) : std::span(positions).first(count);
+    }
+    std::size_t vertex(std::size_t corner) const {
+        return kind == PrimitiveKind::polygon ? ring_vertices[corner] : vertices[corner];
+    }
 };
 
 /// A piece with other numbers: all of `piece` but its positions, depths and 1/w.
@@ -107,7 +117,8 @@ Piece<Coordinate> without_numbers(const Piece<Other>& piece) {
             .count = piece.count,
             .colors = piece.colors,
             .vertices = piece.vertices,
-            .radius = piece.radius};
+            .radius = piece.radius,
+            .ring_vertices = piece.ring_vertices};
 }
 
 /// The names of a piece and of its corners: "ABC/1" for a part, "ABC:1" for a vertex that clipping
@@ -125,10 +136,10 @@ public:
     PieceNames& operator=(const PieceNames&) = delete;
 
     std::string_view piece;
-    std::array<std::string_view, 3> corners;
+    std::vector<std::string_view> corners;
 
 private:
-    std::array<std::string, 4> made_; ///< names that the scene does not have
+    std::vector<std::string> made_; ///< names that the scene does not have
 };
 
 /// The list of all primitives, in the order in which they are drawn.
@@ -143,11 +154,11 @@ inline TypedVertices screen_list_of(const Scene&, TypedVertices typed) {
 template <typename Scalar>
 void add_primitive(const Scene& scene, Geometry<Scalar>& geometry, std::size_t index);
 
-/// Tests and lights a triangle; `world` are its corners in the world. A triangle without area has
-/// no normal and is skipped. Only for Rational.
+/// Tests and lights a face; `world` are its corners in the world. A face without area has no normal
+/// and is skipped. Only for Rational.
 template <typename Scalar>
 Face<Scalar> face_of(const Scene& scene, const Transforms<Scalar>& transforms,
-                     const ScenePrimitive& primitive, const std::array<Vec<Scalar, 3>, 3>& world);
+                     const ScenePrimitive& primitive, std::span<const Vec<Scalar, 3>> world);
 
 /// An entry of the list with its corners.
 template <typename Scalar>

@@ -41,7 +41,7 @@ template <typename Scalar> struct Transforms {
 /// The order in which the painter draws a scene's primitives. Points and lines keep their turns.
 template <typename Scalar> struct PainterOrder {
     std::vector<std::size_t> primitives; ///< indices in Scene::primitives
-    std::vector<Scalar> keys;            ///< distances of the triangles, in the order drawn
+    std::vector<Scalar> keys;            ///< distances of the faces, in the order drawn
 };
 
 /// The position where a vertex is drawn, and what is interpolated from it.
@@ -80,8 +80,8 @@ struct MadeVertex {
 
 /// The corners of a part.
 struct ScreenPart {
-    std::array<std::size_t, 3> corners; ///< indices in ScreenList::vertices
-    int ordinal;                        ///< in its primitive, from 1
+    std::vector<std::size_t> corners; ///< indices in ScreenList::vertices
+    int ordinal;                      ///< in its primitive, from 1
 };
 
 /// A face whose normal, or that times the view or the light, is infinite.
@@ -135,11 +135,9 @@ std::size_t primitive_at(const ScreenList<Coordinate>& list, std::size_t turn) {
 /// The corners of a primitive, or of a part of one: indices in ScreenList::vertices.
 inline std::span<const std::size_t>
 corners_of(const Scene& scene, const std::vector<ScreenPart>& parts, const ScreenPrimitive& one) {
-    const ScenePrimitive& primitive = scene.primitives[one.primitive];
     if (one.state != ScreenPrimitive::State::part)
-        return primitive.corners();
-    const bool is_line = primitive.kind == PrimitiveKind::outline;
-    return std::span(parts[one.index].corners).first(is_line ? 2 : primitive.corners().size());
+        return scene.primitives[one.primitive].corners();
+    return parts[one.index].corners;
 }
 
 /// True if all of a primitive is in view, so that clipping leaves it alone.

@@ -38,9 +38,9 @@ namespace rastertrace {
 /// The indices of a triangle's vertices, from the top of the picture to its bottom, and the side of
 /// the long edge, which runs from the top vertex to the bottom vertex.
 struct TriangleOrder {
-    std::uint8_t top;
-    std::uint8_t middle;
-    std::uint8_t bottom;
+    std::uint16_t top;
+    std::uint16_t middle;
+    std::uint16_t bottom;
     bool long_edge_is_left; ///< it passes the middle vertex on the left
 };
 
@@ -50,7 +50,7 @@ template <typename Scalar, typename Sink>
 requires SinkFor<Sink, EdgeFunctionSetUp<Scalar>>
 [[gnu::noinline]] void tell_edge_functions(const Triangle<Scalar>& triangle,
                                            const TriangleOrder& order, int down, Sink&& sink) {
-    const auto vertex = [&triangle](std::uint8_t index) {
+    const auto vertex = [&triangle](std::uint16_t index) {
         return Vertex<Scalar>{triangle.vertices[index], index};
     };
     for (const EdgeFunction<Scalar>& function :
@@ -66,7 +66,7 @@ requires SinkFor<Sink, EdgeFunctionSetUp<Scalar>>
 template <typename Scalar>
 void add_crossings(const Triangle<Scalar>& triangle, const TriangleOrder& order, bool is_upper,
                    const Scalar& sample_offset, ScanlineSpanned<Scalar>& span) {
-    const auto edge = [&triangle](std::uint8_t upper, std::uint8_t lower) {
+    const auto edge = [&triangle](std::uint16_t upper, std::uint16_t lower) {
         return edge_between(Vertex<Scalar>{triangle.vertices[upper], upper},
                             Vertex<Scalar>{triangle.vertices[lower], lower});
     };

@@ -40,10 +40,13 @@ Scalar on_grid(const Coordinate& coordinate, const Plan& plan) {
 template <typename Scalar, typename Coordinate>
 Piece<Scalar> piece_in(const Piece<Coordinate>& piece, const Plan& plan) {
     auto result = without_numbers<Scalar>(piece);
-    for (std::size_t i = 0; i < piece.count; ++i) {
-        result.positions[i].x = on_grid<Scalar>(piece.positions[i].x, plan);
-        result.positions[i].y = on_grid<Scalar>(piece.positions[i].y, plan);
-    }
+    const auto position_in = [&plan](const Vec<Coordinate, 2>& at) {
+        return Vec<Scalar, 2>{on_grid<Scalar>(at.x, plan), on_grid<Scalar>(at.y, plan)};
+    };
+    for (const Vec<Coordinate, 2>& at : piece.ring)
+        result.ring.push_back(position_in(at));
+    for (std::size_t i = 0; i < piece.count; ++i)
+        result.positions[i] = position_in(piece.positions[i]);
     using D = DepthOf<Scalar>;
     for (std::size_t i = 0; i < piece.count; ++i) {
         if constexpr (is_filtered<D> && !std::same_as<Coordinate, Number>) {

@@ -26,6 +26,7 @@ inline Thickness thickness_of(PrimitiveKind kind) {
     case PrimitiveKind::circle:
         return Thickness::line;
     case PrimitiveKind::triangle:
+    case PrimitiveKind::polygon:
         break;
     }
     return Thickness::face;

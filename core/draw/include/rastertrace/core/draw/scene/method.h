@@ -9,6 +9,7 @@
 #include <rastertrace/core/numbers/number.h>
 #include <rastertrace/core/raster/edge.h>
 #include <rastertrace/core/raster/facing.h>
+#include <rastertrace/core/raster/fill_edge_table.h>
 #include <rastertrace/core/raster/line.h>
 #include <rastertrace/core/raster/painter.h>
 #include <rastertrace/core/raster/rounding.h>
@@ -70,6 +71,7 @@ struct Method {
     LineStart from = LineStart::first;
     EndPixels ends = EndPixels::both;
     Fill fill = Fill::scanline;
+    FillRule fill_rule = FillRule::even_odd; ///< of polygons
     int fan_passes = 1;
     std::optional<Rounding> rounding = {}; ///< floor for spans, nearest for lines
     std::optional<Ties> ties = {};         ///< up for spans, start for lines

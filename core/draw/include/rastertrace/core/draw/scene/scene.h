@@ -35,7 +35,7 @@ struct SceneObject {
     Model model;                ///< from its space to the world
 };
 
-/// A point, a line, a circle, a triangle to fill, or the outline of a triangle.
+/// A point, a line, a circle, a triangle or a polygon to fill, or the outline of a triangle.
 struct ScenePrimitive {
     PrimitiveKind kind = PrimitiveKind::triangle;
     bool is_painted = true; ///< false: a triangle that hides what lies behind it, and is not seen
@@ -46,9 +46,13 @@ struct ScenePrimitive {
     std::uint32_t polygon = 0; ///< successive triangles with the same number above 0 make a face
 
     std::int32_t radius = 0; ///< of a circle around its vertex, in pixels
+    std::vector<std::size_t> ring =
+        {}; ///< of a polygon: all its vertices, in the place of `vertices`
 
-    /// Its vertices: the first one, two or three of `vertices`.
+    /// Its vertices: the first one, two or three of `vertices`, or those of the ring.
     std::span<const std::size_t> corners() const {
+        if (kind == PrimitiveKind::polygon)
+            return ring;
         const bool is_single = kind == PrimitiveKind::point || kind == PrimitiveKind::circle;
         return std::span(vertices).first(is_single ? 1 : kind == PrimitiveKind::line ? 2 : 3);
     }
@@ -117,15 +121,12 @@ struct Scene {
     bool has_tested_lines() const {
         return has_depth_buffer() &&
                std::any_of(primitives.begin(), primitives.end(),
-                           [](const ScenePrimitive& primitive) {
-                               return primitive.kind != PrimitiveKind::triangle;
-                           });
+                           [](const ScenePrimitive& one) { return !is_filled(one.kind); });
     }
 
     /// True if faces are culled or lit: their normals are needed.
     bool tests_faces() const {
-        return has(PrimitiveKind::triangle) &&
-               (method.cull != Cull::none || method.shade == Shade::lambert);
+        return has_faces() && (method.cull != Cull::none || method.shade == Shade::lambert);
     }
 
     /// True if vertices go through their spaces: x and y as typed are not all that is drawn with.
@@ -154,6 +155,9 @@ struct Scene {
         return std::any_of(primitives.begin(), primitives.end(),
                            [kind](const ScenePrimitive& one) { return one.kind == kind; });
     }
+
+    /// True if it has a triangle or a polygon to fill.
+    bool has_faces() const { return has(PrimitiveKind::triangle) || has(PrimitiveKind::polygon); }
 
     /// Where the colors of pixels come from.
     Shade shade() const {

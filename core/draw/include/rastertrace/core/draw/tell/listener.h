@@ -63,10 +63,10 @@ public:
     bool takes_pixels() const {
         return takes<EdgeSetUp<Quantity>>() || takes<EdgeFunctionSetUp<Quantity>>() ||
                takes<SideBegan>() || takes<HalfBegan>() || takes<RayBegan>() ||
-               takes<ScanlineSpanned<Quantity>>() || takes<LineSampled<Quantity>>() ||
-               takes<LineDecided>() || takes<SampleTested<Quantity>>() ||
-               takes<DepthTested<Quantity>>() || takes<PixelPlotted>() || takes<PixelsRejected>() ||
-               takes<RowsRejected>();
+               takes<RowCrossed<Quantity>>() || takes<ScanlineSpanned<Quantity>>() ||
+               takes<LineSampled<Quantity>>() || takes<LineDecided>() ||
+               takes<SampleTested<Quantity>>() || takes<DepthTested<Quantity>>() ||
+               takes<PixelPlotted>() || takes<PixelsRejected>() || takes<RowsRejected>();
     }
 
     /// True if it takes PrimitiveBegan, and may read its positions and depths. For one that does
@@ -82,14 +82,16 @@ public:
 private:
     /// How a kind of step comes to the callable.
     template <typename Step> using Way = void (*)(void* callable, const Step& step);
-    using Ways = std::tuple<
-        Way<MatrixSetUp<Quantity>>, Way<VertexPlaced<Quantity>>, Way<PrimitivesOrdered<Quantity>>,
-        Way<FaceTested<Quantity>>, Way<FaceLit<Quantity>>, Way<PrimitiveClipped>,
-        Way<PrimitiveBegan<Quantity>>, Way<EdgeSetUp<Quantity>>, Way<EdgeFunctionSetUp<Quantity>>,
-        Way<SideBegan>, Way<HalfBegan>, Way<RayBegan>, Way<ScanlineSpanned<Quantity>>,
-        Way<LineSampled<Quantity>>, Way<LineDecided>, Way<SampleTested<Quantity>>,
-        Way<DepthTested<Quantity>>, Way<PixelPlotted>, Way<PixelsRejected>, Way<RowsRejected>,
-        Way<BoundExceeded>, Way<PrimitiveSkipped>, Way<FaceTriangulated<Quantity>>>;
+    using Ways =
+        std::tuple<Way<MatrixSetUp<Quantity>>, Way<VertexPlaced<Quantity>>,
+                   Way<PrimitivesOrdered<Quantity>>, Way<FaceTested<Quantity>>,
+                   Way<FaceLit<Quantity>>, Way<PrimitiveClipped>, Way<PrimitiveBegan<Quantity>>,
+                   Way<EdgeSetUp<Quantity>>, Way<EdgeFunctionSetUp<Quantity>>, Way<SideBegan>,
+                   Way<HalfBegan>, Way<RayBegan>, Way<RowCrossed<Quantity>>,
+                   Way<ScanlineSpanned<Quantity>>, Way<LineSampled<Quantity>>, Way<LineDecided>,
+                   Way<SampleTested<Quantity>>, Way<DepthTested<Quantity>>, Way<PixelPlotted>,
+                   Way<PixelsRejected>, Way<RowsRejected>, Way<BoundExceeded>,
+                   Way<PrimitiveSkipped>, Way<FaceTriangulated<Quantity>>>;
 
     template <typename Callable, typename Step>
     static void find_way(Callable& callable, Way<Step>& way) {
