@@ -20,7 +20,8 @@ namespace rastertrace {
 
 class RandomScene {
 public:
-    explicit RandomScene(std::uint64_t seed) : random_(seed), of_mesh_(~seed) {}
+    explicit RandomScene(std::uint64_t seed)
+        : random_(seed), of_mesh_(~seed), of_polygons_(seed * 31 + 7) {}
 
     std::string text() {
         const int size = random_.pick({8, 16, 24, 40});
@@ -125,12 +126,23 @@ private:
 
     void put_primitives() {
         put_list("triangles", 3, random_.whole(1, 4));
+        has_polygons_ = of_polygons_.chance(6);
+        if (has_polygons_)
+            put_polygon();
         if (random_.chance(3))
             put_list("outlines", 3, 1);
         if (random_.chance(2))
             put_list("lines", 2, random_.whole(1, 3));
         if (random_.chance(6))
             put_list("points", 1, 2);
+    }
+
+    /// A polygon, most of which cross themselves.
+    void put_polygon() {
+        std::string ring;
+        for (int i = of_polygons_.whole(3, 7); i > 0; --i)
+            ring += name(of_polygons_.whole(0, count_ - 1));
+        out_ << R"(,"polygons":[{"vertices":")" << ring << R"(","name":"ring"}])";
     }
 
     /// An arrow head, its notch more or less deep, from any of its corners on; filled, or its sides.
@@ -180,8 +192,12 @@ private:
 
     void put_choice(std::string_view key, std::initializer_list<std::string_view> values,
                     int of = 1) {
-        if (random_.chance(of))
-            out_ << ",\"" << key << R"(":")" << random_.pick(values) << '"';
+        if (!random_.chance(of))
+            return;
+        const std::string_view value = random_.pick(values);
+        // Polygons stand beside triangles that are filled by rows, and beside no depth buffer.
+        if (!has_polygons_ || !(key == "fill" || key == "sample" || key.starts_with("depth")))
+            out_ << ",\"" << key << R"(":")" << value << '"';
     }
 
     void put_method() {
@@ -189,6 +205,10 @@ private:
              << random_.pick<std::string_view>({"float", "double", "fixed", "adaptive", "exact"})
              << '"';
         put_choice("fill", {"scanline", "two-halves", "barycentric", "top-left", "fan"});
+        if (has_polygons_)
+            out_ << R"(,"fill":")" << of_polygons_.pick<const char*>({"scanline", "two-halves"})
+                 << R"(","fill_rule":")" << of_polygons_.pick<const char*>({"even-odd", "non-zero"})
+                 << R"(","depth":")" << of_polygons_.pick<const char*>({"none", "painter"}) << '"';
         put_choice("line", {"naive", "dda", "bresenham"}, 2);
         put_choice("from", {"first", "low"}, 4);
         put_choice("rounding", {"floor", "nearest", "truncate", "inside", "half-open"}, 2);
@@ -212,7 +232,9 @@ private:
     }
 
     Random random_;
-    Random of_mesh_; ///< by itself: all else is what it is without a mesh
+    Random of_mesh_;     ///< by itself: all else is what it is without a mesh
+    Random of_polygons_; ///< the same
+    bool has_polygons_ = false;
     std::ostringstream out_;
     bool is_in_space_ = false;
     bool has_model_ = false;

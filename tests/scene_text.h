@@ -103,11 +103,10 @@ inline std::string scene_text(const Scene& scene) {
         text += ",\n\"colors\":{" + colors + "}";
 
     // Primitives by kind.
-    constexpr std::array lists{"triangles", "outlines", "lines", "points"};
-    for (std::size_t kind = 0; kind < lists.size(); ++kind) {
+    for (const PrimitiveKind kind : all_primitives) {
         std::string list;
         for (const ScenePrimitive& primitive : scene.primitives) {
-            if (static_cast<std::size_t>(primitive.kind) != kind)
+            if (primitive.kind != kind)
                 continue;
             std::string corners;
             for (const std::size_t corner : primitive.corners())
@@ -118,7 +117,7 @@ inline std::string scene_text(const Scene& scene) {
             list += R"(,"color":)" + quoted(to_text(primitive.color)) + "}";
         }
         if (!list.empty())
-            text += std::string(",\n\"") + lists[kind] + "\":[" + list + "]";
+            text += ",\n\"" + std::string(traits_of(kind).list) + "\":[" + list + "]";
     }
 
     // From object space to the screen.

@@ -363,7 +363,7 @@ TEST(Claims, ALineOfNoFormIsShownTheForms) {
 
 TEST(Claims, FaultsOfJsonArePointedAt) {
     const std::string kinds = "triangulate, matrix, vertex, order, primitive, face, light, clip, "
-                              "edge, half, scanline, along, decide, sample, depth, pixel, reject, "
+                              "edge, half, crossings, scanline, along, decide, sample, depth, pixel, reject, "
                               "skip, undecided";
     const std::vector<Fault> faults{
         {R"({"claims": [{"step":"skanline","y":2}]})",

@@ -60,6 +60,8 @@ TEST(Redo, EveryDecisionOfRandomScenes) {
                                    "scanline: from",
                                    "scanline: to",
                                    "scanline: left_depth",
+                                   "crossings: x",
+                                   "scanline: is inside",
                                    "scanline: left admits",
                                    "scanline: right admits",
                                    "along: pixel",

@@ -72,16 +72,17 @@ TEST(SceneFile, OverridesTakeThePlaceOfTheMethod) {
 }
 
 TEST(SceneFile, UnknownKey) {
-    EXPECT_EQ(complaint("{\"vertices\": {\"A\": [2, 5]},\n \"trinagles\": [\"AAA\"]}"),
-              "scene.json:2:2: expected a key out of title, canvas, background, vertices, colors, "
-              "triangles, "
-              "outlines, lines, circles, points, meshes, model, camera, projection, viewport, "
-              "light, method, "
-              "keep, vary, "
-              "found \"trinagles\"\n"
-              " \"trinagles\": [\"AAA\"]}\n"
-              " ^\n"
-              "hint: did you mean \"triangles\"?");
+    EXPECT_EQ(
+        complaint("{\"vertices\": {\"A\": [2, 5]},\n \"trinagles\": [\"AAA\"]}"),
+        "scene.json:2:2: expected a key out of title, canvas, background, vertices, colors, "
+        "triangles, "
+        "polygons, outlines, lines, circles, points, meshes, model, camera, projection, viewport, "
+        "light, method, "
+        "keep, vary, "
+        "found \"trinagles\"\n"
+        " \"trinagles\": [\"AAA\"]}\n"
+        " ^\n"
+        "hint: did you mean \"triangles\"?");
 }
 
 TEST(SceneFile, WrongType) {
@@ -102,14 +103,14 @@ TEST(SceneFile, WrongType) {
     EXPECT_EQ(complaint(R"({"title": 5})"), "scene.json:1:11: expected a title in quotes, found 5\n"
                                             "{\"title\": 5}\n"
                                             "          ^");
-    EXPECT_EQ(complaint("[]"),
-              "scene.json:1:1: expected an object with the keys title, canvas, "
-              "background, vertices, colors, triangles, outlines, lines, circles, points, meshes, "
-              "model, camera, "
-              "projection, viewport, light, "
-              "method, keep, vary, found an empty array\n"
-              "[]\n"
-              "^");
+    EXPECT_EQ(complaint("[]"), "scene.json:1:1: expected an object with the keys title, canvas, "
+                               "background, vertices, colors, triangles, polygons, outlines, "
+                               "lines, circles, points, meshes, "
+                               "model, camera, "
+                               "projection, viewport, light, "
+                               "method, keep, vary, found an empty array\n"
+                               "[]\n"
+                               "^");
 }
 
 TEST(SceneFile, MissingVertex) {
@@ -260,8 +261,9 @@ TEST(SceneFile, HiddenLinesNeedADepthBuffer) {
     EXPECT_THAT(
         complaint(mesh("hidden-lines", R"(, "method": {"depth": "linear-z", "fill": "fan"})")),
         HasSubstr("found \"fill\": \"fan\""));
-    EXPECT_THAT(complaint(mesh("hidden-line", "")),
-                HasSubstr("expected triangles, outlines or hidden-lines, found \"hidden-line\""));
+    EXPECT_THAT(
+        complaint(mesh("hidden-line", "")),
+        HasSubstr("expected triangles, polygons, outlines or hidden-lines, found \"hidden-line\""));
 
     // Each side once, after all triangles; no line within a face.
     const auto read =

@@ -508,9 +508,11 @@ TEST(Unjudged, IsWhatStepsLackFieldsFor) {
     EXPECT_THAT(unjudged(triangle(at + R"(,"within":1e-300)") + row + pixel),
                 ElementsAre(corners +
                             R"(an exact "at" of triangle ABC (step 1), found one with "within")"));
-    EXPECT_THAT(unjudged(triangle(at, "quad") + row + pixel),
-                ElementsAre(corners +
-                            "a triangle, outline, line, circle or point, found quad ABC (step 1)"));
+    EXPECT_THAT(
+        unjudged(triangle(at, "quad") + row + pixel),
+        ElementsAre(
+            corners +
+            "a triangle, polygon, outline, line, circle or point, found quad ABC (step 1)"));
     EXPECT_THAT(unjudged(triangle(at) + pixel),
                 ElementsAre(R"(rows: expected a "scanline" in front of step 2, found none)"));
     EXPECT_THAT(unjudged(pixel),

@@ -100,7 +100,7 @@ TEST_F(ProgramTest, UsageErrorsNameTheWordAndANearOne) {
               "see rastertrace show --help\n");
     EXPECT_EQ(shell("$rastertrace trace x --only pixle").err,
               "rastertrace: --only: expected kinds of step out of "
-              "triangulate,matrix,vertex,order,primitive,face,light,clip,edge,half,ray,scanline,"
+              "triangulate,matrix,vertex,order,primitive,face,light,clip,edge,half,ray,crossings,scanline,"
               "along,decide,"
               "sample,depth,pixel,"
               "reject,skip,undecided, found \"pixle\"\n"

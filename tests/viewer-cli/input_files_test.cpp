@@ -28,13 +28,14 @@ TEST_F(ProgramTest, ErrorsHaveFileLineColumnAndCaret) {
     const Outcome outcome = shell("$rastertrace trace bad.json -o t.json");
     EXPECT_EQ(outcome.status, 2);
     EXPECT_EQ(outcome.out, "");
-    EXPECT_EQ(outcome.err, "rastertrace: bad.json:2:2: expected a key out of title, canvas, "
-                           "background, vertices, colors, triangles, "
-                           "outlines, lines, circles, points, meshes, model, camera, projection, "
-                           "viewport, light, method, keep, vary, found \"trinagles\"\n"
-                           " \"trinagles\": [\"AAA\"]}\n"
-                           " ^\n"
-                           "hint: did you mean \"triangles\"?\n");
+    EXPECT_EQ(outcome.err,
+              "rastertrace: bad.json:2:2: expected a key out of title, canvas, "
+              "background, vertices, colors, triangles, "
+              "polygons, outlines, lines, circles, points, meshes, model, camera, projection, "
+              "viewport, light, method, keep, vary, found \"trinagles\"\n"
+              " \"trinagles\": [\"AAA\"]}\n"
+              " ^\n"
+              "hint: did you mean \"triangles\"?\n");
     EXPECT_EQ(visible_files(), 1u) << "nothing was written";
 }
 
@@ -366,14 +367,15 @@ TEST_F(ProgramTest, AnObjFileLiesInTheFolderOfItsScene) {
 
 TEST_F(ProgramTest, CaretsAndTitlesCountColumns) {
     write("scene.json", "{\"title\":\"三e\u0301\", \"tile\":1}");
-    EXPECT_EQ(shell("$rastertrace plan scene.json").err,
-              "rastertrace: scene.json:1:17: expected a key out of title, canvas, background, "
-              "vertices, colors, "
-              "triangles, outlines, lines, circles, points, meshes, model, camera, projection, "
-              "viewport, light, method, keep, vary, found \"tile\"\n"
-              "{\"title\":\"三e\u0301\", \"tile\":1}\n"
-              "                ^\n"
-              "hint: did you mean \"title\"?\n");
+    EXPECT_EQ(
+        shell("$rastertrace plan scene.json").err,
+        "rastertrace: scene.json:1:17: expected a key out of title, canvas, background, "
+        "vertices, colors, "
+        "triangles, polygons, outlines, lines, circles, points, meshes, model, camera, projection, "
+        "viewport, light, method, keep, vary, found \"tile\"\n"
+        "{\"title\":\"三e\u0301\", \"tile\":1}\n"
+        "                ^\n"
+        "hint: did you mean \"title\"?\n");
 
     // A wide title moves nothing, and a wide name marks no pixel, which is one column.
     const auto shown = [this](const std::string& title, const std::string& name) {

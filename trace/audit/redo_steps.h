@@ -388,6 +388,9 @@ private:
         if (!slope->second)
             return at_[ends.from][0];
         const auto before = walks_.find(edge);
+        // A polygon may lead along an edge more than once.
+        if (before != walks_.end() && before->second.first == y)
+            return before->second.second;
         Real x = at_[ends.from][0] + *slope->second * (whole<Real>(y) - at_[ends.from][1]);
         if (method_.lerp == LerpForm::incremental && before != walks_.end())
             x = y > before->second.first ? Real(before->second.second + *slope->second)

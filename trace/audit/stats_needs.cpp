@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace rastertrace {
@@ -15,10 +16,10 @@ void StatsNeeds::begin(const PrimitiveStep& step, std::size_t number) {
     close();
     primitive_ = {.called = fmt::format("{} {} (step {})", printable(step.kind.text()),
                                         printable(step.name.text()), number)};
-    primitive_.is_judged = step.kind != PrimitiveKind::line && step.kind != PrimitiveKind::point &&
-                           step.kind != PrimitiveKind::outline &&
-                           step.kind != PrimitiveKind::circle &&
-                           step.kind != PrimitiveKind::polygon && !step.painted.is_false();
+    // Of the kinds that are known, triangles alone are judged by their corners.
+    const bool is_other = std::any_of(all_primitives.begin() + 1, all_primitives.end(),
+                                      [&step](PrimitiveKind kind) { return step.kind == kind; });
+    primitive_.is_judged = !is_other && !step.painted.is_false();
     if (step.kind != PrimitiveKind::triangle)
         primitive_.lacks = "expected a triangle, polygon, outline, line, circle or point, found " +
                            primitive_.called;

@@ -142,30 +142,44 @@ private:
         put("y", line_.next());
         const bool is_depth = line_.take("depth");
         line_.expect(":", "`:`");
-        if (is_depth) {
-            put("left_depth", line_.next());
-            line_.expect(",", "a comma between left_depth and right_depth");
-            return put("right_depth", line_.next());
-        }
+        if (is_depth)
+            return read_ends("left_depth", "right_depth", line_.next());
         if (!line_.take("->")) {
-            std::vector<ClaimWord> ends{line_.next()};
+            if (has_more_ends())
+                return read_crossings();
+            const ClaimWord first = line_.next();
             if (line_.peek().is(".."))
-                return read_pixels_of_row(ends.front());
-            while (line_.take(","))
-                ends.push_back(line_.next());
-            if (ends.size() > 2) {
-                claim_.step = "crossings"; // of a polygon
-                return put_list("x", ends);
-            }
-            put("left", ends.front());
-            if (ends.size() < 2)
-                line_.expect(",", "a comma between left and right");
-            put("right", ends.back());
+                return read_pixels_of_row(first);
+            read_ends("left", "right", first);
             if (line_.at_end())
                 return;
             line_.expect("->", "`->` and the pixels, or the end of the line");
         }
         read_pixels_of_row(line_.next());
+    }
+
+    void read_ends(std::string_view left, std::string_view right, const ClaimWord& first) {
+        put(left, first);
+        line_.expect(",", fmt::format("a comma between {} and {}", left, right));
+        put(right, line_.next());
+    }
+
+    /// True if more than two ends follow. A comma without a space behind it may be that of a decimal.
+    bool has_more_ends() {
+        std::size_t commas = 0;
+        for (; line_.peek(2 * commas + 1).is(","); ++commas)
+            if (line_.peek(2 * commas + 1).offset + 1 == line_.peek(2 * commas + 2).offset)
+                return false;
+        return commas > 1;
+    }
+
+    /// The ends of all spans of a polygon in a row.
+    void read_crossings() {
+        claim_.step = "crossings";
+        std::vector<ClaimWord> ends{line_.next()};
+        while (line_.take(","))
+            ends.push_back(line_.next());
+        put_list("x", ends);
     }
 
     void read_pixels_of_row(const ClaimWord& from) {

@@ -22,7 +22,7 @@ const std::array<StepRow, step_kinds> table{{
      {"vertex {name} in {#space} space: {@place}{@snapped}",
       "vértice {name} no espaço {#space}: {@place}{@snapped}"}},
 
-    {StepKind::order, "the painter has sorted the triangles",
+    {StepKind::order, "the painter has sorted the faces",
      {"the painter draws, farthest first:{@farthest_first}",
       "o pintor desenha, do mais distante ao mais próximo:{@farthest_first}"}},
 

@@ -279,7 +279,8 @@ private:
     std::string_view label(EdgeName edge) {
         if (!has_labels_)
             write_labels();
-        return labels_[label_of(edge)];
+        const std::size_t number = label_of(edge);
+        return number < labels_.size() ? labels_[number] : std::string_view();
     }
 
     /// Where the label of an edge stands: from each vertex the way to the next one, and back to the one before.

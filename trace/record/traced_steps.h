@@ -16,6 +16,7 @@
 
 #include "step_kind.h"
 
+#include <rastertrace/core/draw/scene/algorithms.h>
 #include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/core/raster/canvas.h>
 #include <rastertrace/core/raster/image.h>
@@ -118,7 +119,8 @@ public:
 
 /// True of a kind whose inside is drawn.
 inline bool is_filled(const TracedWord<PrimitiveKind>& kind) {
-    return kind == PrimitiveKind::triangle || kind == PrimitiveKind::polygon;
+    return std::any_of(all_primitives.begin(), all_primitives.end(),
+                       [&kind](PrimitiveKind one) { return kind == one && is_filled(one); });
 }
 
 /// The values of a JSON array, as they stand in it; none of what is no array.
@@ -257,7 +259,7 @@ struct VertexStep {
                               field::Decision<"snapped", &VertexStep::snapped>>;
 };
 
-/// The painter has sorted the triangles.
+/// The painter has sorted the faces.
 struct OrderStep {
     static constexpr StepKind step_kind = StepKind::order;
 

@@ -101,17 +101,14 @@ public:
         if (const auto colors = root.find("colors"))
             read_colors(*colors);
         // Drawn in this order: what is thin comes last and stays visible.
-        read_primitives(root.find("triangles"), PrimitiveKind::triangle);
-        take_faces(PrimitiveKind::triangle);
-        read_primitives(root.find("polygons"), PrimitiveKind::polygon);
-        take_faces(PrimitiveKind::polygon);
-        read_primitives(root.find("outlines"), PrimitiveKind::outline);
-        take_faces(PrimitiveKind::outline);
-        read_primitives(root.find("lines"), PrimitiveKind::line);
-        take_faces(PrimitiveKind::line);
-        if (const auto circles = root.find("circles"))
-            read_circles(*circles);
-        read_primitives(root.find("points"), PrimitiveKind::point);
+        for (const PrimitiveKind kind : all_primitives) {
+            const auto list = root.find(traits_of(kind).list);
+            if (kind == PrimitiveKind::circle)
+                read_circles(list);
+            else
+                read_primitives(list, kind);
+            take_faces(kind);
+        }
         if (scene_.primitives.empty())
             json_.fail(
                 root, "expected at least one primitive, found none",
@@ -594,8 +591,10 @@ private:
                     traits_of(method.fill).name),
                 R"("fill": "scanline" does that; or write the triangles as polygons)");
         if (place_of_flat_ && scene_.has_depth_buffer()) {
-            const std::string_view kind = name_of(
-                scene_.has(PrimitiveKind::circle) ? PrimitiveKind::circle : PrimitiveKind::polygon);
+            // Polygons are read before circles.
+            const std::string_view kind =
+                name_of(scene_.has(PrimitiveKind::polygon) ? PrimitiveKind::polygon
+                                                           : PrimitiveKind::circle);
             json_.fail(*place_of_flat_,
                        fmt::format("expected no depth buffer beside a {}, found one", kind),
                        fmt::format(R"(a {} is drawn in the picture, and has no depth there; )"
@@ -731,14 +730,13 @@ private:
     }
 
     /// The vertices of a primitive: as many as its kind has.
-    void read_corners(const JsonValue& value, ScenePrimitive& primitive) {
+    void read_corners(const JsonValue& value, ScenePrimitive& primitive) const {
         const std::string_view expected = form_of(primitive.kind).vertices;
         if (primitive.kind == PrimitiveKind::polygon) {
             auto ring = corners_in(value, {}, expected);
             if (ring.size() < 3)
                 json_.fail_expecting(value, expected);
             set_ring(primitive, std::move(ring), value);
-            place_of_flat_ = place_of_flat_.value_or(value.begin);
             return;
         }
         const std::size_t count = primitive.corners().size();
@@ -789,13 +787,15 @@ private:
             } else {
                 read_corners(value, primitive);
             }
-            add_named(std::move(primitive));
+            add_named(std::move(primitive), value.begin);
         }
     }
 
-    void read_circles(const JsonValue& list) {
+    void read_circles(const std::optional<JsonValue>& list) {
+        if (!list)
+            return;
         const JsonElements values =
-            json_.array_in(list, R"(a list of circles, like [{"center": "A", "radius": 5}])");
+            json_.array_in(*list, R"(a list of circles, like [{"center": "A", "radius": 5}])");
         for (const JsonValue& value : values) {
             if (value.kind != JsonValue::Kind::object)
                 json_.fail_expecting(value, R"(a circle, like {"center": "A", "radius": 5})");
@@ -807,8 +807,7 @@ private:
                 vertex_named(json_.string_in(center, "the name of a vertex"), center.begin);
             circle.radius = radius_in(json_.member(value, "radius"));
             read_color_and_name(value, circle);
-            add_named(std::move(circle));
-            place_of_flat_ = place_of_flat_.value_or(value.begin);
+            add_named(std::move(circle), value.begin);
         }
     }
 
@@ -834,8 +833,10 @@ private:
         }
     }
 
-    /// Adds a primitive, called by its vertices if it has no name.
-    void add_named(ScenePrimitive&& primitive) {
+    /// Adds a primitive, called by its vertices if it has no name. `place` is its offset in the source.
+    void add_named(ScenePrimitive&& primitive, std::size_t place) {
+        if (!traits_of(primitive.kind).has_depth)
+            place_of_flat_ = place_of_flat_.value_or(place);
         if (primitive.name.empty()) {
             std::vector<std::string_view> names;
             for (const std::size_t vertex : primitive.corners())
@@ -938,7 +939,7 @@ private:
     std::vector<Model>& models_;
     Scene scene_;
     std::optional<std::size_t> place_of_fit_;     ///< offset of a camera that is to be fitted
-    std::optional<std::size_t> place_of_flat_;    ///< offset of the first circle or polygon
+    std::optional<std::size_t> place_of_flat_;    ///< offset of the first primitive without depth
     std::optional<std::size_t> place_of_camera_;  ///< offset of a camera without a projection
     std::vector<std::size_t> places_of_vertices_; ///< offsets of their names in the source
     std::vector<float> units_;                    ///< of each vertex: see typed_digits.h

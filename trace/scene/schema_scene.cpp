@@ -164,11 +164,11 @@ std::string scene_schema() {
     definitions["vertices"] = map_to("place");
     definitions["vertices"]["propertyNames"] = {{"minLength", 1}};
     definitions["colors"] = map_to("color");
-    define_primitives(definitions, "triangles", 3, 3);
-    define_primitives(definitions, "polygons", 3, most_corners);
-    define_primitives(definitions, "outlines", 3, 3);
-    define_primitives(definitions, "lines", 2, 2);
-    define_primitives(definitions, "points", 1, 1);
+    for (const PrimitiveKind kind : all_primitives)
+        if (kind != PrimitiveKind::circle)
+            define_primitives(
+                definitions, std::string(traits_of(kind).list), traits_of(kind).corners,
+                kind == PrimitiveKind::polygon ? most_corners : traits_of(kind).corners);
     definitions["circles"] = list_of("circle");
     definitions["circle"] = object_with(circle_keys);
     definitions["radius"] = {{"type", "integer"}, {"minimum", 0}, {"maximum", largest_radius}};

@@ -8,21 +8,7 @@
 namespace rastertrace {
 
 std::string_view name_of(PrimitiveKind kind) {
-    switch (kind) {
-    case PrimitiveKind::point:
-        return "point";
-    case PrimitiveKind::line:
-        return "line";
-    case PrimitiveKind::outline:
-        return "outline";
-    case PrimitiveKind::circle:
-        return "circle";
-    case PrimitiveKind::polygon:
-        return "polygon";
-    case PrimitiveKind::triangle:
-        break;
-    }
-    return "triangle";
+    return traits_of(kind).name;
 }
 
 std::string_view name_separator(std::span<const std::string_view> names) {

@@ -449,9 +449,10 @@ int run(const FigureCommand& asked) {
     check_format(command, format);
     if (format == FigureFormat::html)
         return write_page(command);
-    InputFrames input(
-        command.trace,
-        {.method = command.method, .limits = command.input, .frames = command.frames});
+    InputFrames input(command.trace, {.method = command.method,
+                                      .limits = command.input,
+                                      .frames = command.frames,
+                                      .tells_steps = true});
     // A sequence is a film already.
     if (command.which == FigureCommand::Which::last && !command.sheet &&
         is_animation(command, format) && !input.is_sequence())

@@ -66,10 +66,7 @@ struct ValidatedFile {
 
 std::string about_scene(const Scene& scene, std::size_t frames) {
     std::string about = frames > 1 ? fmt::format("a scene of {} frames", frames) : "a scene";
-    constexpr std::array kinds{PrimitiveKind::triangle, PrimitiveKind::polygon,
-                               PrimitiveKind::outline,  PrimitiveKind::line,
-                               PrimitiveKind::circle,   PrimitiveKind::point};
-    for (const PrimitiveKind kind : kinds) {
+    for (const PrimitiveKind kind : all_primitives) {
         const auto count =
             std::count_if(scene.primitives.begin(), scene.primitives.end(),
                           [kind](const ScenePrimitive& one) { return one.kind == kind; });

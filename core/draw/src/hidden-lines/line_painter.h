@@ -184,7 +184,7 @@ public:
                 const Sink& sink)
         : side_(side), scene_(scene), image_(image), tests_(tests), owners_(owners),
           points_(line_points(piece, side, tests_.larger_passes())),
-          thickness_(thickness_of(piece.kind)), ends_(ends_in_scene(scene, piece, side)),
+          thickness_(traits_of(piece.kind).thickness), ends_(ends_in_scene(scene, piece, side)),
           sink_(sink) {}
 
     template <typename Step> bool takes() const { return rastertrace::takes<Step>(sink_); }
@@ -225,7 +225,7 @@ private:
             // A line does not hide the points at its ends.
             const std::uint32_t thin = *tests_.thin_owner_of(cell);
             verdict.is_by_thin = true;
-            if (thickness_ < thickness_of(primitive_of(thin).kind) && is_side_of(thin))
+            if (thickness_ < traits_of(primitive_of(thin).kind).thickness && is_side_of(thin))
                 pass_because(DepthReason::side_of, thin);
         } else if (owner && tests_.hides(cell, depth)) {
             pass_because(is_side_of(*owner) ? DepthReason::side_of : DepthReason::beside, *owner);

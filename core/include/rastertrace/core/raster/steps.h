@@ -26,11 +26,6 @@ namespace rastertrace {
 /// What kind of thing is drawn.
 enum class PrimitiveKind { triangle, polygon, outline, line, point, circle };
 
-/// True if its inside is drawn: it has a face, which is tested, lit and sorted.
-constexpr bool is_filled(PrimitiveKind kind) {
-    return kind == PrimitiveKind::triangle || kind == PrimitiveKind::polygon;
-}
-
 /// A face that is not convex has been cut into triangles: it was seen along an axis, and its ears
 /// were cut (triangulate.h). Whatever the Scalar of a scene, this is decided in exact numbers.
 template <typename Scalar> struct FaceTriangulated {
@@ -65,7 +60,7 @@ template <typename Scalar> struct VertexPlaced {
     std::span<const Scalar> snapped; ///< on the screen: where `snap` moves it; else empty
 };
 
-/// The painter has sorted the triangles: this is the order in which they are drawn.
+/// The painter has sorted the faces: this is the order in which they are drawn.
 template <typename Scalar> struct PrimitivesOrdered {
     std::span<const std::string_view> names;
     std::span<const Scalar> distances;    ///< from the eye: the key that each was sorted by

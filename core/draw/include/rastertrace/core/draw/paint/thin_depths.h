@@ -14,24 +14,6 @@
 
 namespace rastertrace {
 
-/// Of two equal depths, that of the thinner primitive passes.
-enum class Thickness : std::uint8_t { point, line, face };
-
-inline Thickness thickness_of(PrimitiveKind kind) {
-    switch (kind) {
-    case PrimitiveKind::point:
-        return Thickness::point;
-    case PrimitiveKind::line:
-    case PrimitiveKind::outline:
-    case PrimitiveKind::circle:
-        return Thickness::line;
-    case PrimitiveKind::triangle:
-    case PrimitiveKind::polygon:
-        break;
-    }
-    return Thickness::face;
-}
-
 /// The result of a depth test, as DepthTested has it.
 struct DepthVerdict {
     bool passes;

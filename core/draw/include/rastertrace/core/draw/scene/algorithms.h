@@ -1,17 +1,38 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The algorithms that a scene can name, and their properties: a row for each. A new algorithm is a
+// The primitives and the algorithms that a scene can name, and their properties: a row for each. A new algorithm is a
 // page in raster/, an enumerator, its row here, and its case in draw/paint/fill.h, or for a line in
 // draw_line of draw_in.h.
 //
 //     traits_of(Fill::top_left).depths;  // DepthForm::plane
 
+#include <rastertrace/core/raster/steps.h>
+
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <string_view>
 
 namespace rastertrace {
+
+/// The kinds of primitives, in the order in which a scene's lists of them are drawn: what is thin
+/// comes last and stays visible.
+inline constexpr std::array all_primitives{PrimitiveKind::triangle, PrimitiveKind::polygon,
+                                           PrimitiveKind::outline,  PrimitiveKind::line,
+                                           PrimitiveKind::circle,   PrimitiveKind::point};
+
+/// Of two equal depths, that of the thinner primitive passes.
+enum class Thickness : std::uint8_t { point, line, face };
+
+struct PrimitiveTraits {
+    std::string_view name; ///< in a trace
+    std::string_view list; ///< of a scene
+    std::size_t corners;   ///< how many vertices it has; a polygon has so many or more
+    Thickness thickness;   ///< a face is filled: it is tested, lit and sorted
+    bool has_depth = true; ///< false: it is drawn in the picture, beside no depth buffer
+};
 
 /// The algorithm that fills triangles.
 enum class Fill {
@@ -79,6 +100,29 @@ struct LineTraits {
 /// Ends a switch that has a case for every enumerator: the compiler warns of a new one.
 [[noreturn]] inline void not_an_enumerator() {
     std::abort();
+}
+
+constexpr PrimitiveTraits traits_of(PrimitiveKind kind) {
+    switch (kind) {
+    case PrimitiveKind::triangle:
+        return {"triangle", "triangles", 3, Thickness::face};
+    case PrimitiveKind::polygon:
+        return {"polygon", "polygons", 3, Thickness::face, false};
+    case PrimitiveKind::outline:
+        return {"outline", "outlines", 3, Thickness::line};
+    case PrimitiveKind::line:
+        return {"line", "lines", 2, Thickness::line};
+    case PrimitiveKind::circle:
+        return {"circle", "circles", 1, Thickness::line, false};
+    case PrimitiveKind::point:
+        return {"point", "points", 1, Thickness::point};
+    }
+    not_an_enumerator();
+}
+
+/// True if its inside is drawn.
+constexpr bool is_filled(PrimitiveKind kind) {
+    return traits_of(kind).thickness == Thickness::face;
 }
 
 constexpr FillTraits traits_of(Fill fill) {

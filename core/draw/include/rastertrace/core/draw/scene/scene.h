@@ -53,8 +53,7 @@ struct ScenePrimitive {
     std::span<const std::size_t> corners() const {
         if (kind == PrimitiveKind::polygon)
             return ring;
-        const bool is_single = kind == PrimitiveKind::point || kind == PrimitiveKind::circle;
-        return std::span(vertices).first(is_single ? 1 : kind == PrimitiveKind::line ? 2 : 3);
+        return std::span(vertices).first(traits_of(kind).corners);
     }
 };
 
