@@ -39,9 +39,8 @@ TEST_F(ProgramTest, SentencesOfWrongStepsSayWhatTheirNumbersGive) {
                 HasSubstr("[!] its numbers give from = -1"));
     EXPECT_THAT(shell("$rastertrace show --all --language pt " + fast).out,
                 HasSubstr("   [!] seus n\u00FAmeros d\u00E3o from = -1\n"));
-    for (const std::string format : {"txt", "html"})
-        EXPECT_THAT(shell("$rastertrace figure " + fast + " --step 11 -o - --format " + format).out,
-                    HasSubstr("[!] its numbers give from = -1"));
+    EXPECT_THAT(shell("$rastertrace figure " + fast + " --step 11 --format txt -o -").out,
+                HasSubstr("[!] its numbers give from = -1"));
     EXPECT_THAT(shell("$rastertrace show --all $examples/regression/mine.jsonl").out,
                 Not(HasSubstr("[!]")));
 }
