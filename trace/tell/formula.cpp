@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "formula.h"
 
+#include "sheet.h"
 #include "step_text.h"
 
 #include <rastertrace/core/numbers/irrational.h>
+#include <rastertrace/trace/text/text.h>
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
@@ -52,19 +56,16 @@ Values value(const InRow& row) {
 }
 
 Values value(const FaceNormal& face) {
-    const auto& [a, b, c] = face.corners;
-    return components(cross(b - a, c - a));
+    return components(face.value());
 }
 
 Values value(const Centroid& face) {
-    const auto& [a, b, c] = face.corners;
-    const Vec3 sum = a + b + c;
-    return {sum.x / 3, sum.y / 3, sum.z / 3};
+    return components(face.value());
 }
 
 Values value(const FacePlane& plane) {
     Values of = components(plane.normal);
-    of.push_back(-dot(plane.normal, plane.corner));
+    of.push_back(plane.constant());
     return of;
 }
 
@@ -73,7 +74,7 @@ Values value(const Toward& toward) {
 }
 
 Values value(const FaceDot& face) {
-    return {dot(face.normal, face.view)};
+    return {face.value()};
 }
 
 Values value(const FaceCosine& face) {
@@ -91,9 +92,8 @@ Values value(const IsCulled& face) {
 
 Values value(const MatrixTimes& product) {
     Values of;
-    for (const auto& row : product.rows)
-        of.push_back(
-            std::inner_product(row.begin(), row.end(), product.point.begin(), Rational(0)));
+    for (std::size_t row = 0; row < product.rows.size(); ++row)
+        of.push_back(product.value(row));
     return of;
 }
 
@@ -145,6 +145,63 @@ std::optional<Rational> Lerp::slope() const {
 Rational Lerp::value() const {
     const auto quotient = slope();
     return quotient ? Rational(d1 + *quotient * (i - i1)) : d1;
+}
+
+std::string Lerp::written_out(const Rational& result) const {
+    const std::string start = plus(text(d1));
+    return fmt::format("({} {})/({} {}) ({} {}) {} = {} {} = {}", text(d2), minus(text(d1)),
+                       text(i2), minus(text(i1)), text(i), minus(text(i1)), start,
+                       product(*slope(), i - i1), start, text(result));
+}
+
+Vec3 FaceNormal::value() const {
+    const auto& [a, b, c] = corners;
+    return cross(b - a, c - a);
+}
+
+std::string cross_written_out(const Vec3& a, const Vec3& b) {
+    return fmt::format("({} - {}, {} - {}, {} - {})", product(a.y, b.z), product(a.z, b.y),
+                       product(a.z, b.x), product(a.x, b.z), product(a.x, b.y), product(a.y, b.x));
+}
+
+std::string FaceNormal::written_out() const {
+    const auto& [a, b, c] = corners;
+    return cross_written_out(b - a, c - a);
+}
+
+Vec3 Centroid::value() const {
+    const auto& [a, b, c] = corners;
+    const Vec3 sum = a + b + c;
+    return {sum.x / 3, sum.y / 3, sum.z / 3};
+}
+
+Rational FacePlane::constant() const {
+    return -dot(normal, corner);
+}
+
+std::string FacePlane::written_out() const {
+    return fmt::format("{} x {} y {} z {} = 0", text(normal.x), plus(text(normal.y)),
+                       plus(text(normal.z)), minus(text(dot(normal, corner))));
+}
+
+Rational FaceDot::value() const {
+    return dot(normal, view);
+}
+
+std::string FaceDot::written_out() const {
+    return fmt::format("{} + {} + {} = {}", product(normal.x, view.x), product(normal.y, view.y),
+                       product(normal.z, view.z), text(value()));
+}
+
+Rational MatrixTimes::value(std::size_t row) const {
+    return std::inner_product(rows[row].begin(), rows[row].end(), point.begin(), Rational(0));
+}
+
+std::string MatrixTimes::written_out(std::size_t row) const {
+    const auto& factors = rows[row];
+    return fmt::format("{} + {} + {} + {}", product(factors[0], point[0]),
+                       product(factors[1], point[1]), product(factors[2], point[2]),
+                       product(factors[3], point[3]));
 }
 
 Rational RoundedEnd::by(const SpanRounding& other) const {

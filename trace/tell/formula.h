@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The formulas of the textbook with their numbers, so that they can be worked out again: rightly, from
-// other numbers, or with a mistake in them (slips.h).
+// The formulas of the textbook with their numbers: what they come to, and how a hand writes that down. A working
+// writes them out; claims are judged by their values, from the claimed numbers, or with a mistake in them (slips.h).
 //
-//     const Formula end{Lerp{.d1 = 2, .i1 = 5, .d2 = -4, .i2 = -3, .i = 2}};
-//     value_of(end);  // {-1/4}
+//     const Lerp end{.d1 = 2, .i1 = 5, .d2 = -4, .i2 = -3, .i = 2};
+//     end.value();        // -1/4
+//     end.written_out(end.value());  // "(-4 - 2)/(-3 - 5) (2 - 5) + 2 = 3/4 (-3) + 2 = -1/4"
 
 #include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/core/numbers/vec.h>
@@ -14,6 +15,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <type_traits>
 #include <variant>
 #include <vector>
@@ -51,6 +53,9 @@ struct Lerp {
 
     /// What it comes to.
     Rational value() const;
+
+    /// The numbers put in; i2 != i1. `result` is its value, or what a trace tells, which may be rounded.
+    std::string written_out(const Rational& result) const;
 };
 
 /// A coordinate that becomes a pixel.
@@ -87,17 +92,29 @@ struct InRow {
 /// (B - A) x (C - A).
 struct FaceNormal {
     std::array<Vec<Rational, 3>, 3> corners;
+
+    Vec<Rational, 3> value() const;
+
+    /// (-5 (0) - 0 (-3), ...)
+    std::string written_out() const;
 };
 
 /// (A + B + C) / 3.
 struct Centroid {
     std::array<Vec<Rational, 3>, 3> corners;
+
+    Vec<Rational, 3> value() const;
 };
 
 /// A, B, C and D of the plane A x + B y + C z + D = 0 that a face lies in.
 struct FacePlane {
     Vec<Rational, 3> normal;
     Vec<Rational, 3> corner;
+
+    Rational constant() const; ///< D
+
+    /// 0 x + 0 y - 4 z + 8 = 0
+    std::string written_out() const;
 };
 
 /// From the centroid of a face to the eye, or to the light.
@@ -112,6 +129,11 @@ struct Toward {
 struct FaceDot {
     Vec<Rational, 3> normal;
     Vec<Rational, 3> view;
+
+    Rational value() const;
+
+    /// 0 (-1) + 0 (-1) + -4 (3) = -12
+    std::string written_out() const;
 };
 
 /// normal . view / (|normal| |view|); an intensity is not below 0.
@@ -132,6 +154,11 @@ struct IsCulled {
 struct MatrixTimes {
     std::vector<std::array<Rational, 4>> rows;
     std::array<Rational, 4> point;
+
+    Rational value(std::size_t row) const;
+
+    /// A component: 1 (2) + 0 (5) + 0 (3) + 0 (1)
+    std::string written_out(std::size_t row) const;
 };
 
 /// (x, y, z) / w
@@ -175,6 +202,9 @@ struct Formula {
                  BresenhamDecisions, MixedDepth, DepthComparison, Weights>
         of;
 };
+
+/// (y1 z2 - z1 y2, z1 x2 - x1 z2, x1 y2 - y1 x2), with the numbers put in.
+std::string cross_written_out(const Vec<Rational, 3>& a, const Vec<Rational, 3>& b);
 
 /// What it comes to; nothing where it divides by 0.
 Values value_of(const Formula& formula);

@@ -150,6 +150,9 @@ void edge(Sheet& sheet) {
                            function->at(p)));
 }
 
+/// In front of a Lerp that is written out.
+constexpr std::string_view x_of_edge = "x = (x2 - x1)/(y2 - y1) (y - y1) + x1 = ";
+
 /// Where an edge crosses a row.
 void put_crossing(Sheet& sheet, const EndOfRow& end) {
     const auto ends = ends_of_edge(sheet.primitive, end.edge.text());
@@ -163,13 +166,8 @@ void put_crossing(Sheet& sheet, const EndOfRow& end) {
     // A row that adds to the one before says so in its sentence.
     const bool adds = sheet.trace().method_value("lerp") == "incremental";
     if (told && !adds && sheet.agrees(x.value(), *told))
-        sheet.put(fmt::format(
-            "{} {}: x = (x2 - x1)/(y2 - y1) (y - y1) + x1 = ({} {})/({} {}) ({} {}) {} = {} {} = "
-            "{}{} -> {}",
-            end.name(), end.edge.text(), text(to->x), minus(text(from->x)), text(to->y),
-            minus(text(from->y)), text(y), minus(text(from->y)), plus(text(from->x)),
-            product(*x.slope(), y - from->y), plus(text(from->x)), text(*told),
-            rule_of_end(sheet.trace(), end), end.pixel));
+        sheet.put(fmt::format("{} {}: {}{}{} -> {}", end.name(), end.edge.text(), x_of_edge,
+                              x.written_out(*told), rule_of_end(sheet.trace(), end), end.pixel));
 
     // The same LERP for the depth there.
     const auto depths = sheet.primitive.depths.values();
@@ -286,13 +284,8 @@ void crossings(Sheet& sheet) {
         if (!from || !to || !told || !after)
             return;
         const Lerp lerp{.d1 = from->x, .i1 = from->y, .d2 = to->x, .i2 = to->y, .i = step.y};
-        if (sheet.agrees(lerp.value(), *told))
-            sheet.put(fmt::format("{}: x = (x2 - x1)/(y2 - y1) (y - y1) + x1 = ({} {})/({} {}) ({} "
-                                  "{}) {} = {} {} = {}",
-                                  edges[i], text(to->x), minus(text(from->x)), text(to->y),
-                                  minus(text(from->y)), step.y, minus(text(from->y)),
-                                  plus(text(from->x)), product(*lerp.slope(), step.y - from->y),
-                                  plus(text(from->x)), text(*told)));
+        if (lerp.slope() && sheet.agrees(lerp.value(), *told))
+            sheet.put(fmt::format("{}: {}{}", edges[i], x_of_edge, lerp.written_out(*told)));
         const Rational turn = *after - before;
         sheet.put(said(
             {"  the polygon runs {} along {}: {} {} = {}", "  o polígono {} por {}: {} {} = {}"},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The workings of steps in space: matrices, vertices, faces, light, and the plane of a face.
 
+#include "formula.h"
 #include "sheet.h"
 
 #include <rastertrace/core/numbers/irrational.h>
@@ -148,12 +149,6 @@ void put_factors(Sheet& sheet, const std::vector<std::string>& names,
     }
 }
 
-/// (y1 z2 - z1 y2, z1 x2 - x1 z2, x1 y2 - y1 x2)
-std::string cross_written_out(const Vec3& a, const Vec3& b) {
-    return fmt::format("({} - {}, {} - {}, {} - {})", product(a.y, b.z), product(a.z, b.y),
-                       product(a.z, b.x), product(a.x, b.z), product(a.x, b.y), product(a.y, b.x));
-}
-
 /// The matrices so far as one: view x model, projection x view x model.
 struct Product {
     std::string names;
@@ -227,11 +222,11 @@ void put_camera(Sheet& sheet, const MatrixStep& step, const Matrix<Rational>& ro
 /// normal . v, the lengths of both, and the angle between them.
 void put_angle(Sheet& sheet, const Vec3& normal, const Vec3& v, std::string_view name,
                const std::optional<Rational>& told) {
-    const Rational value = dot(normal, v);
+    const FaceDot product{normal, v};
+    const Rational value = product.value();
     if (!told || !sheet.agrees(value, *told))
         return;
-    sheet.put(fmt::format("normal . {} = {} + {} + {} = {}", name, product(normal.x, v.x),
-                          product(normal.y, v.y), product(normal.z, v.z), text(value)));
+    sheet.put(fmt::format("normal . {} = {}", name, product.written_out()));
     sheet.put(fmt::format("|normal| = {}, |{}| = {}", length_of(normal), name, length_of(v)));
     const auto lengths = root_of(dot(normal, normal) * dot(v, v));
     if (!lengths || sgn(*lengths) == 0)
@@ -249,23 +244,20 @@ void put_normal(Sheet& sheet, const Vec3& normal) {
         return;
     const auto& [a, b, c] = *corners;
     const auto& names = sheet.primitive.vertices;
-    const Vec3 first = b - a;
-    const Vec3 second = c - a;
-    const Vec3 worked_out = cross(first, second);
+    const FaceNormal of_corners{*corners};
+    const Vec3 worked_out = of_corners.value();
     if (!sheet.agrees(worked_out.x, normal.x) || !sheet.agrees(worked_out.y, normal.y) ||
         !sheet.agrees(worked_out.z, normal.z))
         return;
     for (std::size_t i = 0; i < 3; ++i)
         sheet.put(fmt::format("{} = {}", names[i], text((*corners)[i])));
-    sheet.put(fmt::format("{1} - {0} = {2}", names[0], names[1], text(first)));
-    sheet.put(fmt::format("{1} - {0} = {2}", names[0], names[2], text(second)));
+    sheet.put(fmt::format("{1} - {0} = {2}", names[0], names[1], text(b - a)));
+    sheet.put(fmt::format("{1} - {0} = {2}", names[0], names[2], text(c - a)));
     sheet.put(fmt::format("normal = ({1} - {0}) x ({2} - {0})", names[0], names[1], names[2]));
-    sheet.put(fmt::format("= {} = {}", cross_written_out(first, second), text(normal)));
-    const Vec3 sum = a + b + c;
+    sheet.put(fmt::format("= {} = {}", of_corners.written_out(), text(normal)));
     sheet.put(said({"centroid = ({} + {} + {}) / 3 = {}", "baricentro = ({} + {} + {}) / 3 = {}"},
-                   names[0], names[1], names[2], text(Vec3{sum.x / 3, sum.y / 3, sum.z / 3})));
-    sheet.put(said({"plane: {} x {} y {} z {} = 0", "plano: {} x {} y {} z {} = 0"}, text(normal.x),
-                   plus(text(normal.y)), plus(text(normal.z)), minus(text(dot(normal, a)))));
+                   names[0], names[1], names[2], text(Centroid{*corners}.value())));
+    sheet.put(said({"plane: {}", "plano: {}"}, FacePlane{normal, a}.written_out()));
 }
 
 /// All matrices at once, from object space to clip space.
@@ -414,19 +406,14 @@ void write_vertex(Sheet& sheet) {
         const auto matrix = matrix_in(step);
         if (!matrix || step.name != wanted)
             continue;
+        const MatrixTimes product{{matrix->rows.begin(), matrix->rows.end()}, *vector};
         std::vector<std::string> lines;
         bool is_this = true;
         for (std::size_t i = 0; i < at.size() && i < 4; ++i) {
-            const auto& row = matrix->rows[i];
-            Rational sum;
-            for (std::size_t k = 0; k < 4; ++k)
-                sum += row[k] * (*vector)[k];
             const auto told = number_in(at[i]);
-            is_this = is_this && told && sheet.agrees(sum, *told);
+            is_this = is_this && told && sheet.agrees(product.value(i), *told);
             lines.push_back(
-                fmt::format("{} = {} + {} + {} + {} = {}", names[i], product(row[0], (*vector)[0]),
-                            product(row[1], (*vector)[1]), product(row[2], (*vector)[2]),
-                            product(row[3], (*vector)[3]), in_sentence(at[i])));
+                fmt::format("{} = {} = {}", names[i], product.written_out(i), in_sentence(at[i])));
         }
         if (is_this) { // of several objects, the one that this vertex belongs to
             sheet.lines = std::move(lines);
@@ -484,19 +471,17 @@ void write_plane_in_camera_space(Sheet& sheet, const Vec2& sample, const Rationa
     };
     const Rational x = on_plane(0, sample.x);
     const Rational y = on_plane(1, sample.y);
-    const auto& [a, b, c] = *corners;
-    const Vec3 normal = cross(b - a, c - a);
-    const Rational constant = -dot(normal, a);
+    const Vec3 normal = FaceNormal{*corners}.value();
+    const FacePlane plane{normal, (*corners)[0]};
+    const Rational constant = plane.constant();
     const Rational divisor = normal.x * x + normal.y * y + d * normal.z;
     if (sgn(divisor) == 0 || sgn(constant) == 0)
         return; // the plane leads through the eye
     const Rational z = -d * constant / divisor;
     if (!sheet.agrees(1 / abs(z), told))
         return;
-    sheet.put(said({"plane in camera space: {} x {} y {} z {} = 0",
-                    "plano no espaço da câmera: {} x {} y {} z {} = 0"},
-                   text(normal.x), plus(text(normal.y)), plus(text(normal.z)),
-                   plus(text(constant))));
+    sheet.put(
+        said({"plane in camera space: {}", "plano no espaço da câmera: {}"}, plane.written_out()));
     sheet.put(said({"seen at x' = {}, y' = {} on the view plane z = d = {}",
                     "visto em x' = {}, y' = {} no plano de visão z = d = {}"},
                    text(x), text(y), text(d)));

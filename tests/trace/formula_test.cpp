@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+// What a formula writes out is worked out again by a reader of arithmetic: it comes to what judges a claim.
+
+#include <rastertrace/trace/tell/formula.h>
+#include <rastertrace/trace/tell/step_text.h>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rastertrace {
+namespace {
+
+/// Reads `(-4 - 2)/(-3 - 5) (2 - 5) + 2`: a space between two factors multiplies.
+class Arithmetic {
+public:
+    explicit Arithmetic(std::string_view rest) : rest_(rest) {}
+
+    Rational sum() {
+        Rational value = product();
+        while (true)
+            if (take(" + "))
+                value += product();
+            else if (take(" - "))
+                value -= product();
+            else
+                return value;
+    }
+
+    bool at_end() const { return rest_.empty(); }
+
+private:
+    Rational product() {
+        Rational value = factor();
+        while (true)
+            if (take("/"))
+                value /= factor();
+            else if (rest_.starts_with(" (") && take(" "))
+                value *= factor();
+            else
+                return value;
+    }
+
+    Rational factor() {
+        if (take("(")) {
+            Rational value = sum();
+            if (!take(")"))
+                throw std::string("expected )");
+            return value;
+        }
+        const std::size_t sign = rest_.starts_with('-') ? 1 : 0;
+        const std::size_t end = std::min(rest_.find_first_not_of("0123456789", sign), rest_.size());
+        const Rational value(std::string(rest_.substr(0, end)));
+        rest_.remove_prefix(end);
+        return value;
+    }
+
+    bool take(std::string_view token) {
+        if (!rest_.starts_with(token))
+            return false;
+        rest_.remove_prefix(token.size());
+        return true;
+    }
+
+    std::string_view rest_;
+};
+
+Rational worked_out(std::string_view text) {
+    Arithmetic arithmetic(text);
+    const Rational value = arithmetic.sum();
+    RC_ASSERT(arithmetic.at_end());
+    return value;
+}
+
+std::vector<std::string> split_around(const std::string& text, std::string_view separator) {
+    std::vector<std::string> parts;
+    std::size_t begin = 0;
+    for (std::size_t end = 0; end != std::string::npos; begin = end + separator.size()) {
+        end = text.find(separator, begin);
+        parts.push_back(text.substr(begin, end == std::string::npos ? end : end - begin));
+    }
+    return parts;
+}
+
+/// Every side of `a = b = c`.
+void expect_sides(const std::string& text, const Rational& value) {
+    for (const std::string& side : split_around(text, " = "))
+        RC_ASSERT(worked_out(side) == value);
+}
+
+Rational coordinate() {
+    return {*rc::gen::inRange(-40, 40), *rc::gen::element(1, 1, 2, 3)};
+}
+Vec<Rational, 3> corner() {
+    Rational x = coordinate(), y = coordinate(), z = coordinate();
+    for (Rational* const one : {&x, &y, &z})
+        one->canonicalize();
+    return {x, y, z};
+}
+
+RC_GTEST_PROP(Formula, WritesOutWhatALerpComesTo, ()) {
+    const auto from = corner();
+    const auto to = corner();
+    const Lerp lerp{.d1 = from.x, .i1 = from.y, .d2 = to.x, .i2 = to.y, .i = from.z};
+    RC_PRE(lerp.i1 != lerp.i2);
+    expect_sides(lerp.written_out(lerp.value()), lerp.value());
+}
+
+RC_GTEST_PROP(Formula, WritesOutWhatAFaceComesTo, ()) {
+    const FaceNormal face{{corner(), corner(), corner()}};
+    const auto normal = face.value();
+    const std::string cross = face.written_out();
+    const auto parts = split_around(cross.substr(1, cross.size() - 2), ", ");
+    RC_ASSERT(parts.size() == 3u);
+    RC_ASSERT(worked_out(parts[0]) == normal.x);
+    RC_ASSERT(worked_out(parts[1]) == normal.y);
+    RC_ASSERT(worked_out(parts[2]) == normal.z);
+    // At a right angle to its sides, by another way.
+    const auto& [a, b, c] = face.corners;
+    RC_ASSERT(FaceDot({normal, b - a}).value() == 0);
+    const FaceDot product{normal, corner()};
+    expect_sides(product.written_out(), product.value());
+    // A point of the plane: each corner.
+    std::string plane = FacePlane{normal, a}.written_out();
+    const auto put_in = [&plane](const std::string& name, const Rational& x) {
+        plane.replace(plane.find(" " + name + " "), 3, " (" + text(x) + ") ");
+    };
+    put_in("x", c.x);
+    put_in("y", c.y);
+    put_in("z", c.z);
+    expect_sides(plane, 0);
+}
+
+RC_GTEST_PROP(Formula, WritesOutWhatAMatrixMakesOfAPoint, ()) {
+    const auto row = corner();
+    const auto point = corner();
+    const MatrixTimes product{{{row.x, row.y, row.z, Rational(3)}},
+                              {point.x, point.y, point.z, Rational(1)}};
+    RC_ASSERT(worked_out(product.written_out(0)) == product.value(0));
+    RC_ASSERT(value_of({product}) == Values{product.value(0)});
+}
+
+} // namespace
+} // namespace rastertrace
