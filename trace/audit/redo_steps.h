@@ -462,13 +462,18 @@ private:
         expect(winding, Rational(0), "crossings: winding", " behind the last edge");
     }
 
+    /// The ends of a row become its first and its last pixel.
+    void expect_rounded(const Row& row) {
+        if (!rules_.says("rounding"))
+            return;
+        const SpanRounding rule = span_rounding(method_);
+        expect(pixel_of(exactly(row.left), rule, false), row.from, "scanline: from");
+        expect(pixel_of(exactly(row.right), rule, true), row.to, "scanline: to");
+    }
+
     /// A span of a polygon is one of those between its row's crossings.
     void redo_span(const Row& row, const std::string& left_edge, const std::string& right_edge) {
-        if (rules_.says("rounding")) {
-            const SpanRounding rule = span_rounding(method_);
-            expect(pixel_of(exactly(row.left), rule, false), row.from, "scanline: from");
-            expect(pixel_of(exactly(row.right), rule, true), row.to, "scanline: to");
-        }
+        expect_rounded(row);
         if (spans_.empty() || !rules_.says("fill_rule"))
             return;
         const auto found = std::find_if(spans_.begin(), spans_.end(), [&](const Span& span) {
@@ -494,11 +499,7 @@ private:
         if (method_.fill == Fill::top_left) {
             redo_top_left(row, left_edge, right_edge);
         } else {
-            if (rules_.says("rounding")) {
-                const SpanRounding rule = span_rounding(method_);
-                expect(pixel_of(exactly(row.left), rule, false), row.from, "scanline: from");
-                expect(pixel_of(exactly(row.right), rule, true), row.to, "scanline: to");
-            }
+            expect_rounded(row);
             if (knows_all) {
                 expect(x_of(left_edge, row.y), row.left, "scanline: left");
                 expect(x_of(right_edge, row.y), row.right, "scanline: right");
