@@ -687,6 +687,25 @@ TEST(Diff, ThousandsOfStepsThatOneTraceDoesNotHaveMoveNoOther) {
     EXPECT_EQ(gone, 5000U);
 }
 
+// More steps than are looked ahead: what stands behind them is found byte for byte, from either side.
+TEST(Diff, AGapOfAnyLengthIsToldAsWhatItIs) {
+    const std::string scene = R"({"canvas":{"width":512,"height":512},
+        "vertices":{"A":[-250,-250],"B":[250,-250],"C":[0,250]},"triangles":["ABC"]})";
+    const Lines lines(trace_text(scene_in(scene), in_lines));
+    Lines shorter = lines;
+    constexpr std::size_t gap = 60'000;
+    const auto begin = shorter.steps.begin() + 100;
+    shorter.steps.erase(begin, begin + gap);
+    const TraceDiff found = diff_of(lines.text(), shorter.text());
+    std::size_t gone = 0;
+    for (const KindDifference& kind : found.kinds) {
+        gone += kind.only_a;
+        EXPECT_EQ(kind.changed + kind.only_b + kind.moved, 0U) << kind.kind;
+    }
+    EXPECT_EQ(gone, gap);
+    EXPECT_EQ(mirrored_counts_of(diff_of(shorter.text(), lines.text())), counts_of(found));
+}
+
 TEST(Diff, TheColorOfAPrimitiveChangesItsPixels) {
     const Lines lines(first_triangle_trace());
     Lines other = lines;

@@ -19,7 +19,7 @@ namespace {
 /// So many bytes of steps are kept for the sentences: in front of all primitives, from the
 /// beginning of the primitive, and in front of the spot. Between the last two, the last step of each
 /// kind is kept.
-constexpr std::size_t most_kept = 4'000'000;
+constexpr std::size_t most_kept = 1'000'000;
 
 /// So many steps are told before and behind the one that differs.
 constexpr std::size_t steps_around = 1;
@@ -47,27 +47,37 @@ public:
         for (; const StepLine* const line = lines.front(); lines.pass()) {
             if (!wants(*line))
                 break;
-            add(*line);
+            add(line->json, line->kind, line->place);
         }
     }
 
     /// Adds the steps of a primitive up to an offset. The row of the last pixel may stand far behind
     /// the beginning.
     void add_primitive(LinePlace from, std::size_t end) {
-        std::map<std::optional<StepKind>, StepLine> last; // of each kind, between the parts kept
-        StepLines lines(text_, from);
-        for (; const StepLine* const line = lines.front(); lines.pass()) {
-            const std::size_t offset = line->place.offset;
-            if (offset >= end)
+        LastSteps last; // of each kind, between the parts kept
+        StepLines lines(text_, from, end);
+        for (;;) {
+            const LinePlace behind =
+                lines.go_through(lines.unread_lines(), [&](std::string_view line, LinePlace place) {
+                    if (StepLines::is_blank(line))
+                        return true;
+                    const std::string_view json = step_of_line(line);
+                    const auto kind = kind_in_front(json);
+                    if (place.offset >= from.offset + most_kept && place.offset + most_kept < end) {
+                        auto& [at, text] = last[kind];
+                        at = place;
+                        text.assign(json);
+                        return true;
+                    }
+                    add_in_order(std::exchange(last, {}));
+                    add(json, kind, place);
+                    return true;
+                });
+            if (behind.offset == lines.place().offset)
                 break;
-            if (offset >= from.offset + most_kept && offset + most_kept < end) {
-                last.insert_or_assign(line->kind, *line);
-                continue;
-            }
-            add_in_order(std::exchange(last, {}));
-            add(*line);
+            lines.pass_lines(behind);
         }
-        add_in_order(std::move(last));
+        add_in_order(last);
     }
 
     /// What there is around a spot, the last of the steps that have been added.
@@ -95,17 +105,27 @@ public:
     }
 
 private:
-    void add(const StepLine& line) {
-        trace_.add_to_excerpt(StepView(line.json), line.kind, line.number);
-        lines_.push_back(line.place.lines);
+    using LastSteps = std::map<std::optional<StepKind>, std::pair<LinePlace, std::string>>;
+
+    /// The kind of a step, without a look behind its name if that stands in front.
+    static std::optional<StepKind> kind_in_front(std::string_view json) {
+        if (!json.starts_with(front_of_step))
+            return StepView(json).kind();
+        const std::string_view name = json.substr(front_of_step.size());
+        return step_kind_named(name.substr(0, name.find('"')));
     }
 
-    void add_in_order(const std::map<std::optional<StepKind>, StepLine>& steps) {
-        std::map<std::size_t, const StepLine*> by_number;
-        for (const auto& [kind, line] : steps)
-            by_number.emplace(line.number, &line);
-        for (const auto& [number, line] : by_number)
-            add(*line);
+    void add(std::string_view json, std::optional<StepKind> kind, LinePlace place) {
+        trace_.add_to_excerpt(StepView(json), kind, place.steps + 1);
+        lines_.push_back(place.lines);
+    }
+
+    void add_in_order(const LastSteps& steps) {
+        std::map<std::size_t, LastSteps::const_iterator> by_number;
+        for (auto one = steps.begin(); one != steps.end(); ++one)
+            by_number.emplace(one->second.first.steps, one);
+        for (const auto& [number, one] : by_number)
+            add(one->second.second, one->first, one->second.first);
     }
 
     const TraceText& text_;

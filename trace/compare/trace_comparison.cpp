@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <span>
+#include <string>
 #include <string_view>
 #include <unordered_map>
 
@@ -27,28 +29,36 @@ struct SeenLine {
     LinePlace place{};
 };
 
-/// True for a line without a step.
-bool is_blank(std::string_view line) {
-    constexpr std::size_t shortest_step = 10; // {"step":""}
-    return line.size() < shortest_step && without_blanks(line).empty();
-}
-
 /// Goes through whole lines as far as `use` wants and the steps go; returns the place behind them.
 template <typename Use>
 LinePlace go_through(const StepLines& lines, std::string_view text, const Use& use) {
-    LinePlace place = lines.place();
-    for (std::size_t begin = 0;;) {
-        const std::size_t newline = text.find('\n', begin);
-        if (newline == std::string_view::npos)
-            return place;
-        const std::string_view line = text.substr(begin, newline - begin);
-        if (lines.ends_steps(line) || !use(SeenLine{line, seen_in(line), place}))
-            return place;
-        place.offset += line.size() + 1;
-        place.steps += is_blank(line) ? 0 : 1;
-        ++place.lines;
-        begin = newline + 1;
+    return lines.go_through(text, [&use](std::string_view line, LinePlace place) {
+        return use(SeenLine{line, seen_in(line), place});
+    });
+}
+
+/// Where lines stand in a text from an offset on: that of the first one. At most `most` bytes are read, which are taken
+/// from it.
+std::optional<std::size_t> find_lines(const std::string& lines, const TraceText& text,
+                                      std::size_t from, std::size_t& most) {
+    constexpr std::size_t block_size = 1 << 20;
+    const std::string wanted = "\n" + lines;
+    std::string block;
+    while (most > 0) {
+        const std::size_t kept = block.size();
+        block.resize(kept + std::min(block_size, most));
+        const std::size_t count = text.read(from + kept, std::span(block).subspan(kept));
+        block.resize(kept + count);
+        most -= count;
+        if (const std::size_t found = block.find(wanted); found != std::string::npos)
+            return from + found + 1;
+        if (count == 0)
+            return std::nullopt;
+        const std::size_t gone = block.size() - std::min(block.size(), wanted.size());
+        block.erase(0, gone);
+        from += gone;
     }
+    return std::nullopt;
 }
 
 /// True if what follows the last step of a side is not known.
@@ -136,7 +146,8 @@ TraceComparison::TraceComparison(const TraceText& a, const TraceText& b, const D
     : compared_(a, b, options), has_primitives_(compared_.has_primitives()),
       fields_(options, a.header().method_value("scalar") == "float" ||
                            b.header().method_value("scalar") == "float"),
-      a_(a, true), b_(b, false), remarks_(compared_.remarks()) {}
+      a_(a, true), b_(b, false), bytes_to_search_(a.size() + b.size()),
+      remarks_(compared_.remarks()) {}
 
 void TraceComparison::run() {
     if (!compare_in_order())
@@ -309,8 +320,42 @@ void TraceComparison::realign(DiffSide& a, DiffSide& b) {
         put_aside(b, steps_b);
         return;
     }
+    if (pass_gap(a, b) || pass_gap(b, a))
+        return;
     put_aside(a, farthest_look);
     put_aside(b, farthest_look);
+}
+
+/// Passes the steps that one side has in front of what comes next in the other, if that stands there byte for byte.
+bool TraceComparison::pass_gap(DiffSide& side, DiffSide& other) {
+    constexpr std::size_t lines_alike = 16;
+    const StepLine* const first = ahead(other, 0);
+    const StepLine* const behind = ahead(other, lines_alike);
+    const StepLine* const last_seen = ahead(side, farthest_look - 1);
+    if (first == nullptr || behind == nullptr || last_seen == nullptr)
+        return false;
+    std::string next(behind->place.offset - first->place.offset, '\0');
+    next.resize(other.text.read(first->place.offset, next));
+    const auto end = find_lines(next, side.text, last_seen->place.offset, bytes_to_search_);
+    if (!end)
+        return false;
+    WaitingSteps& others = side.is_a ? waiting_b_ : waiting_a_;
+    while (const StepLine* const step = ahead(side, 0)) {
+        if (step->place.offset >= *end)
+            break;
+        const StepLine one = *step;
+        side.pass(one);
+        if (!compared_.has(one))
+            continue;
+        if (WaitingSteps::Step found; others.take(one.key, found))
+            side.is_a ? found_elsewhere(found.gap, one, found.line)
+                      : found_elsewhere(found.gap, found.line, one);
+        else if (side.is_a)
+            tally_.add_only_a(gap_, one);
+        else
+            tally_.add_only_b(gap_, one);
+    }
+    return true;
 }
 
 /// Takes steps out of one trace, as far as this primitive goes, and looks for them among those of the other that wait.

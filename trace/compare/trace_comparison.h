@@ -104,6 +104,7 @@ private:
 
     void realign(DiffSide& a, DiffSide& b);
     void begin_gap(const DiffSide& a, const DiffSide& b);
+    bool pass_gap(DiffSide& side, DiffSide& other);
     void put_aside(DiffSide& side, std::size_t steps);
     void found_elsewhere(std::size_t gap, const StepLine& a, const StepLine& b);
     void give_up_waiting(bool breaks_off = false);
@@ -122,8 +123,10 @@ private:
     WaitingSteps waiting_a_;
     WaitingSteps waiting_b_;
     std::optional<DiffGap> first_gap_;
-    std::size_t gap_ = 0;                 ///< the number of the last one
-    bool is_compared_ = true;             ///< the steps of the current primitive are
+    std::size_t gap_ = 0; ///< the number of the last one
+    std::size_t
+        bytes_to_search_;     ///< for what stands behind a gap: in all as much as both texts have
+    bool is_compared_ = true; ///< the steps of the current primitive are
     std::uint32_t common_primitives_ = 0; ///< so many come in the same order in both
     std::vector<std::uint32_t> partner_;  ///< of those behind them in a: the one in b; 0: none
     std::vector<std::string> remarks_;

@@ -69,6 +69,11 @@ StepLines::StepLines(const TraceText& text, LinePlace from, std::size_t end)
         place_.offset = text.begin();
 }
 
+bool StepLines::is_blank(std::string_view line) {
+    constexpr std::size_t shortest_step = 10; // {"step":""}
+    return line.size() < shortest_step && without_blanks(line).empty();
+}
+
 bool StepLines::ends_steps(std::string_view line) const {
     if (line.starts_with(front_of_step))
         return false;

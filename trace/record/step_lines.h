@@ -62,6 +62,27 @@ public:
     /// read if there are none.
     std::string_view unread_lines();
 
+    /// Goes through whole lines, the text that comes next, as far as `use(line, place)` wants and the steps go; returns
+    /// the place behind them.
+    template <typename Use> LinePlace go_through(std::string_view text, const Use& use) const {
+        LinePlace place = place_;
+        for (std::size_t begin = 0;;) {
+            const std::size_t newline = text.find('\n', begin);
+            if (newline == std::string_view::npos)
+                return place;
+            const std::string_view line = text.substr(begin, newline - begin);
+            if (ends_steps(line) || !use(line, place))
+                return place;
+            place.offset += line.size() + 1;
+            place.steps += is_blank(line) ? 0 : 1;
+            ++place.lines;
+            begin = newline + 1;
+        }
+    }
+
+    /// True for a line without a step.
+    static bool is_blank(std::string_view line);
+
     /// Goes on by whole lines, to a place behind some of them.
     void pass_lines(LinePlace to);
 
