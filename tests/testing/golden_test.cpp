@@ -201,7 +201,8 @@ TEST_F(MatchesTrace, WhatCannotBeComparedIsSaid) {
               "golden.json: expected a golden, found no such file" + hint);
     EXPECT_EQ(refusal_of("golden.json", {.kinds = {"scanlime"}}),
               "expected kinds of step (triangulate, matrix, vertex, order, primitive, face, light, "
-              "clip, edge, half, ray, scanline, along, decide, sample, depth, pixel, reject, skip, "
+              "clip, edge, half, ray, crossings, scanline, along, decide, sample, depth, pixel, "
+              "reject, skip, "
               "undecided), found scanlime\nhint: did you mean scanline?");
     std::ofstream("broken.json") << "{\"rastertrace\":1";
     EXPECT_EQ(refusal_of("broken.json", {}),

@@ -280,7 +280,7 @@ private:
         if (!has_labels_)
             write_labels();
         const std::size_t number = label_of(edge);
-        return number < labels_.size() ? labels_[number] : std::string_view();
+        return number < labels_.size() ? std::string_view(labels_[number]) : std::string_view("");
     }
 
     /// Where the label of an edge stands: from each vertex the way to the next one, and back to the one before.

@@ -27,6 +27,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace rastertrace {
@@ -90,6 +91,20 @@ std::vector<TableEdge<Scalar>> edge_table(std::span<const Vec<Scalar, 2>> corner
     return table;
 }
 
+/// Sorts the edges of a row from left to right; those that meet it in one point as they go on below
+/// it. By insertion: from one row to the next hardly any change places, and the comparisons are the
+/// same ones with every compiler, one of which filtered doubles may leave open.
+template <typename Scalar> void sort_by_x(std::vector<TableEdge<Scalar>*>& active, int down) {
+    const auto is_before = [down](const TableEdge<Scalar>& a, const TableEdge<Scalar>& b) {
+        if (a.x != b.x)
+            return a.x < b.x;
+        return down > 0 ? a.edge.dx_dy < b.edge.dx_dy : b.edge.dx_dy < a.edge.dx_dy;
+    };
+    for (std::size_t i = 1; i < active.size(); ++i)
+        for (std::size_t k = i; k > 0 && is_before(*active[k], *active[k - 1]); --k)
+            std::swap(active[k], active[k - 1]);
+}
+
 /// Yields the spans of a row that lie inside. `active` are its edges, from left to right.
 template <typename Scalar, typename Sink>
 void span_inside(int y, const std::vector<TableEdge<Scalar>*>& active, const EdgeTableRules& rules,
@@ -133,10 +148,16 @@ void tell_crossings(int y, const std::vector<TableEdge<Scalar>*>& active, Sink&&
 template <typename Scalar>
 bool misses_canvas(std::span<const Vec<Scalar, 2>> corners, const SpanRounding& rule,
                    const Canvas& canvas) {
-    const auto [leftmost, rightmost] = std::minmax_element(
-        corners.begin(), corners.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
-    return last_pixel(rightmost->x, rule) < canvas.left() ||
-           first_pixel(leftmost->x, rule) > canvas.right();
+    Vec<Scalar, 2> leftmost = corners[0];
+    Vec<Scalar, 2> rightmost = corners[0];
+    for (const Vec<Scalar, 2>& corner : corners.subspan(1)) {
+        if (corner.x < leftmost.x)
+            leftmost = corner;
+        if (rightmost.x < corner.x)
+            rightmost = corner;
+    }
+    return last_pixel(rightmost.x, rule) < canvas.left() ||
+           first_pixel(leftmost.x, rule) > canvas.right();
 }
 
 /// Fills a polygon row by row, from the top of the picture to its bottom, both ends of each span
@@ -170,15 +191,10 @@ void fill_edge_table(std::span<const Vec<Scalar, 2>> corners, const EdgeTableRul
             if (row < next->end_row)
                 active.push_back(&*next);
 
-        // Where they meet the row, from left to right; from one point, as they go on below it.
+        // Where they meet the row, from left to right.
         for (TableEdge<Scalar>* const edge : active)
             edge->x = edge->walk.x_on_row(y);
-        std::stable_sort(active.begin(), active.end(), [&](const auto* a, const auto* b) {
-            if (a->x != b->x)
-                return a->x < b->x;
-            return canvas.down() > 0 ? a->edge.dx_dy < b->edge.dx_dy
-                                     : b->edge.dx_dy < a->edge.dx_dy;
-        });
+        sort_by_x(active, canvas.down());
         tell_crossings(y, active, sink);
         span_inside(y, active, rules, sink);
     }
