@@ -28,6 +28,12 @@ inline Scene scene_in(const std::string& text) {
     return std::move(read.value().scene);
 }
 
+/// What a file of this text is refused with; "" if it is a scene.
+inline std::string refusal_of_scene(const std::string& text) {
+    const auto read = read_scene({"scene.json", text});
+    return read ? "" : read.problem().message;
+}
+
 inline std::string trace_text(const Scene& scene, const TraceOptions& options = {}) {
     std::string text;
     StringOutput output(text);

@@ -15,8 +15,8 @@ async function readData() {
 }
 
 const PASSES = 1, STORED = 2;         // flags of depth tests
-const ROWS = ["scanline", "along", "decide", "ray", "crossings"]; // kinds that begin a row
-const LEVELS = {edge: 1, half: 1, ray: 1, scanline: 1, along: 1, decide: 1, sample: 1, face: 1, light: 1, clip: 1,
+const ROWS = ["scanline", "along", "decide", "ray"]; // kinds that begin a row
+const LEVELS = {edge: 1, half: 1, ray: 1, crossings: 1, scanline: 1, along: 1, decide: 1, sample: 1, face: 1, light: 1, clip: 1,
                 skip: 1, undecided: 1, depth: 2, pixel: 2, reject: 2};
 
 /** A trace as lists that a step, a pixel or a primitive is looked up in. Steps count from 1; 0 is before the first. */

@@ -44,11 +44,6 @@ std::vector<std::string> sentences_of(const Trace& trace, StepKind kind) {
     return sentences;
 }
 
-std::string message_of(const std::string& scene) {
-    const auto read = read_scene({"scene.json", scene});
-    return read ? "" : read.problem().message;
-}
-
 TEST(CircleTrace, TellsEachDecision) {
     const Trace trace = trace_of(scene_in(scene_text()));
     EXPECT_EQ(trace.step(1).json(),
@@ -153,18 +148,19 @@ TEST(CircleScene, FitsOnItsCanvas) {
 
 TEST(CircleScene, IsRefusedWithAReason) {
     for (const std::string radius : {"2.5", "-1", "16385", "\"5\"", "null"})
-        EXPECT_THAT(message_of(scene_text(R"("center":"O","radius":)" + radius)),
+        EXPECT_THAT(refusal_of_scene(scene_text(R"("center":"O","radius":)" + radius)),
                     HasSubstr("expected a whole number of pixels from 0 to 16384, found "))
             << radius;
-    EXPECT_EQ(message_of(scene_text(R"("center":"O","radius":16384)")), "");
-    EXPECT_EQ(message_of(scene_text(R"("radius":1)")), "expected the key \"center\", found none");
-    EXPECT_EQ(message_of(scene_text(R"("center":"Q","radius":1)")),
+    EXPECT_EQ(refusal_of_scene(scene_text(R"("center":"O","radius":16384)")), "");
+    EXPECT_EQ(refusal_of_scene(scene_text(R"("radius":1)")),
+              "expected the key \"center\", found none");
+    EXPECT_EQ(refusal_of_scene(scene_text(R"("center":"Q","radius":1)")),
               "expected the name of a vertex, found \"Q\"");
-    EXPECT_EQ(message_of(R"({"vertices":{"O":[2,-1]},"circles":["O"]})"),
+    EXPECT_EQ(refusal_of_scene(R"({"vertices":{"O":[2,-1]},"circles":["O"]})"),
               R"(expected a circle, like {"center": "A", "radius": 5}, found "O")");
-    EXPECT_EQ(
-        message_of(scene_text(R"("center":"O","radius":1)", R"(,"method":{"depth":"linear-z"})")),
-        "expected no depth buffer beside a circle, found one");
+    EXPECT_EQ(refusal_of_scene(
+                  scene_text(R"("center":"O","radius":1)", R"(,"method":{"depth":"linear-z"})")),
+              "expected no depth buffer beside a circle, found one");
 }
 
 } // namespace

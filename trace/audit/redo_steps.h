@@ -302,6 +302,7 @@ private:
         colors_.clear();
         for (const TracedColor& color : step.colors.values())
             colors_.push_back(color.color().value_or(Color()));
+        ways_.clear();
         edges_.clear();
         functions_.clear();
         walks_.clear();
@@ -319,16 +320,38 @@ private:
         weights_.clear();
     }
 
-    Ends ends_of(const std::string& name) const {
+    /// How a primitive leads along an edge: from its first vertex to its second, or the other way. A polygon may do both.
+    struct Way {
+        Ends ends;
+        bool leads_on = false;
+        bool leads_back = false;
+    };
+
+    /// The edges of the current primitive by their names.
+    const std::map<std::string, Way>& ways() {
+        if (!ways_.empty())
+            return ways_;
         const std::vector<std::string_view> views(names_.begin(), names_.end());
         const std::string separator(name_separator(views));
         const std::size_t count = names_.size();
-        for (std::size_t from = 0; from < count; ++from)
-            for (const std::size_t to : {(from + 1) % count, (from + count - 1) % count})
-                if (from != to && names_[from] + separator + names_[to] == name &&
-                    std::max(from, to) < at_.size())
-                    return {from, to};
-        throw NotTold();
+        const auto way = [&](std::size_t from, std::size_t to) -> Way& {
+            return ways_.try_emplace(names_[from] + separator + names_[to], Way{{from, to}})
+                .first->second;
+        };
+        for (std::size_t from = 0; count > 1 && from < count; ++from) {
+            const std::size_t to = (from + 1) % count;
+            way(from, to).leads_on = true;
+            way(to, from).leads_back = true;
+        }
+        return ways_;
+    }
+
+    Ends ends_of(const std::string& name) {
+        const auto way = ways().find(name);
+        if (way == ways_.end() ||
+            std::max(way->second.ends.from, way->second.ends.to) >= at_.size())
+            throw NotTold();
+        return way->second.ends;
     }
 
     /// a (x - x1) + b (y - y1).
@@ -417,21 +440,6 @@ private:
         Real right;
     };
 
-    /// Which ways a polygon runs along an edge, as seen in the picture: down 1, up -1. It may do both.
-    std::set<int> turns_of(const std::string& edge) const {
-        std::set<int> turns;
-        const std::vector<std::string_view> views(names_.begin(), names_.end());
-        const std::string separator(name_separator(views));
-        for (std::size_t i = 0; i < names_.size(); ++i) {
-            const std::string& next = names_[(i + 1) % names_.size()];
-            if (names_[i] + separator + next == edge)
-                turns.insert(1);
-            if (next + separator + names_[i] == edge)
-                turns.insert(-1);
-        }
-        return turns;
-    }
-
     void redo_crossings(const CrossingsStep& step) {
         spans_.clear();
         const auto edges = step.edges.texts();
@@ -440,18 +448,23 @@ private:
         std::size_t left = edges.size(); // of a span that is open
         Rational winding = 0;
         for (std::size_t i = 0; i < edges.size(); ++i) {
-            const Rational before = winding;
+            const auto way = ways().find(edges[i]);
+            if (way == ways_.end())
+                throw NotTold();
+            const Rational down = winding + 1;
+            const Rational up = winding - 1;
             winding = told_at(told, i);
-            const Rational turn = winding - before;
-            const auto turns = turns_of(edges[i]);
-            if (std::none_of(turns.begin(), turns.end(), [&](int one) { return turn == one; }))
-                expect(turns.empty() ? throw NotTold() : Rational(before + *turns.begin()), winding,
-                       "crossings: winding");
+            const bool is_down =
+                way->second.leads_on && (winding == down || !way->second.leads_back);
+            expect(is_down ? down : up, winding, "crossings: winding");
             if (knows_all)
                 expect(x_of(edges[i], step.y), told_at(x, i), "crossings: x");
             if (i > 0)
                 expect(!(told_at(x, i) < x[i - 1]), true, "crossings: x", " in order");
-            const bool is_in = is_inside(static_cast<int>(winding.get_d()), method_.fill_rule);
+            if (abs(winding) > Rational(most_corners))
+                throw NotTold(); // no polygon runs around so often
+            const bool is_in =
+                is_inside(static_cast<int>(nearest_double(winding)), method_.fill_rule);
             if (left == edges.size() && is_in)
                 left = i;
             if (left != edges.size() && !is_in) {
@@ -548,7 +561,7 @@ private:
             return nearest_double(x);
     }
 
-    Depth depth_on(const std::string& edge, Index y) const {
+    Depth depth_on(const std::string& edge, Index y) {
         const auto [from, to] = ends_of(edge);
         const Depth y1 = depth_number(at_[from][1]);
         const Depth height = depth_number(at_[to][1]) - y1;
@@ -909,6 +922,7 @@ private:
     std::string kind_;
     bool has_long_numbers_ = false; ///< corners are rounded
     std::vector<std::string> names_;
+    std::map<std::string, Way> ways_; ///< once one was asked for
     std::vector<At> at_;
     std::vector<Depth> depths_;
     std::optional<Index> radius_; ///< of a circle

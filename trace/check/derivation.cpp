@@ -241,9 +241,11 @@ std::optional<std::array<Vec3, 3>> Deriver::world_corners(std::size_t primitive)
     if (primitive == 0)
         return std::nullopt;
     const auto names = numbers_.step(primitive).as<PrimitiveStep>().vertices.texts();
+    if (names.size() != 3)
+        return std::nullopt; // a polygon's normal is no product of two sides
     std::array<Vec3, 3> corners;
     for (std::size_t i = 0; i < 3; ++i) {
-        const auto corner = i < names.size() ? numbers_.in_world(names[i]) : std::nullopt;
+        const auto corner = numbers_.in_world(names[i]);
         if (!corner)
             return std::nullopt;
         corners[i] = *corner;

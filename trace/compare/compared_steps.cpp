@@ -46,7 +46,7 @@ bool is_told(const StepLine& step, const std::optional<Region>& region) {
         return region->has_row(row.y) && region->meets(row.from, row.to);
     }
     case StepKind::crossings:
-        return region->has_row(static_cast<int>(view.as<CrossingsStep>().y));
+        return region->has_row(view.as<CrossingsStep>().y);
     case StepKind::along: {
         const auto [x, y, value, other] = view.as<AlongStep>();
         return region->has_row(y.value_or(other)) &&

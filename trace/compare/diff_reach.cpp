@@ -44,6 +44,7 @@ bool DiffReach::reaches(const StepLine& line, Pixel pixel, const OwnerOfPixels& 
         return true;
     case StepKind::vertex:
         return has_name(owner.vertices, name_in(step).text());
+    case StepKind::crossings:
     case StepKind::scanline:
         return is_of_face && y_in(step) == pixel.y;
     case StepKind::sample:

@@ -339,21 +339,13 @@ bool TraceComparison::pass_gap(DiffSide& side, DiffSide& other) {
     const auto end = find_lines(next, side.text, last_seen->place.offset, bytes_to_search_);
     if (!end)
         return false;
-    WaitingSteps& others = side.is_a ? waiting_b_ : waiting_a_;
     while (const StepLine* const step = ahead(side, 0)) {
         if (step->place.offset >= *end)
             break;
         const StepLine one = *step;
         side.pass(one);
-        if (!compared_.has(one))
-            continue;
-        if (WaitingSteps::Step found; others.take(one.key, found))
-            side.is_a ? found_elsewhere(found.gap, one, found.line)
-                      : found_elsewhere(found.gap, found.line, one);
-        else if (side.is_a)
-            tally_.add_only_a(gap_, one);
-        else
-            tally_.add_only_b(gap_, one);
+        if (compared_.has(one) && !finds_elsewhere(side, one))
+            tell_alone(side.is_a, gap_, one);
     }
     return true;
 }
@@ -361,27 +353,34 @@ bool TraceComparison::pass_gap(DiffSide& side, DiffSide& other) {
 /// Takes steps out of one trace, as far as this primitive goes, and looks for them among those of the other that wait.
 void TraceComparison::put_aside(DiffSide& side, std::size_t steps) {
     WaitingSteps& own = side.is_a ? waiting_a_ : waiting_b_;
-    WaitingSteps& others = side.is_a ? waiting_b_ : waiting_a_;
     for (; steps > 0 && ahead(side, 0) != nullptr; --steps) {
         StepLine step = *ahead(side, 0);
         side.pass(step);
-        if (!compared_.has(step))
-            continue;
-        if (WaitingSteps::Step other; !others.take(step.key, other))
+        if (compared_.has(step) && !finds_elsewhere(side, step))
             own.add(std::move(step), gap_);
-        else if (side.is_a)
-            found_elsewhere(other.gap, step, other.line);
-        else
-            found_elsewhere(other.gap, other.line, step);
     }
 }
 
-/// A step that stands elsewhere in the other trace.
-void TraceComparison::found_elsewhere(std::size_t gap, const StepLine& a, const StepLine& b) {
-    tally_.add_moved(gap, a, b);
+/// True if a step of one side waits in the other trace: it stands elsewhere there.
+bool TraceComparison::finds_elsewhere(const DiffSide& side, const StepLine& step) {
+    WaitingSteps::Step other;
+    if (!(side.is_a ? waiting_b_ : waiting_a_).take(step.key, other))
+        return false;
+    const StepLine& a = side.is_a ? step : other.line;
+    const StepLine& b = side.is_a ? other.line : step;
+    tally_.add_moved(other.gap, a, b);
     auto fields = fields_.differing(a, b);
     if (!fields.empty())
-        tally_.add_changed(gap, a, b, std::move(fields));
+        tally_.add_changed(other.gap, a, b, std::move(fields));
+    return true;
+}
+
+/// A step that the other trace does not have.
+void TraceComparison::tell_alone(bool is_in_a, std::size_t gap, const StepLine& step) {
+    if (is_in_a)
+        tally_.add_only_a(gap, step);
+    else
+        tally_.add_only_b(gap, step);
 }
 
 /// What waits has no equal. If a trace breaks off, what waits in the last gap might have had one behind that.
@@ -391,11 +390,11 @@ void TraceComparison::give_up_waiting(bool breaks_off) {
     };
     waiting_a_.take_all([&](const WaitingSteps::Step& one) {
         if (is_told(one))
-            tally_.add_only_a(one.gap, one.line);
+            tell_alone(true, one.gap, one.line);
     });
     waiting_b_.take_all([&](const WaitingSteps::Step& one) {
         if (is_told(one))
-            tally_.add_only_b(one.gap, one.line);
+            tell_alone(false, one.gap, one.line);
     });
 }
 

@@ -106,7 +106,8 @@ private:
     void begin_gap(const DiffSide& a, const DiffSide& b);
     bool pass_gap(DiffSide& side, DiffSide& other);
     void put_aside(DiffSide& side, std::size_t steps);
-    void found_elsewhere(std::size_t gap, const StepLine& a, const StepLine& b);
+    bool finds_elsewhere(const DiffSide& side, const StepLine& step);
+    void tell_alone(bool is_in_a, std::size_t gap, const StepLine& step);
     void give_up_waiting(bool breaks_off = false);
 
     void pass_equal_lines(DiffSide& a, DiffSide& b);

@@ -73,6 +73,7 @@ bool decides_alone(const StepView& step, StepKind kind, const Question& question
     case StepKind::sample:
         return !is_about_pixels ||
                (question.about == Topic::pixel && step.as<SampleStep>().inside.is_false());
+    case StepKind::crossings:
     case StepKind::along:
     case StepKind::decide:
         return !is_about_pixels;

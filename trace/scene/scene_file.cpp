@@ -335,8 +335,8 @@ private:
         return corners.size() > 3 ? ++polygons_ : 0;
     }
 
-    /// Adds a face: as a polygon, or its sides if they are drawn, and its triangles, a fan or ears. `name_of_face()` calls the whole face, `name_of_part` the
-    /// k-th of its triangles.
+    /// Adds a face: as a polygon; or its triangles, a fan or ears, and its sides if they are drawn.
+    /// `name_of_face()` calls the whole face, `name_of_part` the k-th of its triangles.
     template <typename NameOfFace, typename NameOfPart>
     void add_face(std::span<const std::size_t> corners, const std::string& prefix,
                   const ScenePrimitive& like, FaceCuts& cuts, const JsonValue& blamed,

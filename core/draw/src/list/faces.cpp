@@ -34,9 +34,9 @@ std::vector<bool> culled_sides_of(const Scene& scene,
     };
     std::vector<SideOfFace> sides;
     for (const std::size_t i : filled)
-        if (std::binary_search(faces.begin(), faces.end(), face_number(i)))
-            for (std::size_t k = 0; k < primitives[i].corners().size(); ++k) {
-                const auto corners = primitives[i].corners();
+        if (const auto corners = primitives[i].corners();
+            std::binary_search(faces.begin(), faces.end(), face_number(i)))
+            for (std::size_t k = 0; k < corners.size(); ++k) {
                 const std::size_t from = corners[k];
                 const std::size_t to = corners[(k + 1) % corners.size()];
                 sides.push_back({std::min(from, to), std::max(from, to), face_number(i)});

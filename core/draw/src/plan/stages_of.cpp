@@ -11,8 +11,8 @@ namespace rastertrace {
 
 namespace {
 
-/// What the faces of a scene are called.
-std::string faces_of(const Scene& scene) {
+/// What a face of the scene is called.
+std::string word_for_face(const Scene& scene) {
     return scene.has(PrimitiveKind::polygon) ? "face" : "triangle";
 }
 
@@ -106,8 +106,8 @@ void decide_vertex_stages(const Scene& scene, const VertexStages& stages,
     decide(Stage::order,
            !paints ? "the method has no painter"
            : stages.needed.has(Stage::order)
-               ? "the farthest " + faces_of(scene) + "s do not come first"
-               : "the farthest " + faces_of(scene) + "s come first already",
+               ? "the farthest " + word_for_face(scene) + "s do not come first"
+               : "the farthest " + word_for_face(scene) + "s come first already",
            paints ? 1 : 0);
 }
 
@@ -213,7 +213,7 @@ void decide_pixel_stages(const Scene& scene, const std::vector<PrimitiveSurvey>&
                                     why,
                                     {.bytes = bytes, .pixels = applies ? count.saved_pixels : 0}});
     };
-    const std::string face = faces_of(scene);
+    const std::string face = word_for_face(scene);
     const auto of_all = [&](const StageCount& count) {
         return std::to_string(count.needed) + " of " + counted(counts.faces, face);
     };

@@ -85,8 +85,9 @@ ClipVertex<Scalar> meeting_point(const ClipVertex<Scalar>& inside,
             .original = -1};
 }
 
-/// The part of a convex polygon on the inner side of a plane, the plane included; of a line, if it
-/// has two vertices; of a point, if it has one. Empty if all of it lies outside.
+/// The part of a polygon on the inner side of a plane, the plane included; of a line, if it has two
+/// vertices; of a point, if it has one. Empty if all of it lies outside. Several parts of a concave
+/// polygon stay joined by sides along the plane, between which a fill finds nothing.
 template <typename Scalar>
 std::vector<ClipVertex<Scalar>> clip(const std::vector<ClipVertex<Scalar>>& polygon,
                                      const ClipPlane<Scalar>& plane,

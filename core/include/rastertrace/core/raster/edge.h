@@ -124,6 +124,7 @@ public:
         : edge_(edge), form_(form), y_step_(y_step) {}
 
     EdgeName name() const { return edge_.name; }
+    const Edge<Scalar>& edge() const { return edge_; }
 
     /// x on row `y`. After the first call, every call must ask for the next row.
     [[gnu::always_inline]] Scalar x_on_row(int y) {

@@ -54,7 +54,6 @@ struct EdgeTableRules {
 
 /// An edge in the table, and where it meets the row at hand.
 template <typename Scalar> struct TableEdge {
-    Edge<Scalar> edge;
     EdgeWalk<Scalar> walk;
     Index first_row; ///< from the top of the picture
     Index end_row;   ///< behind its last one
@@ -80,8 +79,7 @@ std::vector<TableEdge<Scalar>> edge_table(std::span<const Vec<Scalar, 2>> corner
         sink(EdgeSetUp<Scalar>{
             .edge = edge.name, .is_horizontal = edge.is_horizontal, .dx_dy = edge.dx_dy});
         if (!edge.is_horizontal)
-            table.push_back({.edge = edge,
-                             .walk = {edge, lerp, down},
+            table.push_back({.walk = {edge, lerp, down},
                              .first_row = canvas.row_of(first_row_below(upper.position.y, down)),
                              .end_row = canvas.row_of(first_row_below(lower.position.y, down)),
                              .turn = runs_down ? 1 : -1});
@@ -92,13 +90,15 @@ std::vector<TableEdge<Scalar>> edge_table(std::span<const Vec<Scalar, 2>> corner
 }
 
 /// Sorts the edges of a row from left to right; those that meet it in one point as they go on below
-/// it. By insertion: from one row to the next hardly any change places, and the comparisons are the
-/// same ones with every compiler, one of which filtered doubles may leave open.
+/// it. By insertion: hardly any change places from one row to the next. Every compiler makes the same
+/// comparisons, so that filtered doubles leave the same one open.
 template <typename Scalar> void sort_by_x(std::vector<TableEdge<Scalar>*>& active, int down) {
     const auto is_before = [down](const TableEdge<Scalar>& a, const TableEdge<Scalar>& b) {
         if (a.x != b.x)
             return a.x < b.x;
-        return down > 0 ? a.edge.dx_dy < b.edge.dx_dy : b.edge.dx_dy < a.edge.dx_dy;
+        const Scalar& slope_a = a.walk.edge().dx_dy;
+        const Scalar& slope_b = b.walk.edge().dx_dy;
+        return down > 0 ? slope_a < slope_b : slope_b < slope_a;
     };
     for (std::size_t i = 1; i < active.size(); ++i)
         for (std::size_t k = i; k > 0 && is_before(*active[k], *active[k - 1]); --k)
@@ -121,8 +121,8 @@ void span_inside(int y, const std::vector<TableEdge<Scalar>*>& active, const Edg
                                          .right = edge->x,
                                          .from = first_pixel(left->x, rules.rows.span),
                                          .to = last_pixel(edge->x, rules.rows.span),
-                                         .left_edge = left->edge.name,
-                                         .right_edge = edge->edge.name});
+                                         .left_edge = left->walk.name(),
+                                         .right_edge = edge->walk.name()});
             left = nullptr;
         }
     }
@@ -137,7 +137,7 @@ void tell_crossings(int y, const std::vector<TableEdge<Scalar>*>& active, Sink&&
     std::vector<Scalar> x;
     std::vector<int> winding;
     for (const TableEdge<Scalar>* const edge : active) {
-        edges.push_back(edge->edge.name);
+        edges.push_back(edge->walk.name());
         x.push_back(edge->x);
         winding.push_back((winding.empty() ? 0 : winding.back()) + edge->turn);
     }
@@ -148,16 +148,16 @@ void tell_crossings(int y, const std::vector<TableEdge<Scalar>*>& active, Sink&&
 template <typename Scalar>
 bool misses_canvas(std::span<const Vec<Scalar, 2>> corners, const SpanRounding& rule,
                    const Canvas& canvas) {
-    Vec<Scalar, 2> leftmost = corners[0];
-    Vec<Scalar, 2> rightmost = corners[0];
+    const Scalar* leftmost = &corners[0].x;
+    const Scalar* rightmost = &corners[0].x;
     for (const Vec<Scalar, 2>& corner : corners.subspan(1)) {
-        if (corner.x < leftmost.x)
-            leftmost = corner;
-        if (rightmost.x < corner.x)
-            rightmost = corner;
+        if (corner.x < *leftmost)
+            leftmost = &corner.x;
+        if (*rightmost < corner.x)
+            rightmost = &corner.x;
     }
-    return last_pixel(rightmost.x, rule) < canvas.left() ||
-           first_pixel(leftmost.x, rule) > canvas.right();
+    return last_pixel(*rightmost, rule) < canvas.left() ||
+           first_pixel(*leftmost, rule) > canvas.right();
 }
 
 /// Fills a polygon row by row, from the top of the picture to its bottom, both ends of each span
