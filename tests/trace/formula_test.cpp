@@ -52,11 +52,16 @@ private:
                 throw std::string("expected )");
             return value;
         }
-        const std::size_t sign = rest_.starts_with('-') ? 1 : 0;
-        const std::size_t end = std::min(rest_.find_first_not_of("0123456789", sign), rest_.size());
-        const Rational value(std::string(rest_.substr(0, end)));
+        std::size_t end = rest_.starts_with('-') ? 1 : 0;
+        end = rest_.find_first_not_of("0123456789.", end);
+        if (end < rest_.size() && rest_[end] == 'e')
+            end = rest_.find_first_not_of("0123456789", end + 2); // behind the exponent's sign
+        end = std::min(end, rest_.size());
+        const auto value = number_in(rest_.substr(0, end));
+        if (!value)
+            throw "expected a number, found " + std::string(rest_);
         rest_.remove_prefix(end);
-        return value;
+        return *value;
     }
 
     bool take(std::string_view token) {
@@ -142,6 +147,65 @@ RC_GTEST_PROP(Formula, WritesOutWhatAMatrixMakesOfAPoint, ()) {
                               {point.x, point.y, point.z, Rational(1)}};
     RC_ASSERT(worked_out(product.written_out(0)) == product.value(0));
     RC_ASSERT(value_of({product}) == Values{product.value(0)});
+}
+
+RC_GTEST_PROP(Formula, WritesOutTheWeightsOfASample, ()) {
+    const auto place = [] {
+        const auto at = corner();
+        return Vec<Rational, 2>{at.x, at.y};
+    };
+    const Weights triangle{{place(), place(), place()}, place()};
+    const auto& [a, b, c] = triangle.corners;
+    const Rational area = doubled_area(a, b, c);
+    RC_PRE(area != 0);
+    const auto weights = *triangle.value();
+    // By the areas of the parts, and by what weights are for: they mix the corners to the sample.
+    RC_ASSERT((weights[0] == doubled_area(triangle.sample, b, c) / area));
+    RC_ASSERT((weights[0] * a.x + weights[1] * b.x + weights[2] * c.x == triangle.sample.x));
+    RC_ASSERT((weights[0] * a.y + weights[1] * b.y + weights[2] * c.y == triangle.sample.y));
+    const auto parts = split_around(triangle.written_out(), " = ");
+    RC_ASSERT((parts.size() == 2u));
+    RC_ASSERT((parts[1] == text(Vec<Rational, 3>{weights[1] * area, weights[2] * area, area})));
+
+    const auto depths = corner();
+    const MixedDepth mixed{{weights.begin(), weights.end()}, {depths.x, depths.y, depths.z}};
+    for (const std::string& side : split_around(mixed.written_out(mixed.depth()), " = "))
+        RC_ASSERT((abs(worked_out(side) - mixed.depth()) < Rational(1, 10'000)));
+}
+
+RC_GTEST_PROP(Formula, WritesOutBresenhamsDecisions, ()) {
+    const int major = *rc::gen::inRange(1, 40);
+    const BresenhamDecisions line{.major = major,
+                                  .minor = *rc::gen::inRange(0, major + 1),
+                                  .steps = static_cast<std::size_t>(major),
+                                  .steps_at_ties = *rc::gen::arbitrary<bool>()};
+    Rational minor_steps = 0;
+    Rational step = 0;
+    for (const Rational& d : value_of({line})) {
+        // d is what the midpoint lies below the line, times 2 major.
+        RC_ASSERT((d == 2 * line.minor * (step + 1) - 2 * line.major * minor_steps - line.major));
+        const auto parts = split_around(line.written_out(d), " = ");
+        RC_ASSERT((worked_out(parts[0]) == line.next(d)));
+        RC_ASSERT((worked_out(parts[1]) == line.next(d)));
+        step += 1;
+        if (d > 0 || (d == 0 && line.steps_at_ties))
+            minor_steps += 1;
+    }
+}
+
+RC_GTEST_PROP(Formula, WritesOutACosine, ()) {
+    const FaceCosine face{corner(), corner()};
+    const auto cosine = face.value();
+    const Rational squares = dot(face.normal, face.normal) * dot(face.view, face.view);
+    RC_ASSERT((cosine.has_value() == (squares != 0)));
+    if (!cosine)
+        return;
+    const Rational product = dot(face.normal, face.view);
+    RC_ASSERT((abs(*cosine * *cosine - product * product / squares) < Rational(1, 1'000'000'000)));
+    RC_ASSERT((*cosine * product >= 0));
+    const auto parts = split_around(face.written_out("view"), " = ");
+    RC_ASSERT((parts[0] == text(product) + " / (|normal| |view|)"));
+    RC_ASSERT((abs(*number_in(parts[1]) - *cosine) < Rational(1, 100'000)));
 }
 
 } // namespace

@@ -300,15 +300,10 @@ Formulas Deriver::of_decisions() const {
     const auto ends = ends_of_line(replay, primitive_of(replay));
     if (!ends)
         return {};
-    const Rational dx = abs(ends->to.x - ends->from.x);
-    const Rational dy = abs(ends->to.y - ends->from.y);
-    const Rational longer = std::max(dx, dy);
-    if (longer > most_decisions)
+    const auto line = decisions_between(numbers_.trace(), *ends);
+    if (!line || line->major > most_decisions)
         return {}; // no hand works that out
-    return {{BresenhamDecisions{.major = longer,
-                                .minor = std::min(dx, dy),
-                                .steps = static_cast<std::size_t>(longer.get_num().get_ui()),
-                                .steps_at_ties = steps_at_ties(numbers_.trace())}}};
+    return {{*line}};
 }
 
 /// A line's other coordinate where it is at x or y.

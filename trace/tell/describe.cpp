@@ -168,11 +168,11 @@ std::string weights(const Context& context) {
     const auto& vertices = context.primitive.vertices;
     const auto weights = context.as<SampleStep>().weights.texts();
     std::string text;
-    const auto corners = corners_of(context.primitive);
-    const auto p = sample_of(context.replay.trace(), context.step);
-    if (const auto cross = corners && p ? cross_of_point(*corners, *p) : std::nullopt)
-        text = fmt::format(" {} / {}:", rastertrace::text(cross->weights),
-                           rastertrace::text(cross->weights.z));
+    if (const auto of_sample =
+            weights_of_sample(context.replay.trace(), context.step, context.primitive)) {
+        const Vec3 areas = of_sample->areas();
+        text = fmt::format(" {} / {}:", rastertrace::text(areas), rastertrace::text(areas.z));
+    }
     for (std::size_t i = 0; i < weights.size(); ++i)
         text += fmt::format(" {} {}", i < vertices.size() ? vertices[i] : "?",
                             with_fraction(weights[i]));
@@ -421,12 +421,13 @@ std::string slope_form(const Context& context) {
 std::string next_d(const Context& context) {
     const auto d = context.as<DecideStep>().d.exact();
     const auto ends = ends_of_line(context.replay, context.primitive);
-    const auto circle = circle_decision(context.primitive, context.as<DecideStep>());
-    const auto increment = circle      ? std::optional(circle->increment)
-                           : d && ends ? increment_of(context.replay.trace(), *ends, *d)
-                                       : std::nullopt;
-    return increment ? fmt::format("; d {} = {}", plus(text(*increment)), text(*d + *increment))
-                     : std::string();
+    if (const auto circle = circle_decision(context.primitive, context.as<DecideStep>()))
+        return fmt::format("; d {} = {}", plus(text(circle->increment)),
+                           text(*d + circle->increment));
+    const auto line = ends ? decisions_between(context.replay.trace(), *ends) : std::nullopt;
+    return line && d
+               ? fmt::format("; d {} = {}", plus(text(line->next(*d) - *d)), text(line->next(*d)))
+               : std::string();
 }
 
 /// How much of the light that is a level of 255 is on an sRGB screen (IEC 61966-2-1), in percent.

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace rastertrace {
 
@@ -78,12 +79,10 @@ Values value(const FaceDot& face) {
 }
 
 Values value(const FaceCosine& face) {
-    const Rational squares = dot(face.normal, face.normal) * dot(face.view, face.view);
-    if (!std::isnormal(nearest_double(squares)))
+    const auto cosine = face.value();
+    if (!cosine)
         return {};
-    const Rational product = face.dot.value_or(dot(face.normal, face.view));
-    const Rational cosine = product / square_root(squares);
-    return {face.is_intensity ? std::max(cosine, Rational(0)) : cosine};
+    return {face.is_intensity ? std::max(*cosine, Rational(0)) : *cosine};
 }
 
 Values value(const IsCulled& face) {
@@ -98,24 +97,25 @@ Values value(const MatrixTimes& product) {
 }
 
 Values value(const DividedByW& division) {
-    const auto& [x, y, z, w] = division.point;
-    return sgn(w) == 0 ? Values{} : Values{x / w, y / w, z / w};
+    Values of;
+    for (std::size_t i = 0; i < 3; ++i)
+        if (auto component = division.value(i))
+            of.push_back(std::move(*component));
+    return of;
 }
 
 Values value(const BresenhamDecisions& line) {
     Values of;
-    Rational d = line.factor_at_start * line.minor - line.major;
+    Rational d = line.start();
     for (std::size_t i = 0; i < line.steps; ++i) {
         of.push_back(d);
-        const bool is_diagonal = sgn(d) > 0 || (sgn(d) == 0 && line.steps_at_ties);
-        d += line.factor_in_steps * (is_diagonal ? Rational(line.minor - line.major) : line.minor);
+        d = line.next(d);
     }
     return of;
 }
 
 Values value(const MixedDepth& mixed) {
-    const Rational depth = std::inner_product(mixed.weights.begin(), mixed.weights.end(),
-                                              mixed.depths.begin(), Rational(0));
+    const Rational depth = mixed.depth();
     if (!mixed.gives_inverse)
         return {depth};
     return sgn(depth) == 0 ? Values{} : Values{1 / depth};
@@ -126,12 +126,8 @@ Values value(const DepthComparison& test) {
 }
 
 Values value(const Weights& triangle) {
-    const auto cross = cross_of_point(triangle.corners, triangle.sample);
-    if (!cross)
-        return {};
-    const Rational u = cross->weights.x / cross->weights.z;
-    const Rational v = cross->weights.y / cross->weights.z;
-    return {1 - u - v, u, v};
+    const auto weights = triangle.value();
+    return weights ? Values(weights->begin(), weights->end()) : Values{};
 }
 
 } // namespace
@@ -193,6 +189,20 @@ std::string FaceDot::written_out() const {
                        product(normal.z, view.z), text(value()));
 }
 
+std::optional<Rational> FaceCosine::value() const {
+    const Rational squares = FaceDot{normal, normal}.value() * FaceDot{view, view}.value();
+    if (!std::isnormal(nearest_double(squares)))
+        return std::nullopt;
+    return Rational(dot.value_or(FaceDot{normal, view}.value()) / square_root(squares));
+}
+
+std::string FaceCosine::written_out(std::string_view name_of_view) const {
+    const double cosine = std::clamp(nearest_double(*value()), -1.0, 1.0);
+    return fmt::format("{} / (|normal| |{}|) = {}",
+                       text(dot.value_or(FaceDot{normal, view}.value())), name_of_view,
+                       six_places(cosine));
+}
+
 Rational MatrixTimes::value(std::size_t row) const {
     return std::inner_product(rows[row].begin(), rows[row].end(), point.begin(), Rational(0));
 }
@@ -202,6 +212,70 @@ std::string MatrixTimes::written_out(std::size_t row) const {
     return fmt::format("{} + {} + {} + {}", product(factors[0], point[0]),
                        product(factors[1], point[1]), product(factors[2], point[2]),
                        product(factors[3], point[3]));
+}
+
+std::optional<Rational> DividedByW::value(std::size_t component) const {
+    return sgn(point[3]) == 0 ? std::nullopt : std::optional<Rational>(point[component] / point[3]);
+}
+
+Rational BresenhamDecisions::start() const {
+    return factor_at_start * minor - major;
+}
+
+Rational BresenhamDecisions::straight() const {
+    return factor_in_steps * minor;
+}
+
+Rational BresenhamDecisions::diagonal() const {
+    return factor_in_steps * Rational(minor - major);
+}
+
+Rational BresenhamDecisions::next(const Rational& d) const {
+    const bool is_diagonal = sgn(d) > 0 || (sgn(d) == 0 && steps_at_ties);
+    return d + (is_diagonal ? diagonal() : straight());
+}
+
+std::string BresenhamDecisions::written_out(const Rational& d) const {
+    const Rational after = next(d);
+    return fmt::format("{} {} = {}", text(d), plus(text(after - d)), text(after));
+}
+
+Rational MixedDepth::depth() const {
+    return std::inner_product(weights.begin(), weights.end(), depths.begin(), Rational(0));
+}
+
+std::string MixedDepth::written_out(const Rational& result) const {
+    std::string terms;
+    for (std::size_t i = 0; i < weights.size(); ++i)
+        terms += (i == 0 ? "" : " + ") + product(weights[i], depths[i]);
+    return fmt::format("{} = {}", terms, text(result));
+}
+
+Vec3 Weights::xs() const {
+    const auto& [a, b, c] = corners;
+    return {b.x - a.x, c.x - a.x, a.x - sample.x};
+}
+
+Vec3 Weights::ys() const {
+    const auto& [a, b, c] = corners;
+    return {b.y - a.y, c.y - a.y, a.y - sample.y};
+}
+
+Vec3 Weights::areas() const {
+    return cross(xs(), ys());
+}
+
+std::optional<std::array<Rational, 3>> Weights::value() const {
+    const auto [of_b, of_c, whole] = areas();
+    if (sgn(whole) == 0)
+        return std::nullopt;
+    const Rational u = of_b / whole;
+    const Rational v = of_c / whole;
+    return {{1 - u - v, u, v}};
+}
+
+std::string Weights::written_out() const {
+    return fmt::format("{} x {} = {}", text(xs()), text(ys()), text(areas()));
 }
 
 Rational RoundedEnd::by(const SpanRounding& other) const {

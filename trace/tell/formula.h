@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <variant>
 #include <vector>
@@ -142,6 +143,12 @@ struct FaceCosine {
     Vec<Rational, 3> view;
     std::optional<Rational> dot = {}; ///< in the place of their product
     bool is_intensity = false;
+
+    /// Nothing where a length is 0, or what no double holds.
+    std::optional<Rational> value() const;
+
+    /// -12 / (|normal| |view|) = -0.948683
+    std::string written_out(std::string_view name_of_view) const;
 };
 
 /// True if a face is culled by this product.
@@ -164,6 +171,9 @@ struct MatrixTimes {
 /// (x, y, z) / w
 struct DividedByW {
     std::array<Rational, 4> point;
+
+    /// Nothing if w = 0.
+    std::optional<Rational> value(std::size_t component) const;
 };
 
 /// d before each step of Bresenham's line of `steps` steps: 2 minor - major first.
@@ -174,6 +184,16 @@ struct BresenhamDecisions {
     bool steps_at_ties = false; ///< d = 0 goes diagonally
     int factor_at_start = 2;    ///< of minor, where d begins
     int factor_in_steps = 2;    ///< of what each step adds
+
+    Rational start() const;
+    Rational straight() const; ///< what a step along the major axis adds
+    Rational diagonal() const; ///< what a step along both axes adds
+
+    /// What follows a d.
+    Rational next(const Rational& d) const;
+
+    /// -3 + 8 = 5: a d and the next.
+    std::string written_out(const Rational& d) const;
 };
 
 /// A depth between others, by their weights: those of a triangle's corners, or of the ends of a row.
@@ -181,6 +201,12 @@ struct MixedDepth {
     std::vector<Rational> weights;
     std::vector<Rational> depths;
     bool gives_inverse = false; ///< 1 over the depth is asked for
+
+    /// The sum of the products.
+    Rational depth() const;
+
+    /// 1/2 (1) + 1/4 (2) + 1/4 (4) = 2
+    std::string written_out(const Rational& result) const;
 };
 
 /// True if a depth passes against the one that is stored.
@@ -190,10 +216,22 @@ struct DepthComparison {
     bool larger_passes = false;
 };
 
-/// The weights of a sample in a triangle: 1 - u - v, u, v (T3).
+/// The weights of a sample in a triangle: 1 - u - v, u, v, by the cross product (ABx, ACx, PAx) x (ABy, ACy, PAy) (T3).
 struct Weights {
     std::array<Vec<Rational, 2>, 3> corners;
     Vec<Rational, 2> sample;
+
+    Vec<Rational, 3> xs() const; ///< ABx, ACx, PAx
+    Vec<Rational, 3> ys() const; ///< ABy, ACy, PAy
+
+    /// Twice the areas of B, of C, and of all three together.
+    Vec<Rational, 3> areas() const;
+
+    /// Of A, B and C; nothing of a triangle without area.
+    std::optional<std::array<Rational, 3>> value() const;
+
+    /// (5, 2, -1) x (0, 4, -1) = (2, 5, 20)
+    std::string written_out() const;
 };
 
 struct Formula {

@@ -457,14 +457,16 @@ bool steps_at_ties(const Trace& trace) {
     return trace.method_value("ties") == "step";
 }
 
-std::optional<Rational> increment_of(const Trace& trace, const LineEnds& ends, const Rational& d) {
+std::optional<BresenhamDecisions> decisions_between(const Trace& trace, const LineEnds& ends) {
     const Rational dx = abs(ends.to.x - ends.from.x);
     const Rational dy = abs(ends.to.y - ends.from.y);
     if (dx.get_den() != 1 || dy.get_den() != 1)
         return std::nullopt;
-    const Rational straight = 2 * std::min(dx, dy);
-    return sgn(d) >= (steps_at_ties(trace) ? 0 : 1) ? Rational(straight - 2 * std::max(dx, dy))
-                                                    : straight;
+    const Rational longer = std::max(dx, dy);
+    return BresenhamDecisions{.major = longer,
+                              .minor = std::min(dx, dy),
+                              .steps = static_cast<std::size_t>(longer.get_num().get_ui()),
+                              .steps_at_ties = steps_at_ties(trace)};
 }
 
 std::optional<Vec2> center_of(const PrimitiveText& primitive) {
@@ -493,16 +495,6 @@ std::string_view matrix_into(std::string_view space) {
                                : "";
 }
 
-std::optional<CrossOfPoint> cross_of_point(const std::array<Vec2, 3>& corners, const Vec2& p) {
-    const auto& [a, b, c] = corners;
-    const Vec3 xs{b.x - a.x, c.x - a.x, a.x - p.x};
-    const Vec3 ys{b.y - a.y, c.y - a.y, a.y - p.y};
-    const Vec3 weights = cross(xs, ys);
-    if (sgn(weights.z) == 0)
-        return std::nullopt;
-    return CrossOfPoint{xs, ys, weights};
-}
-
 Rational sample_offset(const Trace& trace) {
     return trace.samples_at_centers() ? Rational(1, 2) : Rational(0);
 }
@@ -512,6 +504,15 @@ std::optional<Vec2> sample_of(const Trace& trace, const StepView& step) {
     const auto y = y_in(step);
     const Rational offset = sample_offset(trace);
     return x && y ? std::optional(Vec2{*x + offset, *y + offset}) : std::nullopt;
+}
+
+std::optional<Weights> weights_of_sample(const Trace& trace, const StepView& step,
+                                         const PrimitiveText& primitive) {
+    const auto corners = corners_of(primitive);
+    const auto p = sample_of(trace, step);
+    if (!corners || !p || sgn(doubled_area((*corners)[0], (*corners)[1], (*corners)[2])) == 0)
+        return std::nullopt;
+    return Weights{*corners, *p};
 }
 
 std::size_t along_before(const Replay& replay, std::size_t n) {

@@ -180,8 +180,8 @@ struct SlopeForm {
 };
 std::optional<SlopeForm> slope_form_of(const LineEnds& ends, bool is_x_major);
 
-/// What Bresenham adds to d, if the ends are pixels.
-std::optional<Rational> increment_of(const Trace& trace, const LineEnds& ends, const Rational& d);
+/// The decisions of Bresenham's line, if the ends are pixels.
+std::optional<BresenhamDecisions> decisions_between(const Trace& trace, const LineEnds& ends);
 
 /// True if Bresenham goes diagonally at d = 0.
 bool steps_at_ties(const Trace& trace);
@@ -201,19 +201,15 @@ std::optional<Vec2> center_of(const PrimitiveText& primitive);
 /// The name of the matrix that leads into a space; "" if none does.
 std::string_view matrix_into(std::string_view space);
 
-/// T3's weights of a point: (ABx, ACx, PAx) x (ABy, ACy, PAy), its third part twice the area.
-struct CrossOfPoint {
-    Vec3 xs;
-    Vec3 ys;
-    Vec3 weights; ///< of B, of C, and of all three together
-};
-std::optional<CrossOfPoint> cross_of_point(const std::array<Vec2, 3>& corners, const Vec2& p);
-
 /// How far a pixel's sample lies from its coordinates, in x and in y.
 Rational sample_offset(const Trace& trace);
 
 /// The sample point of the pixel that a step is about.
 std::optional<Vec2> sample_of(const Trace& trace, const StepView& step);
+
+/// The weights of that sample in the step's triangle, if it has an area.
+std::optional<Weights> weights_of_sample(const Trace& trace, const StepView& step,
+                                         const PrimitiveText& primitive);
 
 /// An end of a row.
 struct EndOfRow {

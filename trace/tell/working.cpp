@@ -297,25 +297,23 @@ void crossings(Sheet& sheet) {
 
 /// Twice the areas that a point makes with the edges of a triangle, by one cross product (T3).
 void sample(Sheet& sheet) {
-    const auto p = sample_of(sheet.trace(), sheet.step);
-    const auto corners = corners_of(sheet.primitive);
-    const auto cross = corners && p ? cross_of_point(*corners, *p) : std::nullopt;
-    if (!cross)
+    const auto of_sample = weights_of_sample(sheet.trace(), sheet.step, sheet.primitive);
+    if (!of_sample)
         return;
     const auto& names = sheet.primitive.vertices;
-    const auto& [xs, ys, weights] = *cross;
+    const Vec3 xs = of_sample->xs();
+    const Vec3 ys = of_sample->ys();
     sheet.put(
         said({"P = {}: {} = {}, {} = {}, P to {} = {}", "P = {}: {} = {}, {} = {}, P a {} = {}"},
-             text(*p), edge_name(sheet.primitive, 0, 1), text(Vec2{xs.x, ys.x}),
+             text(of_sample->sample), edge_name(sheet.primitive, 0, 1), text(Vec2{xs.x, ys.x}),
              edge_name(sheet.primitive, 0, 2), text(Vec2{xs.y, ys.y}), names[0],
              text(Vec2{xs.z, ys.z})));
-    sheet.put(fmt::format("{} x {} = {}", text(xs), text(ys), text(weights)));
-    const Rational u = weights.x / weights.z;
-    const Rational v = weights.y / weights.z;
+    sheet.put(of_sample->written_out());
+    const auto [of_a, of_b, of_c] = *of_sample->value();
     sheet.put(said({"divided by {}: u = {} of {}, v = {} of {}, 1 - u - v = {} of {}",
                     "dividido por {}: u = {} de {}, v = {} de {}, 1 - u - v = {} de {}"},
-                   text(weights.z), text(u), names[1], text(v), names[2], text(1 - u - v),
-                   names[0]));
+                   text(of_sample->areas().z), text(of_b), names[1], text(of_c), names[2],
+                   text(of_a), names[0]));
 }
 
 /// The depth of a pixel on a line between its ends, along the major axis.
@@ -346,23 +344,18 @@ void put_depth_on_line(Sheet& sheet) {
 void depth(Sheet& sheet) {
     if (sheet.primitive.kind == PrimitiveKind::line)
         return put_depth_on_line(sheet);
-    const auto corners = corners_of(sheet.primitive);
     const auto depths = numbers_in<3>(sheet.primitive.depths.texts());
-    const auto p = sample_of(sheet.trace(), sheet.step);
+    const auto of_sample = weights_of_sample(sheet.trace(), sheet.step, sheet.primitive);
     const auto told = sheet.step.as<DepthStep>().depth.exact();
-    if (!corners || !depths || !p || !told)
+    if (!depths || !of_sample || !told)
         return;
-    const auto cross = cross_of_point(*corners, *p);
-    if (!cross)
+    const auto weights = *of_sample->value();
+    const MixedDepth mixed{.weights = {weights.begin(), weights.end()},
+                           .depths = {depths->begin(), depths->end()}};
+    if (!sheet.agrees(mixed.depth(), *told))
         return;
-    const auto& [a, b, c] = *corners;
-    const Rational& area = cross->weights.z;
-    const Rational u = cross->weights.x / area;
-    const Rational v = cross->weights.y / area;
-    const Rational w = 1 - u - v;
-    const Rational value = w * (*depths)[0] + u * (*depths)[1] + v * (*depths)[2];
-    if (!sheet.agrees(value, *told))
-        return;
+    const auto& [a, b, c] = of_sample->corners;
+    const Rational area = of_sample->areas().z;
     const Rational dx = ((*depths)[1] - (*depths)[0]) * (c.y - a.y) / area -
                         ((*depths)[2] - (*depths)[0]) * (b.y - a.y) / area;
     const Rational dy = ((*depths)[2] - (*depths)[0]) * (b.x - a.x) / area -
@@ -370,10 +363,8 @@ void depth(Sheet& sheet) {
     sheet.put(said({"plane through the corners: depth = {} x {} y {}",
                     "plano pelos vértices: profundidade = {} x {} y {}"},
                    text(dx), plus(text(dy)), plus(text((*depths)[0] - dx * a.x - dy * a.y))));
-    sheet.put(said({"depth = {} + {} + {} = {}", "profundidade = {} + {} + {} = {}"},
-                   product(w, (*depths)[0]), product(u, (*depths)[1]), product(v, (*depths)[2]),
-                   text(*told)));
-    write_plane_in_camera_space(sheet, *p, *told);
+    sheet.put(said({"depth = {}", "profundidade = {}"}, mixed.written_out(*told)));
+    write_plane_in_camera_space(sheet, of_sample->sample, *told);
 }
 
 /// d of a circle as the square of a distance, and what is added to it.
@@ -406,23 +397,20 @@ void decide(Sheet& sheet) {
         return put_circle_decision(sheet, *circle);
     const auto ends = ends_of_line(sheet.replay, sheet.primitive);
     const auto d = sheet.step.as<DecideStep>().d.exact();
-    const auto increment = d && ends ? increment_of(sheet.trace(), *ends, *d) : std::nullopt;
-    if (!increment)
+    const auto line = d && ends ? decisions_between(sheet.trace(), *ends) : std::nullopt;
+    if (!line)
         return;
     const Rational dx = abs(ends->to.x - ends->from.x);
     const Rational dy = abs(ends->to.y - ends->from.y);
     const std::string_view major = dx < dy ? "dy" : "dx";
     const std::string_view minor = dx < dy ? "dx" : "dy";
-    const Rational longer = std::max(dx, dy);
-    const Rational shorter = std::min(dx, dy);
     sheet.put(said({"dx = {}, dy = {}: d begins at 2 {} - {} = {}",
                     "dx = {}, dy = {}: d começa em 2 {} - {} = {}"},
-                   text(dx), text(dy), minor, major, text(2 * shorter - longer)));
+                   text(dx), text(dy), minor, major, text(line->start())));
     sheet.put(said({"straight on adds 2 {} = {}, diagonally 2 ({} - {}) = {}",
                     "em frente soma 2 {} = {}, na diagonal 2 ({} - {}) = {}"},
-                   minor, text(2 * shorter), minor, major, text(2 * (shorter - longer))));
-    sheet.put(said({"next d = {} {} = {}", "próximo d = {} {} = {}"}, text(*d),
-                   plus(text(*increment)), text(*d + *increment)));
+                   minor, text(line->straight()), minor, major, text(line->diagonal())));
+    sheet.put(said({"next d = {}", "próximo d = {}"}, line->written_out(*d)));
 }
 
 void along(Sheet& sheet) {

@@ -228,13 +228,14 @@ void put_angle(Sheet& sheet, const Vec3& normal, const Vec3& v, std::string_view
         return;
     sheet.put(fmt::format("normal . {} = {}", name, product.written_out()));
     sheet.put(fmt::format("|normal| = {}, |{}| = {}", length_of(normal), name, length_of(v)));
-    const auto lengths = root_of(dot(normal, normal) * dot(v, v));
-    if (!lengths || sgn(*lengths) == 0)
+    const FaceCosine angle{normal, v};
+    const auto cosine = angle.value();
+    if (!cosine)
         return;
-    const double cosine = std::clamp(nearest_double(value / *lengths), -1.0, 1.0);
-    sheet.put(said({"cosine = {} / (|normal| |{}|) = {}, an angle of {:.2f} degrees",
-                    "cosseno = {} / (|normal| |{}|) = {}, um ângulo de {:.2f} graus"},
-                   text(value), name, six_places(cosine), degrees_of_cosine(cosine)));
+    sheet.put(
+        said({"cosine = {}, an angle of {:.2f} degrees", "cosseno = {}, um ângulo de {:.2f} graus"},
+             angle.written_out(name),
+             degrees_of_cosine(std::clamp(nearest_double(*cosine), -1.0, 1.0))));
 }
 
 /// The normal of a face from its corners in the world, and the plane that it lies in.
@@ -384,11 +385,11 @@ void write_vertex(Sheet& sheet) {
         return;
     constexpr std::array names{"x", "y", "z", "w"};
     if (vertex.space == Space::canonical && from.size() == 4 && at.size() == 3) {
-        for (std::size_t i = 0; i < 3; ++i) {
-            const auto clip = number_in(from[i]);
-            const auto w = number_in(from[3]);
-            const auto told = number_in(at[i]);
-            if (clip && w && told && sgn(*w) != 0 && sheet.agrees(*clip / *w, *told))
+        const auto clip = numbers_in<4>(from);
+        const auto told = numbers_in<3>(at);
+        for (std::size_t i = 0; clip && told && i < 3; ++i) {
+            const auto divided = DividedByW{*clip}.value(i);
+            if (divided && sheet.agrees(*divided, (*told)[i]))
                 sheet.put(fmt::format("{} = {} = {}", names[i],
                                       quotient(in_sentence(from[i]), in_sentence(from[3])),
                                       in_sentence(at[i])));

@@ -140,14 +140,10 @@ std::vector<std::string> levels_mixed(const Sheet& sheet, const std::array<Ratio
 /// The levels of a pixel in a triangle, mixed by the weights that its corners have there: on the screen, or in space
 /// where they are not equally far away.
 void put_mixed_color(Sheet& sheet, Color told) {
-    const auto corners = corners_of(sheet.primitive);
-    const auto p = sample_of(sheet.trace(), sheet.step);
-    const auto cross = corners && p ? cross_of_point(*corners, *p) : std::nullopt;
-    if (!cross)
+    const auto of_sample = weights_of_sample(sheet.trace(), sheet.step, sheet.primitive);
+    if (!of_sample)
         return;
-    const Rational u = cross->weights.x / cross->weights.z;
-    const Rational v = cross->weights.y / cross->weights.z;
-    Mix mix{{Rational(1 - u - v), u, v}};
+    Mix mix{*of_sample->value()};
     const bool is_affine = sheet.trace().method_value("shade") == "affine";
     const auto distances = is_affine ? std::nullopt : distances_of_corners(sheet);
     if (distances && distances->differ())
