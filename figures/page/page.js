@@ -95,7 +95,10 @@ function filled(pieces, fill) {
 
 function sentenceOf(trace, n) {
   if (n === 0) return "nothing drawn yet";
-  return filled(trace.pieces[trace.kind[n]], i => trace.words[trace.data.fills[trace.fills[n] + i]]);
+  const sentence = filled(trace.pieces[trace.kind[n]], i => trace.words[trace.data.fills[trace.fills[n] + i]]);
+  const marks = trace.data.marks ?? [];
+  const mark = marks.findIndex((step, i) => i % 2 === 0 && step === n);
+  return mark < 0 ? sentence : sentence + trace.words[marks[mark + 1]];
 }
 
 /** What is told of a pixel: the answer, why others have not drawn it, how many these are, what is not told. */

@@ -12,6 +12,7 @@
 //     primitives        step, name, kind, color, group (-1: none), corners, their names and coordinates
 //     step_kinds        of each step its place in kinds; fills: of each step a word for each placeholder
 //     at                of each step the pixel that it is about, counted from the upper left one; -1: none
+//     marks             of each step that its numbers do not give its number and what is said of that; not there: no such
 //     working           of each step a list of words; null: there are too many steps
 //     pixels            of each pixel step its color
 //     depths            of each depth step: 1 if it passes, and 2 if it is stored; how light its gray is; its number
@@ -32,6 +33,7 @@
 #include <rastertrace/trace/explain/explain_pixels.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/describe.h>
+#include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/tell/working.h>
 #include <rastertrace/trace/text/color_text.h>
 #include <rastertrace/trace/text/method_names.h>
@@ -184,6 +186,8 @@ public:
         put("fills", fills_.text());
         put("at", at_.text());
         put("working", has_working_ ? working_.text() : "null");
+        if (!marks_.text().starts_with("[]"))
+            put("marks", marks_.text());
         put("pixels", pixels_.text());
         put("depths", depths_.text());
         put("samples", samples_.text());
@@ -316,6 +320,10 @@ private:
         step_kinds_.add(kind ? static_cast<std::size_t>(*kind) : step_kinds);
         for (const std::string& fill : sentence_of_step(replay_).fills)
             fills_.add(word(fill));
+        if (const std::string given = what_numbers_give(trace_, n); !given.empty()) {
+            marks_.add(n);
+            marks_.add(word(given));
+        }
         if (has_working_) {
             JsonList lines;
             for (const std::string& line : working_of(replay_))
@@ -519,8 +527,8 @@ private:
     std::unordered_map<std::size_t, std::size_t> group_of_;
     std::vector<std::string> names_; ///< of the current primitive's vertices
     std::unordered_map<std::string, std::size_t> pattern_places_;
-    JsonList groups_, primitives_, step_kinds_, fills_, at_, working_, pixels_, depths_, samples_,
-        rows_, edges_, rejects_, patterns_;
+    JsonList groups_, primitives_, step_kinds_, fills_, at_, marks_, working_, pixels_, depths_,
+        samples_, rows_, edges_, rejects_, patterns_;
 };
 
 } // namespace

@@ -17,6 +17,8 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <string_view>
@@ -27,6 +29,7 @@ namespace {
 
 using Json = nlohmann::json;
 using testing::ElementsAre;
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -53,6 +56,10 @@ public:
         std::string text = pieces[1].get<std::string>();
         for (std::size_t i = 2; i < pieces.size(); ++i)
             text += word(data_["fills"][fills_[n - 1] + i - 2]) + pieces[i].get<std::string>();
+        const Json marks = data_.value("marks", Json::array());
+        for (std::size_t i = 0; i < marks.size(); i += 2)
+            if (marks[i] == n)
+                text += word(marks[i + 1]);
         return text;
     }
 
@@ -149,6 +156,21 @@ Trace hostile_trace(const std::string& title, const std::string& name) {
 std::string page_of_trace(const Trace& trace) {
     const std::vector<PageFrame> frames{{.label = "", .data = page_data(trace)}};
     return page_of(frames, {.title = trace.title});
+}
+
+TEST(Page, MarksWrongStepsAsShowDoes) {
+    Trace trace = hostile_trace("A", "A");
+    EXPECT_FALSE(PageReader(trace).data().contains("marks"));
+    using Texts = std::map<std::size_t, std::string>;
+    trace.numbers_give = std::make_shared<const Texts>(Texts{{1, "to = -1"}, {2, "from = <b>"}});
+    const PageReader page(trace);
+    Replay replay(trace, {.depths = true});
+    for (std::size_t n = 1; n <= trace.size(); ++n) {
+        replay.go_to(n);
+        EXPECT_EQ(page.sentence(n), describe_step(replay));
+    }
+    EXPECT_THAT(page.sentence(1), EndsWith("   [!] its numbers give to = -1"));
+    EXPECT_THAT(page.sentence(2), EndsWith("   [!] its numbers give from = <b>"));
 }
 
 TEST(Page, EverySentenceAndWorkingOfEveryExampleIsTheProgramsOwn) {

@@ -41,6 +41,13 @@ TEST_F(ProgramTest, SentencesOfWrongStepsSayWhatTheirNumbersGive) {
                 HasSubstr("   [!] seus n\u00FAmeros d\u00E3o from = -1\n"));
     EXPECT_THAT(shell("$rastertrace figure " + fast + " --step 11 --format txt -o -").out,
                 HasSubstr("[!] its numbers give from = -1"));
+    EXPECT_THAT(shell("$rastertrace play " + fast + " --step 'scanline y=2' --print 140x30").out,
+                HasSubstr("[!] its numbers give from = -1"));
+    // Step 11 of both traces; what is told of mine.jsonl is what its numbers give.
+    const std::string difference =
+        shell("$rastertrace diff $examples/regression/mine.jsonl " + fast).out;
+    EXPECT_THAT(difference, HasSubstr("[!] its numbers give from = -1\n"));
+    EXPECT_EQ(difference.find("[!]"), difference.rfind("[!]"));
     EXPECT_THAT(shell("$rastertrace show --all $examples/regression/mine.jsonl").out,
                 Not(HasSubstr("[!]")));
 }

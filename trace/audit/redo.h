@@ -46,6 +46,9 @@ inline constexpr std::size_t most_wrong_steps = 10'000;
 /// the trace does not tell the numbers or the rule of is left out. The trace must have all its steps.
 Redone redo(const Trace& trace);
 
+/// A larger trace is not done again for the sentences of its wrong steps: it would take too long. `validate --redo` does.
+inline constexpr std::uint64_t largest_marked_trace = 16'000'000; // bytes
+
 /// Does a trace again, if it has all its steps, and lets the sentences of its wrong steps say so (Trace::numbers_give).
 void mark_wrong_steps(Trace& trace);
 

@@ -92,6 +92,11 @@ void GrowingTrace::name_untitled(const std::string& title) {
         state_->trace.title = title;
 }
 
+void GrowingTrace::let_numbers_give(std::map<std::size_t, std::string> values_of_steps) {
+    state_->trace.numbers_give =
+        std::make_shared<const std::map<std::size_t, std::string>>(std::move(values_of_steps));
+}
+
 bool GrowingTrace::is_whole() const {
     return state_->is_whole;
 }

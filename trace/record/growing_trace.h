@@ -16,6 +16,7 @@
 #include <rastertrace/trace/text/problem.h>
 
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -42,6 +43,9 @@ public:
 
     /// Gives it a title, if it has none.
     void name_untitled(const std::string& title);
+
+    /// Lets the sentences of wrong steps say what their numbers give, see Trace::numbers_give.
+    void let_numbers_give(std::map<std::size_t, std::string> values_of_steps);
 
     /// Reads a piece more, some ten thousand steps; false if there is none, or none yet. What cannot be read on from
     /// is damage, and the end.

@@ -8,10 +8,12 @@
 #include "option_values.h"
 #include "shared_options.h"
 
+#include <rastertrace/trace/audit/redo.h>
 #include <rastertrace/trace/compare/diff.h>
 #include <rastertrace/trace/record/frame.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/describe.h>
+#include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -38,6 +40,26 @@ SceneOptions options_of(const DiffCommand& command) {
     return {.method = command.method, .limits = command.input, .frames = command.frames};
 }
 
+/// Lets the sentences of wrong steps of one side say so, as `show` does.
+void mark_wrong_sentences(const TraceText& text, std::vector<DiffStep>& before,
+                          std::optional<DiffStep>& differing, std::vector<DiffStep>& after) {
+    if (text.size() > largest_marked_trace)
+        return;
+    std::string json(text.size(), '\0');
+    json.resize(text.read(0, json));
+    Result<Trace> trace = read_trace(Source{text.name(), std::move(json)});
+    if (!trace)
+        return;
+    mark_wrong_steps(trace.value());
+    const auto mark = [&trace](DiffStep& step) {
+        step.sentence += what_numbers_give(trace.value(), step.number);
+    };
+    std::for_each(before.begin(), before.end(), mark);
+    if (differing)
+        mark(*differing);
+    std::for_each(after.begin(), after.end(), mark);
+}
+
 /// Compares two files. Options that say how to draw are about those that are scenes.
 TraceDiff diff_of_files(const std::string& path_a, const std::string& path_b,
                         const DiffCommand& command) {
@@ -50,7 +72,12 @@ TraceDiff diff_of_files(const std::string& path_a, const std::string& path_b,
         refuse_scene_options({path_a, {}, {}}, options);
     const TraceText text_a = trace_text(std::move(a), path_a, options);
     const TraceText text_b = trace_text(std::move(b), path_b, options);
-    return diff(text_a, text_b, command.options);
+    TraceDiff found = diff(text_a, text_b, command.options);
+    if (found.first) {
+        mark_wrong_sentences(text_a, found.before_a, found.first->a, found.after_a);
+        mark_wrong_sentences(text_b, found.before_b, found.first->b, found.after_b);
+    }
+    return found;
 }
 
 /// Compares a scene with itself, drawn by another method.

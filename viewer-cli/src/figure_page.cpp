@@ -79,9 +79,10 @@ void check_frame(const Trace& trace, std::size_t frames_before, std::size_t step
 } // namespace
 
 ExitStatus write_page(const FigureCommand& command) {
-    InputFrames input(
-        command.trace,
-        {.method = command.method, .limits = command.input, .frames = command.frames});
+    InputFrames input(command.trace, {.method = command.method,
+                                      .limits = command.input,
+                                      .frames = command.frames,
+                                      .tells_steps = true});
     ExitStatus status = exit_fine;
     PageOptions options{.theme = command.style.theme, .view = command.options.view};
     options.module = wasm_module();

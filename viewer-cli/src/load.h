@@ -41,9 +41,6 @@ struct SceneOptions {
     bool tells_steps = false; ///< the sentences of wrong steps of a trace are marked
 };
 
-/// A larger trace is not done again for the sentences of its wrong steps: it would take too long. `validate --redo` does.
-inline constexpr std::uintmax_t largest_marked_trace = 16'000'000; // bytes
-
 /// What a command was given: a trace, or a scene, which has one frame or, if numbers vary, more.
 ///
 ///     InputFrames input("scene.json", {});

@@ -37,7 +37,10 @@ constexpr std::chrono::milliseconds between_screens{50};
 constexpr int between_steps = 15;
 
 SceneOptions scene_options(const PlayCommand& command) {
-    return {.method = command.method, .limits = command.input, .frames = command.frames};
+    return {.method = command.method,
+            .limits = command.input,
+            .frames = command.frames,
+            .tells_steps = true};
 }
 
 /// The frames of a scene, or a trace that has not one step a line.

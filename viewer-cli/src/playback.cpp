@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "playback.h"
 
+#include <rastertrace/trace/audit/redo.h>
 #include <rastertrace/trace/tell/describe.h>
 
 #include <algorithm>
@@ -24,11 +25,23 @@ constexpr std::size_t most_sentences = 200;
 Playback::Playback(GrowingTrace trace, std::size_t bytes, FaceGroups lettered)
     : growing_(std::move(trace)), parts_(parts_for(View::writes, growing_.trace())),
       snapshots_(growing_.trace(), parts_, bytes), replay_(growing_.trace(), parts_),
-      around_(growing_.trace(), parts_), lettered_(std::move(lettered)) {}
+      around_(growing_.trace(), parts_), is_marked_(growing_.is_whole()),
+      lettered_(std::move(lettered)) {}
 
 bool Playback::read_on() {
     const bool has_read = growing_.read_on();
+    if (!is_marked_ && growing_.is_whole())
+        mark_wrong();
     return snapshots_.read_on(steps_at_once) || has_read;
+}
+
+void Playback::mark_wrong() {
+    is_marked_ = true;
+    const Trace& read = trace();
+    if (read.size() == 0 || read.offset_of(read.size()) > largest_marked_trace)
+        return;
+    growing_.let_numbers_give(redo(read).wrong_steps);
+    sentences_.clear();
 }
 
 void Playback::go_to(std::size_t n) {

@@ -34,6 +34,7 @@ public:
     bool has_depths() const { return parts_.depths; }
 
     /// Reads a piece of the trace more, or goes through it once, for the pictures; false if there is nothing to do now.
+    /// When all of a trace that is not too large has been read, its steps are done again, to mark the wrong ones.
     bool read_on();
 
     /// Goes to a step, up to the last one that has been read.
@@ -51,6 +52,8 @@ public:
     const FaceGroups& faces() const;
 
 private:
+    void mark_wrong();
+
     GrowingTrace growing_;
     FrameParts parts_;
     Snapshots snapshots_;
@@ -60,6 +63,8 @@ private:
     // over, so that the steps between two kept pictures are gone through once.
     mutable Replay around_;
     mutable std::map<std::size_t, std::string> sentences_; ///< of some steps, by number
+
+    bool is_marked_; ///< the sentences of wrong steps say so
 
     FaceGroups lettered_;
     mutable FaceGroups faces_;
