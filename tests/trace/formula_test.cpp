@@ -125,7 +125,9 @@ RC_GTEST_PROP(Formula, WritesOutWhatAFaceComesTo, ()) {
     RC_ASSERT(worked_out(parts[1]) == normal.y);
     RC_ASSERT(worked_out(parts[2]) == normal.z);
     // At a right angle to its sides, by another way.
-    const auto& [a, b, c] = face.corners;
+    const auto& a = face.corners[0];
+    const auto& b = face.corners[1];
+    const auto& c = face.corners[2];
     RC_ASSERT(FaceDot({normal, b - a}).value() == 0);
     const FaceDot product{normal, corner()};
     expect_sides(product.written_out(), product.value());

@@ -118,6 +118,47 @@ TEST(PolygonTrace, ClaimsAboutItsRowsAreChecked) {
     EXPECT_EQ(wrong.expected, "2, 9/2, 17/2, 13");
 }
 
+/// A span of several in one row is the one whose end is nearest.
+TEST(PolygonTrace, ClaimsAboutOneSpanAreChecked) {
+    const auto fields_of = [](const std::string& claim) {
+        return check_claims(scene_text(), claim).claims.at(0).fields;
+    };
+    for (const std::string right : {"y=8: 2, 9/2 -> 2..4", "y=8: 17/2, 13 -> 8..13"})
+        for (const CheckedField& field : fields_of(right + "\n"))
+            EXPECT_EQ(field.verdict, ClaimVerdict::right) << right;
+    const auto wrong = fields_of("y=8: 8, 13 -> 8..13\n");
+    EXPECT_EQ(wrong.at(0).verdict, ClaimVerdict::wrong);
+    EXPECT_EQ(wrong.at(0).expected, "17/2");
+    EXPECT_EQ(wrong.at(1).verdict, ClaimVerdict::right);
+}
+
+/// The fan of a square with a notch: twice the areas 2, -1/2 and so on come to 2 times 3.
+TEST(PolygonTrace, ANormalIsThatOfAllCorners) {
+    const std::string face = R"({"canvas":{"width":40,"height":40,"origin":"center"},)"
+                             R"("camera":{"position":[3,2,6]},)"
+                             R"("projection":{"type":"frustum","fov_y":60,"near":1,"far":20},)"
+                             R"("vertices":{"A":[-1,-1,1],"B":[1,-1,1],"C":[1,1,1],"D":[0,0,1],)"
+                             R"("E":[-1,1,1]},"polygons":["ABCDE"],)"
+                             R"("method":{"depth":"none","cull":"back","scalar":"exact"}})";
+    const auto checked =
+        check_claims(face, "normal ABCDE: 0, 0, 6\nnormal ABCDE: 0, 0, 4\n").claims;
+    EXPECT_EQ(checked.at(0).fields.at(0).verdict, ClaimVerdict::right);
+    const CheckedField& of_three = checked.at(1).fields.at(0);
+    EXPECT_EQ(of_three.verdict, ClaimVerdict::wrong);
+    ASSERT_FALSE(of_three.slips.empty());
+    EXPECT_EQ(of_three.slips.front().name, "three-corners");
+
+    const Trace trace = sound_trace(trace_text(scene_in(face)));
+    Replay replay(trace, {.depths = true});
+    for (std::size_t n = 1; n <= trace.size(); ++n)
+        if (trace.kind_of(n) == StepKind::face) {
+            replay.go_to(n);
+            EXPECT_THAT(
+                working_of(replay),
+                Contains("normal = (B - A) x (C - A) + (C - A) x (D - A) + (D - A) x (E - A)"));
+        }
+}
+
 TEST(PolygonScene, TakesFacesOfMeshesAsTheyAre) {
     const Scene scene =
         scene_in(R"({"meshes":[{"name":"m","vertices":{"A":[0,0],"B":[6,0],"C":[1,1],"D":[0,6]},)"

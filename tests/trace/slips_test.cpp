@@ -394,7 +394,7 @@ TEST(Slips, NoneGivesTheRightResult) {
     const Formula formulas[] = {
         {Lerp{.d1 = 2, .i1 = 5, .d2 = -4, .i2 = -3, .i = 2, .other = {{5, -3}}}},
         {Slope{{2, 5}, {-4, -3}, Vec<Rational, 2>{5, -3}}},
-        {FaceNormal{{{{-1, 1, 3}, {1, 1, 3}, {1, -1, 3}}}}},
+        {FaceNormal{{{-1, 1, 3}, {1, 1, 3}, {1, -1, 3}}}},
         {FaceDot{{0, 0, -4}, {Rational(-1, 3), Rational(-1, 3), -3}}},
         {DividedByW{{-1, 1, 2, 3}}},
         {BresenhamDecisions{.major = 8, .minor = 6, .steps = 8}},

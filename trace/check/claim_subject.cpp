@@ -215,9 +215,42 @@ private:
             return steps.empty() ? 0 : steps.back(); // what is seen
         if (kind_ == StepKind::vertex && steps.empty())
             return place_on_screen(index);
-        if (steps.size() > 1 && !say_the_same(index, steps))
+        if (steps.size() <= 1 || say_the_same(index, steps))
+            return steps.empty() ? 0 : steps.front();
+        const std::size_t span = nearest_span(index, steps);
+        if (span == 0)
             refuse_several(index, steps);
-        return steps.empty() ? 0 : steps.front();
+        return span;
+    }
+
+    /// Of the spans of a polygon in one row, the one whose end is nearest to the first that is claimed; 0 if they are of
+    /// several primitives, or no end is claimed.
+    std::size_t nearest_span(const StepIndex& index, const std::vector<std::size_t>& steps) const {
+        const auto claimed_end = [this](std::string_view name) -> std::optional<Rational> {
+            const ClaimedField* const field = claim_.find(name);
+            return field == nullptr || field->values.empty() ? std::nullopt
+                                                             : number_in(field->values.front());
+        };
+        const std::size_t owner = index.primitive_of(steps.front());
+        if (kind_ != StepKind::scanline ||
+            std::any_of(steps.begin(), steps.end(),
+                        [&](std::size_t n) { return index.primitive_of(n) != owner; }))
+            return 0;
+        for (const std::string_view end : {"left", "from", "right", "to"})
+            if (const auto claimed = claimed_end(end)) {
+                const auto distance = [&](std::size_t n) {
+                    const auto row = index.trace().step(n).as<ScanlineStep>();
+                    const Rational told = end == "left"    ? row.left.exact().value_or(0)
+                                          : end == "right" ? row.right.exact().value_or(0)
+                                          : end == "from"  ? Rational(row.from)
+                                                           : Rational(row.to);
+                    return Rational(abs(told - *claimed));
+                };
+                return *std::min_element(
+                    steps.begin(), steps.end(),
+                    [&](std::size_t a, std::size_t b) { return distance(a) < distance(b); });
+            }
+        return 0;
     }
 
     /// True of a claim about all of a line's decisions.

@@ -87,7 +87,7 @@ private:
 
     Rational sample_y(Index row) const { return row + sample_offset(numbers_.trace()); }
 
-    std::optional<std::array<Vec3, 3>> world_corners(std::size_t primitive) const;
+    std::optional<std::vector<Vec3>> world_corners(std::size_t primitive) const;
     std::optional<Vec3> vector_in(std::string_view field) const {
         const Values values = numbers_.of(step_, field);
         return values.size() == 3 ? std::optional(Vec3{values[0], values[1], values[2]})
@@ -237,20 +237,17 @@ Formulas Deriver::of_snapped() const {
     return {{RoundedPlace{numbers_.of(step_, "at"), {.rounding = rounding}}}};
 }
 
-std::optional<std::array<Vec3, 3>> Deriver::world_corners(std::size_t primitive) const {
+std::optional<std::vector<Vec3>> Deriver::world_corners(std::size_t primitive) const {
     if (primitive == 0)
         return std::nullopt;
-    const auto names = numbers_.step(primitive).as<PrimitiveStep>().vertices.texts();
-    if (names.size() != 3)
-        return std::nullopt; // a polygon's normal is no product of two sides
-    std::array<Vec3, 3> corners;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const auto corner = numbers_.in_world(names[i]);
+    std::vector<Vec3> corners;
+    for (const std::string& name : numbers_.step(primitive).as<PrimitiveStep>().vertices.texts()) {
+        const auto corner = numbers_.in_world(name);
         if (!corner)
             return std::nullopt;
-        corners[i] = *corner;
+        corners.push_back(*corner);
     }
-    return corners;
+    return corners.size() < 3 ? std::nullopt : std::optional(std::move(corners));
 }
 
 Formulas Deriver::of_face(std::string_view field) const {

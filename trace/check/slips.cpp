@@ -251,7 +251,9 @@ std::vector<Values> corner_for_centroid(const Formula& formula) {
 std::vector<Values> not_divided(const Formula& formula) {
     Results results(formula);
     if (const auto* face = as<Centroid>(formula)) {
-        const Vec3 sum = face->corners[0] + face->corners[1] + face->corners[2];
+        const Vec3 mean = Centroid{face->corners}.value();
+        const Rational count = static_cast<long>(face->corners.size());
+        const Vec3 sum{mean.x * count, mean.y * count, mean.z * count};
         results.add(sum);
         results.add(Vec3{sum.x / 2, sum.y / 2, sum.z / 2});
     }
@@ -335,6 +337,15 @@ std::vector<Values> z_for_inverse_z(const Formula& formula) {
     return results.take();
 }
 
+std::vector<Values> three_corners(const Formula& formula) {
+    Results results(formula);
+    if (const auto* face = as<FaceNormal>(formula); face && face->corners.size() > 3)
+        results.add_formula({FaceNormal{{face->corners.begin(), face->corners.begin() + 3}}});
+    if (const auto* face = as<Centroid>(formula); face && face->corners.size() > 3)
+        results.add_formula({Centroid{{face->corners.begin(), face->corners.begin() + 3}}});
+    return results.take();
+}
+
 std::vector<Values> c_minus_a(const Formula& formula) {
     Results results(formula);
     if (const auto* edge = as<Slope>(formula); edge && edge->other) {
@@ -347,7 +358,9 @@ std::vector<Values> c_minus_a(const Formula& formula) {
         results.add_formula({Lerp{.d1 = d, .i1 = i, .d2 = lerp->d2, .i2 = lerp->i2, .i = lerp->i}});
     }
     if (const auto* face = as<FaceNormal>(formula)) {
-        const auto& [a, b, c] = face->corners;
+        const Vec3& a = face->corners[0];
+        const Vec3& b = face->corners[1];
+        const Vec3& c = face->corners[2];
         results.add(cross(b, c));     // nothing taken away
         results.add(cross(b - a, c)); // only from one of them
         results.add(cross(b, c - a));
@@ -390,10 +403,9 @@ std::vector<std::vector<Rational>> terms_of(const Formula& formula) {
     if (const auto* face = as<FaceDot>(formula))
         sums = {std::vector<Rational>{face->normal.x * face->view.x, face->normal.y * face->view.y,
                                       face->normal.z * face->view.z}};
-    if (const auto* face = as<FaceNormal>(formula)) {
-        const auto& [a, b, c] = face->corners;
-        const Vec3 u = b - a;
-        const Vec3 v = c - a;
+    if (const auto* face = as<FaceNormal>(formula); face && face->corners.size() == 3) {
+        const Vec3 u = face->corners[1] - face->corners[0];
+        const Vec3 v = face->corners[2] - face->corners[0];
         sums = {{u.y * v.z, -(u.z * v.y)}, {u.z * v.x, -(u.x * v.z)}, {u.x * v.y, -(u.y * v.x)}};
     }
     if (const auto* toward = as<Toward>(formula))
@@ -531,6 +543,7 @@ constexpr Slip table[] = {
     {"neighbor-row", "the row above or below, or the column beside", neighbor_row},
     {"sign", "a minus lost, or one too many", sign},
     {"term-dropped", "a term of the sum left out", term_dropped},
+    {"three-corners", "three corners of a polygon taken for all", three_corners},
     {"c-minus-a", "C - A taken where C - B belongs: another corner", c_minus_a},
     {"integer-division", "a quotient cut off to a whole number", integer_division},
     {"rows-for-columns", "the matrix turned over: its columns taken for rows", rows_for_columns},

@@ -5,6 +5,7 @@
 #include "step_text.h"
 
 #include <rastertrace/core/numbers/irrational.h>
+#include <rastertrace/core/raster/facing.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -151,8 +152,7 @@ std::string Lerp::written_out(const Rational& result) const {
 }
 
 Vec3 FaceNormal::value() const {
-    const auto& [a, b, c] = corners;
-    return cross(b - a, c - a);
+    return normal_of<Rational>(corners);
 }
 
 std::string cross_written_out(const Vec3& a, const Vec3& b) {
@@ -161,14 +161,15 @@ std::string cross_written_out(const Vec3& a, const Vec3& b) {
 }
 
 std::string FaceNormal::written_out() const {
-    const auto& [a, b, c] = corners;
-    return cross_written_out(b - a, c - a);
+    std::string terms;
+    for (std::size_t i = 2; i < corners.size(); ++i)
+        terms += (i == 2 ? "" : " + ") +
+                 cross_written_out(corners[i - 1] - corners[0], corners[i] - corners[0]);
+    return terms;
 }
 
 Vec3 Centroid::value() const {
-    const auto& [a, b, c] = corners;
-    const Vec3 sum = a + b + c;
-    return {sum.x / 3, sum.y / 3, sum.z / 3};
+    return centroid_of<Rational>(corners);
 }
 
 Rational FacePlane::constant() const {

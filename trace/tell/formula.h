@@ -90,19 +90,19 @@ struct InRow {
     Rational x;
 };
 
-/// (B - A) x (C - A).
+/// (B - A) x (C - A); of more corners, the sum of these over the triangles of the fan from the first.
 struct FaceNormal {
-    std::array<Vec<Rational, 3>, 3> corners;
+    std::vector<Vec<Rational, 3>> corners;
 
     Vec<Rational, 3> value() const;
 
-    /// (-5 (0) - 0 (-3), ...)
+    /// (-5 (0) - 0 (-3), ...), a term for each triangle
     std::string written_out() const;
 };
 
-/// (A + B + C) / 3.
+/// (A + B + C) / 3: the mean of the corners.
 struct Centroid {
-    std::array<Vec<Rational, 3>, 3> corners;
+    std::vector<Vec<Rational, 3>> corners;
 
     Vec<Rational, 3> value() const;
 };
@@ -122,7 +122,7 @@ struct FacePlane {
 struct Toward {
     Vec<Rational, 3> to;
     Vec<Rational, 3> centroid;
-    std::array<Vec<Rational, 3>, 3> corners;
+    std::vector<Vec<Rational, 3>> corners;
     Vec<Rational, 3> normal;
 };
 

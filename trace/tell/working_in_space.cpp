@@ -23,6 +23,9 @@ namespace rastertrace {
 
 namespace {
 
+/// Of a face with more corners, nobody reads the working of a normal.
+constexpr std::size_t most_corners_shown = 24;
+
 /// The square root of what a double can hold.
 std::optional<Rational> root_of(const Rational& square) {
     return std::isnormal(nearest_double(square)) || sgn(square) == 0
@@ -43,30 +46,30 @@ std::string length_of(const Vec3& v) {
 
 /// Where they are in one of these spaces, the last that they have been in: as the `vertex` steps before
 /// the first primitive tell.
-std::optional<std::array<Vec3, 3>> corners_in_space(const Sheet& sheet,
-                                                    std::initializer_list<Space> spaces) {
-    const auto& names = sheet.primitive.vertices;
-    if (names.size() != 3)
-        return std::nullopt;
-    std::array<std::optional<Vec3>, 3> found;
-    for (std::size_t i = 0; i < 3; ++i)
-        for (const std::size_t n : sheet.replay.places_of(names[i])) {
+std::optional<std::vector<Vec3>> corners_in_space(const Sheet& sheet,
+                                                  std::initializer_list<Space> spaces) {
+    std::vector<Vec3> corners;
+    for (const std::string& name : sheet.primitive.vertices) {
+        std::optional<Vec3> found;
+        for (const std::size_t n : sheet.replay.places_of(name)) {
             const auto vertex = sheet.trace().step(n).as<VertexStep>();
             if (std::find(spaces.begin(), spaces.end(), vertex.space) != spaces.end())
-                found[i] = vec3_in(vertex.at.texts());
+                found = vec3_in(vertex.at.texts());
         }
-    if (!found[0] || !found[1] || !found[2])
-        return std::nullopt;
-    return std::array{*found[0], *found[1], *found[2]};
+        if (!found)
+            return std::nullopt;
+        corners.push_back(*found);
+    }
+    return corners.size() < 3 ? std::nullopt : std::optional(std::move(corners));
 }
 
 /// Without a model, objects stand in the world as they are.
-std::optional<std::array<Vec3, 3>> world_corners_of(const Sheet& sheet) {
+std::optional<std::vector<Vec3>> world_corners_of(const Sheet& sheet) {
     return corners_in_space(sheet, {Space::object, Space::world});
 }
 
 /// Without a camera, it stands at the origin of the world.
-std::optional<std::array<Vec3, 3>> camera_corners_of(const Sheet& sheet) {
+std::optional<std::vector<Vec3>> camera_corners_of(const Sheet& sheet) {
     return corners_in_space(sheet, {Space::object, Space::world, Space::camera});
 }
 
@@ -243,22 +246,26 @@ void put_normal(Sheet& sheet, const Vec3& normal) {
     const auto corners = world_corners_of(sheet);
     if (!corners)
         return;
-    const auto& [a, b, c] = *corners;
     const auto& names = sheet.primitive.vertices;
     const FaceNormal of_corners{*corners};
     const Vec3 worked_out = of_corners.value();
-    if (!sheet.agrees(worked_out.x, normal.x) || !sheet.agrees(worked_out.y, normal.y) ||
-        !sheet.agrees(worked_out.z, normal.z))
+    if (corners->size() > most_corners_shown || !sheet.agrees(worked_out.x, normal.x) ||
+        !sheet.agrees(worked_out.y, normal.y) || !sheet.agrees(worked_out.z, normal.z))
         return;
-    for (std::size_t i = 0; i < 3; ++i)
+    const Vec3& first = corners->front();
+    for (std::size_t i = 0; i < corners->size(); ++i)
         sheet.put(fmt::format("{} = {}", names[i], text((*corners)[i])));
-    sheet.put(fmt::format("{1} - {0} = {2}", names[0], names[1], text(b - a)));
-    sheet.put(fmt::format("{1} - {0} = {2}", names[0], names[2], text(c - a)));
-    sheet.put(fmt::format("normal = ({1} - {0}) x ({2} - {0})", names[0], names[1], names[2]));
+    for (std::size_t i = 1; i < corners->size(); ++i)
+        sheet.put(fmt::format("{1} - {0} = {2}", names[0], names[i], text((*corners)[i] - first)));
+    std::string products;
+    for (std::size_t i = 2; i < corners->size(); ++i)
+        products += fmt::format("{3}({1} - {0}) x ({2} - {0})", names[0], names[i - 1], names[i],
+                                i == 2 ? "" : " + ");
+    sheet.put("normal = " + products);
     sheet.put(fmt::format("= {} = {}", of_corners.written_out(), text(normal)));
-    sheet.put(said({"centroid = ({} + {} + {}) / 3 = {}", "baricentro = ({} + {} + {}) / 3 = {}"},
-                   names[0], names[1], names[2], text(Centroid{*corners}.value())));
-    sheet.put(said({"plane: {}", "plano: {}"}, FacePlane{normal, a}.written_out()));
+    sheet.put(said({"centroid = ({}) / {} = {}", "baricentro = ({}) / {} = {}"},
+                   joined(names, " + "), corners->size(), text(Centroid{*corners}.value())));
+    sheet.put(said({"plane: {}", "plano: {}"}, FacePlane{normal, first}.written_out()));
 }
 
 /// All matrices at once, from object space to clip space.
@@ -313,8 +320,7 @@ void write_triangulation(Sheet& sheet) {
     const auto rows = text_rows(step.at);
     const auto names = step.vertices.texts();
     const auto told = vec3_in(step.normal.texts());
-    constexpr std::size_t most_edges_shown = 24;
-    if (!told || rows.size() != names.size() || rows.size() > most_edges_shown)
+    if (!told || rows.size() != names.size() || rows.size() > most_corners_shown)
         return;
     std::vector<Vec3> at;
     for (const auto& row : rows) {
