@@ -19,6 +19,7 @@ void Replay::go_to(std::size_t n) {
 }
 
 void Replay::go_to_place_of(const Replay& other) {
+    vertex_places_ = other.vertex_places_;
     Color* const colors = frame_.image.row(trace_.canvas.top()).colors;
     for (std::size_t tile = 0; tile < has_changed_.size(); ++tile) {
         if (has_changed_[tile] == 0 && other.has_changed_[tile] == 0)
@@ -134,14 +135,13 @@ std::size_t Replay::primitive_of(std::size_t step) const {
 }
 
 const std::vector<std::size_t>& Replay::places_of(const std::string& vertex) const {
-    for (; steps_with_places_ < trace_.size(); ++steps_with_places_) {
-        const std::size_t n = steps_with_places_ + 1;
-        if (trace_.kind_of(n) == StepKind::vertex)
-            places_[trace_.step(n).as<VertexStep>().name.text()].push_back(n);
-    }
+    auto& [by_name, steps] = *vertex_places_;
+    for (; steps < trace_.size(); ++steps)
+        if (trace_.kind_of(steps + 1) == StepKind::vertex)
+            by_name[trace_.step(steps + 1).as<VertexStep>().name.text()].push_back(steps + 1);
     static const std::vector<std::size_t> none;
-    const auto found = places_.find(vertex);
-    return found == places_.end() ? none : found->second;
+    const auto found = by_name.find(vertex);
+    return found == by_name.end() ? none : found->second;
 }
 
 std::optional<PlottedPixel> plotted_by(const PixelStep& pixel, const Canvas& canvas,

@@ -15,6 +15,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -149,9 +150,13 @@ private:
     std::vector<std::size_t> primitives_;
     std::vector<std::size_t> matrices_;
 
-    /// By name, once someone has asked, of so many steps of the trace.
-    mutable std::unordered_map<std::string, std::vector<std::size_t>> places_;
-    mutable std::size_t steps_with_places_ = 0;
+    /// The places of the vertices, by name, of so many steps of the trace, as far as someone has asked. Replays that
+    /// have gone to each other's place share it.
+    struct VertexPlaces {
+        std::unordered_map<std::string, std::vector<std::size_t>> by_name;
+        std::size_t steps = 0;
+    };
+    std::shared_ptr<VertexPlaces> vertex_places_ = std::make_shared<VertexPlaces>();
 };
 
 struct DepthStep;
