@@ -63,7 +63,7 @@ private:
             scene.projection.near = Number(1);
             scene.projection.far = Number(9);
         }
-        scene.viewport = {.type = ViewportType::fit, .pixels_per_unit = 1};
+        scene.viewport = {.type = ViewportType::pixels, .pixels_per_unit = 1};
         if (random_.chance(2))
             scene.camera = Camera{.position = {0, 0, random_.pick<Number>({0, 4})},
                                   .look_at = {0, 0, -1},

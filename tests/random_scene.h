@@ -182,7 +182,9 @@ private:
         out_ << '}';
         if (random_.chance(2))
             out_ << R"(,"viewport":)"
-                 << random_.pick<const char*>({R"("fit")", R"({"pixels_per_unit":4})"});
+                 << random_.pick<const char*>({R"("fit")", R"({"pixels_per_unit":4})",
+                                               R"({"pixels":"edges"})",
+                                               R"({"pixels":"edges-half","y":"down"})"});
         has_light_ = random_.chance(4);
         if (has_light_)
             out_ << R"(,"light":)"

@@ -133,8 +133,10 @@ inline std::string scene_text(const Scene& scene) {
                 ",\"up\":" + json_of(scene.camera->up) + "}";
     if (scene.projection.type != ProjectionType::none)
         text += ",\n\"projection\":" + json_of(scene.projection);
-    if (scene.viewport.type == ViewportType::fit)
-        text += ",\n\"viewport\":\"fit\"";
+    if (scene.viewport.type == ViewportType::pixels)
+        text += ",\n\"viewport\":{\"pixels\":\"" +
+                std::string(pixel_range_names()[static_cast<std::size_t>(scene.viewport.pixels)]) +
+                "\",\"y\":\"" + (scene.viewport.is_y_down ? "down" : "up") + "\"}";
     else if (scene.viewport.type == ViewportType::pixels_per_unit)
         text +=
             ",\n\"viewport\":{\"pixels_per_unit\":" + json_of(scene.viewport.pixels_per_unit) + "}";

@@ -87,7 +87,7 @@ Scene torus(Fill fill, Shade shade) {
     scene.projection.fov_y = Number(40);
     scene.projection.near = Number(1);
     scene.projection.far = Number(10);
-    scene.viewport = {.type = ViewportType::fit, .pixels_per_unit = 1};
+    scene.viewport = {.type = ViewportType::pixels, .pixels_per_unit = 1};
     return scene;
 }
 

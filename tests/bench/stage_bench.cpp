@@ -116,7 +116,7 @@ Scene orthographic_cube() {
     scene.projection = {.type = ProjectionType::orthographic};
     scene.projection.left = scene.projection.bottom = -2;
     scene.projection.right = scene.projection.top = 2;
-    scene.viewport = {.type = ViewportType::fit, .pixels_per_unit = 1};
+    scene.viewport = {.type = ViewportType::pixels, .pixels_per_unit = 1};
     return scene;
 }
 
@@ -139,7 +139,7 @@ Scene relief(int scale) {
     scene.projection = {.type = ProjectionType::frustum, .near = Number(2), .far = Number(9)};
     scene.projection.left = scene.projection.bottom = -1;
     scene.projection.right = scene.projection.top = 1;
-    scene.viewport = {.type = ViewportType::fit, .pixels_per_unit = 1};
+    scene.viewport = {.type = ViewportType::pixels, .pixels_per_unit = 1};
     return scene;
 }
 

@@ -37,7 +37,7 @@ TEST(Fit, TheCubeIsSeenFromInFrontOfIt) {
     // A cube of side 2 around the origin: the sphere has a radius of sqrt(3), 1.74 + 0.01 with room.
     const ViewVolume volume =
         view_volume({.type = ProjectionType::frustum, .fov_y = 90, .near = Number::decimal(1, -1)},
-                    {.type = ViewportType::fit}, {20, 10});
+                    {.type = ViewportType::pixels}, {20, 10});
     EXPECT_EQ(volume.y, (Interval{-1, 1}));
     EXPECT_EQ(volume.x, (Interval{-2, 2}));
     const auto fitted =
@@ -74,7 +74,7 @@ TEST(Fit, TheSphereTouchesASideAndNoneCutsIt) {
                 projection.fov_y = random.whole(1, 179);
         }
         const Canvas canvas{random.whole(3, 99), random.whole(3, 99)};
-        const Viewport viewport{.type = random.chance(2) ? ViewportType::fit
+        const Viewport viewport{.type = random.chance(2) ? ViewportType::pixels
                                                          : ViewportType::pixels_per_unit,
                                 .pixels_per_unit = number(1, 99)};
         const ViewVolume volume = view_volume(projection, viewport, canvas);

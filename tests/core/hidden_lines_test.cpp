@@ -83,7 +83,7 @@ Wireframe wireframe_of(const Solid& solid, const std::array<int, 3>& eye, const 
                         .fov_y = number("50"),
                         .near = number("0.1"),
                         .far = number("100")};
-    scene.viewport.type = ViewportType::fit;
+    scene.viewport.type = ViewportType::pixels;
     scene.method = method;
     for (std::size_t i = 0; i < solid.corners.size(); ++i) {
         const auto& [x, y, z] = solid.corners[i];

@@ -248,7 +248,7 @@ TEST(Culling, AnEyeOnTheFacesPlaneSeesNothing) {
                                {.scalar = ScalarKind::exact, .cull = Cull::back});
         scene.camera = Camera{.position = eye, .look_at = {eye[0], 0, -100}, .up = {0, 1, 0}};
         scene.projection = {.type = ProjectionType::pinhole, .distance = 1};
-        scene.viewport = {.type = ViewportType::fit, .pixels_per_unit = 1};
+        scene.viewport = {.type = ViewportType::pixels, .pixels_per_unit = 1};
         FaceSink sink;
         EXPECT_EQ(draw_as_planned(scene, sink).drawn(), 0u);
         EXPECT_EQ(sink.faces.at("f").dot, 0);
@@ -440,7 +440,7 @@ TEST(Depth, NothingIsNearerThanTheFarEnd) {
     Scene scene = scene_of({{"far", {{{-8, -8, -9}, {8, -8, -9}, {0, 8, -9}}}, red}},
                            exact_method(Depth::ndc_z), 16);
     scene.projection = {.type = ProjectionType::frustum, .near = Number(1), .far = Number(9)};
-    scene.viewport = {.type = ViewportType::fit, .pixels_per_unit = 1};
+    scene.viewport = {.type = ViewportType::pixels, .pixels_per_unit = 1};
     DepthSink<Rational> sink;
     EXPECT_EQ(draw_as_planned(scene, sink).drawn(), 0u);
     EXPECT_GT(sink.tests, 0u);

@@ -99,7 +99,7 @@ Projection view_plane(int distance) {
     return {.type = ProjectionType::view_plane, .distance = distance};
 }
 
-const Viewport fit{.type = ViewportType::fit, .pixels_per_unit = 1};
+const Viewport fit{.type = ViewportType::pixels, .pixels_per_unit = 1};
 
 TEST(Pipeline, CameraOfT4) {
     Scene scene = scene_of_points({{0, 0, 0}, {1, 1, 1}});
@@ -157,6 +157,39 @@ TEST(Pipeline, CornersOfTheViewport) {
     EXPECT_EQ(at(0, 0), std::pair(Rational("511/2"), Rational("511/2")));
     EXPECT_EQ(at(Rational("1/2"), Rational("1/2")),
               std::pair(Rational("1533/4"), Rational("511/4")));
+}
+
+// Each coordinate by itself, from where the canvas begins and where it ends: without a matrix.
+RC_GTEST_PROP(Pipeline, ViewportsPutThePlaneOnTheCanvas, ()) {
+    const Canvas canvas{
+        .width = *rc::gen::inRange(1, 2000),
+        .height = *rc::gen::inRange(1, 2000),
+        .origin = *rc::gen::element(Origin::center, Origin::top_left, Origin::bottom_left)};
+    const Viewport viewport{
+        .type = ViewportType::pixels,
+        .pixels = *rc::gen::element(PixelRange::centers, PixelRange::edges, PixelRange::edges_half),
+        .is_y_down = *rc::gen::arbitrary<bool>()};
+    Rational x(*rc::gen::inRange(-300, 300), 97);
+    Rational y(*rc::gen::inRange(-300, 300), 89);
+    x.canonicalize();
+    y.canonicalize();
+    // A pixel reaches so far to both sides of the number that it has.
+    const bool is_center = viewport.pixels == PixelRange::centers;
+    const bool is_edges = viewport.pixels == PixelRange::edges;
+    const Rational before = is_center || is_edges ? Rational(0) : Rational(-1, 2);
+    const Rational behind = is_center ? Rational(0) : is_edges ? Rational(1) : Rational(1, 2);
+    const Rational left = canvas.left() + before;
+    const Rational right = canvas.right() + behind;
+    const bool grows_up = canvas.down() < 0;
+    const Rational top = canvas.top() + (grows_up ? behind : before);
+    const Rational bottom = canvas.bottom() + (grows_up ? before : behind);
+    const Rational from_top = viewport.is_y_down ? Rational((1 + y) / 2) : Rational((1 - y) / 2);
+
+    const auto screen =
+        viewport_matrix(viewport, canvas) * Vec<Rational, 4>{x, y, Rational(7), Rational(1)};
+    RC_ASSERT((screen.x == left + (x + 1) / 2 * (right - left)));
+    RC_ASSERT((screen.y == top + from_top * (bottom - top)));
+    RC_ASSERT((screen.z == 7 && screen.w == 1));
 }
 
 // Whatever the origin of the canvas, (-1, 1) is its first pixel and (1, -1) its last.
@@ -476,7 +509,7 @@ RC_GTEST_PROP(Pipeline, EachMatrixIsTheProductOfTheFactorsThatAreTold, ()) {
         scene.projection.near = Number(1);
         scene.projection.far = Number(*rc::gen::inRange(2, 9));
     }
-    scene.viewport.type = *rc::gen::element(ViewportType::fit, ViewportType::pixels_per_unit);
+    scene.viewport.type = *rc::gen::element(ViewportType::pixels, ViewportType::pixels_per_unit);
     scene.viewport.pixels_per_unit = *rc::gen::inRange(1, 9);
     scene.keep = StageSet::all();
 

@@ -18,6 +18,7 @@ namespace {
 using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 /// What is said about a scene file with this text.
 std::string complaint(const std::string& text) {
@@ -298,7 +299,7 @@ TEST(SceneFile, PipelineKeys) {
     EXPECT_EQ(scene.camera->up[1].nearest_double(), 1);
     EXPECT_EQ(scene.projection.fov_y->nearest_double(), 60);
     EXPECT_FALSE(scene.projection.far);
-    EXPECT_EQ(scene.viewport.type, ViewportType::fit);
+    EXPECT_EQ(scene.viewport.type, ViewportType::pixels);
 }
 
 TEST(SceneFile, PinholeShowsAPlaneOfOneUnit) {
@@ -306,6 +307,54 @@ TEST(SceneFile, PinholeShowsAPlaneOfOneUnit) {
         "projection": {"type": "pinhole", "distance": 2})"));
     EXPECT_EQ(scene.viewport.type, ViewportType::pixels_per_unit);
     EXPECT_EQ(scene.viewport.pixels_per_unit.nearest_double(), 6);
+}
+
+TEST(SceneFile, ViewportsThatTakePixelsByTheirEdges) {
+    const std::string canvas = R"("canvas": {"width": 20, "height": 30, "origin": "top-left"}, )";
+    const auto viewport = [&canvas](const std::string& text) {
+        return scene_in(point_scene(canvas + R"("viewport": )" + text)).viewport;
+    };
+    EXPECT_EQ(viewport(R"({"pixels": "edges"})").pixels, PixelRange::edges);
+    EXPECT_FALSE(viewport(R"({"pixels": "edges"})").is_y_down);
+    EXPECT_EQ(viewport(R"({"pixels": "edges-half", "y": "up"})").pixels, PixelRange::edges_half);
+    EXPECT_TRUE(viewport(R"({"pixels": "centers", "y": "down"})").is_y_down);
+
+    const auto told = [&canvas](const std::string& text) {
+        const std::string said = complaint(point_scene(canvas + R"("viewport": )" + text));
+        return said.substr(0, said.find('\n'));
+    };
+    EXPECT_EQ(told(R"({"pixels": "edge"})"),
+              "scene.json:2:86: expected one of centers, edges, edges-half, found \"edge\"");
+    EXPECT_EQ(told(R"({"pixels": 1})"),
+              "scene.json:2:86: expected one of centers, edges, edges-half, found 1");
+    EXPECT_EQ(told(R"({"pixels": "edges", "y": "left"})"),
+              "scene.json:2:100: expected one of up, down, found \"left\"");
+    EXPECT_EQ(told(R"({"pixels": "edges", "pixels_per_unit": 2})"),
+              "scene.json:2:95: expected a key out of pixels, depth_range, y, found "
+              "\"pixels_per_unit\"");
+    for (const std::string none : {R"({"y": "down"})", R"({"pixel": "edges"})", "{}", "[]", "7"})
+        EXPECT_THAT(told(none),
+                    StartsWith("scene.json:2:75: expected \"fit\", {\"pixels\": \"edges\"} "
+                               "or {\"pixels_per_unit\": 10}, found "))
+            << none;
+    EXPECT_THAT(
+        complaint(point_scene(R"("viewport": {"pixels": "edges"})")),
+        StartsWith("scene.json:1:1: expected a canvas with a width and a height, found none"));
+
+    EXPECT_EQ(
+        told(R"({"pixels": "edges", "depth_range": [0]})"),
+        "scene.json:2:110: expected two depths, [near, far], like [0, 1], found an array of 1");
+    EXPECT_EQ(told(R"({"pixels": "edges", "depth_range": [0.5, "1/2"]})"),
+              "scene.json:2:110: expected two depths that differ, found the same twice");
+    EXPECT_EQ(told(R"({"pixels": "edges", "depth_range": [0, 1]})"),
+              "scene.json:2:110: expected a frustum, or an orthographic projection with near and "
+              "far, beside depth_range, found another: z does not lie within -1..1");
+    EXPECT_THAT(
+        complaint(point_scene(
+            canvas + R"("projection": {"type": "frustum", "fov_y": 60, "near": 1, "far": 9},)"
+                     R"("viewport": {"pixels": "edges", "depth_range": [0, 1]},)"
+                     R"("triangles": ["AAA"], "method": {"depth": "inverse-z"})")),
+        HasSubstr("expected \"depth\": \"ndc-z\" beside depth_range, found another"));
 }
 
 TEST(SceneFile, CamerasThatAreNone) {

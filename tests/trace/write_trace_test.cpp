@@ -209,7 +209,7 @@ Scene small_pipeline() {
     scene.objects = {{"", 2, {Translate{{1, 0, 0}}}}};
     scene.camera = Camera{.position = {0, 0, 4}, .look_at = {0, 0, 0}, .up = {0, 1, 0}};
     scene.projection = {.type = ProjectionType::view_plane, .distance = 1};
-    scene.viewport = {.type = ViewportType::fit, .pixels_per_unit = 1};
+    scene.viewport = {.type = ViewportType::pixels, .pixels_per_unit = 1};
     scene.method = {.scalar = ScalarKind::exact, .snap = Snap::floor, .depth = Depth::none};
     scene.primitives = {{.kind = PrimitiveKind::point, .name = "A", .vertices = {0}, .color = {}},
                         {.kind = PrimitiveKind::point, .name = "B", .vertices = {1}, .color = {}}};

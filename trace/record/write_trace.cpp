@@ -69,7 +69,7 @@ std::string header_members(const Scene& scene, const Plan& plan, const StepFilte
         text += fmt::format(R"(,"numbers":"{}")", numbers);
     if (scene.has_transforms())
         text += fmt::format(R"(,"projection":"{}","viewport":"{}")", name_of(scene.projection.type),
-                            name_of(scene.viewport.type));
+                            name_of(scene.viewport));
     if (decides_exactly(scene.method) && has_rounded_matrix(scene))
         text += R"(,"matrices":"irrational entries are the nearest doubles")";
 

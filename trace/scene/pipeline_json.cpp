@@ -8,8 +8,10 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <span>
 #include <string_view>
 #include <utility>
 #include <variant>
@@ -36,6 +38,32 @@ Numbers3 axis_in(const JsonReader& json, const JsonValue& value) {
     if (is_zero(exact(axis)))
         json.fail_expecting(value, "an axis other than [0, 0, 0]");
     return axis;
+}
+
+/// The place of the word that a value is, in a list of those that it can be.
+std::size_t place_of_word(const JsonReader& json, const JsonValue& value,
+                          std::span<const std::string_view> words) {
+    const auto found = value.kind == JsonValue::Kind::string
+                           ? std::find(words.begin(), words.end(), value.text)
+                           : words.end();
+    if (found == words.end()) {
+        const std::vector<std::string_view> known(words.begin(), words.end());
+        json.fail_expecting(value, "one of " + joined(known, ", "),
+                            did_you_mean(value.text, known, "\""));
+    }
+    return static_cast<std::size_t>(found - words.begin());
+}
+
+/// The depths of the nearest and of the farthest z.
+DepthRange<Number> depth_range_in(const JsonReader& json, const JsonValue& value) {
+    if (value.elements().size() != 2)
+        json.fail_expecting(value, "two depths, [near, far], like [0, 1]");
+    std::vector<Number> depths;
+    for (const JsonValue& element : value.elements())
+        depths.push_back(json.number_in(element));
+    if (depths[0].exact() == depths[1].exact())
+        json.fail(value, "expected two depths that differ, found the same twice");
+    return {depths[0], depths[1]};
 }
 
 Rotate read_rotate(const JsonReader& json, const JsonValue& value) {
@@ -257,9 +285,20 @@ Light read_light(const JsonReader& json, const JsonValue& value) {
 
 Viewport read_viewport(const JsonReader& json, const JsonValue& value) {
     if (value.kind == JsonValue::Kind::string && value.text == fit_word)
-        return {.type = ViewportType::fit, .pixels_per_unit = 1};
-    if (value.kind != JsonValue::Kind::object)
-        json.fail_expecting(value, R"("fit" or {"pixels_per_unit": 10})");
+        return {.type = ViewportType::pixels};
+    if (!value.find("pixels") && !value.find("pixels_per_unit"))
+        json.fail_expecting(value, R"("fit", {"pixels": "edges"} or {"pixels_per_unit": 10})");
+    if (const auto pixels = value.find("pixels")) {
+        json.allow_keys(value, pixels_keys);
+        Viewport viewport{.type = ViewportType::pixels};
+        viewport.pixels =
+            static_cast<PixelRange>(place_of_word(json, *pixels, pixel_range_names()));
+        if (const auto y = value.find("y"))
+            viewport.is_y_down = place_of_word(json, *y, viewport_y_words) == 1;
+        if (const auto depths = value.find("depth_range"))
+            viewport.depths = depth_range_in(json, *depths);
+        return viewport;
+    }
     json.allow_keys(value, viewport_keys);
     return {.type = ViewportType::pixels_per_unit,
             .pixels_per_unit =

@@ -556,6 +556,10 @@ private:
                 "expected a rounding that lines can have, found \"half-open\": a line has no "
                 "right end",
                 R"(say "line": "bresenham", which needs none, or another rounding)");
+        if (scene_.viewport.depths && scene_.has_depth_buffer() && scene_.depth() != Depth::ndc_z)
+            json_.fail(blamed,
+                       "expected \"depth\": \"ndc-z\" beside depth_range, found another: only z "
+                       "after the division has a range");
         const bool fills_rows = scene_.has(PrimitiveKind::polygon) ||
                                 (scene_.has(PrimitiveKind::triangle) &&
                                  traits_of(method.fill).rule == PixelRule::row_ends);
@@ -623,6 +627,11 @@ private:
         }
         if (const auto viewport = root.find("viewport"))
             scene_.viewport = read_viewport(json_, *viewport);
+        if (scene_.viewport.depths && !has_canonical_z(scene_.projection))
+            json_.fail(*root.find("viewport")->find("depth_range"),
+                       "expected a frustum, or an orthographic projection with near and far, "
+                       "beside depth_range, "
+                       "found another: z does not lie within -1..1");
         if (const auto light = root.find("light"))
             scene_.light = read_light(json_, *light);
         const bool needs_light =
@@ -871,7 +880,7 @@ private:
     void choose_viewport(const CanvasJson& given, const JsonValue& blamed) {
         Viewport& viewport = scene_.viewport;
         const bool is_projected = scene_.projection.type != ProjectionType::none;
-        if ((is_projected || viewport.type == ViewportType::fit) &&
+        if ((is_projected || viewport.type == ViewportType::pixels) &&
             !(given.has_width && given.has_height))
             json_.fail(blamed,
                        "expected a canvas with a width and a height, found none: the "
@@ -881,9 +890,12 @@ private:
             // The pinhole of T0 shows a view plane of 1 x 1 on the whole canvas.
             viewport.type = scene_.projection.type == ProjectionType::pinhole
                                 ? ViewportType::pixels_per_unit
-                                : ViewportType::fit;
+                                : ViewportType::pixels;
             viewport.pixels_per_unit = std::min(given.width, given.height);
         }
+        if (viewport.has_reversed_depths() &&
+            scene_.method.depth_compare == DepthCompare::automatic)
+            scene_.method.depth_compare = DepthCompare::greater;
         if (viewport.type == ViewportType::pixels_per_unit && given.origin != Origin::center)
             json_.fail(blamed,
                        "expected a canvas with its origin in the center, found another: "

@@ -151,6 +151,18 @@ constexpr std::span<const JsonKey> keys_of(ProjectionType type) {
     return no_projection_keys;
 }
 
+/// A viewport has `pixels`, and may say more ...
+inline constexpr std::array pixels_keys{
+    JsonKey{
+        "pixels", "pixel-range",
+        "Where -1 and 1 are: the centers of the first and the last pixel, or edges of the canvas",
+        true},
+    JsonKey{"depth_range", "numbers2", "The depths that z = -1 and z = 1 become: [near, far]"},
+    JsonKey{"y", "viewport-y", "Where y = 1 is in the picture: up, at the top, if not given"},
+};
+inline constexpr std::array<std::string_view, 2> viewport_y_words{"up", "down"};
+
+/// ... or this alone.
 inline constexpr std::array viewport_keys{
     JsonKey{"pixels_per_unit", "positive", "How many pixels a unit of the view plane has", true},
 };

@@ -156,6 +156,7 @@ std::string scene_schema() {
     definitions["text"] = text_schema();
     definitions["number"] = number_schema();
     definitions["positive"] = positive();
+    definitions["numbers2"] = numbers(2, 2);
     definitions["numbers3"] = numbers(3, 3);
     definitions["color"] = color_schema(visible_alpha);
     define_canvas(definitions);
@@ -192,7 +193,10 @@ std::string scene_schema() {
     definitions["projection-type"] = one_of(projection_names());
     definitions["far"] = {
         {"anyOf", Json::array({{{"const", infinity_word}}, reference_to("positive")})}};
-    definitions["viewport"] = {{"anyOf", Json::array({fits, object_with(viewport_keys)})}};
+    definitions["viewport"] = {
+        {"anyOf", Json::array({fits, object_with(pixels_keys), object_with(viewport_keys)})}};
+    definitions["pixel-range"] = one_of(pixel_range_names());
+    definitions["viewport-y"] = one_of(viewport_y_words);
     definitions["light"] = one_key_of(light_keys);
 
     definitions["method"] = method();

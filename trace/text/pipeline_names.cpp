@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::array<std::string_view, 5> projections{"none", "orthographic", "pinhole",
                                                       "view-plane", "frustum"};
+constexpr std::array<std::string_view, 3> pixel_ranges{"centers", "edges", "edges-half"};
 
 } // namespace
 
@@ -28,9 +29,23 @@ std::vector<std::string_view> projection_names() {
     return {projections.begin(), projections.end()};
 }
 
-std::string_view name_of(ViewportType type) {
-    constexpr std::array<std::string_view, 3> names{"none", "fit", "pixels-per-unit"};
-    return names[static_cast<std::size_t>(type)];
+std::span<const std::string_view> pixel_range_names() {
+    return pixel_ranges;
+}
+
+std::string name_of(const Viewport& viewport) {
+    switch (viewport.type) {
+    case ViewportType::pixels:
+        if (viewport.pixels == PixelRange::centers && !viewport.is_y_down)
+            return "fit";
+        return std::string(pixel_ranges[static_cast<std::size_t>(viewport.pixels)]) +
+               (viewport.is_y_down ? ", y down" : "");
+    case ViewportType::pixels_per_unit:
+        return "pixels-per-unit";
+    case ViewportType::none:
+        break;
+    }
+    return "none";
 }
 
 } // namespace rastertrace

@@ -6,6 +6,8 @@
 #include <rastertrace/core/draw/scene/transforms.h>
 
 #include <optional>
+#include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -16,7 +18,11 @@ std::string_view name_of(ProjectionType type);
 std::optional<ProjectionType> projection_named(std::string_view name);
 std::vector<std::string_view> projection_names();
 
-/// none, fit, pixels-per-unit.
-std::string_view name_of(ViewportType type);
+/// centers, edges, edges-half.
+std::span<const std::string_view> pixel_range_names();
+
+/// What a trace calls a viewport: none, pixels-per-unit, fit (the centers of the first and the last pixel, y up), edges;
+/// `edges, y down`.
+std::string name_of(const Viewport& viewport);
 
 } // namespace rastertrace

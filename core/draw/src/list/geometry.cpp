@@ -42,6 +42,7 @@ template <typename Scalar> Transforms<Scalar> transforms_of(const Scene& scene) 
         result.projection = rounded<Scalar>(product_of(factors_of(scene.projection, scene.canvas)));
     if (scene.viewport.type != ViewportType::none)
         result.viewport = rounded<Scalar>(product_of(factors_of(scene.viewport, scene.canvas)));
+    result.moves_depths = scene.viewport.depths.has_value();
 
     // A plane near the eye must not be rounded into it.
     const auto nearest = [](const Rational& exact) {

@@ -43,6 +43,10 @@ template <typename Scalar>
 void find_depth(const Vec<Scalar, 4>& clip, const Scalar& distance, const ScreenList<Scalar>& list,
                 ScreenVertex<Scalar>& vertex) {
     vertex.depth = depth_at<Scalar>(list.depth, distance, clip);
+    if (list.depth == Depth::ndc_z && list.transforms.moves_depths) {
+        const auto& to_range = list.transforms.viewport->rows[2];
+        vertex.depth = to_range[2] * vertex.depth + to_range[3];
+    }
     if (list.mixes_colors)
         vertex.inverse_w = scalar_from<Scalar>(1) / clip.w;
 }

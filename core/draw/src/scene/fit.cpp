@@ -70,7 +70,7 @@ Rational root_from_above(const Rational& square) {
 
 /// How far an axis is shown to both sides of the center, in canonical units.
 Rational half_of(const Viewport& viewport, int extent) {
-    if (viewport.type == ViewportType::fit)
+    if (viewport.type == ViewportType::pixels)
         return 1;
     const Rational pixels = std::max<Rational>((extent - 1) / 2, Rational(1, 2));
     return viewport.type == ViewportType::pixels_per_unit

@@ -209,12 +209,17 @@ std::vector<ClipPlane<Rational>> clip_planes(const Projection& projection,
 
 MatrixFactors<Rational> factors_of(const Viewport& viewport, const Canvas& canvas) {
     switch (viewport.type) {
-    case ViewportType::fit:
-        return fit_to<Rational>({.left = canvas.left(),
-                                 .lowest_y = std::min(canvas.top(), canvas.bottom()),
-                                 .width = canvas.width,
-                                 .height = canvas.height,
-                                 .is_y_down = canvas.down() > 0});
+    case ViewportType::pixels: {
+        std::optional<DepthRange<Rational>> depths;
+        if (viewport.depths)
+            depths = {viewport.depths->near.exact(), viewport.depths->far.exact()};
+        return viewport_factors<Rational>({.left = canvas.left(),
+                                           .lowest_y = std::min(canvas.top(), canvas.bottom()),
+                                           .width = canvas.width,
+                                           .height = canvas.height,
+                                           .is_turned = (canvas.down() > 0) != viewport.is_y_down},
+                                          viewport.pixels, depths);
+    }
     case ViewportType::pixels_per_unit: {
         const Rational scale = viewport.pixels_per_unit.exact();
         return {{"scale", scaling<Rational>({scale, scale, 1})}};
@@ -227,7 +232,7 @@ MatrixFactors<Rational> factors_of(const Viewport& viewport, const Canvas& canva
 
 Rational half_extent(const Viewport& viewport, int extent) {
     switch (viewport.type) {
-    case ViewportType::fit:
+    case ViewportType::pixels:
         return 1;
     case ViewportType::pixels_per_unit:
         return Rational(extent) / (2 * abs(viewport.pixels_per_unit.exact()));

@@ -1,17 +1,29 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// From canonical space to the screen: the scene's own coordinates of pixels (raster/canvas.h).
+// From canonical space to the screen: the scene's own coordinates of pixels (raster/canvas.h). Where -1..1 goes:
 //
-//     fit:              x = left + (x + 1) (W - 1)/2   y = 1: the top row, y = -1: the bottom row
-//     pixels-per-unit:  x = x s                        y = y s, on a canvas with a centered origin
+//     centers:          from the first pixel to the last     x = left + (x + 1) (W - 1)/2
+//     edges:            from one edge of the canvas to the   x = left + (x + 1) W/2
+//                       other: pixel i is i to i + 1
+//     edges-half:       the same where pixel i is            x = left + (x + 1) W/2 - 1/2
+//                       i - 1/2 to i + 1/2
+//     pixels-per-unit:  x = x s, y = y s, on a canvas with a centered origin
 //
-// Sources: fit, T4 (flip y, shift by 1, scale by (W - 1)/2 and (H - 1)/2); pixels-per-unit, T0:
-// scaling.
+// y = 1 is at the top of the picture, or, if it is turned, at the bottom. z = -1 goes to `near` of a depth range, z = 1
+// to `far`: z = near + (z + 1) (far - near)/2. Without a range z stays.
+//
+// Sources: centers, T4 (flip y, shift by 1, scale by (W - 1)/2 and (H - 1)/2); edges, Segal and Akeley, The OpenGL
+// Graphics System, "Controlling the Viewport"; pixels-per-unit, T0: scaling.
 
 #include <rastertrace/core/transform/matrix.h>
 
+#include <optional>
+
 namespace rastertrace {
+
+/// Where -1 and 1 lie on the pixels of a canvas.
+enum class PixelRange { centers, edges, edges_half };
 
 /// The pixels of a canvas, in the scene's coordinates.
 struct ScreenBox {
@@ -19,22 +31,35 @@ struct ScreenBox {
     int lowest_y; ///< the smallest y of a pixel
     int width;    ///< in pixels
     int height;
-    bool is_y_down;
+    bool is_turned; ///< y grows to the other side in canonical space
 };
 
-/// The factors of `fit`: T4's flip, translation and scale, and a translation to the corner of a
+/// The depths that z = -1 and z = 1 become.
+template <typename Scalar> struct DepthRange {
+    Scalar near;
+    Scalar far;
+};
+
+/// The factors of a viewport: T4's flip, translation and scale, and a translation to the corner of a
 /// canvas that does not begin at (0, 0). The last factor moves a point first.
-template <typename Scalar> MatrixFactors<Scalar> fit_to(const ScreenBox& screen) {
-    const Scalar left(screen.left);
-    const Scalar lowest_y(screen.lowest_y);
-    const Scalar half_width = Scalar(screen.width - 1) / 2;
-    const Scalar half_height = Scalar(screen.height - 1) / 2;
+template <typename Scalar>
+MatrixFactors<Scalar> viewport_factors(const ScreenBox& screen, PixelRange range,
+                                       const std::optional<DepthRange<Scalar>>& depths) {
+    const Scalar half = Scalar(1) / 2;
+    const Scalar before = range == PixelRange::edges_half ? half : Scalar(0);
+    const Scalar left = Scalar(screen.left) - before;
+    const Scalar lowest_y = Scalar(screen.lowest_y) - before;
+    const int less = range == PixelRange::centers ? 1 : 0;
+    const Scalar half_width = Scalar(screen.width - less) / 2;
+    const Scalar half_height = Scalar(screen.height - less) / 2;
+    const Scalar near = depths ? depths->near : Scalar(0);
+    const Scalar half_depth = depths ? Scalar((depths->far - depths->near) / 2) : Scalar(1);
     MatrixFactors<Scalar> factors;
-    if (screen.left != 0 || screen.lowest_y != 0)
-        factors.push_back({"translate", translation<Scalar>({left, lowest_y, 0})});
-    factors.push_back({"scale", diagonal<Scalar>(half_width, half_height, 1, 1)});
-    factors.push_back({"translate", translation<Scalar>({1, 1, 0})});
-    if (screen.is_y_down)
+    if (left != 0 || lowest_y != 0 || near != 0)
+        factors.push_back({"translate", translation<Scalar>({left, lowest_y, near})});
+    factors.push_back({"scale", diagonal<Scalar>(half_width, half_height, half_depth, 1)});
+    factors.push_back({"translate", translation<Scalar>({1, 1, depths ? 1 : 0})});
+    if (screen.is_turned)
         factors.push_back({"flip", diagonal<Scalar>(1, -1, 1, 1)});
     return factors;
 }

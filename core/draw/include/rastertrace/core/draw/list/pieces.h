@@ -70,6 +70,9 @@ template <typename Scalar> DepthRule<Scalar> depth_rule(const Scene& scene) {
              (is_perspective(projection.type) ||
               (projection.type == ProjectionType::orthographic && projection.near)))
         rule.cleared = scalar_from<Scalar>(1);
+    if (depth == Depth::ndc_z && scene.viewport.depths)
+        rule = {.larger_passes = scene.viewport.has_reversed_depths(),
+                .cleared = scalar_from<Scalar>(scene.viewport.depths->far)};
     if (scene.method.depth_compare != DepthCompare::automatic) {
         const bool larger = scene.method.depth_compare == DepthCompare::greater;
         if (larger != rule.larger_passes)

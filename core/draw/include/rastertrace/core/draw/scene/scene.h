@@ -98,6 +98,8 @@ struct Scene {
     Depth depth() const {
         if (method.depth)
             return *method.depth;
+        if (viewport.depths)
+            return Depth::ndc_z;
         return is_perspective(projection.type)                   ? Depth::inverse_z
                : projection.type == ProjectionType::orthographic ? Depth::linear_z
                                                                  : Depth::none;

@@ -12,6 +12,7 @@
 #include <rastertrace/core/raster/canvas.h>
 #include <rastertrace/core/raster/clip.h>
 #include <rastertrace/core/transform/camera.h>
+#include <rastertrace/core/transform/viewport.h>
 
 #include <initializer_list>
 #include <span>
@@ -164,15 +165,29 @@ std::vector<ClipPlane<Rational>> clip_planes(const Projection& projection,
                                              const Rational& half_width,
                                              const Rational& half_height, const Rational& guard);
 
+/// True if what is in view has a canonical z of -1 (near) to 1 (far).
+inline bool has_canonical_z(const Projection& projection) {
+    return projection.type == ProjectionType::frustum ||
+           (projection.type == ProjectionType::orthographic && projection.near);
+}
+
 enum class ViewportType {
-    none, ///< canonical coordinates are pixels
-    fit,
+    none,   ///< canonical coordinates are pixels
+    pixels, ///< all of -1..1 is on the canvas
     pixels_per_unit,
 };
 
 struct Viewport {
     ViewportType type = ViewportType::none;
     Number pixels_per_unit = 1;
+    PixelRange pixels = PixelRange::centers;
+    bool is_y_down = false; ///< y = 1 is at the bottom of the picture
+    std::optional<DepthRange<Number>> depths = {};
+
+    /// True if the nearest depth is the largest.
+    bool has_reversed_depths() const {
+        return depths && depths->near.exact() > depths->far.exact();
+    }
 };
 
 /// The factors of a viewport.
