@@ -182,9 +182,7 @@ private:
         out_ << '}';
         if (random_.chance(2))
             out_ << R"(,"viewport":)"
-                 << random_.pick<const char*>({R"("fit")", R"({"pixels_per_unit":4})",
-                                               R"({"pixels":"edges"})",
-                                               R"({"pixels":"edges-half","y":"down"})"});
+                 << random_.pick<const char*>({R"("fit")", R"({"pixels_per_unit":4})"});
         has_light_ = random_.chance(4);
         if (has_light_)
             out_ << R"(,"light":)"
