@@ -93,6 +93,7 @@ function filled(pieces, fill) {
   return text;
 }
 
+/** What a step says, with a mark if its numbers give something else. */
 function sentenceOf(trace, n) {
   if (n === 0) return "nothing drawn yet";
   const sentence = filled(trace.pieces[trace.kind[n]], i => trace.words[trace.data.fills[trace.fills[n] + i]]);

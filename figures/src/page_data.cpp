@@ -12,7 +12,8 @@
 //     primitives        step, name, kind, color, group (-1: none), corners, their names and coordinates
 //     step_kinds        of each step its place in kinds; fills: of each step a word for each placeholder
 //     at                of each step the pixel that it is about, counted from the upper left one; -1: none
-//     marks             of each step that its numbers do not give its number and what is said of that; not there: no such
+//     marks             of each step that tells something else than its numbers give: its number, and a word that says
+//                       what they give; the key is left out if there is no such step
 //     working           of each step a list of words; null: there are too many steps
 //     pixels            of each pixel step its color
 //     depths            of each depth step: 1 if it passes, and 2 if it is stored; how light its gray is; its number

@@ -242,14 +242,8 @@ Projection read_projection(const JsonReader& json, const JsonValue& value) {
     if (value.kind != JsonValue::Kind::object)
         json.fail_expecting(value, R"(a projection, like {"type": "pinhole", "distance": 1})");
     const JsonValue type = json.member(value, "type");
-    const auto named =
-        type.kind == JsonValue::Kind::string ? projection_named(type.text) : std::nullopt;
-    if (!named)
-        json.fail_expecting(type, fmt::format("one of {}", joined(projection_names(), ", ")),
-                            did_you_mean(type.text, projection_names(), "\""));
-
     Projection projection;
-    projection.type = *named;
+    projection.type = static_cast<ProjectionType>(place_of_word(json, type, projection_names()));
     switch (projection.type) {
     case ProjectionType::orthographic:
         read_orthographic(json, value, projection);

@@ -40,7 +40,7 @@ SceneOptions options_of(const DiffCommand& command) {
     return {.method = command.method, .limits = command.input, .frames = command.frames};
 }
 
-/// Lets the sentences of wrong steps of one side say so, as `show` does.
+/// Marks, on one side, the sentences of steps that tell something else than their numbers give, as `show` does.
 void mark_wrong_sentences(const TraceText& text, std::vector<DiffStep>& before,
                           std::optional<DiffStep>& differing, std::vector<DiffStep>& after) {
     if (text.size() > largest_marked_trace)

@@ -30,8 +30,8 @@ Playback::Playback(GrowingTrace trace, std::size_t bytes, FaceGroups lettered)
 
 bool Playback::read_on() {
     const bool has_read = growing_.read_on();
-    around_.places_of(
-        {}); // finds the vertices of what has been read, so that no sentence has to wait for that
+    // Finds the vertices of what has been read, so that no sentence has to wait for that.
+    around_.places_of({});
     if (!is_marked_ && growing_.is_whole())
         mark_wrong();
     return snapshots_.read_on(steps_at_once) || has_read;
