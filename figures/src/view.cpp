@@ -228,59 +228,66 @@ void FrameCells::set_up_shade() {
 void FrameCells::set_up_depths(std::size_t room) {
     const Frame& frame = replay_.frame();
     const Trace& trace = replay_.trace();
-    struct DepthTold {
-        std::string number;
-        std::optional<double> value; ///< none: not finite
-    };
-    std::unordered_map<std::size_t, DepthTold> depths; // by the step of the test
-    std::optional<double> least, largest;
-    width_ = cleared_depth(trace).size();
-    // One after the other, steps are found quicker.
-    std::vector<std::size_t> steps(frame.stored_by.begin(), frame.stored_by.end());
-    std::erase(steps, 0U);
-    std::sort(steps.begin(), steps.end());
-    for (const std::size_t step : steps) {
-        const TracedNumber told = trace.step(step).as<DepthStep>().depth;
-        const DepthTold depth{short_number(told.text()), told.nearest_double()};
-        width_ = std::max(width_, depth.number.size());
-        if (depth.value) {
-            least = std::min(least.value_or(*depth.value), *depth.value);
-            largest = std::max(largest.value_or(*depth.value), *depth.value);
-        }
-        depths.emplace(step, depth);
-    }
-    if (depths.empty()) {
+    std::vector<std::size_t> stored; // the cells that hold a depth
+    for (std::size_t cell = 0; cell < frame.stored_by.size(); ++cell)
+        if (frame.stored_by[cell] != 0)
+            stored.push_back(cell);
+    if (stored.empty()) {
         legend_ = {"the buffer is clear: no depth was tested (a scene is, with --keep depth)"};
         width_ = 1;
         cell_ = [](std::size_t, Pixel) { return Cell{std::string(empty_cell)}; };
         return;
     }
+    // One after the other, steps are found quicker.
+    std::sort(stored.begin(), stored.end(), [&frame](std::size_t a, std::size_t b) {
+        return frame.stored_by[a] < frame.stored_by[b];
+    });
+
+    const std::string clear = cleared_depth(trace);
+    width_ = clear.size();
+    const auto depth_in = [&frame, &trace](std::size_t cell) {
+        return trace.step(frame.stored_by[cell]).as<DepthStep>().depth;
+    };
+    std::vector<double> values(frame.stored_by.size());
+    double least = std::numeric_limits<double>::infinity();
+    double largest = -least;
+    bool all_finite = true;
+    for (const std::size_t cell : stored) {
+        const TracedNumber told = depth_in(cell);
+        if (width_ <= room)
+            width_ = std::max(width_, short_number(told.text()).size());
+        values[cell] = told.nearest_double().value_or(std::numeric_limits<double>::quiet_NaN());
+        if (std::isnan(values[cell])) {
+            all_finite = false;
+            continue;
+        }
+        least = std::min(least, values[cell]);
+        largest = std::max(largest, values[cell]);
+    }
     // The nearest is the brightest.
     const bool larger = larger_is_nearer(trace);
-    const auto brightness = [larger, least, largest](const DepthTold& depth) {
-        if (!depth.value)
+    const auto brightness = [larger, least, largest](double depth) {
+        if (std::isnan(depth))
             return std::optional<double>();
-        const double range = *largest - *least;
-        const double share = range > 0 ? (*depth.value - *least) / range : 1;
+        const double range = largest - least;
+        const double share = range > 0 ? (depth - least) / range : 1;
         return std::optional(larger ? share : 1 - share);
     };
     const bool is_ramp = width_ > room;
     if (is_ramp) {
         width_ = 1;
-        if (least)
-            legend_.push_back(fmt::format("far {:.4g} {} {:.4g} near", larger ? *least : *largest,
-                                          ramp, larger ? *largest : *least));
-        if (std::any_of(depths.begin(), depths.end(),
-                        [](const auto& depth) { return !depth.second.value; }))
+        if (least <= largest)
+            legend_.push_back(fmt::format("far {:.4g} {} {:.4g} near", larger ? least : largest,
+                                          ramp, larger ? largest : least));
+        if (!all_finite)
             legend_.emplace_back("? not finite");
     }
-    cell_ = [&frame, brightness, depths = std::move(depths), is_ramp,
-             clear = cleared_depth(trace)](std::size_t offset, Pixel) {
-        const auto depth = depths.find(frame.stored_by[offset]);
-        if (depth == depths.end())
+    cell_ = [&frame, depth_in, brightness, values = std::move(values), is_ramp,
+             clear](std::size_t offset, Pixel) {
+        if (frame.stored_by[offset] == 0)
             return Cell{is_ramp ? std::string(empty_cell) : clear};
-        const auto share = brightness(depth->second);
-        return Cell{.text = !is_ramp ? depth->second.number
+        const auto share = brightness(values[offset]);
+        return Cell{.text = !is_ramp ? short_number(depth_in(offset).text())
                                      : std::string(1, share ? ramp_at(*share) : '?'),
                     .brightness = share};
     };

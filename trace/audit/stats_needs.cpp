@@ -14,22 +14,25 @@ namespace rastertrace {
 
 void StatsNeeds::begin(const PrimitiveStep& step, std::size_t number) {
     close();
-    primitive_ = {.called = fmt::format("{} {} (step {})", printable(step.kind.text()),
-                                        printable(step.name.text()), number)};
+    primitive_ = {.is_begun = true};
+    const auto called = [&step, number] {
+        return fmt::format("{} {} (step {})", printable(step.kind.text()),
+                           printable(step.name.text()), number);
+    };
     // Of the kinds that are known, triangles alone are judged by their corners.
     const bool is_other = std::any_of(all_primitives.begin() + 1, all_primitives.end(),
                                       [&step](PrimitiveKind kind) { return step.kind == kind; });
     primitive_.is_judged = !is_other && !step.painted.is_false();
     if (step.kind != PrimitiveKind::triangle)
-        primitive_.lacks = "expected a triangle, polygon, outline, line, circle or point, found " +
-                           primitive_.called;
+        primitive_.lacks =
+            "expected a triangle, polygon, outline, line, circle or point, found " + called();
     else if (step.within)
         primitive_.lacks =
-            R"(expected an exact "at" of )" + primitive_.called + R"(, found one with "within")";
+            R"(expected an exact "at" of )" + called() + R"(, found one with "within")";
     else if (!positions_in(step, header_))
-        primitive_.lacks = fmt::format(R"(expected "at", three pairs of numbers, of {}, found {})",
-                                       primitive_.called,
-                                       shortened(printable(step.at ? step.at.json() : "none"), 40));
+        primitive_.lacks =
+            fmt::format(R"(expected "at", three pairs of numbers, of {}, found {})", called(),
+                        shortened(printable(step.at ? step.at.json() : "none"), 40));
 }
 
 void StatsNeeds::add(const StepView& step, std::optional<StepKind> kind, std::size_t number) {
@@ -62,7 +65,7 @@ void StatsNeeds::close() {
         return;
     const bool has_pixels = primitive.first_pixel != 0;
     std::string lacks = primitive.lacks;
-    if (primitive.called.empty() && has_pixels)
+    if (!primitive.is_begun && has_pixels)
         lacks = fmt::format(R"(expected a "primitive" in front of step {}, found none)",
                             primitive.first_pixel);
     if (lacks_of_corners_.empty() && (has_pixels || !primitive.is_undrawn))

@@ -41,7 +41,7 @@ public:
 private:
     /// The primitive that the steps belong to.
     struct Primitive {
-        std::string called = {};       ///< "triangle ABC (step 1)"; "" in front of the first
+        bool is_begun = false;         ///< false in front of the first
         std::string lacks = {};        ///< of what corners need; "" if it has all of it
         bool is_judged = true;         ///< not of lines, points, outlines, and of what only hides
         bool is_undrawn = false;       ///< it was skipped or clipped

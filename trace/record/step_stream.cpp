@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <string_view>
-#include <tuple>
 #include <utility>
 
 namespace rastertrace {
@@ -107,26 +106,33 @@ struct StepStream::State {
 
     /// True for the line behind the last step.
     bool is_end(std::string_view line) const {
+        if (line.starts_with("{\"step\""))
+            return false;
         line = without_blanks(line);
-        return layout == LineLayout::document ? line.starts_with(']')
-                                              : !line.starts_with("{\"step\"") && is_end_line(line);
+        return layout == LineLayout::document ? line.starts_with(']') : is_end_line(line);
     }
 
-    /// Where the line behind the last step begins, among the whole lines of `text`; or else where these end.
-    std::pair<std::size_t, bool> end_of_steps() const {
-        std::size_t begin = 0;
-        while (begin < text.size()) {
-            const std::size_t newline = text.find('\n', begin);
-            const bool is_whole = newline != std::string::npos || has_all;
-            if (!is_whole)
+    /// The whole lines in front of the line behind the last step, or all of `text` if it has none such.
+    struct WholeLines {
+        std::size_t size = 0; ///< bytes
+        std::size_t count = 0;
+        bool is_last = false; ///< the line behind the last step follows
+    };
+    WholeLines whole_lines() const {
+        WholeLines lines;
+        while (lines.size < text.size()) {
+            const std::size_t newline = text.find('\n', lines.size);
+            if (newline == std::string::npos && !has_all)
                 break;
-            const std::size_t length =
-                newline == std::string::npos ? text.size() - begin : newline - begin;
-            if (is_end(std::string_view(text).substr(begin, length)))
-                return {begin, true};
-            begin += length + (newline == std::string::npos ? 0 : 1);
+            const std::size_t line_end = std::min(newline, text.size());
+            if (is_end(std::string_view(text).substr(lines.size, line_end - lines.size))) {
+                lines.is_last = true;
+                break;
+            }
+            lines.size = std::min(line_end + 1, text.size());
+            lines.count += newline == std::string::npos ? 0 : 1;
         }
-        return {begin, false};
+        return lines;
     }
 
     /// Goes to the next block that has a step.
@@ -137,17 +143,17 @@ struct StepStream::State {
         place = 0;
         while (text.size() < block_size && read_more()) {
         }
-        auto [size, is_last] = end_of_steps();
-        while (size == 0 && !is_last && !has_all) { // a line longer than a block
+        WholeLines whole = whole_lines();
+        while (whole.size == 0 && !whole.is_last && !has_all) { // a line longer than a block
             if (text.size() > longest_line)
                 throw moved(line_too_long({file.name(), header_line + "\n" + text, {}},
                                           header_line.size() + 1));
             if (!read_more() && may_grow)
                 return false; // not a whole line yet
-            std::tie(size, is_last) = end_of_steps();
+            whole = whole_lines();
         }
-        const std::string_view lines = std::string_view(text).substr(0, size);
-        const bool is_cut_off = !is_last && has_all;
+        const std::string_view lines = std::string_view(text).substr(0, whole.size);
+        const bool is_cut_off = !whole.is_last && has_all;
         if (fault)
             throw *fault;
         try {
@@ -156,15 +162,15 @@ struct StepStream::State {
             return next_block_before(problem, lines);
         }
         block_begin = text_begin;
-        text_begin += size;
+        text_begin += whole.size;
         if (is_cut_off && !block.end && !damage.empty())
             damage.back().message = truncation_after(before + block.size());
         count_steps();
         lines_before_block = lines_before;
-        lines_before += static_cast<std::size_t>(std::count(lines.begin(), lines.end(), '\n'));
-        text.erase(0, size);
-        is_behind = is_last || has_all;
-        if (is_last)
+        lines_before += whole.count;
+        text.erase(0, whole.size);
+        is_behind = whole.is_last || has_all;
+        if (whole.is_last)
             read_end();
         return block.size() > 0 || next_block();
     }
