@@ -93,7 +93,9 @@ inline std::string scene_text(const Scene& scene) {
     for (std::size_t i = 0; i < scene.vertices.size(); ++i) {
         const SceneVertex& vertex = scene.vertices[i];
         places += (i == 0 ? "" : ",") + vertex_name(i) + ":" +
-                  json_of(std::array{vertex.x, vertex.y, vertex.z});
+                  (scene.projection.type == ProjectionType::clip_space
+                       ? json_of(std::array{vertex.x, vertex.y, vertex.z, vertex.w})
+                       : json_of(std::array{vertex.x, vertex.y, vertex.z}));
         if (vertex.color)
             colors +=
                 (colors.empty() ? "" : ",") + vertex_name(i) + ":" + quoted(to_text(*vertex.color));

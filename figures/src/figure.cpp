@@ -229,7 +229,7 @@ Beside beside_of(const Panel& panel, const SpatialScene* space, bool is_only) {
         beside.space = space;
         if (space == nullptr)
             throw problem_of("", "--with scene: expected vertices in space, found a scene that is "
-                                 "typed in pixels");
+                                 "typed in pixels, or in clip space");
     }
     return beside;
 }

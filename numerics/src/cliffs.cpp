@@ -170,9 +170,10 @@ private:
     // Vertices in space.
 
     void look_at_vertices() {
-        if (!is_perspective(scene_.projection.type))
+        const auto nearest = near_of(scene_.projection);
+        if (!is_perspective(scene_.projection.type) || !nearest)
             return;
-        const Rational near = *near_of(scene_.projection);
+        const Rational& near = *nearest;
         for (std::size_t i = 0; i < scene_.vertices.size(); ++i) {
             if (!geometry_.is_used[i])
                 continue;

@@ -206,6 +206,8 @@ SCENES = [
     {"vertices": {"A": [2, 5], "B": [-4, -3], "C": [5, -3]}, "triangles": ["ABC"], "projection": {"type": "none"}},
     with_parts(projection={"type": "frustum", "fov_y": 60, "near": 1, "far": 9},
                viewport={"pixels": "edges", "y": "down", "depth_range": ["1/4", 0]}, method={"depth": "ndc-z"}),
+    {"canvas": {"width": 9, "height": 7}, "vertices": {"A": [2, 5, 0, 6], "B": [-4, -3, 1, "-3/2"], "C": [5, -3, 0, 5]},
+     "triangles": ["ABC"], "projection": {"type": "clip-space"}},
 ]
 
 # What a schema cannot know: names, sizes of numbers in relation to one another, what hangs on other keys.
@@ -220,7 +222,8 @@ SCENE_CANNOT_KNOW = [
     r"^expected a field of view", r"^expected a projection that a camera can be fitted to", r"^expected a far from",
     r"^expected at least one (face|primitive), found none", r"^expected a distance above 0", r"^expected a whole number of steps",
     r"^expected an OBJ file in the scene's folder", r"^expected one of 1, 2, 3", r"^expected a number up to", r"^expected 0 or a number from",
-    r"^expected two depths that differ", r"^expected a frustum, or an orthographic projection", r"^expected \"depth\": ",
+    r"^expected two depths that differ", r"^expected a frustum, an orthographic projection", r"^expected \"depth\": ",
+    r"^expected no (projection|camera|light|model|cull) beside vertices", r"^expected a vertex in clip space",
 ]
 WRONG = [None, True, 5, -1, 0, 0.5, "x", "", "12", "1/0", "red", "#f00", "#12", "NaN", "-inf", "fit", [], {}, [[]], [1, 2, 3], {"x": 1}]
 

@@ -255,6 +255,7 @@ Projection read_projection(const JsonReader& json, const JsonValue& value) {
     case ProjectionType::frustum:
         read_frustum(json, value, projection);
         break;
+    case ProjectionType::clip_space:
     case ProjectionType::none:
         json.allow_keys(value, no_projection_keys);
         break;

@@ -144,6 +144,8 @@ public:
         if (const auto* unfit = std::get_if<Unfit>(&plan))
             refuse(*unfit);
         std::vector<Problem> remarks = remarks_on_z();
+        if (auto remark = remark_on_w())
+            remarks.push_back(*std::move(remark));
         if (place_of_camera_)
             remarks.push_back(remark_on_camera());
         std::move(remarks_on_meshes_.begin(), remarks_on_meshes_.end(),
@@ -154,12 +156,24 @@ public:
 private:
     /// A z that only some vertices have, where nothing looks at it: 5,5 typed for 5.5.
     std::vector<Problem> remarks_on_z() const {
-        if (!first_with_z_ || !first_without_z_ || scene_.needs_pipeline())
+        const auto& [first_without_z, first_with_z, first_with_w] = first_of_count_;
+        if (!first_with_z || !first_without_z || scene_.needs_pipeline())
             return {};
-        return {problem_at(source_, *first_with_z_,
+        return {problem_at(source_, *first_with_z,
                            "remark: expected [x, y] as of other vertices, found three numbers; "
                            "nothing in this scene uses z",
                            "a decimal comma? JSON has a point: 5.5")};
+    }
+
+    /// Vertices in clip space that all lie behind the eye.
+    std::optional<Problem> remark_on_w() const {
+        if (scene_.projection.type != ProjectionType::clip_space ||
+            std::any_of(scene_.vertices.begin(), scene_.vertices.end(),
+                        [](const SceneVertex& vertex) { return vertex.w.exact() > 0; }))
+            return std::nullopt;
+        return problem_at(source_, places_of_vertices_.front(),
+                          "remark: expected a vertex with w above 0, found none: all of them lie "
+                          "behind the eye, and nothing is drawn");
     }
 
     Problem remark_on_camera() const {
@@ -218,17 +232,18 @@ private:
         for (const auto& [name, place] : vertices.members()) {
             if (name.text.empty())
                 json_.fail_expecting(name, "a name of at least one letter");
-            const JsonElements coordinates = json_.array_in(place, "[x, y] or [x, y, z]");
+            constexpr std::string_view expected = "[x, y], [x, y, z] or [x, y, z, w]";
+            const JsonElements coordinates = json_.array_in(place, expected);
             const std::size_t count = coordinates.size();
-            if (count != 2 && count != 3)
-                json_.fail_expecting(place, "[x, y] or [x, y, z]",
-                                     count == 4 ? "decimal commas? JSON has a point: 5.5" : "");
-            auto& first_alike = count == 3 ? first_with_z_ : first_without_z_;
+            if (count < 2 || count > 4)
+                json_.fail_expecting(place, std::string(expected));
+            auto& first_alike = first_of_count_[count - 2];
             first_alike = first_alike.value_or(place.begin);
             const auto vertex = static_cast<std::uint32_t>(scene_.vertices.size());
             scene_.vertices.push_back({prefix + name.text, json_.number_in(coordinates[0]),
                                        json_.number_in(coordinates[1]), std::nullopt,
-                                       count == 3 ? json_.number_in(coordinates[2]) : Number(0)});
+                                       count >= 3 ? json_.number_in(coordinates[2]) : Number(0),
+                                       count == 4 ? json_.number_in(coordinates[3]) : Number(1)});
             if (!vertex_by_name_.insert(vertex, NameOfVertex{scene_.vertices}))
                 json_.fail_expecting(name, "a name that no other vertex has",
                                      "vertices of a mesh with a name are called NAME.VERTEX");
@@ -607,6 +622,49 @@ private:
         }
     }
 
+    /// Vertices of four numbers are in clip space: what leads there has been done, and what needs the world
+    /// cannot be.
+    void begin_in_clip_space(const JsonValue& root) {
+        constexpr std::string_view hint = "decimal commas? JSON has a point: 5.5";
+        const auto& [first_without_z, first_with_z, first_with_w] = first_of_count_;
+        Projection& projection = scene_.projection;
+        if (first_with_w && projection.type != ProjectionType::clip_space) {
+            if (const auto given = root.find("projection"))
+                json_.fail(
+                    *given,
+                    R"(expected no projection beside vertices [x, y, z, w], found one: they )"
+                    R"(are in clip space already)",
+                    R"({"type": "clip-space"} says so)");
+            if (first_with_z || first_without_z)
+                json_.fail(*first_with_w,
+                           "expected vertices that all have a w, or none; found both",
+                           std::string(hint));
+            projection.type = ProjectionType::clip_space;
+        }
+        if (projection.type != ProjectionType::clip_space)
+            return;
+        const auto refuse = [this](std::size_t at, std::string_view what) {
+            json_.fail(at, fmt::format("expected no {} beside vertices in clip space, found one: "
+                                       "where they are in the world is not known",
+                                       what));
+        };
+        for (const std::string_view key : {"camera", "light", "model"})
+            if (const auto found = root.find(key))
+                refuse(found->begin, key);
+        if (scene_.method.cull != Cull::none)
+            refuse(root.find("method").value_or(root).begin, "cull");
+        for (const SceneObject& object : scene_.objects)
+            if (!object.model.steps().empty())
+                refuse(root.find("meshes")->begin, "model");
+        for (std::size_t i = 0; i < scene_.vertices.size(); ++i) {
+            const SceneVertex& v = scene_.vertices[i];
+            if (v.w == Number(0) && v.x == Number(0) && v.y == Number(0) && v.z == Number(0))
+                json_.fail(
+                    places_of_vertices_[i],
+                    "expected a vertex in clip space, found (0, 0, 0, 0), which is no place");
+        }
+    }
+
     /// How vertices come to the screen.
     void read_view(const JsonValue& root) {
         const auto camera = root.find("camera");
@@ -625,12 +683,13 @@ private:
         } else if (camera) {
             place_of_camera_ = camera->begin;
         }
+        begin_in_clip_space(root);
         if (const auto viewport = root.find("viewport"))
             scene_.viewport = read_viewport(json_, *viewport);
         if (scene_.viewport.depths && !has_canonical_z(scene_.projection))
             json_.fail(*root.find("viewport")->find("depth_range"),
-                       "expected a frustum, or an orthographic projection with near and far, "
-                       "beside depth_range, "
+                       "expected a frustum, an orthographic projection with near and far, or "
+                       "vertices in clip space beside depth_range, "
                        "found another: z does not lie within -1..1");
         if (const auto light = root.find("light"))
             scene_.light = read_light(json_, *light);
@@ -883,8 +942,11 @@ private:
         if ((is_projected || viewport.type == ViewportType::pixels) &&
             !(given.has_width && given.has_height))
             json_.fail(blamed,
-                       "expected a canvas with a width and a height, found none: the "
-                       "picture is fitted to it",
+                       fmt::format("expected a canvas with a width and a height, found none: the "
+                                   "picture is fitted to it{}",
+                                   scene_.projection.type == ProjectionType::clip_space
+                                       ? ", since vertices are in clip space"
+                                       : ""),
                        canvas_hint);
         if (viewport.type == ViewportType::none && is_projected) {
             // The pinhole of T0 shows a view plane of 1 x 1 on the whole canvas.
@@ -955,9 +1017,9 @@ private:
     std::optional<std::size_t> place_of_camera_;  ///< offset of a camera without a projection
     std::vector<std::size_t> places_of_vertices_; ///< offsets of their names in the source
     std::vector<float> units_;                    ///< of each vertex: see typed_digits.h
-    std::optional<std::size_t> first_with_z_;     ///< offset of the first vertex of three numbers
-    std::optional<std::size_t> first_without_z_;  ///< and of the first of two
-    NameIndex vertex_by_name_;                    ///< but for those of OBJ files
+    std::array<std::optional<std::size_t>, 3>
+        first_of_count_; ///< offsets of the first vertices of two, of three and of four numbers
+    NameIndex vertex_by_name_; ///< but for those of OBJ files
     std::unordered_map<std::string, std::pair<std::size_t, std::size_t>>
         first_of_obj_; ///< by mesh: its first vertex, and how many it has
     std::unordered_set<std::string> names_of_objects_{""};      ///< the scene itself has none

@@ -145,6 +145,7 @@ constexpr std::span<const JsonKey> keys_of(ProjectionType type) {
         return view_plane_keys;
     case ProjectionType::frustum:
         return frustum_keys;
+    case ProjectionType::clip_space:
     case ProjectionType::none:
         break;
     }

@@ -161,7 +161,7 @@ std::string scene_schema() {
     definitions["color"] = color_schema(visible_alpha);
     define_canvas(definitions);
 
-    definitions["place"] = numbers(2, 3);
+    definitions["place"] = numbers(2, 4);
     definitions["vertices"] = map_to("place");
     definitions["vertices"]["propertyNames"] = {{"minLength", 1}};
     definitions["colors"] = map_to("color");

@@ -103,6 +103,8 @@ Plane plane_named(const Sheet& sheet, const std::string& name, const Matrix<Rati
                   const Place& vertex) {
     const Rational zero;
     const bool is_near = name == "near";
+    if (sheet.trace().projection == "clip-space" && (is_near || name == "far"))
+        return {"", {zero, zero, is_near ? 1 : -1, 1}, zero};
     if (is_near || name == "far") {
         const Rational& a = projection.rows[2][2];
         const Rational& b = projection.rows[2][3];
@@ -175,7 +177,10 @@ void write_meeting_point(Sheet& sheet) {
     if (vertex.space != Space::clip || sheet.replay.primitive() == 0)
         return;
     const auto at = numbers_in<4>(vertex.at.texts());
-    const auto projection = matrix_named(sheet, "projection");
+    const std::string& type = sheet.trace().projection;
+    const bool is_typed_in_clip_space = type == "clip-space";
+    const auto projection = is_typed_in_clip_space ? std::optional(identity<Rational>())
+                                                   : matrix_named(sheet, "projection");
     const auto [planes, corners] = cut_before(sheet);
     if (!at || !projection || planes.empty())
         return;
@@ -187,7 +192,7 @@ void write_meeting_point(Sheet& sheet) {
     for (const bool side : {true, false})
         for (const std::string& name : planes) {
             if (is_at_side(name) != side ||
-                (!side && are_both && sheet.trace().projection != "frustum"))
+                (!side && are_both && type != "frustum" && !is_typed_in_clip_space))
                 continue;
             const Plane plane = plane_named(sheet, name, *projection, *at);
             for (const ClipCorner& p : corners)

@@ -8,8 +8,8 @@ namespace rastertrace {
 
 namespace {
 
-constexpr std::array<std::string_view, 5> projections{"none", "orthographic", "pinhole",
-                                                      "view-plane", "frustum"};
+constexpr std::array<std::string_view, 6> projections{"none",       "orthographic", "pinhole",
+                                                      "view-plane", "frustum",      "clip-space"};
 constexpr std::array<std::string_view, 3> pixel_ranges{"centers", "edges", "edges-half"};
 
 } // namespace

@@ -22,13 +22,14 @@ bool has_rounded_matrix(const Scene& scene) {
 
 template <typename Scalar> Transforms<Scalar> transforms_of(const Scene& scene) {
     Transforms<Scalar> result;
+    result.begins_in_clip_space = scene.projection.type == ProjectionType::clip_space;
 
     // A matrix that moves something, or that the scene keeps although it does not.
     const auto matrix_of = [&](Stage stage,
                                const Matrix<Rational>& exact) -> std::optional<Matrix<Scalar>> {
         if (exact != identity<Rational>())
             result.needed.add(stage);
-        else if (!scene.keep.has(stage))
+        else if (!scene.keep.has(stage) || result.begins_in_clip_space)
             return std::nullopt;
         return rounded<Scalar>(exact);
     };
@@ -38,7 +39,7 @@ template <typename Scalar> Transforms<Scalar> transforms_of(const Scene& scene) 
     result.view = matrix_of(
         Stage::view, scene.camera ? view_matrix(*scene.camera, view_axis_of(scene.projection.type))
                                   : identity<Rational>());
-    if (scene.projection.type != ProjectionType::none)
+    if (scene.projection.type != ProjectionType::none && !result.begins_in_clip_space)
         result.projection = rounded<Scalar>(product_of(factors_of(scene.projection, scene.canvas)));
     if (scene.viewport.type != ViewportType::none)
         result.viewport = rounded<Scalar>(product_of(factors_of(scene.viewport, scene.canvas)));

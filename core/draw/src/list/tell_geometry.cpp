@@ -23,10 +23,11 @@ void tell_vertices(const Scene& scene, const Transforms<Scalar>& transforms,
         const auto positions = positions_of(scene.vertices[i], model, transforms);
         if (model)
             tell_position<Scalar>(name, Space::object, positions.object, 3, listener);
-        tell_position<Scalar>(name, Space::world, positions.world, 3, listener);
+        if (!transforms.begins_in_clip_space)
+            tell_position<Scalar>(name, Space::world, positions.world, 3, listener);
         if (transforms.view)
             tell_position<Scalar>(name, Space::camera, positions.camera, 3, listener);
-        if (transforms.projection)
+        if (transforms.projection || transforms.begins_in_clip_space)
             tell_position<Scalar>(name, Space::clip, positions.clip, 4, listener);
         if (is_in_view(positions.clip, transforms))
             tell_positions_on_screen(name, positions.clip, transforms, listener);

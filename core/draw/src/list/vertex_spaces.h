@@ -59,7 +59,7 @@ VertexPositions<Scalar> positions_of(const SceneVertex& vertex,
                                      const Transforms<Scalar>& transforms) {
     VertexPositions<Scalar> positions;
     positions.object = {scalar_from<Scalar>(vertex.x), scalar_from<Scalar>(vertex.y),
-                        scalar_from<Scalar>(vertex.z), scalar_from<Scalar>(1)};
+                        scalar_from<Scalar>(vertex.z), scalar_from<Scalar>(vertex.w)};
     positions.world = moved(model, positions.object);
     positions.camera = moved(transforms.view, positions.world);
     positions.clip = moved(transforms.projection, positions.camera);
@@ -129,9 +129,11 @@ model_of(const Scene& scene, const Transforms<Scalar>& transforms, std::size_t i
 }
 
 /// How far a position in camera space lies in front of the eye. Without a camera and a projection,
-/// z as typed is the distance.
+/// z as typed is the distance; in clip space, w is.
 template <typename Scalar>
 Scalar distance_along_view(const Scene& scene, const Vec<Scalar, 4>& camera) {
+    if (scene.projection.type == ProjectionType::clip_space)
+        return camera.w;
     const bool looks_along_plus_z =
         scene.projection.type == ProjectionType::pinhole ||
         (scene.projection.type == ProjectionType::none && !scene.camera);
@@ -172,7 +174,7 @@ template <typename Scalar>
 void tell_positions_on_screen(std::string_view name, const Vec<Scalar, 4>& clip,
                               const Transforms<Scalar>& transforms, const Listener& listener) {
     const ScreenPositions<Scalar> positions = positions_on_screen(clip, transforms);
-    if (transforms.projection && transforms.divides)
+    if ((transforms.projection || transforms.begins_in_clip_space) && transforms.divides)
         tell_position<Scalar>(name, Space::canonical, positions.canonical, 3, listener);
     const std::array<Scalar, 2> screen{positions.screen.x, positions.screen.y};
     const std::array<Scalar, 2> pixel{positions.pixel.x, positions.pixel.y};

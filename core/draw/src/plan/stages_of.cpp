@@ -82,15 +82,19 @@ void decide_vertex_stages(const Scene& scene, const VertexStages& stages,
     const auto decide = [&](Stage stage, const std::string& why, std::uint64_t saved_steps) {
         decisions.push_back({stage, "", stages.runs.has(stage), why, {.steps = saved_steps}});
     };
+    const bool is_typed_projected = scene.projection.type == ProjectionType::clip_space;
+    const std::uint64_t steps_of_space = is_typed_projected ? 0 : stages.vertices;
     decide(Stage::model,
-           stages.needed.has(Stage::model) ? "a model moves its vertices"
-                                           : "no model moves anything",
-           stages.vertices);
+           is_typed_projected                ? "vertices are typed in clip space"
+           : stages.needed.has(Stage::model) ? "a model moves its vertices"
+                                             : "no model moves anything",
+           steps_of_space);
     decide(Stage::view,
-           stages.needed.has(Stage::view) ? "the camera moves the world"
-           : scene.camera                 ? "the camera looks from where the world begins"
-                                          : "there is no camera",
-           stages.vertices);
+           is_typed_projected               ? "vertices are typed in clip space"
+           : stages.needed.has(Stage::view) ? "the camera moves the world"
+           : scene.camera                   ? "the camera looks from where the world begins"
+                                            : "there is no camera",
+           steps_of_space);
     for (const auto& [plane, outside] : stages.outside)
         decisions.push_back({Stage::clip, plane, outside > 0 || scene.keep.has(Stage::clip),
                              outside == 1  ? "1 vertex lies outside it"

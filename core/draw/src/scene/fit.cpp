@@ -190,6 +190,7 @@ ViewVolume view_volume(const Projection& projection, const Viewport& viewport,
         volume.x = scaled(projection.left, projection.right, half_x);
         volume.y = scaled(projection.bottom, projection.top, half_y);
         break;
+    case ProjectionType::clip_space:
     case ProjectionType::none:
         break;
     }

@@ -7,6 +7,7 @@
 #include <rastertrace/core/transform/viewport.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace rastertrace {
 
@@ -175,6 +176,7 @@ MatrixFactors<Rational> factors_of(const Projection& projection, const Canvas& c
                      frustum_of_view<Rational>(cotangent_of_degrees(projection.fov_y->exact() / 2),
                                                Rational(canvas.width) / canvas.height, range)}};
         return {{"perspective", frustum(sides, range)}};
+    case ProjectionType::clip_space:
     case ProjectionType::none:
         break;
     }
@@ -185,7 +187,10 @@ std::vector<ClipPlane<Rational>> clip_planes(const Projection& projection,
                                              const Rational& half_width,
                                              const Rational& half_height, const Rational& guard) {
     std::vector<ClipPlane<Rational>> planes;
-    if (is_perspective(projection.type)) {
+    if (projection.type == ProjectionType::clip_space) {
+        planes.push_back({"near", {0, 0, 1, 1}, 0});
+        planes.push_back({"far", {0, 0, -1, 1}, 0});
+    } else if (is_perspective(projection.type)) {
         const Rational distance_of_w =
             projection.type == ProjectionType::view_plane ? projection.distance.exact() : 1;
         planes.push_back({"near", {0, 0, 0, distance_of_w}, -*near_of(projection)});
@@ -202,6 +207,8 @@ std::vector<ClipPlane<Rational>> clip_planes(const Projection& projection,
         planes.push_back({"bottom", {0, 1, 0, guard * half_height}, 0});
         planes.push_back({"top", {0, -1, 0, guard * half_height}, 0});
     }
+    if (projection.type == ProjectionType::clip_space) // the least w that 1 can be divided by
+        planes.push_back({"w", {0, 0, 0, 1}, -Rational(std::numeric_limits<double>::min())});
     return planes;
 }
 

@@ -24,7 +24,7 @@ namespace rastertrace {
 /// A plane of the view volume. A point in clip space lies inside, or on the plane, if
 /// a x + b y + c z + d w + e >= 0.
 template <typename Scalar> struct ClipPlane {
-    std::string_view name; ///< near, far, left, right, bottom, top
+    std::string_view name; ///< near, far, left, right, bottom, top, w
     Vec<Scalar, 4> factors;
     Scalar constant;
 

@@ -30,6 +30,7 @@ template <typename Scalar> struct Transforms {
     std::optional<Matrix<Scalar>> view;
     std::optional<Matrix<Scalar>> projection;
     std::optional<Matrix<Scalar>> viewport;
+    bool begins_in_clip_space = false;     ///< there vertices are typed
     bool moves_depths = false;             ///< the viewport has a range of depths
     std::vector<ClipPlane<Scalar>> planes; ///< those that a vertex lies outside of
     bool divides = true;                   ///< by w

@@ -26,6 +26,7 @@ struct SceneVertex {
     Number y;
     std::optional<Color> color = {}; ///< for pixels that are mixed from those of the vertices
     Number z = 0;
+    Number w = 1; ///< of a vertex that is typed in clip space
 };
 
 /// Vertices that share an object space: the scene's own, or those of a mesh.
@@ -98,7 +99,7 @@ struct Scene {
     Depth depth() const {
         if (method.depth)
             return *method.depth;
-        if (viewport.depths)
+        if (viewport.depths || projection.type == ProjectionType::clip_space)
             return Depth::ndc_z;
         return is_perspective(projection.type)                   ? Depth::inverse_z
                : projection.type == ProjectionType::orthographic ? Depth::linear_z

@@ -119,7 +119,14 @@ MatrixFactors<Rational> factors_of(const Camera& camera, ViewAxis axis);
 /// axis is divided by it last, and rounded once: a position at right angles to the axis gives 0.
 Matrix<Rational> view_matrix(const Camera& camera, ViewAxis axis);
 
-enum class ProjectionType { none, orthographic, pinhole, view_plane, frustum };
+enum class ProjectionType {
+    none,
+    orthographic,
+    pinhole,
+    view_plane,
+    frustum,
+    clip_space, ///< vertices have been projected before they were typed
+};
 
 /// How the camera's space is projected. What a type does not use is not read.
 struct Projection {
@@ -136,7 +143,7 @@ struct Projection {
 
 inline bool is_perspective(ProjectionType type) {
     return type == ProjectionType::pinhole || type == ProjectionType::view_plane ||
-           type == ProjectionType::frustum;
+           type == ProjectionType::frustum || type == ProjectionType::clip_space;
 }
 
 inline ViewAxis view_axis_of(ProjectionType type) {
@@ -158,7 +165,8 @@ std::optional<Rational> far_of(const Projection& projection);
 MatrixFactors<Rational> factors_of(const Projection& projection, const Canvas& canvas);
 
 /// The planes of a projection. Near and far are distances from the eye, which in a perspective are
-/// a multiple of w, so that the rounding of z does not matter. The four sides stand `guard` x (half
+/// a multiple of w, so that the rounding of z does not matter; of vertices typed in clip space they
+/// are -w <= z <= w, and what is left is w > 0, which is 0 only at (0, 0, 0, 0). The four sides stand `guard` x (half
 /// the canvas) away from the middle: the fill drops what lies nearer pixel by pixel; what lies
 /// beyond would be too far out for it.
 std::vector<ClipPlane<Rational>> clip_planes(const Projection& projection,
@@ -168,6 +176,7 @@ std::vector<ClipPlane<Rational>> clip_planes(const Projection& projection,
 /// True if what is in view has a canonical z of -1 (near) to 1 (far).
 inline bool has_canonical_z(const Projection& projection) {
     return projection.type == ProjectionType::frustum ||
+           projection.type == ProjectionType::clip_space ||
            (projection.type == ProjectionType::orthographic && projection.near);
 }
 
