@@ -480,8 +480,20 @@ private:
         if (!rules_.says("rounding"))
             return;
         const SpanRounding rule = span_rounding(method_);
-        expect(pixel_of(exactly(row.left), rule, false), row.from, "scanline: from");
-        expect(pixel_of(exactly(row.right), rule, true), row.to, "scanline: to");
+        const Real tolerance =
+            rule.rounding == Rounding::inside ? rule.tolerance.in<Real>() : Real(0);
+        const auto expect_end = [&](const Real& end, bool is_last, Index told, const char* what) {
+            const Index pixel = pixel_of(exactly(end), rule, is_last);
+            // `adaptive` tells the nearest double, which may lie on the other side of the tolerance.
+            const Real least = Real(row.right - row.left + Real(1)) * Real(0x1p-40);
+            if (!knows_all && tolerance != Real(0) &&
+                pixel_of(exactly(Real(end - least)), rule, is_last) !=
+                    pixel_of(exactly(Real(end + least)), rule, is_last))
+                return;
+            expect(pixel, told, what);
+        };
+        expect_end(Real(row.left - tolerance), false, row.from, "scanline: from");
+        expect_end(Real(row.right + tolerance), true, row.to, "scanline: to");
     }
 
     /// A span of a polygon is one of those between its row's crossings.
@@ -749,6 +761,8 @@ private:
             throw NotTold();
         const Index at = is_x_major ? *step.x : *step.y;
         const auto value = number_of<Real>(step.value);
+        if (rules_.lines.line == LineMethod::diamond_exit)
+            return redo_in_diamond(from, to, is_x_major, at, value, step.pixel);
         if (knows_all) {
             const Real run = to[along] - from[along];
             const Real m = run == Real(0) ? Real(0) : Real((to[across] - from[across]) / run);
@@ -772,6 +786,27 @@ private:
         else if (rule.rounding == Rounding::nearest && rule.ties == Ties::step && falls)
             rule.ties = Ties::start;
         expect(pixel_of(exactly(value), rule, false), step.pixel, "along: pixel");
+    }
+
+    /// The pixel of a line in a column, or row, whose diamond it goes through. Ties are those of a line with y up.
+    void redo_in_diamond(const At& from, const At& to, bool is_x_major, Index at, const Real& value,
+                         Index pixel) {
+        const std::size_t along = is_x_major ? 0 : 1;
+        const std::size_t across = 1 - along;
+        const Real run = to[along] - from[along];
+        const Real rise = to[across] - from[across];
+        const Real m = run == Real(0) ? Real(0) : Real(rise / run);
+        if (knows_all)
+            expect(Real(from[across] + m * (whole<Real>(at) + offset_ - from[along])), value,
+                   "along: value");
+        if (!rules_.says("line") || (has_long_numbers_ && run == Real(0)))
+            return;
+        const bool turns = is_x_major && canvas_.down() > 0;
+        const bool rises = is_x_major && (turns ? m < Real(0) : Real(0) < m);
+        const Rational among_samples = exactly(Real(value - offset_));
+        const Index nearest = nearest_of(turns ? Rational(-among_samples) : among_samples,
+                                         rises ? Ties::up : Ties::start);
+        expect(turns ? -nearest : nearest, pixel, "along: pixel");
     }
 
     void need_corners() const {
@@ -810,8 +845,10 @@ private:
             expect(weights_in(step.x, step.y), weights_, "sample: weights");
         if (!rules_.says("fill"))
             return;
-        const bool has_negative = std::any_of(weights_.begin(), weights_.end(),
-                                              [](const Real& weight) { return weight < Real(0); });
+        const Real least = -method_.tolerance.in<Real>();
+        const bool has_negative =
+            std::any_of(weights_.begin(), weights_.end(),
+                        [&least](const Real& weight) { return weight < least; });
         expect(!has_negative, step.inside.is_true(), "sample: inside");
     }
 

@@ -312,9 +312,10 @@ Formulas Deriver::of_along() const {
     if (!from || !to || !at ||
         numbers_.step(primitive_).as<PrimitiveStep>().kind != PrimitiveKind::line)
         return {};
-    Lerp lerp{.d1 = from->y, .i1 = from->x, .d2 = to->y, .i2 = to->x, .i = *at};
+    const Rational i = *at + line_offset(numbers_.trace());
+    Lerp lerp{.d1 = from->y, .i1 = from->x, .d2 = to->y, .i2 = to->x, .i = i};
     if (!along.x)
-        lerp = {.d1 = from->x, .i1 = from->y, .d2 = to->x, .i2 = to->y, .i = *at};
+        lerp = {.d1 = from->x, .i1 = from->y, .d2 = to->x, .i2 = to->y, .i = i};
     return {{lerp}};
 }
 

@@ -84,7 +84,7 @@ PlaceOnLine beyond_ends(const Trace& trace, const LineSteps& line, Pixel pixel) 
     if (!line.ends)
         return {.text = fmt::format("no step says where {} is", line.name), .is_known = false};
     const auto& [from, to] = *line.ends;
-    const Rational at = line.is_x_major ? pixel.x : pixel.y;
+    const Rational at = (line.is_x_major ? pixel.x : pixel.y) + line_offset(trace);
     const auto [low, high] =
         std::minmax(line.is_x_major ? from.x : from.y, line.is_x_major ? to.x : to.y);
     const std::string_view axis = line.is_x_major ? "x" : "y";
@@ -94,6 +94,10 @@ PlaceOnLine beyond_ends(const Trace& trace, const LineSteps& line, Pixel pixel) 
     if (sgn(gap) > 0)
         return {fmt::format("{}: {} = {} lies beyond it, by {}", goes, axis, text(at), text(gap)),
                 gap};
+    if (trace.method_value("line") == "diamond-exit")
+        return {fmt::format("{}, and does not leave the diamond of a pixel at {} = {}", goes, axis,
+                            text(at)),
+                Rational(0)};
     if (trace.method_value("ends") == "first")
         for (const Pixel& end : {pixel_at(to), pixel_at(from)})
             if ((line.is_x_major ? end.x : end.y) == (line.is_x_major ? pixel.x : pixel.y))

@@ -235,10 +235,13 @@ std::optional<WhyNot> by_rows(const Case& c) {
                                               is_above ? "above" : "below", rows)};
     const std::size_t corner = outermost_corner(c, is_above);
     const Rational distance = abs(c.sample.y - (*corners)[corner].y);
-    return outside(fmt::format("row y={} lies {} {}: its {} corner, {}, is at y = {}", c.pixel.y,
+    const bool is_left_out =
+        is_below && sgn(distance) == 0 && c.trace.method_value("rows") == "half-open";
+    return outside(fmt::format("row y={} lies {} {}: its {} corner, {}, is at y = {}{}", c.pixel.y,
                                is_above ? "above" : "below", rows, is_above ? "highest" : "lowest",
                                c.primitive.vertices[corner],
-                               in_sentence(c.primitive.positions[corner][1])),
+                               in_sentence(c.primitive.positions[corner][1]),
+                               is_left_out ? ", and half-open rows leave out the lowest" : ""),
                    distance);
 }
 
@@ -256,6 +259,7 @@ std::optional<WhyNot> by_weight(const Case& c) {
         if (tested.x != c.pixel.x || tested.y != c.pixel.y || tested.inside.is_true())
             continue;
         const auto weights = tested.weights.values();
+        const std::string tolerance = c.trace.method_value("inside_tolerance");
         std::optional<std::size_t> worst;
         for (std::size_t i = 0; i < weights.size() && i < 3; ++i) {
             const auto weight = weights[i].exact();
@@ -270,8 +274,9 @@ std::optional<WhyNot> by_weight(const Case& c) {
         const double distance = distance_from_line(doubled_area(from, to, c.sample), from, to);
         return WhyNot{.reason = "outside",
                       .sentence = fmt::format(
-                          "at {} the weight of {} is {} < 0: beyond {}, by {} px", text(c.sample),
+                          "at {} the weight of {} is {} < {}: beyond {}, by {} px", text(c.sample),
                           c.primitive.vertices[*worst], in_sentence(weights[*worst].text()),
+                          tolerance.empty() ? "0" : "-" + tolerance,
                           side_across(c.primitive, *worst), six_places(distance)),
                       .distance = distance,
                       .working = c.steps.working};

@@ -106,7 +106,9 @@ Json method() {
     Json schema{{"type", "object"}, {"properties", Json::object()}};
     for (const MethodKey& key : method_keys()) {
         Json value = word;
-        value["description"] = fmt::format("{}: {}", key.meaning, joined(key.values, ", "));
+        value["description"] =
+            fmt::format("{}: {}", key.meaning,
+                        key.values.empty() ? std::string(key.number) : joined(key.values, ", "));
         schema["properties"][std::string(key.name)] = std::move(value);
     }
     schema["additionalProperties"] = word;

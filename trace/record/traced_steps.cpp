@@ -116,10 +116,17 @@ std::string_view word_of(Move move) {
 }
 
 std::string_view word_of(SkipReason reason) {
-    constexpr std::array<std::string_view, 9> words{
-        "off canvas", "between rows",     "zero area",
-        "culled",     "behind the eye",   "too near",
-        "too far",    "outside the view", "its only pixel is its last, which is left out"};
+    constexpr std::array<std::string_view, 10> words{
+        "off canvas",
+        "between rows",
+        "zero area",
+        "culled",
+        "behind the eye",
+        "too near",
+        "too far",
+        "outside the view",
+        "its only pixel is its last, which is left out",
+        "it leaves no diamond"};
     return words[static_cast<std::size_t>(reason)];
 }
 

@@ -193,9 +193,9 @@ private:
         for (const auto& [name, value] : method.members()) {
             const MethodKey& key = *find_method_key(name.text);
             const bool is_word = value.kind == JsonValue::Kind::string ||
-                                 (value.kind == JsonValue::Kind::number && key.is_number());
+                                 (value.kind == JsonValue::Kind::number && key.takes_number());
             if (!is_word || !key.set(scene_.method, value.text))
-                json_.fail_expecting(value, fmt::format("one of {}", joined(key.values, ", ")),
+                json_.fail_expecting(value, key.expected(),
                                      did_you_mean(value.text, key.values, "\""));
         }
     }
@@ -564,8 +564,7 @@ private:
         const bool has_lines =
             scene_.has(PrimitiveKind::line) || scene_.has(PrimitiveKind::outline);
         const JsonValue blamed = root.find("method").value_or(root);
-        if (method.rounding == Rounding::half_open && has_lines &&
-            !traits_of(method.line).is_on_grid)
+        if (method.rounding == Rounding::half_open && has_lines && traits_of(method.line).rounds)
             json_.fail(
                 blamed,
                 "expected a rounding that lines can have, found \"half-open\": a line has no "
@@ -578,6 +577,10 @@ private:
         const bool fills_rows = scene_.has(PrimitiveKind::polygon) ||
                                 (scene_.has(PrimitiveKind::triangle) &&
                                  traits_of(method.fill).rule == PixelRule::row_ends);
+        if (method.ends == EndPixels::first && traits_of(method.line).is_by_samples)
+            json_.fail(blamed, "expected no \"ends\" beside \"line\": \"diamond-exit\", found "
+                               "\"first\": a diamond that the line ends in is not left");
+        check_rows_and_tolerance(blamed, fills_rows);
         const bool rounds_spans = fills_rows && method.rounding == Rounding::nearest;
         if (method.ties == Ties::step && (rounds_spans || method.snap == Snap::nearest))
             json_.fail(blamed,
@@ -620,6 +623,25 @@ private:
                                    R"("method": {{"depth": "none"}} draws without a buffer)",
                                    kind));
         }
+    }
+
+    void check_rows_and_tolerance(const JsonValue& blamed, bool fills_rows) const {
+        const Method& method = scene_.method;
+        if (method.rows == RowRule::half_open && scene_.has(PrimitiveKind::triangle) &&
+            traits_of(method.fill).rule != PixelRule::row_ends)
+            json_.fail(blamed,
+                       fmt::format(R"(expected a fill by rows beside "rows": "half-open", found )"
+                                   R"("fill": "{}")",
+                                   traits_of(method.fill).name),
+                       R"("fill": "scanline" and "two-halves" go row by row)");
+        const bool has_tolerance = (fills_rows && method.rounding == Rounding::inside) ||
+                                   (scene_.has(PrimitiveKind::triangle) &&
+                                    traits_of(method.fill).depths == DepthForm::weights);
+        if (!method.tolerance.is_zero() && !has_tolerance)
+            json_.fail(blamed,
+                       "expected \"rounding\": \"inside\" or \"fill\": \"barycentric\" beside "
+                       "inside_tolerance, found another rule",
+                       "only these ask whether something lies inside");
     }
 
     /// Vertices of four numbers are in clip space: what leads there has been done, and what needs the world

@@ -105,7 +105,7 @@ Json projection() {
 Json method() {
     Json schema{{"type", "object"}, {"properties", Json::object()}};
     for (const MethodKey& key : method_keys()) {
-        Json value = one_of(key.values);
+        Json value = key.values.empty() ? number_schema() : one_of(key.values);
         // A number may stand in quotes, or without.
         if (key.is_number())
             for (const std::string_view number : key.values)

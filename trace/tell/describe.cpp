@@ -317,6 +317,9 @@ std::string rounded_by(const std::string& rule, const std::string& ties,
 std::string rule_of_end(const Trace& trace, const EndOfRow& end) {
     const std::string rounding = rule_of_rows(trace, "rounding");
     const auto x = end.x.exact();
+    const std::string tolerance = trace.method_value("inside_tolerance");
+    if (rounding == "inside" && !tolerance.empty())
+        return (end.is_left ? " -> ceil(x - " : " -> floor(x + ") + tolerance + ")";
     if (rounding == "inside")
         return end.is_left ? " -> ceil" : " -> floor";
     if (rounding == "half-open")
@@ -411,8 +414,12 @@ std::string slope_form(const Context& context) {
                    ? fmt::format("{} {} = ", in_formula(last.value.text()), plus(text(moved)))
                    : std::string();
     }
-    return agrees(form->m * *at + form->b, *value, replay.trace())
-               ? fmt::format("{} {} {} = ", text(form->m), is_x_major ? "x" : "y",
+    const Rational offset = line_offset(replay.trace());
+    return agrees(form->m * (*at + offset) + form->b, *value, replay.trace())
+               ? fmt::format("{} {} {} = ", text(form->m),
+                             sgn(offset) != 0 ? text(*at + offset)
+                             : is_x_major     ? "x"
+                                              : "y",
                              plus(text(form->b)))
                : std::string();
 }
@@ -650,6 +657,8 @@ constexpr Part parts[] = {
     {"rule_of_line",
      [](const Context& context) {
          const Trace& trace = context.replay.trace();
+         if (trace.method_value("line") == "diamond-exit")
+             return said({" -> diamond", " -> losango"});
          return rounded_by(rule_of_lines(trace, "rounding"), rule_of_lines(trace, "ties"),
                            context.as<AlongStep>().value.exact());
      }},

@@ -499,6 +499,10 @@ Rational sample_offset(const Trace& trace) {
     return trace.samples_at_centers() ? Rational(1, 2) : Rational(0);
 }
 
+Rational line_offset(const Trace& trace) {
+    return trace.method_value("line") == "diamond-exit" ? sample_offset(trace) : Rational(0);
+}
+
 std::optional<Vec2> sample_of(const Trace& trace, const StepView& step) {
     const auto x = x_in(step);
     const auto y = y_in(step);

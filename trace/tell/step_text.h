@@ -204,6 +204,9 @@ std::string_view matrix_into(std::string_view space);
 /// How far a pixel's sample lies from its coordinates, in x and in y.
 Rational sample_offset(const Trace& trace);
 
+/// The same where a line is held against the samples of its pixels, else 0.
+Rational line_offset(const Trace& trace);
+
 /// The sample point of the pixel that a step is about.
 std::optional<Vec2> sample_of(const Trace& trace, const StepView& step);
 

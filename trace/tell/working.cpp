@@ -424,7 +424,8 @@ void along(Sheet& sheet) {
     const Rational dx = ends->to.x - ends->from.x;
     const Rational dy = ends->to.y - ends->from.y;
     const auto form = slope_form_of(*ends, is_x_major);
-    if (!form || !sheet.agrees(form->m * *at + form->b, *value))
+    const Rational sample = *at + line_offset(sheet.trace());
+    if (!form || !sheet.agrees(form->m * sample + form->b, *value))
         return;
     const auto& [m, b] = *form;
     const std::string_view major = is_x_major ? "x" : "y";
@@ -452,7 +453,7 @@ void along(Sheet& sheet) {
                        minor, *at > *last_at ? "+ m" : "- m", text(*last),
                        plus(text(m * (*at - *last_at))), text(*value)));
     else
-        sheet.put(fmt::format("{} = m {} + b = {} {} = {}", minor, major, product(m, *at),
+        sheet.put(fmt::format("{} = m {} + b = {} {} = {}", minor, major, product(m, sample),
                               plus(text(b)), text(*value)));
 }
 

@@ -70,6 +70,7 @@ constexpr TraceWord words_of_traces[] = {
     {"its only pixel is its last, which is left out",
      "seu único pixel é o último, que não é desenhado"},
     {"between rows", "entre as linhas"},
+    {"it leaves no diamond", "não sai de nenhum losango"},
 };
 
 } // namespace

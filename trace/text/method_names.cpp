@@ -47,6 +47,7 @@ constexpr std::array tie_rules{Word{Ties::start, "start"}, Word{Ties::up, "up"},
                                Word{Ties::away, "away"}, Word{Ties::even, "even"},
                                Word{Ties::step, "step"}};
 constexpr std::array samples{Word{Sample::integer, "integer"}, Word{Sample::center, "center"}};
+constexpr std::array row_rules{Word{RowRule::closed, "closed"}, Word{RowRule::half_open, "half-open"}};
 constexpr std::array lerps{Word{LerpForm::direct, "direct"},
                            Word{LerpForm::incremental, "incremental"}};
 constexpr std::array snaps{Word{Snap::none, "none"}, Word{Snap::floor, "floor"},
@@ -99,7 +100,7 @@ bool fills_spans(const Scene& scene) {
     return fills_by(scene, PixelRule::row_ends) || has_polygons(scene);
 }
 bool rounds_lines(const Scene& scene) {
-    return !traits_of(scene.method.line).is_on_grid && has_lines(scene);
+    return traits_of(scene.method.line).rounds && has_lines(scene);
 }
 bool rounds(const Scene& scene) {
     return fills_spans(scene) || rounds_lines(scene);
@@ -157,8 +158,8 @@ MethodKey key(
                          [](const Method& method) {
                              for (const auto& word : words)
                                  if (is_value(method.*member, word.value))
-                                     return word.word;
-                             return std::string_view();
+                                     return std::string(word.word);
+                             return std::string();
                          },
                      .set =
                          [](Method& method, std::string_view value) {
@@ -176,14 +177,41 @@ MethodKey key(
     return result;
 }
 
+/// A tolerance as a scene writes it: `1/100000`.
+std::string text_of(const Tolerance& tolerance) {
+    return tolerance.is_zero() ? "0"
+                               : fmt::format("{}/{}", tolerance.numerator, tolerance.denominator);
+}
+
+bool set_tolerance(Method& method, std::string_view text) {
+    const auto number = parse_number(text);
+    const auto* given = std::get_if<Number>(&number);
+    if (given == nullptr)
+        return false;
+    const Rational exact = given->exact();
+    if (exact < 0 || exact > Rational(1, 2) || !exact.get_num().fits_slong_p() ||
+        !exact.get_den().fits_slong_p())
+        return false;
+    method.tolerance = {exact.get_num().get_si(), exact.get_den().get_si()};
+    return true;
+}
+
 } // namespace
+
+std::string MethodKey::expected() const {
+    return values.empty() ? std::string(number) : fmt::format("one of {}", joined(values, ", "));
+}
 
 std::span<const MethodKey> method_keys() {
     static const std::array keys{
         key<&Method::scalar, scalars>("scalar", "the numbers to draw with", always),
         key<&Method::line, lines>("line", "the algorithm that draws lines", has_lines),
         key<&Method::from, starts>("from", "the end that lines are drawn from", has_lines),
-        key<&Method::ends, end_pixels>("ends", "which of its end pixels a line draws", has_lines),
+        key<&Method::ends, end_pixels>("ends", "which of its end pixels a line draws",
+                                       [](const Scene& scene) {
+                                           return has_lines(scene) &&
+                                                  !traits_of(scene.method.line).is_by_samples;
+                                       }),
         key<&Method::fill, fills>("fill", "the algorithm that fills triangles", has_triangles),
         key<&Method::fill_rule, fill_rules>(
             "fill_rule", "what lies inside a polygon that crosses itself", has_polygons),
@@ -197,11 +225,31 @@ std::span<const MethodKey> method_keys() {
                                       default_of_ties),
         key<&Method::sample, samples>(
             "sample", "where a pixel is tested",
-            [](const Scene& scene) { return fills_by(scene, PixelRule::samples); },
+            [](const Scene& scene) {
+                return fills_by(scene, PixelRule::samples) ||
+                       (has_lines(scene) && traits_of(scene.method.line).is_by_samples);
+            },
             [](const Scene& scene) {
                 return std::string(sample_of(scene.method) == Sample::center ? "center"
                                                                              : "integer");
             }),
+        key<&Method::rows, row_rules>("rows", "whether a triangle has the row of its lowest vertex",
+                                      [](const Scene& scene) {
+                                          return fills_by(scene, PixelRule::row_ends) &&
+                                                 scene.method.rows != RowRule::closed;
+                                      }),
+        MethodKey{.name = "inside_tolerance",
+                  .meaning = "how far outside counts as inside, of a span's ends or of weights",
+                  .values = {},
+                  .get =
+                      [](const Method& method) {
+                          return method.tolerance.is_zero() ? std::string()
+                                                            : text_of(method.tolerance);
+                      },
+                  .set = set_tolerance,
+                  .otherwise = [](const Scene&) { return std::string("0"); },
+                  .in_force = [](const Scene& scene) { return !scene.method.tolerance.is_zero(); },
+                  .number = "a number from 0 to 1/2"},
         key<&Method::lerp, lerps>("lerp", "how x is found from row to row", fills_spans),
         key<&Method::snap, snaps>("snap", "where vertices on the screen go before they are drawn",
                                   [](const Scene& scene) { return scene.has_transforms(); }),
@@ -255,8 +303,8 @@ std::span<const MethodKey> method_keys() {
 }
 
 std::string value_in_force(const MethodKey& key, const Scene& scene) {
-    const std::string_view said = key.get(scene.method);
-    return said.empty() ? key.otherwise(scene) : std::string(said);
+    const std::string said = key.get(scene.method);
+    return said.empty() ? key.otherwise(scene) : said;
 }
 
 const MethodKey* find_method_key(std::string_view name) {
@@ -301,10 +349,12 @@ Result<MethodOverrides> parse_method(const Source& source) {
                 did_you_mean(name, keys));
         Method scratch;
         if (!key->set(scratch, value))
-            return problem_in_method(source, offset + equals + 1,
-                                     fmt::format("expected {} out of {}, found \"{}\"", name,
-                                                 joined(key->values, ", "), value),
-                                     did_you_mean(value, key->values));
+            return problem_in_method(
+                source, offset + equals + 1,
+                key->values.empty() ? fmt::format("expected {}, found \"{}\"", key->number, value)
+                                    : fmt::format("expected {} out of {}, found \"{}\"", name,
+                                                  joined(key->values, ", "), value),
+                did_you_mean(value, key->values));
         method.emplace_back(name, value);
         offset += choice.size() + 1;
     }

@@ -21,13 +21,21 @@ namespace rastertrace {
 struct MethodKey {
     std::string_view name;                  ///< as in a scene, and as an option: `--name`
     std::string_view meaning;               ///< one line for people
-    std::vector<std::string_view> values;   ///< the default is the one that Method{} has
-    std::string_view (*get)(const Method&); ///< what was said; "" where nothing was
+    std::vector<std::string_view> values;   ///< the default is the one that Method{} has; none:
+                                            ///< a number, `number` says which
+    std::string (*get)(const Method&);      ///< what was said; "" where nothing was
     bool (*set)(Method&, std::string_view); ///< false if there is no such value
     std::string (*otherwise)(const Scene&); ///< what holds where nothing was said
     bool (*in_force)(const Scene&);         ///< false if the picture cannot depend on it
+    std::string_view number = {};           ///< `a number from 0 to 1/2`
 
-    /// True if the values are numbers, which JSON writes without quotes.
+    /// What its values are: `one of up, down`, or a number.
+    std::string expected() const;
+
+    /// True if a scene may give it as a number.
+    bool takes_number() const { return is_number() || values.empty(); }
+
+    /// True if the values are whole numbers, which JSON writes without quotes.
     bool is_number() const { return !values.empty() && values.front() == "1"; }
 };
 

@@ -45,7 +45,10 @@ void MethodOptions::add_to(OptionList& options) {
     for (const MethodKey& key : method_keys())
         options
             .option(option_named(key.name), values_[std::string(key.name)],
-                    fmt::format("{}: {}", key.meaning, joined(key.values, ", ")), "NAME")
+                    fmt::format("{}: {}", key.meaning,
+                                key.values.empty() ? std::string(key.number)
+                                                   : joined(key.values, ", ")),
+                    key.values.empty() ? "NUMBER" : "NAME")
             .group("Method, instead of what the scene says");
     options.option("--keep", keep_,
                    fmt::format("Run these stages even if the scene does not need them: {}",
@@ -62,8 +65,8 @@ MethodOverrides MethodOptions::overrides() const {
             continue;
         Method scratch;
         if (!key.set(scratch, value))
-            refuse_value(option_named(key.name), fmt::format("one of {}", joined(key.values, ", ")),
-                         value, did_you_mean(value, key.values));
+            refuse_value(option_named(key.name), key.expected(), value,
+                         did_you_mean(value, key.values));
         overrides.emplace_back(key.name, value);
     }
     if (!keep_.empty())

@@ -26,6 +26,7 @@
 #include <rastertrace/core/raster/image.h>
 #include <rastertrace/core/raster/line_bresenham.h>
 #include <rastertrace/core/raster/line_dda.h>
+#include <rastertrace/core/raster/line_diamond_exit.h>
 #include <rastertrace/core/raster/line_naive.h>
 #include <rastertrace/core/raster/mixed_colors.h>
 #include <rastertrace/core/raster/sink.h>
@@ -111,7 +112,7 @@ int octant_of(const Piece<Scalar>& primitive, EdgeName side, const Method& metho
 /// Draws the line between two vertices of a primitive. Returns false if the line has no pixel.
 template <typename Scalar, typename Sink>
 bool draw_line(const Piece<Scalar>& primitive, EdgeName side, const Method& method,
-               const Canvas& canvas, Sink&& sink) {
+               const SampleGrid<Scalar>& grid, const Canvas& canvas, Sink&& sink) {
     const auto [segment, pixels] = directed_line(primitive, side, method);
     const LineSampling sampling{line_rounding(method), pixels, line_rules(method)};
     switch (method.line) {
@@ -121,6 +122,8 @@ bool draw_line(const Piece<Scalar>& primitive, EdgeName side, const Method& meth
         return draw_dda_line(segment, sampling, canvas, sink);
     case LineMethod::bresenham:
         return draw_bresenham(pixels, line_rules(method), canvas, sink);
+    case LineMethod::diamond_exit:
+        return draw_diamond_exit_line(segment, grid.sample_offset(), sampling, canvas, sink);
     }
     not_an_enumerator();
 }
@@ -204,8 +207,10 @@ private:
 /// Draws a point, a line, a circle, or the three lines of an outline. `painter_of(side)` makes the
 /// painter of each. The side of a point, or of a circle, leads from its corner to itself.
 template <typename Scalar, typename PainterOf>
-void draw_lines(const Piece<Scalar>& primitive, const Method& method, const Canvas& canvas,
-                PainterOf&& painter_of) {
+void draw_lines(const Piece<Scalar>& primitive, const Method& method,
+                const SampleGrid<Scalar>& grid, const Canvas& canvas, PainterOf&& painter_of) {
+    const SkipReason no_pixel = traits_of(method.line).is_by_samples ? SkipReason::leaves_no_diamond
+                                                                     : SkipReason::last_pixel_only;
     const Vec<Scalar, 2>& first = primitive.positions[0];
     switch (primitive.kind) {
     case PrimitiveKind::point:
@@ -220,8 +225,8 @@ void draw_lines(const Piece<Scalar>& primitive, const Method& method, const Canv
     }
     case PrimitiveKind::line: {
         auto&& painter = painter_of(EdgeName{0, 1});
-        if (!draw_line(primitive, {0, 1}, method, canvas, painter))
-            painter(PrimitiveSkipped{.why = SkipReason::last_pixel_only});
+        if (!draw_line(primitive, {0, 1}, method, grid, canvas, painter))
+            painter(PrimitiveSkipped{.why = no_pixel});
         return;
     }
     case PrimitiveKind::outline: {
@@ -229,9 +234,9 @@ void draw_lines(const Piece<Scalar>& primitive, const Method& method, const Canv
         for (const EdgeName side : {EdgeName{0, 1}, EdgeName{1, 2}, EdgeName{2, 0}}) {
             auto&& painter = painter_of(side);
             painter(SideBegan{.edge = side, .octant = octant_of(primitive, side, method)});
-            has_pixels = draw_line(primitive, side, method, canvas, painter) || has_pixels;
+            has_pixels = draw_line(primitive, side, method, grid, canvas, painter) || has_pixels;
             if (side.to == 0 && !has_pixels)
-                painter(PrimitiveSkipped{.why = SkipReason::last_pixel_only});
+                painter(PrimitiveSkipped{.why = no_pixel});
         }
         return;
     }
@@ -275,9 +280,9 @@ void draw_thin(const Piece<Scalar>& piece, SceneDrawing<Scalar, OfPixels>& drawi
                const Sink& sink) {
     const Scene& scene = drawing.scene;
     if (!drawing.stages_of(piece.primitive).tests_depth)
-        return draw_lines(piece, scene.method, scene.canvas,
+        return draw_lines(piece, scene.method, drawing.grid, scene.canvas,
                           [&](EdgeName) { return FlatPainter(drawing.image, piece.color, sink); });
-    draw_lines(piece, scene.method, scene.canvas, [&](EdgeName side) {
+    draw_lines(piece, scene.method, drawing.grid, scene.canvas, [&](EdgeName side) {
         if (drawing.owners.begin_side)
             drawing.owners.begin_side(side);
         return LinePainter<Scalar, OfPixels, Sink>(piece, side, scene, drawing.image,

@@ -160,8 +160,8 @@ private:
     /// Returns whether a face hides the point at a pixel of a side of the current piece, exactly.
     bool hides_exactly(std::uint32_t owner, EdgeName side, Pixel pixel) {
         const bool larger_passes = filtered_.depth->larger_passes();
-        const auto line =
-            line_points(exactness_.pieces.piece(exactness_.drawn.back()), side, larger_passes);
+        const auto line = line_points(exactness_.pieces.piece(exactness_.drawn.back()), side,
+                                      larger_passes, scene_.method);
         const auto face = corners_of(exactness_.pieces.piece(exactness_.drawn[owner]));
         return hides_point(face, line.at(pixel), larger_passes);
     }
@@ -256,13 +256,14 @@ private:
         else if (piece.kind == PrimitiveKind::polygon)
             fill_polygon(piece, scene_.method, canvas, decisions);
         else
-            draw_lines(piece, scene_.method, canvas, [&](EdgeName side) -> Decisions& {
-                if (plan_.stages.pixels[piece.primitive].tests_depth) {
-                    require_finite_differences(piece.depths);
-                    line_points(piece, side, filtered_.depth->larger_passes());
-                }
-                return decisions;
-            });
+            draw_lines(
+                piece, scene_.method, filtered_.grid, canvas, [&](EdgeName side) -> Decisions& {
+                    if (plan_.stages.pixels[piece.primitive].tests_depth) {
+                        require_finite_differences(piece.depths);
+                        line_points(piece, side, filtered_.depth->larger_passes(), scene_.method);
+                    }
+                    return decisions;
+                });
     }
 
     const Scene& scene_;

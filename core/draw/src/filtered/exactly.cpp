@@ -88,7 +88,7 @@ Rational exact_depth_at(const Scene& scene, const Piece<Rational>& piece, std::u
     const bool larger_passes = depth_rule<Rational>(scene).larger_passes;
     if (piece.kind != PrimitiveKind::triangle) {
         const auto end = static_cast<std::uint16_t>((side + 1U) % piece.count);
-        return line_points(piece, {side, end}, larger_passes).depth_at({x, y});
+        return line_points(piece, {side, end}, larger_passes, scene.method).depth_at({x, y});
     }
     const Triangle<Rational> triangle{piece.positions};
     TriangleDepth<Rational> depth(triangle.vertices, piece.depths, larger_passes);

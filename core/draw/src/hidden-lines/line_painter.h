@@ -53,14 +53,19 @@ template <typename Depth> struct LinePoints {
     DepthEdge<Depth> depths; ///< the turned depth: both are linear along the major axis
     DeepPoint<Depth> from;
     DeepPoint<Depth> to;
+    std::optional<Depth> sample_offset = {}; ///< of a pixel, if not 0
 
-    /// The depth of the point at a pixel.
-    Depth depth_at(Pixel pixel) const {
-        return depths.held_at(scalar_from<Depth>(is_x_major ? pixel.x : pixel.y));
+    /// The coordinate of a pixel's sample along the major axis.
+    Depth along_at(Pixel pixel) const {
+        const auto along = scalar_from<Depth>(is_x_major ? pixel.x : pixel.y);
+        return sample_offset ? Depth(along + *sample_offset) : along;
     }
 
+    /// The depth of the point at a pixel.
+    Depth depth_at(Pixel pixel) const { return depths.held_at(along_at(pixel)); }
+
     DeepPoint<Depth> at(Pixel pixel) const {
-        const auto along = scalar_from<Depth>(is_x_major ? pixel.x : pixel.y);
+        const Depth along = along_at(pixel);
         const Depth& first = is_x_major ? from.at.x : from.at.y;
         const Depth& last = is_x_major ? to.at.x : to.at.y;
         const bool goes_on = first < last;
@@ -78,7 +83,7 @@ template <typename Depth> struct LinePoints {
 /// line that is seen end-on is its nearer end. `larger_passes` as in DepthRule.
 template <typename Scalar>
 LinePoints<DepthOf<Scalar>> line_points(const Piece<Scalar>& piece, EdgeName side,
-                                        bool larger_passes) {
+                                        bool larger_passes, const Method& method) {
     using D = DepthOf<Scalar>;
     const auto point_of = [&](std::size_t corner) {
         DeepPoint<D> point = corner_of(piece, corner);
@@ -87,6 +92,7 @@ LinePoints<DepthOf<Scalar>> line_points(const Piece<Scalar>& piece, EdgeName sid
     };
     DeepPoint<D> from = point_of(side.from);
     DeepPoint<D> to = point_of(side.to);
+    const Number offset = piece.kind == PrimitiveKind::point ? Number(0) : line_offset_of(method);
     const bool is_x_major = is_longer_in_x<D>({from.at, to.at});
     const D& first = is_x_major ? from.at.x : from.at.y;
     const D& last = is_x_major ? to.at.x : to.at.y;
@@ -98,7 +104,8 @@ LinePoints<DepthOf<Scalar>> line_points(const Piece<Scalar>& piece, EdgeName sid
             {first, is_x_major ? from.at.y : from.at.x, last, is_x_major ? to.at.y : to.at.x},
             {first, from.depth, last, to.depth},
             from,
-            to};
+            to,
+            offset == Number(0) ? std::nullopt : std::optional<D>(scalar_from<D>(offset))};
 }
 
 /// True if a triangle covers a point on the screen, its sides included, and is nearer there. A
@@ -183,7 +190,7 @@ public:
                 DepthTests<DepthOf<OfPixels>>& tests, const Owners<DepthOf<OfPixels>>& owners,
                 const Sink& sink)
         : side_(side), scene_(scene), image_(image), tests_(tests), owners_(owners),
-          points_(line_points(piece, side, tests_.larger_passes())),
+          points_(line_points(piece, side, tests_.larger_passes(), scene.method)),
           thickness_(traits_of(piece.kind).thickness), ends_(ends_in_scene(scene, piece, side)),
           sink_(sink) {}
 

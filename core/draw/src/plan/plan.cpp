@@ -105,7 +105,8 @@ Plan plan_in_fractions(const Scene& scene, const AList& list, std::int64_t denom
 /// A plan with the narrowest exact type in which no step of the fill can overflow, for all of the
 /// scene. Depths, and colors in a perspective, are quotients of quotients: for them, any size.
 template <typename AList> Plan plan_in_exact_numbers(const Scene& scene, const AList& list) {
-    if (scene.has_depth_buffer() || scene.mixes_in_perspective())
+    if (scene.has_depth_buffer() || scene.mixes_in_perspective() ||
+        !scene.method.tolerance.is_zero())
         return {.number = NumberType::rational};
 
     // The least common multiple of the denominators as typed, and of the sample point's.
@@ -150,7 +151,9 @@ template <typename AList>
 Plan plan_on_grid(const Scene& scene, const AList& list, std::int64_t grid) {
     const std::int64_t halves = sample_of(scene.method) == Sample::center ? 2 : 1;
     const std::int64_t denominator = std::lcm(grid, halves);
-    return {.number = plan_in_fractions(scene, list, denominator).number,
+    return {.number = scene.method.tolerance.is_zero()
+                          ? plan_in_fractions(scene, list, denominator).number
+                          : NumberType::rational,
             .denominator = denominator,
             .coarseness = denominator / grid};
 }

@@ -22,10 +22,17 @@
 
 namespace rastertrace {
 
+/// Which rows a triangle has.
+enum class RowRule {
+    closed,    ///< from that of its highest vertex to that of its lowest, both included
+    half_open, ///< the lowest left out: a row that two triangles share belongs to the lower one
+};
+
 /// The choices that the scanline fill leaves open.
 struct ScanlineRules {
     LerpForm lerp = LerpForm::direct;
     SpanRounding span;
+    RowRule rows = RowRule::closed;
 };
 
 /// The y of the first row of pixels at or below height `y`, as seen in the picture.
@@ -36,6 +43,11 @@ template <typename Scalar> Index first_row_below(const Scalar& y, int down) {
 /// The y of the last row of pixels at or above height `y`, as seen in the picture.
 template <typename Scalar> Index last_row_above(const Scalar& y, int down) {
     return down > 0 ? floor_index(y) : ceil_index(y);
+}
+
+/// The y of the last row of a triangle whose lowest vertex is at height `y`.
+template <typename Scalar> Index last_row_of(const Scalar& y, RowRule rows, int down) {
+    return rows == RowRule::closed ? last_row_above(y, down) : first_row_below(y, down) - down;
 }
 
 /// The y of the first row whose short edge is the lower one. A row at the height of the middle
@@ -84,8 +96,8 @@ requires SinkFor<Sink, ScanlineSpanned<Scalar>>
 }
 
 /// Fills a triangle row by row, from the top of the picture to its bottom, both ends of each row
-/// included. Rows are the integers y between the highest and the lowest vertex. A triangle without
-/// area has rows, too: it is drawn as a point, or with one pixel on each row. The time is
+/// included. Rows are the integers y between the highest and the lowest vertex (RowRule). A triangle
+/// without area has rows, too: it is drawn as a point, or with one pixel on each row. The time is
 /// proportional to the rows on the canvas, not to the size of the triangle. Coordinates and the
 /// slopes of the edges must be finite.
 template <typename Scalar, typename Sink>
@@ -100,7 +112,7 @@ void fill_scanline(const Triangle<Scalar>& triangle, const ScanlineRules& rules,
 
     // The rows between top and bottom, as far as the canvas has them.
     const Index first_row = canvas.row_of(first_row_below(edges.top.position.y, down));
-    const Index last_row = canvas.row_of(last_row_above(edges.bottom.position.y, down));
+    const Index last_row = canvas.row_of(last_row_of(edges.bottom.position.y, rules.rows, down));
     const Index first_lower_row = canvas.row_of(first_lower_y(edges, down));
     const RowRange rows = rows_on_canvas(
         first_row, last_row, [&] { return misses_canvas(triangle, rules.span, canvas); }, canvas,

@@ -49,8 +49,9 @@ void fill_two_halves(const Triangle<Scalar>& triangle, const ScanlineRules& rule
     tell_edges(edges, sink);
 
     const Index top_row = canvas.row_of(first_row_below(edges.top.position.y, down));
-    const Index bottom_row = canvas.row_of(last_row_above(edges.bottom.position.y, down));
-    const Index middle_row = canvas.row_of(first_lower_y(edges, down));
+    const Index bottom_row = canvas.row_of(last_row_of(edges.bottom.position.y, rules.rows, down));
+    const Index middle_row =
+        std::min<Index>(canvas.row_of(first_lower_y(edges, down)), bottom_row + 1);
     const RowRange rows = rows_on_canvas(
         top_row, bottom_row, [&] { return misses_canvas(triangle, rules.span, canvas); }, canvas,
         sink);

@@ -267,15 +267,16 @@ struct BoundExceeded {
 
 /// Why a primitive draws nothing.
 enum class SkipReason {
-    off_canvas,      ///< it has pixels, and none of them lies on the canvas
-    between_rows,    ///< it lies between two rows of pixels
-    zero_area,       ///< its area is 0, and the fill has no use for that
-    culled,          ///< its face is turned away
-    behind_eye,      ///< clipping left nothing: all of it lies behind the eye, or beside it
-    too_near,        ///< clipping left nothing: all of it lies nearer than the near plane
-    too_far,         ///< clipping left nothing: all of it lies beyond the far plane
-    outside_view,    ///< clipping left nothing: all of it lies far outside the canvas
-    last_pixel_only, ///< a line of one pixel, whose last pixel is left out
+    off_canvas,        ///< it has pixels, and none of them lies on the canvas
+    between_rows,      ///< it lies between two rows of pixels
+    zero_area,         ///< its area is 0, and the fill has no use for that
+    culled,            ///< its face is turned away
+    behind_eye,        ///< clipping left nothing: all of it lies behind the eye, or beside it
+    too_near,          ///< clipping left nothing: all of it lies nearer than the near plane
+    too_far,           ///< clipping left nothing: all of it lies beyond the far plane
+    outside_view,      ///< clipping left nothing: all of it lies far outside the canvas
+    last_pixel_only,   ///< a line of one pixel, whose last pixel is left out
+    leaves_no_diamond, ///< a line that ends in the diamond that it begins in, or between diamonds
 };
 
 /// A primitive drew nothing; no further step belongs to it.

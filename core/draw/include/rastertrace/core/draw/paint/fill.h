@@ -32,14 +32,15 @@ template <typename Scalar> SampleGrid<Scalar> sample_grid(const Scene& scene, co
 template <typename Scalar, typename Sink>
 void fill(const Triangle<Scalar>& triangle, const std::array<Color, 3>& colors,
           const Method& method, const SampleGrid<Scalar>& grid, Canvas canvas, Sink&& sink) {
-    const ScanlineRules rules{.lerp = method.lerp, .span = span_rounding(method)};
+    const ScanlineRules rules{
+        .lerp = method.lerp, .span = span_rounding(method), .rows = method.rows};
     switch (method.fill) {
     case Fill::scanline:
         return fill_scanline(triangle, rules, canvas, sink);
     case Fill::two_halves:
         return fill_two_halves(triangle, rules, canvas, sink);
     case Fill::barycentric:
-        return fill_barycentric(triangle, grid.sample_offset(), canvas, sink);
+        return fill_barycentric(triangle, grid.sample_offset(), method.tolerance, canvas, sink);
     case Fill::top_left:
         return fill_top_left(triangle, grid, canvas, sink);
     case Fill::fan:

@@ -46,8 +46,9 @@ inline constexpr std::array all_fills{Fill::scanline, Fill::two_halves, Fill::ba
                                       Fill::top_left, Fill::fan};
 
 /// The algorithm that draws lines, and the sides of outlines.
-enum class LineMethod { naive, dda, bresenham };
-inline constexpr std::array all_lines{LineMethod::naive, LineMethod::dda, LineMethod::bresenham};
+enum class LineMethod { naive, dda, bresenham, diamond_exit };
+inline constexpr std::array all_lines{LineMethod::naive, LineMethod::dda, LineMethod::bresenham,
+                                      LineMethod::diamond_exit};
 
 /// What decides which pixels a fill draws.
 enum class PixelRule {
@@ -91,10 +92,12 @@ struct BitsNeeded {
 };
 
 struct LineTraits {
-    std::string_view name;    ///< in a scene
-    bool is_on_grid = false;  ///< it goes from pixel to pixel, and rounds nothing on the way
-    bool adds_up = false;     ///< each step adds to the one before
-    BitsNeeded fraction = {}; ///< more than an edge needs (plan.cpp)
+    std::string_view name;      ///< in a scene
+    bool is_on_grid = false;    ///< it goes from pixel to pixel, and rounds nothing on the way
+    bool adds_up = false;       ///< each step adds to the one before
+    bool rounds = false;        ///< the other coordinate becomes a pixel by the method's rounding
+    bool is_by_samples = false; ///< its ends are held against the samples of pixels
+    BitsNeeded fraction = {};   ///< more than an edge needs (plan.cpp)
 };
 
 /// Ends a switch that has a case for every enumerator: the compiler warns of a new one.
@@ -152,11 +155,13 @@ constexpr FillTraits traits_of(Fill fill) {
 constexpr LineTraits traits_of(LineMethod line) {
     switch (line) {
     case LineMethod::naive: // y = m x + b has the denominator of m twice
-        return {.name = "naive", .fraction = {3, 2, 8}};
+        return {.name = "naive", .rounds = true, .fraction = {3, 2, 8}};
     case LineMethod::dda:
-        return {.name = "dda", .adds_up = true};
+        return {.name = "dda", .adds_up = true, .rounds = true};
     case LineMethod::bresenham:
         return {.name = "bresenham", .is_on_grid = true};
+    case LineMethod::diamond_exit:
+        return {.name = "diamond-exit", .is_by_samples = true, .fraction = {3, 2, 8}};
     }
     not_an_enumerator();
 }

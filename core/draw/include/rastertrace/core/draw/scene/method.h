@@ -76,6 +76,8 @@ struct Method {
     std::optional<Rounding> rounding = {}; ///< floor for spans, nearest for lines
     std::optional<Ties> ties = {};         ///< up for spans, start for lines
     std::optional<Sample> sample = {};     ///< center for top-left, else integer
+    Tolerance tolerance = {};              ///< of rounding `inside`, and of barycentric weights
+    RowRule rows = RowRule::closed;              ///< of triangles that are filled by rows
     LerpForm lerp = LerpForm::direct;
     Snap snap = Snap::none;
     Cull cull = Cull::none;
@@ -95,7 +97,8 @@ inline bool decides_exactly(const Method& method) {
 
 /// How the ends of a fill's spans become pixels.
 inline SpanRounding span_rounding(const Method& method) {
-    return {method.rounding.value_or(Rounding::floor), method.ties.value_or(Ties::up)};
+    return {method.rounding.value_or(Rounding::floor), method.ties.value_or(Ties::up),
+            method.tolerance};
 }
 
 /// How the coordinates across naive and dda lines become pixels.
@@ -117,6 +120,11 @@ inline Sample sample_of(const Method& method) {
 /// How far that is from a pixel's integer point, in x and in y.
 inline Number sample_offset_of(const Method& method) {
     return sample_of(method) == Sample::center ? Number::decimal(5, -1) : Number(0);
+}
+
+/// The same for the pixels of lines.
+inline Number line_offset_of(const Method& method) {
+    return traits_of(method.line).is_by_samples ? sample_offset_of(method) : Number(0);
 }
 
 } // namespace rastertrace

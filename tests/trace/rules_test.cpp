@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: MIT
+// The rules of other programs, each against a second, plain implementation in fractions, with ties forced: vertices
+// on samples, lines through corners of diamonds.
+
+#include "random_choice.h"
+#include "traces.h"
+
+#include <rastertrace/trace/audit/redo.h>
+#include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/traced_steps.h>
+
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rastertrace {
+namespace {
+
+using Point = std::array<Rational, 2>;
+using Pixels = std::multiset<std::pair<Index, Index>>;
+
+constexpr int size = 12;
+constexpr std::array scalars{"float", "double", "fixed", "adaptive", "exact"};
+
+std::string text_of(const Point& p) {
+    return "[\"" + p[0].get_str() + "\",\"" + p[1].get_str() + "\"]";
+}
+
+/// Where the pixels of the canvas are: 0 .. size - 1 with y down, or with y up.
+std::string scene_of(const std::vector<Point>& points, const std::string& primitives,
+                     bool is_y_down, const std::string& method) {
+    std::string vertices;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        vertices += fmt::format(R"({}"{}":{})", i == 0 ? "" : ",", "ABCDEF"[i], text_of(points[i]));
+    return fmt::format(
+        R"({{"canvas":{{"width":{0},"height":{0},"origin":"{1}"}},"vertices":{{{2}}},{3},"method":{{{4}}}}})",
+        size, is_y_down ? "top-left" : "bottom-left", vertices, primitives, method);
+}
+
+Pixels plotted(const Trace& trace) {
+    Pixels pixels;
+    for (std::size_t n = 1; n <= trace.size(); ++n)
+        if (trace.kind_of(n) == StepKind::pixel) {
+            const auto step = trace.step(n).as<PixelStep>();
+            pixels.insert({step.x, step.y});
+        }
+    return pixels;
+}
+
+/// Draws a scene in every scalar, redoes what is told, and holds the pixels of those without rounding against what is
+/// expected.
+void expect_pixels(const std::vector<Point>& points, const std::string& primitives, bool is_y_down,
+                   const std::string& method, const Pixels& expected) {
+    for (const std::string scalar : scalars) {
+        const std::string scene =
+            scene_of(points, primitives, is_y_down,
+                     method + (method.empty() ? "" : ",") + R"("scalar":")" + scalar + '"');
+        const Trace trace = trace_of(scene_in(scene));
+        const Redone redone = redo(trace);
+        EXPECT_EQ(redone.wrong, 0U) << scene << redone.first.what;
+        const bool rounds = scalar == "float" || scalar == "double";
+        EXPECT_TRUE(rounds || plotted(trace) == expected) << scene;
+    }
+}
+
+Point random_point(Random& random, int parts) {
+    const auto coordinate = [&random, parts] {
+        return Rational(Rational(random.whole(-2 * parts, (size + 1) * parts)) / parts);
+    };
+    const Rational x = coordinate();
+    return {x, coordinate()};
+}
+
+Index floor_of(const Rational& x) {
+    mpz_class whole;
+    mpz_fdiv_q(whole.get_mpz_t(), x.get_num_mpz_t(), x.get_den_mpz_t());
+    return whole.get_si();
+}
+Index ceil_of(const Rational& x) {
+    return -floor_of(Rational(-x));
+}
+
+Rational cross(const Point& a, const Point& b, const Point& c) {
+    return (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
+}
+
+/// The ends of a triangle in a row, if it reaches that.
+std::optional<std::array<Rational, 2>> ends_in_row(const std::vector<Point>& t, const Rational& y) {
+    std::vector<Rational> meets;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Point& p = t[i];
+        const Point& q = t[(i + 1) % 3];
+        if (p[1] == y)
+            meets.push_back(p[0]);
+        if ((p[1] < y && y < q[1]) || (q[1] < y && y < p[1]))
+            meets.emplace_back(p[0] + (y - p[1]) * (q[0] - p[0]) / (q[1] - p[1]));
+    }
+    if (meets.empty())
+        return std::nullopt;
+    const auto [low, high] = std::minmax_element(meets.begin(), meets.end());
+    return std::array<Rational, 2>{*low, *high};
+}
+
+/// The pixels of a triangle row by row; `pixels_of(left, right)` are the first and the last one of a row.
+Pixels rows_of(const std::vector<Point>& t, bool is_y_down, bool is_half_open,
+               const std::function<std::array<Index, 2>(const Rational&, const Rational&)>& of) {
+    const auto lowest = [&t, is_y_down] {
+        Rational y = t[0][1];
+        for (const Point& p : t)
+            y = is_y_down ? std::max(y, p[1]) : std::min(y, p[1]);
+        return y;
+    }();
+    Pixels pixels;
+    for (Index y = 0; y < size; ++y) {
+        const auto ends = ends_in_row(t, Rational(y));
+        if (!ends || (is_half_open && lowest == y))
+            continue;
+        const auto [from, to] = of((*ends)[0], (*ends)[1]);
+        for (Index x = std::max<Index>(from, 0); x <= std::min<Index>(to, size - 1); ++x)
+            pixels.insert({x, y});
+    }
+    return pixels;
+}
+
+std::vector<Point> random_triangle(Random& random) {
+    const int parts = random.pick({1, 1, 2, 4});
+    return {random_point(random, parts), random_point(random, parts), random_point(random, parts)};
+}
+
+TEST(HalfOpenRows, LeaveOutTheRowOfTheLowestVertex) {
+    Random random(1);
+    for (int run = 0; run < 150; ++run) {
+        const auto t = random_triangle(random);
+        const bool is_y_down = random.chance(2);
+        const std::string fill = random.pick({"scanline", "two-halves"});
+        const Pixels expected =
+            rows_of(t, is_y_down, true, [](const Rational& left, const Rational& right) {
+                return std::array{ceil_of(left), ceil_of(right) - 1};
+            });
+        expect_pixels(t, R"("triangles":["ABC"])", is_y_down,
+                      R"("rows":"half-open","rounding":"half-open","fill":")" + fill + '"',
+                      expected);
+    }
+}
+
+/// Four triangles around a point: with half-open rows and ends each pixel is drawn once, with closed ones the pixels
+/// on shared edges are drawn by each.
+TEST(HalfOpenRows, GiveEachPixelOfASharedEdgeToOneTriangle) {
+    Random random(2);
+    std::size_t closed_twice = 0;
+    for (int run = 0; run < 100; ++run) {
+        const int parts = random.pick({1, 2, 3});
+        const std::vector<Point> points{
+            {Rational(random.whole(0, 3)), Rational(random.whole(0, 3))},
+            {Rational(random.whole(8, 11)), Rational(random.whole(0, 3))},
+            {Rational(random.whole(8, 11)), Rational(random.whole(8, 11))},
+            {Rational(random.whole(0, 3)), Rational(random.whole(8, 11))},
+            {Rational(Rational(random.whole(4 * parts, 7 * parts)) / parts),
+             Rational(Rational(random.whole(4 * parts, 7 * parts)) / parts)}};
+        for (const bool is_half_open : {true, false}) {
+            const std::string rule = is_half_open ? R"("rows":"half-open","rounding":"half-open")"
+                                                  : R"("rounding":"inside")";
+            const Pixels all = plotted(
+                trace_of(scene_in(scene_of(points, R"("triangles":["ABE","BCE","CDE","DAE"])",
+                                           random.chance(2), rule + R"(,"scalar":"exact")"))));
+            const std::set<std::pair<Index, Index>> once(all.begin(), all.end());
+            EXPECT_TRUE(!is_half_open || once.size() == all.size()) << run;
+            closed_twice += is_half_open ? 0 : all.size() - once.size();
+        }
+    }
+    EXPECT_GT(closed_twice, 100U);
+}
+
+TEST(Tolerance, WidensTheEndsOfRows) {
+    Random random(3);
+    const Rational by(1, 5);
+    for (int run = 0; run < 80; ++run) {
+        const auto t = random_triangle(random);
+        const Pixels expected =
+            rows_of(t, true, false, [&by](const Rational& left, const Rational& right) {
+                return std::array{ceil_of(left - by), floor_of(right + by)};
+            });
+        expect_pixels(t, R"("triangles":["ABC"])", true,
+                      R"("rounding":"inside","inside_tolerance":"1/5")", expected);
+    }
+}
+
+TEST(Tolerance, LetsWeightsBeBelowZero) {
+    Random random(4);
+    const Rational least(-3, 20);
+    for (int run = 0; run < 80; ++run) {
+        const auto t = random_triangle(random);
+        const Rational area = cross(t[0], t[1], t[2]);
+        if (area == 0)
+            continue;
+        Pixels expected;
+        for (Index y = 0; y < size; ++y)
+            for (Index x = 0; x < size; ++x) {
+                const Point p{Rational(x), Rational(y)};
+                if (cross(t[1], t[2], p) / area >= least && cross(t[2], t[0], p) / area >= least &&
+                    cross(t[0], t[1], p) / area >= least)
+                    expected.insert({x, y});
+            }
+        expect_pixels(t, R"("triangles":["ABC"])", true,
+                      R"("fill":"barycentric","inside_tolerance":0.15)", expected);
+    }
+}
+
+TEST(Tolerance, IsRefusedWhereItMeansNothing) {
+    const auto refusal = [](const std::string& method) {
+        return refusal_of_scene(R"({"vertices":{"A":[0,0],"B":[4,0],"C":[0,4]},)"
+                                R"("triangles":["ABC"],"method":{)" +
+                                method + "}}");
+    };
+    EXPECT_EQ(refusal(R"("inside_tolerance":1e-5,"rounding":"inside")"), "");
+    EXPECT_EQ(refusal(R"("inside_tolerance":"1/1000","fill":"barycentric")"), "");
+    EXPECT_EQ(
+        refusal(R"("inside_tolerance":1e-5)"),
+        R"(expected "rounding": "inside" or "fill": "barycentric" beside inside_tolerance, found )"
+        "another rule");
+    for (const std::string wrong : {"1e300", "-1", "0.6", R"("NaN")", "[]", R"("")"})
+        EXPECT_EQ(refusal(R"("rounding":"inside","inside_tolerance":)" + wrong)
+                      .starts_with("expected a number from 0 to 1/2"),
+                  true)
+            << wrong;
+    EXPECT_EQ(refusal(R"("rows":"half-open","fill":"top-left")"),
+              R"(expected a fill by rows beside "rows": "half-open", found "fill": "top-left")");
+}
+
+/// |x - i| + |y - j| of the point of a line at t.
+Rational distance_in_diamond(const Point& a, const Point& b, const Point& center,
+                             const Rational& t) {
+    Rational sum = 0;
+    for (std::size_t i = 0; i < 2; ++i)
+        sum += abs(Rational(a[i] + t * (b[i] - a[i]) - center[i]));
+    return sum;
+}
+
+/// OpenGL's definition, pixel by pixel, with an e that is small enough for coordinates in quarters: the moved line
+/// meets the diamond, and does not end in it.
+Pixels pixels_of_diamonds(Point a, Point b, bool is_y_down, const Rational& sample) {
+    const Rational e = Rational(1) / (1 << 20);
+    for (Point* p : {&a, &b}) {
+        (*p)[0] -= e;
+        (*p)[1] -= (is_y_down ? -1 : 1) * e * e;
+    }
+    Pixels pixels;
+    for (Index y = 0; y < size; ++y)
+        for (Index x = 0; x < size; ++x) {
+            const Point center{x + sample, y + sample};
+            std::vector<Rational> ts{0, 1};
+            for (std::size_t i = 0; i < 2; ++i)
+                if (a[i] != b[i])
+                    ts.emplace_back((center[i] - a[i]) / (b[i] - a[i]));
+            const bool meets = std::any_of(ts.begin(), ts.end(), [&](const Rational& t) {
+                return 0 <= t && t <= 1 && distance_in_diamond(a, b, center, t) < Rational(1, 2);
+            });
+            if (meets && distance_in_diamond(a, b, center, 1) >= Rational(1, 2))
+                pixels.insert({x, y});
+        }
+    return pixels;
+}
+
+TEST(DiamondExit, DrawsTheDiamondsThatALineLeaves) {
+    Random random(5);
+    std::size_t drawn = 0;
+    for (int run = 0; run < 250; ++run) {
+        const int parts = random.pick({1, 2, 4});
+        const Point a = random_point(random, parts);
+        const Point b = random.chance(4) ? Point{a[0] + Rational(random.whole(-4, 4)) / 4,
+                                                 a[1] + Rational(random.whole(-4, 4)) / 4}
+                                         : random_point(random, parts);
+        const bool is_y_down = random.chance(2);
+        const bool is_center = random.chance(2);
+        const Pixels expected =
+            pixels_of_diamonds(a, b, is_y_down, is_center ? Rational(1, 2) : Rational(0));
+        drawn += expected.size();
+        expect_pixels(
+            {a, b}, R"("lines":["AB"])", is_y_down,
+            fmt::format(R"("line":"diamond-exit","sample":"{}")", is_center ? "center" : "integer"),
+            expected);
+    }
+    EXPECT_GT(drawn, 500U);
+}
+
+/// A line that is cut at a point of it has the same pixels as its two parts, none of them twice.
+TEST(DiamondExit, ALineIsTheLinesThatItIsMadeOf) {
+    Random random(6);
+    for (int run = 0; run < 100; ++run) {
+        const Point a = random_point(random, 2);
+        const Point c = random_point(random, 2);
+        const Point b{(a[0] + c[0]) / 2, (a[1] + c[1]) / 2};
+        const bool is_y_down = random.chance(2);
+        const auto pixels = [&](const std::string& lines) {
+            return plotted(trace_of(scene_in(scene_of(
+                {a, b, c}, lines, is_y_down, R"("line":"diamond-exit","scalar":"exact")"))));
+        };
+        EXPECT_TRUE(pixels(R"("lines":["AB","BC"])") == pixels(R"("lines":["AC"])")) << run;
+    }
+}
+
+} // namespace
+} // namespace rastertrace
