@@ -709,7 +709,9 @@ private:
         const Depth run = to[along] - from[along];
         if (run == Depth(0))
             return {from, larger_passes() == (first < last) ? last : first};
-        const Depth way = whole<Depth>(along == 0 ? column : y) - from[along];
+        const Depth offset =
+            rules_.lines.line == LineMethod::diamond_exit ? depth_number(offset_) : Depth(0);
+        const Depth way = whole<Depth>(along == 0 ? column : y) + offset - from[along];
         const Depth part = std::clamp(Depth(way / run), Depth(0), Depth(1));
         LinePoint point;
         for (std::size_t i = 0; i < 2; ++i)

@@ -95,8 +95,8 @@ PlaceOnLine beyond_ends(const Trace& trace, const LineSteps& line, Pixel pixel) 
         return {fmt::format("{}: {} = {} lies beyond it, by {}", goes, axis, text(at), text(gap)),
                 gap};
     if (trace.method_value("line") == "diamond-exit")
-        return {fmt::format("{}, and does not leave the diamond of a pixel at {} = {}", goes, axis,
-                            text(at)),
+        return {fmt::format("{}, and does not leave the diamond of a pixel at {} = {}{}", goes,
+                            axis, text(at), by_convention(trace)),
                 Rational(0)};
     if (trace.method_value("ends") == "first")
         for (const Pixel& end : {pixel_at(to), pixel_at(from)})

@@ -82,8 +82,9 @@ std::optional<WhyNot> by_edge_function(const Case& c) {
         farthest =
             WhyNot{.reason = "outside",
                    .sentence = sgn(value) == 0
-                                   ? fmt::format("E of {} at {} = {}: it is no top or left edge",
-                                                 edge, text(c.sample), function->at(c.sample))
+                                   ? fmt::format("E of {} at {} = {}: it is no top or left edge{}",
+                                                 edge, text(c.sample), function->at(c.sample),
+                                                 by_convention(c.trace))
                                    : fmt::format("E of {}{} at {} = {}, {} px beyond it", edge,
                                                  made_by_clipping(edge), text(c.sample),
                                                  function->at(c.sample), six_places(distance)),
@@ -103,7 +104,7 @@ WhyNot beyond_end(const Case& c, std::size_t n, bool is_left) {
         !end           ? fmt::format("lies {} that pixel", is_left ? "before" : "beyond")
         : sgn(gap) > 0 ? fmt::format("lies {} it by {}", is_left ? "before" : "beyond", text(gap))
         : sgn(gap) == 0
-            ? std::string("lies on it, and the rule leaves it out")
+            ? "lies on it, and the rule leaves it out" + by_convention(c.trace)
             : fmt::format("lies {} within it, and the rule leaves it out", text(abs(gap)));
     const std::string edge = told.edge.text();
     WhyNot why = outside(fmt::format("{}{} {} row y={} at x = {}{} -> {}; x = {} {}",
@@ -237,12 +238,14 @@ std::optional<WhyNot> by_rows(const Case& c) {
     const Rational distance = abs(c.sample.y - (*corners)[corner].y);
     const bool is_left_out =
         is_below && sgn(distance) == 0 && c.trace.method_value("rows") == "half-open";
-    return outside(fmt::format("row y={} lies {} {}: its {} corner, {}, is at y = {}{}", c.pixel.y,
-                               is_above ? "above" : "below", rows, is_above ? "highest" : "lowest",
-                               c.primitive.vertices[corner],
-                               in_sentence(c.primitive.positions[corner][1]),
-                               is_left_out ? ", and half-open rows leave out the lowest" : ""),
-                   distance);
+    return outside(
+        fmt::format("row y={} lies {} {}: its {} corner, {}, is at y = {}{}", c.pixel.y,
+                    is_above ? "above" : "below", rows, is_above ? "highest" : "lowest",
+                    c.primitive.vertices[corner], in_sentence(c.primitive.positions[corner][1]),
+                    is_left_out
+                        ? ", and half-open rows leave out the lowest" + by_convention(c.trace)
+                        : std::string()),
+        distance);
 }
 
 /// AB, or A1-B1: the side across from a corner.

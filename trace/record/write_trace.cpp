@@ -68,7 +68,7 @@ std::string header_members(const Scene& scene, const Plan& plan, const StepFilte
     if (const std::string_view numbers = numbers_in_words(scene, plan); !numbers.empty())
         text += fmt::format(R"(,"numbers":"{}")", numbers);
     if (scene.has_transforms())
-        text += fmt::format(R"(,"projection":"{}","viewport":"{}")", name_of(scene.projection.type),
+        text += fmt::format(R"(,"projection":"{}","viewport":"{}")", name_of(scene.projection),
                             name_of(scene.viewport));
     if (decides_exactly(scene.method) && has_rounded_matrix(scene))
         text += R"(,"matrices":"irrational entries are the nearest doubles")";

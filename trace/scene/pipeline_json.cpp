@@ -256,6 +256,10 @@ Projection read_projection(const JsonReader& json, const JsonValue& value) {
         read_frustum(json, value, projection);
         break;
     case ProjectionType::clip_space:
+        json.allow_keys(value, clip_space_keys);
+        if (const auto z = value.find("z"))
+            projection.z_from_zero = place_of_word(json, *z, z_range_words) == 1;
+        break;
     case ProjectionType::none:
         json.allow_keys(value, no_projection_keys);
         break;

@@ -15,6 +15,7 @@
 #include <rastertrace/core/raster/circle.h>
 #include <rastertrace/trace/text/canvas_json.h>
 #include <rastertrace/trace/text/color_text.h>
+#include <rastertrace/trace/text/conventions.h>
 #include <rastertrace/trace/text/json_document.h>
 #include <rastertrace/trace/text/json_reader.h>
 #include <rastertrace/trace/text/json_scanner.h>
@@ -35,6 +36,7 @@
 #include <iterator>
 #include <limits>
 #include <optional>
+#include <set>
 #include <system_error>
 #include <unordered_map>
 #include <unordered_set>
@@ -90,11 +92,14 @@ public:
             scene_.title = json_.string_in(*title, "a title in quotes");
         if (const auto background = root.find("background"))
             scene_.background = color_in(*background);
+        if (const auto convention = root.find("convention"))
+            read_choice(*find_method_key("convention"), *convention);
         if (const auto method = root.find("method"))
             read_method(*method);
         if (const auto keep = root.find("keep"))
             read_keep(*keep);
         apply_overrides();
+        apply_convention();
         if (const auto vertices = root.find("vertices"))
             read_vertices(*vertices);
         read_objects(root.find("model"), root.find("meshes"));
@@ -115,6 +120,7 @@ public:
                 R"(the smallest scene: {"vertices": {"A": [2, 5], "B": [-4, -3], "C": [5, -3]}, )"
                 R"("triangles": ["ABC"]})");
         read_view(root);
+        drop_what_means_nothing();
         check_method(root);
         read_canvas(root.find("canvas"), root);
     }
@@ -188,16 +194,19 @@ private:
     void read_method(const JsonValue& method) {
         std::vector<std::string_view> known;
         for (const MethodKey& key : method_keys())
-            known.push_back(key.name);
+            if (key.name != "convention") // a key of the scene
+                known.push_back(key.name);
         json_.allow_keys(method, known);
-        for (const auto& [name, value] : method.members()) {
-            const MethodKey& key = *find_method_key(name.text);
-            const bool is_word = value.kind == JsonValue::Kind::string ||
-                                 (value.kind == JsonValue::Kind::number && key.takes_number());
-            if (!is_word || !key.set(scene_.method, value.text))
-                json_.fail_expecting(value, key.expected(),
-                                     did_you_mean(value.text, key.values, "\""));
-        }
+        for (const auto& [name, value] : method.members())
+            read_choice(*find_method_key(name.text), value);
+    }
+
+    void read_choice(const MethodKey& key, const JsonValue& value) {
+        const bool is_word = value.kind == JsonValue::Kind::string ||
+                             (value.kind == JsonValue::Kind::number && key.takes_number());
+        if (!is_word || !key.set(scene_.method, value.text))
+            json_.fail_expecting(value, key.expected(), did_you_mean(value.text, key.values, "\""));
+        said_.insert(key.name);
     }
 
     /// The stages that run although the scene does not need them.
@@ -221,7 +230,37 @@ private:
             const MethodKey* key = find_method_key(name);
             if (key == nullptr || !key->set(scene_.method, value))
                 throw problem_of("", fmt::format("--{}: no such choice: {}", name, value));
+            said_.insert(key->name);
         }
+    }
+
+    /// What the scene's convention sets, and the scene does not say itself.
+    void apply_convention() {
+        if (const ConventionRow* const row = row_of(scene_.method.convention))
+            for (const auto& [name, value] : row->method)
+                if (!said_.contains(name))
+                    find_method_key(name)->set(scene_.method, value);
+    }
+
+    /// What the convention has set for other fills, or for depths that the scene has not.
+    void drop_what_means_nothing() {
+        if (scene_.method.convention == Convention::none)
+            return;
+        Method& method = scene_.method;
+        const Method other;
+        const auto drop = [&](std::string_view key, auto Method::*member, bool means_nothing) {
+            if (means_nothing && !said_.contains(key))
+                method.*member = other.*member;
+        };
+        const FillTraits fill = traits_of(method.fill);
+        const bool by_rows = fill.rule == PixelRule::row_ends;
+        drop("rows", &Method::rows, !by_rows);
+        drop("rounding", &Method::rounding, !by_rows);
+        drop("inside_tolerance", &Method::tolerance,
+             fill.depths != DepthForm::weights || !scene_.has(PrimitiveKind::triangle));
+        drop("depth", &Method::depth,
+             scene_.projection.type == ProjectionType::none || place_of_flat_);
+        drop("ends", &Method::ends, traits_of(method.line).is_by_samples);
     }
 
     void read_vertices(const JsonValue& vertices, const std::string& prefix = {}) {
@@ -663,6 +702,11 @@ private:
                            std::string(hint));
             projection.type = ProjectionType::clip_space;
         }
+        const ConventionRow* const row = row_of(scene_.method.convention);
+        const auto given = root.find("projection");
+        if (projection.type == ProjectionType::clip_space && row != nullptr &&
+            !(given && given->find("z")))
+            projection.z_from_zero = row->view->z_from_zero;
         if (projection.type != ProjectionType::clip_space)
             return;
         const auto refuse = [this](std::size_t at, std::string_view what) {
@@ -687,6 +731,23 @@ private:
         }
     }
 
+    void take_viewport_of_convention() {
+        const ConventionRow* const row = row_of(scene_.method.convention);
+        Projection& projection = scene_.projection;
+        // The view plane of a pinhole has a size of its own.
+        if (row == nullptr || projection.type == ProjectionType::none ||
+            projection.type == ProjectionType::pinhole)
+            return;
+        const ConventionView& view = *row->view;
+        scene_.viewport = {.type = ViewportType::pixels,
+                           .pixels_per_unit = 1,
+                           .pixels = view.pixels,
+                           .is_y_down = view.is_y_down};
+        const bool holds_z = scene_.method.depth.value_or(Depth::ndc_z) == Depth::ndc_z;
+        if (view.has_unit_depths && has_canonical_z(projection) && holds_z)
+            scene_.viewport.depths = {Number(0), Number(1)};
+    }
+
     /// How vertices come to the screen.
     void read_view(const JsonValue& root) {
         const auto camera = root.find("camera");
@@ -708,6 +769,10 @@ private:
         begin_in_clip_space(root);
         if (const auto viewport = root.find("viewport"))
             scene_.viewport = read_viewport(json_, *viewport);
+        else
+            take_viewport_of_convention();
+        if (scene_.viewport.depths)
+            scene_.viewport.depths->lowest_z = scene_.projection.z_from_zero ? 0 : -1;
         if (scene_.viewport.depths && !has_canonical_z(scene_.projection))
             json_.fail(*root.find("viewport")->find("depth_range"),
                        "expected a frustum, an orthographic projection with near and far, or "
@@ -1059,6 +1124,7 @@ private:
     std::vector<ScenePrimitive> faces_; ///< of meshes, until they are drawn in their turn
     std::vector<std::size_t> places_of_ears_; ///< in `faces_`: the first of each face that was cut
     std::vector<Problem> remarks_on_meshes_;
+    std::set<std::string_view> said_; ///< keys of the method that the scene, or an option, gives
     std::unordered_set<std::string> names_of_primitives_; ///< those that the author gave
 };
 

@@ -37,6 +37,7 @@ inline constexpr std::array scene_keys{
         "How camera space comes to the view plane; without it, x and y are places on the screen"},
     JsonKey{"viewport", "viewport", "How the view plane comes to the canvas"},
     JsonKey{"light", "light", "The light, for \"shade\": \"lambert\" and \"cull\": \"light\""},
+    JsonKey{"convention", "convention", "Whose rules it is drawn by; its own keys win"},
     JsonKey{"method", "method", "Which algorithm draws, with which conventions"},
     JsonKey{"keep", "stages", "Stages that run although the scene does not need them"},
     JsonKey{"vary", "vary", "Numbers that have another value in each frame of a sequence"},
@@ -108,6 +109,11 @@ inline constexpr std::array camera_keys{
 inline constexpr JsonKey projection_type{"type", "projection-type", "Which projection it is", true};
 
 inline constexpr std::array no_projection_keys{projection_type};
+inline constexpr std::array clip_space_keys{
+    projection_type,
+    JsonKey{"z", "z-range", "Which z is in view: -w to w, or 0 to w"},
+};
+inline constexpr std::array<std::string_view, 2> z_range_words{"minus-one-to-one", "zero-to-one"};
 inline constexpr std::array orthographic_keys{
     projection_type,
     JsonKey{"left", "number", "The smallest x in view", true},
@@ -146,6 +152,7 @@ constexpr std::span<const JsonKey> keys_of(ProjectionType type) {
     case ProjectionType::frustum:
         return frustum_keys;
     case ProjectionType::clip_space:
+        return clip_space_keys;
     case ProjectionType::none:
         break;
     }

@@ -105,6 +105,8 @@ Json projection() {
 Json method() {
     Json schema{{"type", "object"}, {"properties", Json::object()}};
     for (const MethodKey& key : method_keys()) {
+        if (key.name == "convention")
+            continue; // a key of the scene
         Json value = key.values.empty() ? number_schema() : one_of(key.values);
         // A number may stand in quotes, or without.
         if (key.is_number())
@@ -195,6 +197,8 @@ std::string scene_schema() {
         {"anyOf", Json::array({{{"const", infinity_word}}, reference_to("positive")})}};
     definitions["viewport"] = {
         {"anyOf", Json::array({fits, object_with(pixels_keys), object_with(viewport_keys)})}};
+    definitions["z-range"] = one_of(z_range_words);
+    definitions["convention"] = one_of(find_method_key("convention")->values);
     definitions["pixel-range"] = one_of(pixel_range_names());
     definitions["viewport-y"] = one_of(viewport_y_words);
     definitions["light"] = one_key_of(light_keys);

@@ -503,6 +503,13 @@ Rational line_offset(const Trace& trace) {
     return trace.method_value("line") == "diamond-exit" ? sample_offset(trace) : Rational(0);
 }
 
+std::string by_convention(const Trace& trace) {
+    const std::string convention = trace.method_value("convention");
+    return convention.empty()
+               ? convention
+               : said({", by the rule of {}", ", pela regra de {}"}, printable(convention));
+}
+
 std::optional<Vec2> sample_of(const Trace& trace, const StepView& step) {
     const auto x = x_in(step);
     const auto y = y_in(step);

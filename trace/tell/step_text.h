@@ -207,6 +207,9 @@ Rational sample_offset(const Trace& trace);
 /// The same where a line is held against the samples of its pixels, else 0.
 Rational line_offset(const Trace& trace);
 
+/// Whose rule decided: `, by the rule of direct3d`; "" without a convention.
+std::string by_convention(const Trace& trace);
+
 /// The sample point of the pixel that a step is about.
 std::optional<Vec2> sample_of(const Trace& trace, const StepView& step);
 

@@ -225,9 +225,21 @@ void put_edge_function(Sheet& sheet, const EndOfRow& end) {
     for (const std::size_t n : sheet.replay.edges()) {
         const auto edge = sheet.trace().step(n).as<EdgeStep>();
         const auto function = edge_function_in(edge, sheet.primitive);
-        if (function && edge.edge == end.edge)
-            sheet.put(said({"E of {} at {} = {}", "E de {} em {} = {}"}, edge.edge.text(),
-                           text(sample), function->at(sample)));
+        if (!function || edge.edge != end.edge)
+            continue;
+        // On the edge, its kind decides.
+        const bool is_tie = sgn(function->value_at(sample)) == 0;
+        const std::string rule = by_convention(sheet.trace());
+        std::string why;
+        if (is_tie && !rule.empty())
+            why = (function->is_top_left
+                       ? said({" on a top or left edge: inside", " numa aresta superior ou "
+                                                                 "esquerda: dentro"})
+                       : said({" on another edge: outside", " noutra aresta: fora"})) +
+                  rule;
+        sheet.put(said({"E of {} at {} = {}", "E de {} em {} = {}"}, edge.edge.text(), text(sample),
+                       function->at(sample)) +
+                  why);
     }
 }
 
@@ -329,7 +341,8 @@ void put_depth_on_line(Sheet& sheet) {
     const Rational& from = is_x_major ? ends->from.x : ends->from.y;
     const Rational& to = is_x_major ? ends->to.x : ends->to.y;
     const Rational at =
-        std::clamp(Rational(is_x_major ? test.x : test.y), std::min(from, to), std::max(from, to));
+        std::clamp(Rational((is_x_major ? test.x : test.y) + line_offset(sheet.trace())),
+                   std::min(from, to), std::max(from, to));
     if (from == to)
         return;
     const Rational value = Lerp{.d1 = d1, .i1 = from, .d2 = d2, .i2 = to, .i = at}.value();

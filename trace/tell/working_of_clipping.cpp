@@ -103,8 +103,9 @@ Plane plane_named(const Sheet& sheet, const std::string& name, const Matrix<Rati
                   const Place& vertex) {
     const Rational zero;
     const bool is_near = name == "near";
-    if (sheet.trace().projection == "clip-space" && (is_near || name == "far"))
-        return {"", {zero, zero, is_near ? 1 : -1, 1}, zero};
+    const std::string& type = sheet.trace().projection;
+    if (type.starts_with("clip-space") && (is_near || name == "far"))
+        return {"", {zero, zero, is_near ? 1 : -1, is_near && type != "clip-space" ? 0 : 1}, zero};
     if (is_near || name == "far") {
         const Rational& a = projection.rows[2][2];
         const Rational& b = projection.rows[2][3];
@@ -178,7 +179,7 @@ void write_meeting_point(Sheet& sheet) {
         return;
     const auto at = numbers_in<4>(vertex.at.texts());
     const std::string& type = sheet.trace().projection;
-    const bool is_typed_in_clip_space = type == "clip-space";
+    const bool is_typed_in_clip_space = type.starts_with("clip-space");
     const auto projection = is_typed_in_clip_space ? std::optional(identity<Rational>())
                                                    : matrix_named(sheet, "projection");
     const auto [planes, corners] = cut_before(sheet);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "method_names.h"
 
+#include "conventions.h"
 #include "text.h"
 
 #include <fmt/core.h>
@@ -47,7 +48,8 @@ constexpr std::array tie_rules{Word{Ties::start, "start"}, Word{Ties::up, "up"},
                                Word{Ties::away, "away"}, Word{Ties::even, "even"},
                                Word{Ties::step, "step"}};
 constexpr std::array samples{Word{Sample::integer, "integer"}, Word{Sample::center, "center"}};
-constexpr std::array row_rules{Word{RowRule::closed, "closed"}, Word{RowRule::half_open, "half-open"}};
+constexpr std::array row_rules{Word{RowRule::closed, "closed"},
+                               Word{RowRule::half_open, "half-open"}};
 constexpr std::array lerps{Word{LerpForm::direct, "direct"},
                            Word{LerpForm::incremental, "incremental"}};
 constexpr std::array snaps{Word{Snap::none, "none"}, Word{Snap::floor, "floor"},
@@ -198,12 +200,40 @@ bool set_tolerance(Method& method, std::string_view text) {
 
 } // namespace
 
+/// Not of `key`: its words are those of the table.
+static MethodKey convention_key() {
+    MethodKey key{
+        .name = "convention",
+        .meaning = "the rules of graphics hardware, another rasterizer or a course",
+        .values = {},
+        .get =
+            [](const Method& method) {
+                const ConventionRow* const row = row_of(method.convention);
+                return row == nullptr ? std::string() : std::string(row->name);
+            },
+        .set =
+            [](Method& method, std::string_view value) {
+                for (const ConventionRow& row : convention_rows())
+                    if (row.name == value) {
+                        method.convention = row.convention;
+                        return true;
+                    }
+                return false;
+            },
+        .otherwise = [](const Scene&) { return std::string(); },
+        .in_force = [](const Scene& scene) { return scene.method.convention != Convention::none; }};
+    for (const ConventionRow& row : convention_rows())
+        key.values.push_back(row.name);
+    return key;
+}
+
 std::string MethodKey::expected() const {
     return values.empty() ? std::string(number) : fmt::format("one of {}", joined(values, ", "));
 }
 
 std::span<const MethodKey> method_keys() {
     static const std::array keys{
+        convention_key(),
         key<&Method::scalar, scalars>("scalar", "the numbers to draw with", always),
         key<&Method::line, lines>("line", "the algorithm that draws lines", has_lines),
         key<&Method::from, starts>("from", "the end that lines are drawn from", has_lines),

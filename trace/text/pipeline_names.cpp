@@ -18,6 +18,10 @@ std::string_view name_of(ProjectionType type) {
     return projections[static_cast<std::size_t>(type)];
 }
 
+std::string name_of(const Projection& projection) {
+    return std::string(name_of(projection.type)) + (projection.z_from_zero ? ", z from 0" : "");
+}
+
 std::optional<ProjectionType> projection_named(std::string_view name) {
     for (std::size_t i = 0; i < projections.size(); ++i)
         if (projections[i] == name)

@@ -15,6 +15,9 @@ namespace rastertrace {
 
 /// none, orthographic, pinhole, view-plane, frustum.
 std::string_view name_of(ProjectionType type);
+
+/// The same, for a trace: `clip-space, z from 0` is one of its own.
+std::string name_of(const Projection& projection);
 std::optional<ProjectionType> projection_named(std::string_view name);
 std::vector<std::string_view> projection_names();
 

@@ -55,7 +55,8 @@ std::string scene_to_move(const Source& source, const MethodOverrides& method,
         {"width", canvas.width}, {"height", canvas.height}, {"origin", name_of(canvas.origin)}};
     for (const auto& [key, value] : method) {
         const MethodKey* const row = find_method_key(key);
-        scene["method"][key] =
+        Json& place = key == "convention" ? scene : scene["method"];
+        place[key] =
             row != nullptr && row->is_number() ? Json::parse(value, nullptr, false) : Json(value);
     }
     return scene.dump();

@@ -7,6 +7,9 @@
 #include "shared_options.h"
 
 #include <rastertrace/core/draw/plan/plan.h>
+#include <rastertrace/trace/text/conventions.h>
+#include <rastertrace/trace/text/method_names.h>
+#include <rastertrace/trace/text/pipeline_names.h>
 #include <rastertrace/trace/text/stage_name.h>
 #include <rastertrace/trace/text/text.h>
 
@@ -33,6 +36,33 @@ std::string as_text(const Savings& saved) {
     return text;
 }
 
+/// A rule that the scene is drawn by, and what follows from it.
+struct RuleNote {
+    std::string_view rule;
+    std::string value;
+    std::string note;
+};
+
+/// Its convention, and a tolerance.
+std::vector<RuleNote> rules_of(const Scene& scene) {
+    std::vector<RuleNote> notes;
+    if (const ConventionRow* const row = row_of(scene.method.convention)) {
+        std::string sets;
+        for (const auto& [key, value] : row->method)
+            if (const MethodKey& known = *find_method_key(key); known.get(scene.method) == value)
+                sets += fmt::format("{}{} {}", sets.empty() ? "" : ", ", key, value);
+        notes.push_back({"convention", std::string(row->name),
+                         fmt::format("{}: {}; viewport {}; unusual: {}", row->what, sets,
+                                     name_of(scene.viewport), row->unusual)});
+    }
+    const MethodKey& tolerance = *find_method_key("inside_tolerance");
+    if (const std::string value = tolerance.get(scene.method); !value.empty())
+        notes.push_back({"tolerance", value,
+                         "warning: pixels on and next to an edge that two triangles share are "
+                         "drawn by both; a depth test, or the order, decides whose color stays"});
+    return notes;
+}
+
 std::string as_text(const Scene& scene, const Plan& plan) {
     std::string text = shortened(printable(scene.title), 79) + "\n";
     text += fmt::format("{:<12} {:<9} {}\n", "stage", "plan", "why; what it saves");
@@ -44,6 +74,8 @@ std::string as_text(const Scene& scene, const Plan& plan) {
                             decision.is_kept ? "kept" : "left out", decision.why,
                             saved.empty() ? "" : "; saves " + saved);
     }
+    for (const RuleNote& rule : rules_of(scene))
+        text += fmt::format("{:<12} {:<9} {}\n", rule.rule, rule.value, rule.note);
     return text;
 }
 
@@ -57,6 +89,13 @@ std::string as_json(const Scene& scene, const Plan& plan) {
         text += fmt::format(R"("kept":{},"why":{},"saves":{{"bytes":{},"steps":{},"pixels":{}}}}})",
                             decision.is_kept, json_quoted(decision.why), decision.saved.bytes,
                             decision.saved.steps, decision.saved.pixels);
+        separator = ",";
+    }
+    text += "],\"rules\":[";
+    separator = "";
+    for (const RuleNote& rule : rules_of(scene)) {
+        text += fmt::format(R"({}{{"rule":"{}","value":"{}","note":{}}})", separator, rule.rule,
+                            rule.value, json_quoted(rule.note));
         separator = ",";
     }
     return text + "]}\n";

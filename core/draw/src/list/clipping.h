@@ -66,21 +66,20 @@ UnclippedPrimitive<Scalar> unclipped(const Scene& scene, const ScreenList<Scalar
 template <typename Scalar>
 SkipReason reason_of(const ClipPlane<Scalar>& plane,
                      const std::vector<ClipVertex<Scalar>>& polygon) {
-    // Of -w <= z <= w, either plane drops what lies behind the eye.
+    // Of clip space, either plane drops what lies behind the eye. An orthographic view has w = 1.
     const Scalar zero = scalar_from<Scalar>(0);
-    const bool is_typed_in_clip_space = plane.factors.z != zero && plane.factors.w != zero;
-    if (plane.name == "w" ||
-        (is_typed_in_clip_space &&
-         std::all_of(polygon.begin(), polygon.end(), [&zero](const ClipVertex<Scalar>& vertex) {
-             return !(zero < vertex.position.w);
-         })))
+    const bool bounds_z = plane.factors.z != zero;
+    if (plane.name == "w" || (bounds_z && std::all_of(polygon.begin(), polygon.end(),
+                                                      [&zero](const ClipVertex<Scalar>& vertex) {
+                                                          return !(zero < vertex.position.w);
+                                                      })))
         return SkipReason::behind_eye;
     if (plane.name == "far")
         return SkipReason::too_far;
     if (plane.name != "near")
         return SkipReason::outside_view;
     // An orthographic view has no eye.
-    if (plane.factors.z != zero)
+    if (bounds_z)
         return SkipReason::too_near;
     // The near plane's value is the distance from the eye, less the near distance.
     const bool is_behind_eye =

@@ -188,7 +188,7 @@ std::vector<ClipPlane<Rational>> clip_planes(const Projection& projection,
                                              const Rational& half_height, const Rational& guard) {
     std::vector<ClipPlane<Rational>> planes;
     if (projection.type == ProjectionType::clip_space) {
-        planes.push_back({"near", {0, 0, 1, 1}, 0});
+        planes.push_back({"near", {0, 0, 1, projection.z_from_zero ? 0 : 1}, 0});
         planes.push_back({"far", {0, 0, -1, 1}, 0});
     } else if (is_perspective(projection.type)) {
         const Rational distance_of_w =
@@ -219,7 +219,8 @@ MatrixFactors<Rational> factors_of(const Viewport& viewport, const Canvas& canva
     case ViewportType::pixels: {
         std::optional<DepthRange<Rational>> depths;
         if (viewport.depths)
-            depths = {viewport.depths->near.exact(), viewport.depths->far.exact()};
+            depths = {viewport.depths->near.exact(), viewport.depths->far.exact(),
+                      viewport.depths->lowest_z};
         return viewport_factors<Rational>({.left = canvas.left(),
                                            .lowest_y = std::min(canvas.top(), canvas.bottom()),
                                            .width = canvas.width,

@@ -34,10 +34,11 @@ struct ScreenBox {
     bool is_turned; ///< y grows to the other side in canonical space
 };
 
-/// The depths that z = -1 and z = 1 become.
+/// The depths that the lowest z, -1 or 0, and z = 1 become.
 template <typename Scalar> struct DepthRange {
     Scalar near;
     Scalar far;
+    int lowest_z = -1;
 };
 
 /// The factors of a viewport: T4's flip, translation and scale, and a translation to the corner of a
@@ -53,12 +54,14 @@ MatrixFactors<Scalar> viewport_factors(const ScreenBox& screen, PixelRange range
     const Scalar half_width = Scalar(screen.width - less) / 2;
     const Scalar half_height = Scalar(screen.height - less) / 2;
     const Scalar near = depths ? depths->near : Scalar(0);
-    const Scalar half_depth = depths ? Scalar((depths->far - depths->near) / 2) : Scalar(1);
+    const int lowest_z = depths ? depths->lowest_z : 0;
+    const Scalar depth_scale =
+        depths ? Scalar((depths->far - depths->near) / (1 - lowest_z)) : Scalar(1);
     MatrixFactors<Scalar> factors;
     if (left != 0 || lowest_y != 0 || near != 0)
         factors.push_back({"translate", translation<Scalar>({left, lowest_y, near})});
-    factors.push_back({"scale", diagonal<Scalar>(half_width, half_height, half_depth, 1)});
-    factors.push_back({"translate", translation<Scalar>({1, 1, depths ? 1 : 0})});
+    factors.push_back({"scale", diagonal<Scalar>(half_width, half_height, depth_scale, 1)});
+    factors.push_back({"translate", translation<Scalar>({1, 1, -lowest_z})});
     if (screen.is_turned)
         factors.push_back({"flip", diagonal<Scalar>(1, -1, 1, 1)});
     return factors;

@@ -64,8 +64,24 @@ enum class Snap {
     nearest,  ///< a half goes as `ties` says, up if it says nothing
 };
 
+/// A named set of choices, of graphics hardware, another rasterizer or a course
+/// (trace/text/conventions.h). What it sets stands in the other members; it decides nothing itself.
+enum class Convention {
+    none,
+    opengl,
+    direct3d,
+    vulkan,
+    cgfs,
+    tinyrenderer,
+    games101,
+    cs418,
+    ucr130,
+    scotty3d,
+};
+
 /// The choices of a scene and their defaults: `nullopt` where that depends on what is drawn.
 struct Method {
+    Convention convention = Convention::none;
     ScalarKind scalar = ScalarKind::double_precision;
     LineMethod line = LineMethod::bresenham;
     LineStart from = LineStart::first;
@@ -77,7 +93,7 @@ struct Method {
     std::optional<Ties> ties = {};         ///< up for spans, start for lines
     std::optional<Sample> sample = {};     ///< center for top-left, else integer
     Tolerance tolerance = {};              ///< of rounding `inside`, and of barycentric weights
-    RowRule rows = RowRule::closed;              ///< of triangles that are filled by rows
+    RowRule rows = RowRule::closed;        ///< of triangles that are filled by rows
     LerpForm lerp = LerpForm::direct;
     Snap snap = Snap::none;
     Cull cull = Cull::none;

@@ -139,6 +139,7 @@ struct Projection {
     Number top = 1;
     std::optional<Number> near = {}; ///< orthographic: none clips nothing
     std::optional<Number> far = {};  ///< none is infinitely far
+    bool z_from_zero = false;        ///< clip space: 0 <= z <= w is in view, not -w <= z <= w
 };
 
 inline bool is_perspective(ProjectionType type) {
