@@ -198,10 +198,10 @@ TEST(ClipSpace, RefusesWhatNeedsTheWorld) {
     EXPECT_EQ(refusal(R"(,"method":{"cull":"back"})"),
               "expected no cull beside vertices in clip space, found one: where they are in the "
               "world is not known");
-    EXPECT_EQ(
-        refusal_of_scene(R"({"vertices":{"A":[0,0,0,1]},"points":["A"]})"),
-        "expected a canvas with a width and a height, found none: the picture is fitted to it, "
-        "since vertices are in clip space");
+    EXPECT_EQ(refusal_of_scene(R"({"vertices":{"A":[0,0,0,1]},"points":["A"]})"),
+              "expected a canvas with a width and a height beside a vertex of four numbers, in "
+              "clip space, "
+              "found none");
 }
 
 } // namespace

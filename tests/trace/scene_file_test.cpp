@@ -78,7 +78,7 @@ TEST(SceneFile, UnknownKey) {
         "scene.json:2:2: expected a key out of title, canvas, background, vertices, colors, "
         "triangles, "
         "polygons, outlines, lines, circles, points, meshes, model, camera, projection, viewport, "
-        "light, method, "
+        "light, convention, method, "
         "keep, vary, "
         "found \"trinagles\"\n"
         " \"trinagles\": [\"AAA\"]}\n"
@@ -93,14 +93,18 @@ TEST(SceneFile, WrongType) {
               "                       ^\n"
               "hint: a fraction is written \"25/8\", in quotes");
     EXPECT_EQ(complaint(R"({"vertices": {"A": {}}, "triangles": ["AAA"]})"),
-              "scene.json:1:20: expected [x, y] or [x, y, z], found an object\n"
+              "scene.json:1:20: expected [x, y], [x, y, z] or [x, y, z, w], found an object\n"
               "{\"vertices\": {\"A\": {}}, \"triangles\": [\"AAA\"]}\n"
               "                   ^");
-    EXPECT_EQ(complaint(R"({"vertices": {"A": [1, 2, 3, 4]}, "triangles": ["AAA"]})"),
-              "scene.json:1:20: expected [x, y] or [x, y, z], found an array of 4\n"
-              "{\"vertices\": {\"A\": [1, 2, 3, 4]}, \"triangles\": [\"AAA\"]}\n"
-              "                   ^\n"
-              "hint: decimal commas? JSON has a point: 5.5");
+    EXPECT_EQ(
+        complaint(R"({"vertices": {"A": [1, 2, 3, 4]}, "triangles": ["AAA"]})"),
+        "scene.json:1:20: expected a canvas with a width and a height beside a vertex of four "
+        "numbers, in clip space, found none\n"
+        "{\"vertices\": {\"A\": [1, 2, 3, 4]}, \"triangles\": [\"AAA\"]}\n"
+        "                   ^\n"
+        "hint: say \"canvas\": {\"width\": ..., \"height\": ...}; or decimal commas? JSON has a "
+        "point: "
+        "5.5");
     EXPECT_EQ(complaint(R"({"title": 5})"), "scene.json:1:11: expected a title in quotes, found 5\n"
                                             "{\"title\": 5}\n"
                                             "          ^");
@@ -109,7 +113,7 @@ TEST(SceneFile, WrongType) {
                                "lines, circles, points, meshes, "
                                "model, camera, "
                                "projection, viewport, light, "
-                               "method, keep, vary, found an empty array\n"
+                               "convention, method, keep, vary, found an empty array\n"
                                "[]\n"
                                "^");
 }
@@ -347,8 +351,9 @@ TEST(SceneFile, ViewportsThatTakePixelsByTheirEdges) {
     EXPECT_EQ(told(R"({"pixels": "edges", "depth_range": [0.5, "1/2"]})"),
               "scene.json:2:110: expected two depths that differ, found the same twice");
     EXPECT_EQ(told(R"({"pixels": "edges", "depth_range": [0, 1]})"),
-              "scene.json:2:110: expected a frustum, or an orthographic projection with near and "
-              "far, beside depth_range, found another: z does not lie within -1..1");
+              "scene.json:2:110: expected a frustum, an orthographic projection with near and "
+              "far, or vertices in clip space beside depth_range, found another: z does not lie "
+              "within -1..1");
     EXPECT_THAT(
         complaint(point_scene(
             canvas + R"("projection": {"type": "frustum", "fov_y": 60, "near": 1, "far": 9},)"
@@ -390,6 +395,7 @@ TEST(SceneFile, ProjectionsThatAreNone) {
               "                                                        ^");
     EXPECT_EQ(complaint(point_scene(R"("projection": {"type": "pinehole"})")),
               "scene.json:2:25: expected one of none, orthographic, pinhole, view-plane, frustum, "
+              "clip-space, "
               "found \"pinehole\"\n"
               " \"projection\": {\"type\": \"pinehole\"}}\n"
               "                        ^\n"

@@ -85,11 +85,12 @@ TEST_F(ProgramTest, HelpThatCannotBeWrittenIsAFailure) {
 TEST_F(ProgramTest, UsageErrorsNameTheWordAndANearOne) {
     EXPECT_EQ(shell("$rastertrace").status, 2);
     EXPECT_THAT(shell("$rastertrace").err, HasSubstr("rastertrace show examples/"));
-    EXPECT_EQ(shell("$rastertrace shw x").err, "rastertrace: expected a command out of trace, "
-                                               "show, play, figure, explain, stats, check, diff, "
-                                               "validate, plan, stress, report, renew, help, found "
-                                               "\"shw\"\n"
-                                               "hint: did you mean show?\n");
+    EXPECT_EQ(shell("$rastertrace shw x").err,
+              "rastertrace: expected a command out of trace, "
+              "show, play, figure, explain, stats, check, diff, "
+              "validate, plan, scene, conventions, stress, report, renew, help, found "
+              "\"shw\"\n"
+              "hint: did you mean show?\n");
     EXPECT_EQ(shell("$rastertrace show x --evry pixel").err,
               "rastertrace show: --evry: no such option\nhint: did you mean --every?\n"
               "see rastertrace show --help\n");
@@ -100,7 +101,8 @@ TEST_F(ProgramTest, UsageErrorsNameTheWordAndANearOne) {
               "see rastertrace show --help\n");
     EXPECT_EQ(shell("$rastertrace trace x --only pixle").err,
               "rastertrace: --only: expected kinds of step out of "
-              "triangulate,matrix,vertex,order,primitive,face,light,clip,edge,half,ray,crossings,scanline,"
+              "triangulate,matrix,vertex,order,primitive,face,light,clip,edge,half,ray,crossings,"
+              "scanline,"
               "along,decide,"
               "sample,depth,pixel,"
               "reject,skip,undecided, found \"pixle\"\n"

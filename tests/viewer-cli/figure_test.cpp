@@ -149,7 +149,7 @@ TEST_F(FigureTest, Parts) {
 TEST_F(FigureTest, PartsThatTheSceneCannotHave) {
     EXPECT_EQ(refusal("--with scene -o x.svg"),
               "rastertrace: --with scene: expected vertices in space, found a scene that is typed "
-              "in pixels\n");
+              "in pixels, or in clip space\n");
     EXPECT_EQ(refusal("--with errors -o x.svg"),
               "rastertrace: --with errors: expected a frame of Bresenham's line, found another\n"
               "hint: --step last, or another step of such a line\n");

@@ -32,7 +32,7 @@ TEST_F(ProgramTest, ErrorsHaveFileLineColumnAndCaret) {
               "rastertrace: bad.json:2:2: expected a key out of title, canvas, "
               "background, vertices, colors, triangles, "
               "polygons, outlines, lines, circles, points, meshes, model, camera, projection, "
-              "viewport, light, method, keep, vary, found \"trinagles\"\n"
+              "viewport, light, convention, method, keep, vary, found \"trinagles\"\n"
               " \"trinagles\": [\"AAA\"]}\n"
               " ^\n"
               "hint: did you mean \"triangles\"?\n");
@@ -372,7 +372,7 @@ TEST_F(ProgramTest, CaretsAndTitlesCountColumns) {
         "rastertrace: scene.json:1:17: expected a key out of title, canvas, background, "
         "vertices, colors, "
         "triangles, polygons, outlines, lines, circles, points, meshes, model, camera, projection, "
-        "viewport, light, method, keep, vary, found \"tile\"\n"
+        "viewport, light, convention, method, keep, vary, found \"tile\"\n"
         "{\"title\":\"三e\u0301\", \"tile\":1}\n"
         "                ^\n"
         "hint: did you mean \"title\"?\n");

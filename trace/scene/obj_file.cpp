@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "obj_file.h"
 
+#include <rastertrace/trace/text/number_word.h>
 #include <rastertrace/trace/text/text.h>
 #include <rastertrace/trace/text/typed_digits.h>
 #include <rastertrace/trace/text/zero_byte.h>
@@ -55,28 +56,6 @@ std::string_view text_between(const char* begin, const char* end) {
 
 /// How much of a word is shown.
 constexpr std::size_t shown_of_word = 40;
-
-/// An OBJ number as parse_number knows it: without `+`, with a digit on both sides of the point.
-/// Nothing if it is not the form of a decimal.
-std::optional<std::string> usual_form(std::string_view word) {
-    std::string usual;
-    if (word.starts_with('-'))
-        usual = "-";
-    if (word.starts_with('-') || word.starts_with('+'))
-        word.remove_prefix(1);
-
-    const std::string_view whole = number_text::take_digits(word);
-    const bool has_point = number_text::take(word, '.');
-    const std::string_view fraction = number_text::take_digits(word);
-    const bool exponent_follows = word.starts_with('e') || word.starts_with('E');
-    if ((whole.empty() && fraction.empty()) || !(word.empty() || exponent_follows))
-        return std::nullopt;
-
-    usual += whole.empty() ? "0" : whole;
-    if (has_point)
-        usual.append(".").append(fraction.empty() ? "0" : fraction);
-    return usual.append(word);
-}
 
 /// Reads one file; the first fault ends it.
 ///

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene_file.h"
 
+#include "course_text.h"
 #include "face_cuts.h"
 #include "obj_file.h"
 #include "pipeline_json.h"
@@ -23,6 +24,7 @@
 #include <rastertrace/trace/text/primitive_name.h>
 #include <rastertrace/trace/text/stage_name.h>
 #include <rastertrace/trace/text/text.h>
+#include <rastertrace/trace/text/trace_layout.h>
 #include <rastertrace/trace/text/typed_digits.h>
 
 #include <fmt/core.h>
@@ -35,6 +37,7 @@
 #include <filesystem>
 #include <iterator>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <set>
 #include <system_error>
@@ -1028,13 +1031,7 @@ private:
         const bool is_projected = scene_.projection.type != ProjectionType::none;
         if ((is_projected || viewport.type == ViewportType::pixels) &&
             !(given.has_width && given.has_height))
-            json_.fail(blamed,
-                       fmt::format("expected a canvas with a width and a height, found none: the "
-                                   "picture is fitted to it{}",
-                                   scene_.projection.type == ProjectionType::clip_space
-                                       ? ", since vertices are in clip space"
-                                       : ""),
-                       canvas_hint);
+            fail_without_canvas(blamed);
         if (viewport.type == ViewportType::none && is_projected) {
             // The pinhole of T0 shows a view plane of 1 x 1 on the whole canvas.
             viewport.type = scene_.projection.type == ProjectionType::pinhole
@@ -1050,6 +1047,18 @@ private:
                        "expected a canvas with its origin in the center, found another: "
                        "pixels_per_unit starts from the center",
                        R"(say "viewport": "fit", or leave "origin" out)");
+    }
+
+    [[noreturn]] void fail_without_canvas(const JsonValue& blamed) const {
+        if (const auto& with_w = first_of_count_.back())
+            json_.fail(*with_w,
+                       "expected a canvas with a width and a height beside a vertex of four "
+                       "numbers, in clip space, found none",
+                       fmt::format("{}; or decimal commas? JSON has a point: 5.5", canvas_hint));
+        json_.fail(blamed,
+                   "expected a canvas with a width and a height, found none: the picture is "
+                   "fitted to it",
+                   canvas_hint);
     }
 
     /// How far vertices lie from x = 0 and from y = 0, on the side that the canvas has.
@@ -1139,6 +1148,7 @@ JsonDocument parsed(const Source& source) {
 } // namespace
 
 struct SceneSequence::State {
+    std::unique_ptr<const Source> converted; ///< of a text of a course: the scene that it describes
     const Source& source;
     MethodOverrides overrides;
     InputLimits limits;
@@ -1226,12 +1236,20 @@ struct SceneSequence::State {
     }
 };
 
-SceneSequence::SceneSequence(const Source& source, MethodOverrides overrides, InputLimits limits,
+SceneSequence::SceneSequence(const Source& given, MethodOverrides overrides, InputLimits limits,
                              const std::vector<Variation>& vary) {
+    std::unique_ptr<const Source> converted;
+    if (is_course_text(given)) {
+        auto scene = scene_of_course(given);
+        if (!scene)
+            throw scene.problem();
+        converted = std::make_unique<const Source>(std::move(scene.value()));
+    }
+    const Source& source = converted ? *converted : given;
     JsonDocument document = parsed(source);
     Variations variations(JsonReader{source}, document.root(), vary);
-    state_.reset(new State{source, std::move(overrides), limits, std::move(document),
-                           std::move(variations)});
+    state_.reset(new State{std::move(converted), source, std::move(overrides), limits,
+                           std::move(document), std::move(variations)});
 }
 
 SceneSequence::SceneSequence(SceneSequence&&) noexcept = default;
@@ -1266,7 +1284,7 @@ bool is_scene(const Source& source) {
     std::string_view document = source.view();
     document.remove_prefix(std::min(document.find_first_not_of(blanks), document.size()));
     if (!document.starts_with('{'))
-        return false;
+        return is_course_text(source);
     JsonScanner fields(document);
     while (fields.next_field())
         // A title may stand in any file.

@@ -227,19 +227,10 @@ void put_edge_function(Sheet& sheet, const EndOfRow& end) {
         const auto function = edge_function_in(edge, sheet.primitive);
         if (!function || edge.edge != end.edge)
             continue;
-        // On the edge, its kind decides.
         const bool is_tie = sgn(function->value_at(sample)) == 0;
-        const std::string rule = by_convention(sheet.trace());
-        std::string why;
-        if (is_tie && !rule.empty())
-            why = (function->is_top_left
-                       ? said({" on a top or left edge: inside", " numa aresta superior ou "
-                                                                 "esquerda: dentro"})
-                       : said({" on another edge: outside", " noutra aresta: fora"})) +
-                  rule;
         sheet.put(said({"E of {} at {} = {}", "E de {} em {} = {}"}, edge.edge.text(), text(sample),
                        function->at(sample)) +
-                  why);
+                  (is_tie ? by_convention(sheet.trace()) : std::string()));
     }
 }
 

@@ -38,6 +38,24 @@ bool is_end_line(std::string_view line) {
     return fields.next_field() && fields.key() == "end";
 }
 
+std::string_view first_statement(const Source& source) {
+    std::string_view rest = source.view();
+    for (;;) {
+        rest.remove_prefix(
+            std::min(rest.find_first_not_of("\xEF\xBB\xBF \t\r\n\v\f"), rest.size()));
+        if (!rest.starts_with('#'))
+            break;
+        rest.remove_prefix(std::min(rest.find('\n'), rest.size()));
+    }
+    const std::string_view word = rest.substr(0, std::min<std::size_t>(rest.size(), 64));
+    return word.substr(0, word.find_first_of(" \t\r\n\v\f#{[\""));
+}
+
+bool is_course_text(const Source& source) {
+    const std::string_view first = first_statement(source);
+    return first == "png" || first == "size";
+}
+
 bool is_trace(const Source& source) {
     // The key is in the header's first line, whole or cut short; else anywhere in the document.
     constexpr std::string_view blanks = "\xEF\xBB\xBF \t\r\n";

@@ -28,4 +28,10 @@ bool is_end_line(std::string_view line);
 /// True if a source holds a trace rather than a scene: an object with the key "rastertrace".
 bool is_trace(const Source& source);
 
+/// The first word of a text behind blanks and lines that begin with #; "" of JSON.
+std::string_view first_statement(const Source& source);
+
+/// True if that is `png` or `size`: a scene in the text of a course (trace/scene/course_text.h).
+bool is_course_text(const Source& source);
+
 } // namespace rastertrace

@@ -104,6 +104,7 @@ std::unique_ptr<Command> check_command();
 std::unique_ptr<Command> diff_command();
 std::unique_ptr<Command> validate_command();
 std::unique_ptr<Command> plan_command();
+std::unique_ptr<Command> scene_command();
 std::unique_ptr<Command> conventions_command();
 std::unique_ptr<Command> stress_command();
 std::unique_ptr<Command> report_command();

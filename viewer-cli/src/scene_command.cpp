@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// rastertrace scene: a scene in the text of a course, as a scene of ours.
+
+#include "command.h"
+#include "load.h"
+
+#include <rastertrace/trace/scene/course_text.h>
+#include <rastertrace/trace/text/trace_layout.h>
+
+#include <memory>
+#include <string>
+#include <utility>
+
+namespace rastertrace {
+
+namespace {
+
+class SceneCommandLine final : public Command {
+public:
+    CommandAbout about() const override {
+        return {"scene", "Print a scene in the text of a course as a scene of rastertrace",
+                "rastertrace scene examples/conventions/two-triangles.txt"};
+    }
+
+    void add_to(OptionList& options) override {
+        options
+            .option("scene", path_, "A text of UIUC CS418 or UCR CS130; - for standard input",
+                    "FILE")
+            .required();
+    }
+
+    void read() override {}
+
+    int run() override {
+        Source source = load_scene_source(path_);
+        if (is_course_text(source)) {
+            auto scene = scene_of_course(source);
+            if (!scene)
+                throw scene.problem();
+            source = std::move(scene.value());
+        }
+        print(source.view());
+        return exit_fine;
+    }
+
+private:
+    std::string path_;
+};
+
+} // namespace
+
+std::unique_ptr<Command> scene_command() {
+    return std::make_unique<SceneCommandLine>();
+}
+
+} // namespace rastertrace
