@@ -36,18 +36,17 @@ struct Word {
 };
 
 /// The words of the line that begins at an offset, without its comment; `offset` goes to the next line.
-std::vector<Word> take_line(std::string_view text, std::size_t& offset) {
+void take_line(std::string_view text, std::size_t& offset, std::vector<Word>& words) {
     const std::size_t end = std::min(text.find('\n', offset), text.size());
     std::string_view line = text.substr(offset, end - offset);
     line = line.substr(0, line.find('#'));
-    std::vector<Word> words;
+    words.clear();
     for (std::size_t at = line.find_first_not_of(blanks); at != std::string_view::npos;) {
         const std::size_t behind = std::min(line.find_first_of(blanks, at), line.size());
         words.push_back({line.substr(at, behind - at), offset + at});
         at = line.find_first_not_of(blanks, behind);
     }
     offset = end + 1;
-    return words;
 }
 
 std::size_t beginning(std::string_view text) {
@@ -71,9 +70,12 @@ public:
     /// The scene, as JSON.
     std::string read() {
         const std::string_view text = source_.view();
-        for (std::size_t offset = beginning(text); offset < text.size();)
-            if (const auto words = take_line(text, offset); !words.empty())
+        std::vector<Word> words;
+        for (std::size_t offset = beginning(text); offset < text.size();) {
+            take_line(text, offset, words);
+            if (!words.empty())
                 read_statement(words);
+        }
         if (triangles_.empty())
             fail(text.size(), "expected at least one triangle, found none");
         return json();

@@ -34,7 +34,7 @@ std::span<const ConventionRow> convention_rows() {
             &gl_view,
             "OpenGL 4.6 core, sections 13.8.1 (viewport), 14.5.1 (lines), 14.6.1 (polygons)",
             "which triangle owns a sample on a shared edge is the driver's choice, but exactly one "
-            "does; top-left is what most choose"},
+            "does: here by the top-left rule; Mesa gives a horizontal edge to the triangle above"},
         ConventionRow{
             Convention::direct3d,
             "direct3d",
