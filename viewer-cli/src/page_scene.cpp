@@ -19,7 +19,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// What a scene in the plane may say; of what it draws, the number is limited.
-constexpr std::array<std::string_view, 4> drawn{"points", "lines", "triangles", "outlines"};
+constexpr std::array<std::string_view, 4> moved_lists{"points", "lines", "triangles", "outlines"};
 constexpr std::array<std::string_view, 7> others{"$schema",  "title",  "canvas", "background",
                                                  "vertices", "colors", "method"};
 
@@ -32,7 +32,7 @@ bool is_plane_vertex(const Json& vertex) {
 bool can_be_moved(const Json& scene) {
     std::size_t primitives = 0;
     for (const auto& [key, value] : scene.items()) {
-        if (std::find(drawn.begin(), drawn.end(), key) != drawn.end())
+        if (std::find(moved_lists.begin(), moved_lists.end(), key) != moved_lists.end())
             primitives += value.size();
         else if (std::find(others.begin(), others.end(), key) == others.end())
             return false;
