@@ -44,6 +44,7 @@ SECTIONS = [
     ]),
     ("How it draws", [
         ("docs/pipeline.md", None),
+        ("docs/conventions.md", None),
         ("docs/fills.md", None),
         ("docs/lines.md", None),
         ("docs/along-the-texts.md", None),

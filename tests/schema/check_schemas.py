@@ -226,7 +226,7 @@ SCENE_CANNOT_KNOW = [
     r"^expected an OBJ file in the scene's folder", r"^expected one of 1, 2, 3", r"^expected a number up to", r"^expected 0 or a number from",
     r"^expected two depths that differ", r"^expected a frustum, an orthographic projection", r"^expected \"depth\": ",
     r"^expected no (projection|camera|light|model|cull) beside vertices", r"^expected a vertex in clip space",
-    r"^expected \"rounding\": ", r"^expected a fill by rows", r"^expected no \"ends\"",
+    r"^expected \"rounding\": ", r"^expected a fill by rows", r"^expected a number from 0 to 1/2", r"^expected no \"ends\"",
 ]
 WRONG = [None, True, 5, -1, 0, 0.5, "x", "", "12", "1/0", "red", "#f00", "#12", "NaN", "-inf", "fit", [], {}, [[]], [1, 2, 3], {"x": 1}]
 

@@ -62,7 +62,7 @@ const std::array<StepRow, step_kinds> table{{
      {"scanline y={y}{@samples}   {@left_end}   {@right_end}{@depths_of_row}{@empty}",
       "linha y={y}{@samples}   {@left_end}   {@right_end}{@depths_of_row}{@empty}"}},
 
-    {StepKind::along, "a `naive` or `dda` line is at a step of its major axis",
+    {StepKind::along, "a `naive`, `dda` or `diamond-exit` line is at a step of its major axis",
      {"{@along} = {@slope_form}{value}{@rule_of_line} -> {pixel}",
       "{@along} = {@slope_form}{value}{@rule_of_line} -> {pixel}"}},
 

@@ -439,7 +439,7 @@ struct ScanlineStep {
                               field::Reason<"right_depth", &ScanlineStep::right_depth>>;
 };
 
-/// A `naive` or `dda` line is at a step of its major axis: it tells x if that is it, else y.
+/// A `naive`, `dda` or `diamond-exit` line is at a step of its major axis: it tells x if that is it, else y.
 struct AlongStep {
     static constexpr StepKind step_kind = StepKind::along;
 

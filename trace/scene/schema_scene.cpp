@@ -108,6 +108,8 @@ Json method() {
         if (key.name == "convention")
             continue; // a key of the scene
         Json value = key.values.empty() ? number_schema() : one_of(key.values);
+        if (key.values.empty())
+            value.update({{"minimum", 0}, {"maximum", 0.5}});
         // A number may stand in quotes, or without.
         if (key.is_number())
             for (const std::string_view number : key.values)
