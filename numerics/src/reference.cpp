@@ -89,7 +89,7 @@ void for_each_sample(const Canvas& canvas, const Rational& offset, Visit&& visit
 }
 
 CoveredPixels covered_samples(const std::vector<ExactPoint>& polygon, bool is_closed,
-                              const Rational& offset, const Canvas& canvas) {
+                              const Rational& offset, const Canvas& canvas, int down) {
     CoveredPixels covered(static_cast<std::size_t>(canvas.width) *
                           static_cast<std::size_t>(canvas.height));
     const auto functions = inward_functions(polygon);
@@ -97,7 +97,7 @@ CoveredPixels covered_samples(const std::vector<ExactPoint>& polygon, bool is_cl
     // top one (horizontal, and the inside lies below it in the picture).
     const auto admits = [&](const EdgeFunction& f, const ExactPoint& sample) {
         const int side = sgn(f.at(sample));
-        const bool is_top_left = f.a > 0 || (f.a == 0 && f.b * canvas.down() > 0);
+        const bool is_top_left = f.a > 0 || (f.a == 0 && f.b * down > 0);
         return side > 0 || (side == 0 && (is_closed || is_top_left));
     };
     for_each_sample(canvas, offset, [&](std::size_t place, const ExactPoint& sample) {
@@ -295,11 +295,12 @@ CoveredPixels covered_by(const std::array<ExactPoint, 3>& triangle, const Method
         return CoveredPixels(static_cast<std::size_t>(canvas.width) *
                              static_cast<std::size_t>(canvas.height));
     return covered_samples({triangle.begin(), triangle.end()}, fill.is_closed,
-                           sample_offset_of(method).exact(), canvas);
+                           sample_offset_of(method).exact(), canvas,
+                           canvas_of_samples(method, canvas).down());
 }
 
 CoveredPixels covered_by_polygon(const std::vector<ExactPoint>& polygon, const Canvas& canvas) {
-    return covered_samples(polygon, false, Rational(1, 2), canvas);
+    return covered_samples(polygon, false, Rational(1, 2), canvas, canvas.down());
 }
 
 Colors reference_picture(const Scene& scene) {

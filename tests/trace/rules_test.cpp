@@ -179,6 +179,48 @@ TEST(HalfOpenRows, GiveEachPixelOfASharedEdgeToOneTriangle) {
     EXPECT_GT(closed_twice, 100U);
 }
 
+/// By edge functions in fractions: a sample inside, on a left edge, or on the horizontal edge of the rule.
+TEST(HorizontalEdge, HasItsSamplesAtTheBottomOrAtTheTop) {
+    Random random(7);
+    for (int run = 0; run < 200; ++run) {
+        const auto t = random_triangle(random);
+        const Rational area = cross(t[0], t[1], t[2]);
+        if (area == 0)
+            continue;
+        const bool is_y_down = random.chance(2);
+        const bool is_bottom = random.chance(2);
+        Pixels expected;
+        for (Index y = 0; y < size; ++y)
+            for (Index x = 0; x < size; ++x) {
+                const Point p{x + Rational(1, 2), y + Rational(1, 2)};
+                const bool is_inside = [&] {
+                    for (std::size_t i = 0; i < 3; ++i) {
+                        const Point& a = t[i];
+                        const Point& b = t[(i + 1) % 3];
+                        const Point& c = t[(i + 2) % 3];
+                        const int side = sgn(Rational(cross(a, b, p) * area));
+                        // Of a slanted edge, the triangle lies right of it; of a level one, above or below.
+                        const Rational at =
+                            a[1] == b[1]
+                                ? Rational(0)
+                                : Rational(a[0] + (c[1] - a[1]) * (b[0] - a[0]) / (b[1] - a[1]));
+                        const bool is_below = (c[1] > a[1]) == is_y_down;
+                        const bool owns = a[1] == b[1] ? is_below != is_bottom : at < c[0];
+                        if (side < 0 || (side == 0 && !owns))
+                            return false;
+                    }
+                    return true;
+                }();
+                if (is_inside)
+                    expected.insert({x, y});
+            }
+        expect_pixels(t, R"("triangles":["ABC"])", is_y_down,
+                      fmt::format(R"("fill":"top-left","horizontal_edge":"{}")",
+                                  is_bottom ? "bottom" : "top"),
+                      expected);
+    }
+}
+
 TEST(Tolerance, WidensTheEndsOfRows) {
     Random random(3);
     const Rational by(1, 5);

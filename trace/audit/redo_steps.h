@@ -387,7 +387,8 @@ private:
             functions_[name] = f;
             if (!rules_.says("fill"))
                 return;
-            const bool is_top = f.a == Real(0) && Real(0) < Real(f.b * Real(canvas_.down()));
+            const int down = canvas_of_samples(method_, canvas_).down();
+            const bool is_top = f.a == Real(0) && Real(0) < Real(f.b * Real(down));
             expect(Real(0) < f.a || is_top, f.is_top_left, "edge: top_left");
             return;
         }

@@ -71,7 +71,7 @@ std::optional<WhyNot> by_edge_function(const Case& c) {
         const StepView step = c.trace.step(n);
         if (c.trace.kind_of(n) != StepKind::edge)
             continue;
-        const auto function = edge_function_in(step.as<EdgeStep>(), c.primitive);
+        const auto function = edge_function_in(c.trace, step.as<EdgeStep>(), c.primitive);
         const Rational value = function ? function->value_at(c.sample) : Rational(1);
         if (sgn(value) > 0 || (sgn(value) == 0 && function->is_top_left))
             continue;
@@ -82,8 +82,9 @@ std::optional<WhyNot> by_edge_function(const Case& c) {
         farthest =
             WhyNot{.reason = "outside",
                    .sentence = sgn(value) == 0
-                                   ? fmt::format("E of {} at {} = {}: it is no top or left edge{}",
+                                   ? fmt::format("E of {} at {} = {}: it is no {} or left edge{}",
                                                  edge, text(c.sample), function->at(c.sample),
+                                                 has_bottom_rule(c.trace) ? "bottom" : "top",
                                                  by_convention(c.trace))
                                    : fmt::format("E of {}{} at {} = {}, {} px beyond it", edge,
                                                  made_by_clipping(edge), text(c.sample),

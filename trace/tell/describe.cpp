@@ -108,11 +108,15 @@ std::string with_fraction(const std::string& number) {
     return is_dyadic ? fmt::format("{} = {}", number, exact->get_str()) : in_sentence(number);
 }
 
-std::string edge_function(const EdgeStep& step, const std::optional<EdgeEnds>& ends) {
+std::string edge_function(const Trace& trace, const EdgeStep& step,
+                          const std::optional<EdgeEnds>& ends) {
     const std::string x = ends ? minus(in_formula(ends->from[0])) : "- x1";
     const std::string y = ends ? minus(in_formula(ends->from[1])) : "- y1";
     const std::string rule =
-        step.top_left.is_true()
+        step.top_left.is_true() && has_bottom_rule(trace)
+            ? said({"bottom or left: samples where E = 0 belong to the triangle",
+                    "inferior ou esquerda: as amostras onde E = 0 são do triângulo"})
+        : step.top_left.is_true()
             ? said({"top or left: samples where E = 0 belong to the triangle",
                     "superior ou esquerda: as amostras onde E = 0 são do triângulo"})
             : said({"samples where E = 0 do not belong to the triangle",
@@ -138,7 +142,7 @@ std::string edge(const Context& context) {
         return said({"side {}: octant {}", "lado {}: octante {}"}, name, *step.octant);
     const auto ends = ends_of_edge(context.primitive, name);
     if (step.a)
-        return edge_function(step, ends);
+        return edge_function(context.replay.trace(), step, ends);
     const std::string slope = step.dx_dy.text();
     if (slope == "null")
         return said(

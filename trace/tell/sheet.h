@@ -59,6 +59,7 @@ struct EdgeFunctionText {
     Rational a, b;
     Vec2 from;
     bool is_top_left;
+    bool is_bottom_rule = false; ///< bottom and left edges have their samples
 
     Rational value_at(const Vec2& p) const { return a * (p.x - from.x) + b * (p.y - from.y); }
 
@@ -67,7 +68,7 @@ struct EdgeFunctionText {
 };
 
 /// That of an `edge` step, if it has one.
-std::optional<EdgeFunctionText> edge_function_in(const EdgeStep& edge,
+std::optional<EdgeFunctionText> edge_function_in(const Trace& trace, const EdgeStep& edge,
                                                  const PrimitiveText& primitive);
 
 // The workings of steps in space (working_in_space.cpp): matrices and vertices on their way to the screen,

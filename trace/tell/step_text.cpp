@@ -503,6 +503,10 @@ Rational line_offset(const Trace& trace) {
     return trace.method_value("line") == "diamond-exit" ? sample_offset(trace) : Rational(0);
 }
 
+bool has_bottom_rule(const Trace& trace) {
+    return trace.method_value("horizontal_edge") == "bottom";
+}
+
 std::string by_convention(const Trace& trace) {
     const std::string convention = trace.method_value("convention");
     return convention.empty()

@@ -207,6 +207,9 @@ Rational sample_offset(const Trace& trace);
 /// The same where a line is held against the samples of its pixels, else 0.
 Rational line_offset(const Trace& trace);
 
+/// True if bottom and left edges have the samples on them, not top and left ones.
+bool has_bottom_rule(const Trace& trace);
+
 /// Whose rule decided: `, by the rule of direct3d`; "" without a convention.
 std::string by_convention(const Trace& trace);
 

@@ -97,16 +97,18 @@ void primitive(Sheet& sheet) {
 
 std::string EdgeFunctionText::at(const Vec2& p) const {
     const Rational value = value_at(p);
-    return fmt::format("{} + {} = {}: {}", product(a, p.x - from.x), product(b, p.y - from.y),
-                       text(value),
-                       sgn(value) > 0   ? said({"> 0, inside", "> 0, dentro"})
-                       : sgn(value) < 0 ? said({"< 0, outside", "< 0, fora"})
-                       : is_top_left    ? said({"on a top or left edge, inside",
+    return fmt::format(
+        "{} + {} = {}: {}", product(a, p.x - from.x), product(b, p.y - from.y), text(value),
+        sgn(value) > 0                  ? said({"> 0, inside", "> 0, dentro"})
+        : sgn(value) < 0                ? said({"< 0, outside", "< 0, fora"})
+        : is_top_left && is_bottom_rule ? said({"on a bottom or left edge, inside",
+                                                "sobre uma aresta inferior ou esquerda, dentro"})
+        : is_top_left                   ? said({"on a top or left edge, inside",
                                                 "sobre uma aresta superior ou esquerda, dentro"})
                                         : said({"on the edge, outside", "sobre a aresta, fora"}));
 }
 
-std::optional<EdgeFunctionText> edge_function_in(const EdgeStep& edge,
+std::optional<EdgeFunctionText> edge_function_in(const Trace& trace, const EdgeStep& edge,
                                                  const PrimitiveText& primitive) {
     const auto a = edge.a.exact();
     const auto b = edge.b.exact();
@@ -114,7 +116,7 @@ std::optional<EdgeFunctionText> edge_function_in(const EdgeStep& edge,
     const auto from = ends ? vec2_in(ends->from) : std::nullopt;
     if (!from)
         return std::nullopt;
-    return EdgeFunctionText{*a, *b, *from, edge.top_left.is_true()};
+    return EdgeFunctionText{*a, *b, *from, edge.top_left.is_true(), has_bottom_rule(trace)};
 }
 
 namespace {
@@ -140,7 +142,7 @@ void edge(Sheet& sheet) {
         sheet.put(fmt::format("y = {} x {}", text(y->m), plus(text(y->b))));
     put_octant(sheet, LineEnds{*from, *to}, step.octant);
     const auto corners = corners_of(sheet.primitive);
-    const auto function = edge_function_in(step, sheet.primitive);
+    const auto function = edge_function_in(sheet.trace(), step, sheet.primitive);
     if (!corners || !function)
         return;
     const auto is_at = [](const Vec2& a, const Vec2& b) { return a.x == b.x && a.y == b.y; };
@@ -224,7 +226,7 @@ void put_edge_function(Sheet& sheet, const EndOfRow& end) {
     const Vec2 sample{end.pixel + offset, end.y + offset};
     for (const std::size_t n : sheet.replay.edges()) {
         const auto edge = sheet.trace().step(n).as<EdgeStep>();
-        const auto function = edge_function_in(edge, sheet.primitive);
+        const auto function = edge_function_in(sheet.trace(), edge, sheet.primitive);
         if (!function || edge.edge != end.edge)
             continue;
         const bool is_tie = sgn(function->value_at(sample)) == 0;

@@ -28,13 +28,14 @@ std::span<const ConventionRow> convention_rows() {
             "opengl",
             "OpenGL, and WebGL",
             {{"fill", "top-left"},
+             {"horizontal_edge", "bottom"},
              {"sample", "center"},
              {"line", "diamond-exit"},
              {"depth", "ndc-z"}},
             &gl_view,
             "OpenGL 4.6 core, sections 13.8.1 (viewport), 14.5.1 (lines), 14.6.1 (polygons)",
             "which triangle owns a sample on a shared edge is the driver's choice, but exactly one "
-            "does: here by the top-left rule; Mesa gives a horizontal edge to the triangle above"},
+            "does; here, as in Mesa, bottom and left edges have their samples"},
         ConventionRow{
             Convention::direct3d,
             "direct3d",

@@ -48,6 +48,8 @@ constexpr std::array tie_rules{Word{Ties::start, "start"}, Word{Ties::up, "up"},
                                Word{Ties::away, "away"}, Word{Ties::even, "even"},
                                Word{Ties::step, "step"}};
 constexpr std::array samples{Word{Sample::integer, "integer"}, Word{Sample::center, "center"}};
+constexpr std::array horizontal_edges{Word{HorizontalEdge::top, "top"},
+                                      Word{HorizontalEdge::bottom, "bottom"}};
 constexpr std::array row_rules{Word{RowRule::closed, "closed"},
                                Word{RowRule::half_open, "half-open"}};
 constexpr std::array lerps{Word{LerpForm::direct, "direct"},
@@ -262,6 +264,12 @@ std::span<const MethodKey> method_keys() {
             [](const Scene& scene) {
                 return std::string(sample_of(scene.method) == Sample::center ? "center"
                                                                              : "integer");
+            }),
+        key<&Method::horizontal_edge, horizontal_edges>(
+            "horizontal_edge", "which horizontal edge of a triangle has the samples on it",
+            [](const Scene& scene) {
+                return has_triangles(scene) && scene.method.fill == Fill::top_left &&
+                       scene.method.horizontal_edge != HorizontalEdge::top;
             }),
         key<&Method::rows, row_rules>("rows", "whether a triangle has the row of its lowest vertex",
                                       [](const Scene& scene) {

@@ -311,7 +311,8 @@ void draw_piece(const Piece<Scalar>& piece, SceneDrawing<Scalar, OfPixels>& draw
                         paint.flat_painter(drawing.image));
         if constexpr (std::floating_point<DepthOf<OfPixels>>)
             if (scene.method.fill == Fill::top_left && paint.is_flat_in_plane(drawing))
-                return fill_top_left(triangle, drawing.grid, scene.canvas,
+                return fill_top_left(triangle, drawing.grid,
+                                     canvas_of_samples(scene.method, scene.canvas),
                                      paint.plane_painter(drawing));
     }
     fill(triangle, piece.colors, scene.method, drawing.grid, scene.canvas,

@@ -70,6 +70,7 @@ struct Canvas {
     int width = 0;  ///< columns, 1 or more
     int height = 0; ///< rows, 1 or more
     Origin origin = Origin::center;
+    bool is_turned = false; ///< rows count from the bottom of the picture instead
 
     /// The x of the leftmost and of the rightmost column.
     int left() const { return origin == Origin::center ? -(width / 2) : 0; }
@@ -77,20 +78,14 @@ struct Canvas {
 
     /// The step in y from one row to the row below it: +1 where y points down, -1 where it points
     /// up.
-    int down() const { return origin == Origin::top_left ? 1 : -1; }
+    int down() const { return (origin == Origin::top_left) != is_turned ? 1 : -1; }
+
+    /// The same pixels with their rows in the other order: what is the top of it is the bottom of
+    /// the picture.
+    Canvas turned() const { return {width, height, origin, !is_turned}; }
 
     /// The y of the topmost and of the bottommost row.
-    int top() const {
-        switch (origin) {
-        case Origin::center:
-            return height / 2;
-        case Origin::bottom_left:
-            return height - 1;
-        case Origin::top_left:
-            break;
-        }
-        return 0;
-    }
+    int top() const { return is_turned ? upright_top() + down() * (1 - height) : upright_top(); }
     int bottom() const { return top() + down() * (height - 1); }
 
     /// How many rows `y` lies below the top row; negative above the canvas. `y` may lie anywhere.
@@ -112,6 +107,19 @@ struct Canvas {
     }
 
     friend bool operator==(const Canvas&, const Canvas&) = default;
+
+private:
+    int upright_top() const {
+        switch (origin) {
+        case Origin::center:
+            return height / 2;
+        case Origin::bottom_left:
+            return height - 1;
+        case Origin::top_left:
+            break;
+        }
+        return 0;
+    }
 };
 
 } // namespace rastertrace

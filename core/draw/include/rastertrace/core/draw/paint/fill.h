@@ -24,7 +24,8 @@ namespace rastertrace {
 
 /// The sample points of the scene's pixels.
 template <typename Scalar> SampleGrid<Scalar> sample_grid(const Scene& scene, const Plan& plan) {
-    return {scalar_from<Scalar>(sample_offset_of(scene.method), plan.denominator), scene.canvas};
+    return {scalar_from<Scalar>(sample_offset_of(scene.method), plan.denominator),
+            canvas_of_samples(scene.method, scene.canvas)};
 }
 
 /// Fills a triangle. `sink` is the painter of its rows and pixels. Only the fan needs the colors of
@@ -42,7 +43,7 @@ void fill(const Triangle<Scalar>& triangle, const std::array<Color, 3>& colors,
     case Fill::barycentric:
         return fill_barycentric(triangle, grid.sample_offset(), method.tolerance, canvas, sink);
     case Fill::top_left:
-        return fill_top_left(triangle, grid, canvas, sink);
+        return fill_top_left(triangle, grid, canvas_of_samples(method, canvas), sink);
     case Fill::fan:
         return fill_fan(triangle, colors,
                         {.passes = method.fan_passes, .lines = line_rules(method)}, canvas, sink);

@@ -64,6 +64,12 @@ enum class Snap {
     nearest,  ///< a half goes as `ties` says, up if it says nothing
 };
 
+/// Which horizontal edge of a triangle has the samples on it, beside the left edges.
+enum class HorizontalEdge {
+    top,    ///< as Direct3D has it
+    bottom, ///< as Mesa's OpenGL has it
+};
+
 /// A named set of choices, of graphics hardware, another rasterizer or a course
 /// (trace/text/conventions.h). What it sets stands in the other members; it decides nothing itself.
 enum class Convention {
@@ -87,7 +93,8 @@ struct Method {
     LineStart from = LineStart::first;
     EndPixels ends = EndPixels::both;
     Fill fill = Fill::scanline;
-    FillRule fill_rule = FillRule::even_odd; ///< of polygons
+    HorizontalEdge horizontal_edge = HorizontalEdge::top; ///< of top-left
+    FillRule fill_rule = FillRule::even_odd;              ///< of polygons
     int fan_passes = 1;
     std::optional<Rounding> rounding = {}; ///< floor for spans, nearest for lines
     std::optional<Ties> ties = {};         ///< up for spans, start for lines
@@ -141,6 +148,11 @@ inline Number sample_offset_of(const Method& method) {
 /// The same for the pixels of lines.
 inline Number line_offset_of(const Method& method) {
     return traits_of(method.line).is_by_samples ? sample_offset_of(method) : Number(0);
+}
+
+/// The canvas as `top-left` fills it: the top edge of a turned one is the bottom edge in the picture.
+inline Canvas canvas_of_samples(const Method& method, const Canvas& canvas) {
+    return method.horizontal_edge == HorizontalEdge::bottom ? canvas.turned() : canvas;
 }
 
 } // namespace rastertrace
