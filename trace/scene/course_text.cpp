@@ -17,7 +17,6 @@
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -168,17 +167,14 @@ private:
         for (std::size_t i = 0; i < vertices_.size(); ++i) {
             const auto& [x, y, z, w] = vertices_[i].at;
             const std::string_view separator = i == 0 ? "\n" : ",\n";
-            fmt::format_to(std::back_inserter(text), R"({}"{}":[{},{},{},{}])", separator, i + 1, x,
-                           y, z, w);
-            fmt::format_to(std::back_inserter(colors), R"({}"{}":"{}")", separator, i + 1,
-                           to_text(vertices_[i].color));
+            text += fmt::format(R"({}"{}":[{},{},{},{}])", separator, i + 1, x, y, z, w);
+            colors += fmt::format(R"({}"{}":"{}")", separator, i + 1, to_text(vertices_[i].color));
         }
         text += "},\n\"colors\":{" + colors + "},\n\"triangles\":[";
         for (std::size_t i = 0; i < triangles_.size(); ++i) {
             const auto& [a, b, c] = triangles_[i];
-            fmt::format_to(std::back_inserter(text),
-                           R"({}{{"vertices":["{}","{}","{}"],"name":"t{}"}})",
-                           i == 0 ? "\n" : ",\n", a + 1, b + 1, c + 1, i + 1);
+            text += fmt::format(R"({}{{"vertices":["{}","{}","{}"],"name":"t{}"}})",
+                                i == 0 ? "\n" : ",\n", a + 1, b + 1, c + 1, i + 1);
         }
         return text + "],\n\"method\":{" + method() + "}}\n";
     }
