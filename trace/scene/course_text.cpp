@@ -347,8 +347,7 @@ private:
             fail_at(word, "three letters or more out of f, s and n");
         data_ = word.text.size();
         const char of_color = data_ < 6 ? 's' : word.text[3];
-        if (of_color == 'f' && data_ >= 6)
-            has_flat_colors_ = true;
+        has_flat_colors_ = has_flat_colors_ || of_color == 'f';
         is_affine_ = of_color == 'n';
     }
 

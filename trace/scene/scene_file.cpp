@@ -263,7 +263,6 @@ private:
              fill.depths != DepthForm::weights || !scene_.has(PrimitiveKind::triangle));
         drop("depth", &Method::depth,
              scene_.projection.type == ProjectionType::none || place_of_flat_);
-        drop("ends", &Method::ends, traits_of(method.line).is_by_samples);
     }
 
     void read_vertices(const JsonValue& vertices, const std::string& prefix = {}) {
